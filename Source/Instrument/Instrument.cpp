@@ -1,0 +1,203 @@
+#include "Instrument/Instrument.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+using Point = std::array<double, 3>;
+
+// Finer than the vertices of the factory objects, so that the table loses nothing.
+constexpr int stripAlong = 129;
+constexpr int stripAcross = 17;
+
+Point operator+(const Point& a, const Point& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Point operator-(const Point& a, const Point& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Point operator*(const Point& a, double factor) {
+    return {a[0] * factor, a[1] * factor, a[2] * factor};
+}
+Point cross(const Point& a, const Point& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Point& a) {
+    return std::hypot(a[0], a[1], a[2]);
+}
+
+struct BoundingBox {
+    Point centre{};
+    Point halfExtent{};
+
+    explicit BoundingBox(const ModalObject& object) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double lowest = std::numeric_limits<double>::infinity();
+            double highest = -lowest;
+            for (std::size_t i = axis; i < object.vertices.size(); i += 3) {
+                lowest = std::min(lowest, static_cast<double>(object.vertices[i]));
+                highest = std::max(highest, static_cast<double>(object.vertices[i]));
+            }
+            centre[axis] = (lowest + highest) / 2;
+            halfExtent[axis] = (highest - lowest) / 2;
+        }
+    }
+
+    Point at(const Point& relative) const {
+        return {centre[0] + relative[0] * halfExtent[0], centre[1] + relative[1] * halfExtent[1],
+                centre[2] + relative[2] * halfExtent[2]};
+    }
+
+    double reach(const Point& direction) const {
+        return std::abs(direction[0]) * halfExtent[0] + std::abs(direction[1]) * halfExtent[1] +
+               std::abs(direction[2]) * halfExtent[2];
+    }
+};
+
+struct PathPlace {
+    Point point;
+    Point direction; ///< unit, or zero where the path has no length
+};
+
+/// The place at a fraction of the path's length.
+PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
+    double total = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        total += length(path[i] - path[i - 1]);
+    double left = fraction * total;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const auto step = path[i] - path[i - 1];
+        const double stepLength = length(step);
+        if (stepLength > 0 && (left <= stepLength || i + 1 == path.size()))
+            return {path[i - 1] + step * std::min(left / stepLength, 1.0), step * (1 / stepLength)};
+        left -= stepLength;
+    }
+    return {path.back(), {}};
+}
+
+StrikeStrip buildStrip(const ModalObject& object, const KeyMap& map) {
+    const BoundingBox box(object);
+    std::vector<Point> path;
+    for (const auto& relative : map.strikePath)
+        path.push_back(box.at(relative));
+    const auto normals = vertexNormals(object);
+    const auto pointAt = [&](std::size_t row) {
+        const auto* normal = &normals[static_cast<std::size_t>(object.shapeVertices[row]) * 3];
+        return StrikePoint{.shapeRows = {static_cast<std::int32_t>(row), 0, 0},
+                           .weights = {1, 0, 0},
+                           .normal = {normal[0], normal[1], normal[2]}};
+    };
+
+    StrikeStrip strip{.alongCount = stripAlong, .acrossCount = stripAcross, .points = {}};
+    for (int along = 0; along < stripAlong; ++along) {
+        const auto place = placeOnPath(path, along / (stripAlong - 1.0));
+        const auto middle = pointAt(nearestShapeRow(object, place.point));
+        const Point normal{middle.normal[0], middle.normal[1], middle.normal[2]};
+        Point sideways = cross(normal, place.direction);
+        if (const double norm = length(sideways); norm > 0)
+            sideways = sideways * (map.strikeWidth * box.reach(sideways * (1 / norm)) / norm);
+        for (int across = 0; across < stripAcross; ++across) {
+            const double offset = 2 * across / (stripAcross - 1.0) - 1;
+            strip.points.push_back(
+                pointAt(nearestShapeRow(object, place.point + sideways * offset)));
+        }
+    }
+    return strip;
+}
+
+double midiNoteHz(double note) {
+    return 440 * std::exp2((note - 69) / 12);
+}
+
+/// The damped frequency of the lowest mode.
+double lowestModeHz(const ModalObject& object) {
+    const double eigenvalue = object.eigenvalues.front();
+    const double decay = (object.material.fluidDampingPerSecond +
+                          object.material.viscoelasticDampingSeconds * eigenvalue) /
+                         2;
+    return std::sqrt(std::max(eigenvalue - decay * decay, 1.0)) / (2 * std::numbers::pi);
+}
+
+std::string replaceNote(std::string pattern, int note) {
+    constexpr std::string_view mark = "{note}";
+    if (const auto place = pattern.find(mark); place != std::string::npos)
+        pattern.replace(place, mark.size(), std::to_string(note));
+    return pattern;
+}
+
+} // namespace
+
+const StrikePoint& StrikeStrip::at(double along, double across) const {
+    const auto index = [](double place, int count) {
+        return static_cast<std::size_t>(std::lround(std::clamp(place, 0.0, 1.0) * (count - 1)));
+    };
+    return points[index(along, alongCount) * static_cast<std::size_t>(acrossCount) +
+                  index((across + 1) / 2, acrossCount)];
+}
+
+Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap,
+                                                            ObjectLibrary& library) {
+    if (keyMap.lowestNote < 0 || keyMap.highestNote > 127 ||
+        keyMap.lowestNote > keyMap.highestNote || keyMap.strikePath.empty())
+        return failure("the key map's notes are not between 0 and 127, or it has no strike path");
+    auto instrument = std::shared_ptr<Instrument>(new Instrument(keyMap));
+    const auto built = keyMap.kind == KeyMapKind::bars ? instrument->buildBars(library)
+                                                       : instrument->buildSingleObject(library);
+    if (!built)
+        return tl::unexpected(built.error());
+    return instrument;
+}
+
+Result<void> Instrument::buildBars(ObjectLibrary& library) {
+    for (int note = map.lowestNote; note <= map.highestNote; ++note) {
+        auto object = library.find(replaceNote(map.object, note));
+        if (!object)
+            return tl::unexpected(object.error());
+        keys[static_cast<std::size_t>(note)] = {.slot = static_cast<int>(synthesiserSlots.size()),
+                                                .strip = static_cast<int>(strips.size()),
+                                                .along = map.strikeAt,
+                                                .malletScale = 1};
+        strips.push_back(buildStrip(**object, map));
+        synthesiserSlots.push_back({.object = std::move(*object), .sizeRatio = 1});
+    }
+    return {};
+}
+
+Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
+    auto object = library.find(map.object);
+    if (!object)
+        return tl::unexpected(object.error());
+    strips.push_back(buildStrip(**object, map));
+
+    const double referenceHz =
+        map.referenceNote >= 0 ? midiNoteHz(map.referenceNote) : lowestModeHz(**object);
+    const int range = map.highestNote - map.lowestNote;
+    for (int note = map.lowestNote; note <= map.highestNote; ++note) {
+        auto& key = keys[static_cast<std::size_t>(note)];
+        if (map.kind == KeyMapKind::zones) {
+            key = {.slot = 0,
+                   .strip = 0,
+                   .along = range > 0 ? static_cast<double>(note - map.lowestNote) / range
+                                      : map.strikeAt,
+                   .malletScale = 1};
+            continue;
+        }
+        // The mallet is scaled with the object: every key is the same event at another size, where
+        // one mallet for all would make small objects louder by the cube of their pitch.
+        const double sizeRatio = referenceHz / midiNoteHz(note);
+        key = {.slot = static_cast<int>(synthesiserSlots.size()),
+               .strip = 0,
+               .along = map.strikeAt,
+               .malletScale = sizeRatio};
+        synthesiserSlots.push_back({.object = *object, .sizeRatio = sizeRatio});
+    }
+    if (map.kind == KeyMapKind::zones)
+        synthesiserSlots.push_back({.object = *object, .sizeRatio = 1});
+    return {};
+}
+
+} // namespace idiophone

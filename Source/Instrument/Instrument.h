@@ -1,0 +1,59 @@
+// An instrument ready to be played: its objects in memory and, for every MIDI note, which of them
+// to strike and where. Immutable, so any number of players share it.
+#pragma once
+
+#include "Instrument/ObjectLibrary.h"
+#include "Instrument/Preset.h"
+#include "Synth/Strike.h"
+#include "Synth/Synthesiser.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace idiophone {
+
+/// Strike points over a strip of an object: a table, so that the audio thread only looks up.
+struct StrikeStrip {
+    int alongCount = 0;
+    int acrossCount = 0;
+    std::vector<StrikePoint> points; ///< [along, across]
+
+    /// `along` 0 to 1 from one end of the path to the other, `across` −1 to 1.
+    const StrikePoint& at(double along, double across) const;
+};
+
+/// What a MIDI note plays.
+struct Key {
+    int slot = -1;          ///< −1: the note is silent
+    int strip = 0;          ///< index into Instrument::strips
+    double along = 0.5;     ///< its own place on the strip
+    double malletScale = 1; ///< size of its mallet: time × this, impulse × this³
+};
+
+class Instrument {
+public:
+    /// Loads what the preset names. The error names the object or the setting at fault.
+    static Result<std::shared_ptr<const Instrument>> build(const KeyMap& keyMap,
+                                                           ObjectLibrary& library);
+
+    const KeyMap& keyMap() const { return map; }
+    std::span<const SynthesiserSlot> slots() const { return synthesiserSlots; }
+    const Key& key(int midiNote) const { return keys[static_cast<std::size_t>(midiNote & 127)]; }
+    const StrikeStrip& strip(const Key& key) const {
+        return strips[static_cast<std::size_t>(key.strip)];
+    }
+
+private:
+    explicit Instrument(KeyMap keyMap) : map(std::move(keyMap)) {}
+
+    Result<void> buildBars(ObjectLibrary& library);
+    Result<void> buildSingleObject(ObjectLibrary& library);
+
+    KeyMap map;
+    std::vector<SynthesiserSlot> synthesiserSlots;
+    std::vector<StrikeStrip> strips;
+    std::array<Key, 128> keys;
+};
+
+} // namespace idiophone

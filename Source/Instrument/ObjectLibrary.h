@@ -1,0 +1,32 @@
+// Modal objects by name, each loaded once and shared read-only by everybody in the process: the
+// factory's from the program itself, others from files.
+#pragma once
+
+#include "Object/ModalObject.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace idiophone {
+
+/// Thread-safe; it locks and reads files, so never on the audio thread.
+class ObjectLibrary {
+public:
+    /// The library shared by every instance of the plugin in this process.
+    static ObjectLibrary& shared();
+
+    /// A factory object ("xylophone-72"), or else the modal object file of that path.
+    Result<std::shared_ptr<const ModalObject>> find(const std::string& name);
+
+    /// Makes an object known under a name, as one embedded in a saved state; it wins over the
+    /// factory and files for as long as somebody holds the pointer that is returned.
+    std::shared_ptr<const ModalObject> add(const std::string& name, ModalObject object);
+
+private:
+    std::mutex mutex;
+    std::map<std::string, std::weak_ptr<const ModalObject>> loaded;
+};
+
+} // namespace idiophone

@@ -1,0 +1,199 @@
+#include "Instrument/Player.h"
+
+#include "Instrument/MalletStrike.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+
+constexpr double decibels60 = 6.907755278982137; // ln(1000)
+constexpr double silencingSeconds = 0.02;        // T60 of "all sound off"
+
+enum ControllerNumber {
+    sustainController = 64,
+    allSoundOff = 120,
+    resetControllers,
+    allNotesOff = 123
+};
+
+std::optional<LiveMaterial> liveMaterial(const ParameterValues& values) {
+    const int choice = static_cast<int>(values[material]);
+    if (choice == customMaterial)
+        return LiveMaterial{.youngsModulusPa = values[youngsModulus] * 1e9,
+                            .densityKgPerM3 = values[density],
+                            .fluidDampingPerSecond = values[fluidDamping],
+                            .viscoelasticDampingSeconds = values[viscoelasticDamping] * 1e-6};
+    const auto library = materialLibrary();
+    const auto index = static_cast<std::size_t>(choice - firstLibraryMaterial);
+    if (choice < firstLibraryMaterial || index >= library.size())
+        return std::nullopt;
+    return LiveMaterial{.youngsModulusPa = library[index].youngsModulusPa,
+                        .densityKgPerM3 = library[index].densityKgPerM3,
+                        .fluidDampingPerSecond = library[index].fluidDampingPerSecond,
+                        .viscoelasticDampingSeconds = library[index].viscoelasticDampingSeconds};
+}
+
+std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
+    return {instrument.slots().begin(), instrument.slots().end()};
+}
+
+} // namespace
+
+Player::Player(std::shared_ptr<const Instrument> instrument, double sampleRateHz)
+    : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz),
+      slotHeld(playedInstrument->slots().size(), false),
+      slotSilenced(playedInstrument->slots().size(), false) {}
+
+void Player::process(std::span<float> output,
+                     std::span<const MidiEvent> events,
+                     const ParameterValues& parameters) {
+    current = parameters;
+    const int count = static_cast<int>(output.size());
+    std::size_t next = 0;
+    for (int position = 0; position < count;) {
+        const auto due = next;
+        while (next < events.size() && events[next].sampleOffset <= position)
+            follow(events[next++]);
+        if (cellPosition == cellSamples)
+            beginCell();
+        for (auto event = due; event < next; ++event)
+            strikeFor(events[event]);
+
+        int until = std::min(count, position + cellSamples - cellPosition);
+        if (next < events.size())
+            until = std::min(until, events[next].sampleOffset);
+        std::copy_n(cell.begin() + cellPosition, until - position, output.begin() + position);
+        cellPosition += until - position;
+        position = until;
+    }
+}
+
+// Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
+// the next grid point; what follows for the sound happens there.
+void Player::follow(const MidiEvent& event) {
+    const int kind = event.bytes[0] & 0xf0;
+    const int first = event.bytes[1] & 0x7f;
+    const int second = event.bytes[2] & 0x7f;
+    if (kind == 0x90 && second > 0)
+        keyDown(first);
+    else if (kind == 0x80 || kind == 0x90)
+        keyUp(first);
+    else if (kind == 0xb0)
+        controller(first, second);
+    else if (kind == 0xc0)
+        programChange = first;
+    else if (kind == 0xe0)
+        bend = std::clamp((second * 128 + first - 8192) / 8191.0, -1.0, 1.0);
+}
+
+void Player::keyDown(int note) {
+    keysDown.set(static_cast<std::size_t>(note));
+    if (const auto slot = playedInstrument->key(note).slot; slot >= 0)
+        slotSilenced[static_cast<std::size_t>(slot)] = false;
+}
+
+void Player::keyUp(int note) {
+    const auto index = static_cast<std::size_t>(note);
+    if (sustainPedal && keysDown[index])
+        keysSustained.set(index);
+    keysDown.reset(index);
+}
+
+void Player::controller(int number, int value) {
+    switch (number) {
+    case sustainController:
+        sustainPedal = value >= 64;
+        if (!sustainPedal)
+            keysSustained.reset();
+        break;
+    case allSoundOff:
+        std::fill(slotSilenced.begin(), slotSilenced.end(), true);
+        [[fallthrough]];
+    case allNotesOff:
+        keysDown.reset();
+        keysSustained.reset();
+        break;
+    case resetControllers:
+        sustainPedal = false;
+        keysSustained.reset();
+        bend = 0;
+        break;
+    default:
+        break;
+    }
+}
+
+void Player::strikeFor(const MidiEvent& event) {
+    const int velocity = event.bytes[2] & 0x7f;
+    if ((event.bytes[0] & 0xf0) != 0x90 || velocity == 0)
+        return;
+    const auto& key = playedInstrument->key(event.bytes[1]);
+    if (key.slot < 0)
+        return;
+    const auto place = strikePlace(key.along, current, strikeCount++);
+    const auto strike = malletStrike(playedInstrument->strip(key).at(place.along, place.across),
+                                     velocity, key.malletScale, current);
+    synth.strike(static_cast<std::size_t>(key.slot), strike, cellPosition, cell);
+}
+
+void Player::beginCell() {
+    synth.setSettings(settings());
+    updateDampers();
+    synth.beginCell(cell);
+    cellPosition = 0;
+}
+
+void Player::updateDampers() {
+    slotHeld.assign(slotHeld.size(), current[letRing] != 0);
+    const auto held = keysDown | keysSustained;
+    for (int note = 0; note < 128; ++note)
+        if (const int slot = playedInstrument->key(note).slot;
+            slot >= 0 && held[static_cast<std::size_t>(note)])
+            slotHeld[static_cast<std::size_t>(slot)] = true;
+    for (std::size_t slot = 0; slot < slotHeld.size(); ++slot)
+        synth.setDamping(slot, slotSilenced[slot] ? decibels60 / silencingSeconds
+                               : slotHeld[slot]   ? 0
+                                                  : decibels60 / current[releaseTime]);
+}
+
+SynthesisSettings Player::settings() const {
+    const auto& slopeInfo = parameterInfo(qualitySlope);
+    const double semitones = current[tune] / 100 + bend * current[bendRange];
+    return {.tau = current[tau],
+            .qualitySlope =
+                current[qualitySlope] == slopeInfo.maximum ? greedySlope : current[qualitySlope],
+            .modeBudget = current[modeBudget],
+            .compression = current[compression],
+            .sizeRatio = current[size],
+            .frequencyRatio = std::exp2(semitones / 12),
+            .material = liveMaterial(current)};
+}
+
+void Player::reset() {
+    synth.reset();
+    cell.fill(0);
+    cellPosition = cellSamples;
+    strikeCount = 0;
+    keysDown.reset();
+    keysSustained.reset();
+    sustainPedal = false;
+    bend = 0;
+    programChange.reset();
+    std::fill(slotSilenced.begin(), slotSilenced.end(), false);
+}
+
+bool Player::silent() const {
+    return synth.silent() &&
+           std::all_of(cell.begin() + cellPosition, cell.end(), [](float x) { return x == 0; });
+}
+
+std::optional<int> Player::takeProgramChange() {
+    return std::exchange(programChange, std::nullopt);
+}
+
+} // namespace idiophone

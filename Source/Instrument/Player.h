@@ -1,0 +1,75 @@
+// Plays an instrument from MIDI: notes become strikes, pedals and releases become dampers, and the
+// synthesiser's cells become a stream of any block size.
+#pragma once
+
+#include "Instrument/Instrument.h"
+#include "Parameters/ParameterTable.h"
+#include "Synth/Synthesiser.h"
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+/// A channel message; `sampleOffset` counts from the start of the block it is handed over with.
+struct MidiEvent {
+    int sampleOffset = 0;
+    std::array<std::uint8_t, 3> bytes{};
+};
+
+/// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
+/// allocates, locks nor throws. The same events and parameters give the same samples, bit for bit,
+/// whatever the block sizes.
+class Player {
+public:
+    Player(std::shared_ptr<const Instrument> instrument, double sampleRateHz);
+
+    /// Renders the next `output.size()` samples (mono, full scale 1, before `level`). Events are in
+    /// order of time. Strikes act at their sample; parameters and everything else at the first
+    /// point of the 64-sample grid at or after their stamp, which for parameters is the block's
+    /// first sample.
+    void process(std::span<float> output,
+                 std::span<const MidiEvent> events,
+                 const ParameterValues& parameters);
+
+    /// Silence, all keys up, controllers at rest, the grid at its start.
+    void reset();
+
+    bool silent() const;
+    /// The program number of the last program change since this was asked, if any.
+    std::optional<int> takeProgramChange();
+    const Synthesiser& synthesiser() const { return synth; }
+    const Instrument& instrument() const { return *playedInstrument; }
+
+private:
+    void follow(const MidiEvent& event);
+    void strikeFor(const MidiEvent& event);
+    void keyDown(int note);
+    void keyUp(int note);
+    void controller(int number, int value);
+    void beginCell();
+    void updateDampers();
+    SynthesisSettings settings() const;
+
+    std::shared_ptr<const Instrument> playedInstrument;
+    Synthesiser synth;
+    ParameterValues current;
+    alignas(64) std::array<float, cellSamples> cell{};
+    int cellPosition = cellSamples;
+    std::uint32_t strikeCount = 0;
+
+    std::bitset<128> keysDown;
+    std::bitset<128> keysSustained;
+    bool sustainPedal = false;
+    double bend = 0;                ///< −1 to 1
+    std::vector<bool> slotHeld;     ///< some key of the slot is down or sustained, or it may ring
+    std::vector<bool> slotSilenced; ///< by "all sound off", until the next strike
+    std::optional<int> programChange;
+};
+
+} // namespace idiophone

@@ -1,0 +1,183 @@
+#include "Instrument/Preset.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::ordered_json;
+
+// Inside this file a fault travels as an exception and becomes a Result at parsePreset.
+struct Fault {
+    std::string sentence;
+};
+
+const ordered_json& member(const ordered_json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key))
+        throw Fault{"it lacks '" + std::string(key) + "'"};
+    return object[key];
+}
+
+std::string text(const ordered_json& object, const char* key) {
+    const auto& value = member(object, key);
+    if (!value.is_string())
+        throw Fault{"'" + std::string(key) + "' is not a text"};
+    return value;
+}
+
+double number(const ordered_json& object, const char* key, double lowest, double highest) {
+    const auto& value = member(object, key);
+    if (!value.is_number())
+        throw Fault{"'" + std::string(key) + "' is not a number"};
+    const auto result = value.get<double>();
+    if (!(result >= lowest && result <= highest))
+        throw Fault{"'" + std::string(key) + "' is out of range"};
+    return result;
+}
+
+constexpr std::array<std::pair<KeyMapKind, const char*>, 3> kindNames{{
+    {KeyMapKind::bars, "bars"},
+    {KeyMapKind::zones, "zones"},
+    {KeyMapKind::scaled, "scaled"},
+}};
+
+KeyMapKind parseKind(const std::string& name) {
+    for (const auto& [kind, kindName] : kindNames)
+        if (name == kindName)
+            return kind;
+    throw Fault{"its key map '" + name + "' is none of bars, zones and scaled"};
+}
+
+const char* kindName(KeyMapKind wanted) {
+    for (const auto& [kind, name] : kindNames)
+        if (kind == wanted)
+            return name;
+    return "";
+}
+
+std::vector<std::array<double, 3>> parsePath(const ordered_json& path) {
+    if (!path.is_array() || path.empty() || path.size() > 1000)
+        throw Fault{"'strikePath' is not a list of 1 to 1000 points"};
+    std::vector<std::array<double, 3>> points;
+    for (const auto& point : path) {
+        if (!point.is_array() || point.size() != 3)
+            throw Fault{"'strikePath' holds something that is not a point [x, y, z]"};
+        std::array<double, 3> coordinates{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (!point[axis].is_number() || !(std::abs(point[axis].get<double>()) <= 1))
+                throw Fault{"'strikePath' holds a coordinate that is not between -1 and 1"};
+            coordinates[axis] = point[axis];
+        }
+        points.push_back(coordinates);
+    }
+    return points;
+}
+
+KeyMap parseKeyMap(const ordered_json& object) {
+    KeyMap map;
+    map.kind = parseKind(text(object, "kind"));
+    map.lowestNote = static_cast<int>(number(object, "lowestNote", 0, 127));
+    map.highestNote = static_cast<int>(number(object, "highestNote", map.lowestNote, 127));
+    map.object = text(object, "object");
+    if (object.contains("strikePath"))
+        map.strikePath = parsePath(object["strikePath"]);
+    if (object.contains("strikeAt"))
+        map.strikeAt = number(object, "strikeAt", 0, 1);
+    if (object.contains("strikeWidth"))
+        map.strikeWidth = number(object, "strikeWidth", 0, 1);
+    if (object.contains("referenceNote"))
+        map.referenceNote = number(object, "referenceNote", 0, 127);
+    return map;
+}
+
+void parseParameters(const ordered_json& object, Preset& preset) {
+    if (!object.is_object())
+        throw Fault{"'parameters' are not a JSON object"};
+    for (const auto& [id, value] : object.items()) {
+        const auto* info = findParameter(id);
+        if (info == nullptr) {
+            preset.unknownParameters.push_back(id);
+            continue;
+        }
+        const auto parsed = value.is_string()   ? parseParameter(*info, value.get<std::string>())
+                            : value.is_number() ? std::optional(value.get<double>())
+                                                : std::nullopt;
+        if (!parsed)
+            throw Fault{"parameter '" + id + "' has a value it cannot take"};
+        preset.parameters.set(info->parameter, *parsed);
+    }
+}
+
+Preset parse(const ordered_json& root) {
+    if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-preset")
+        throw Fault{"it is not an Idiophone preset"};
+    const auto version = number(root, "version", 1, 1e9);
+    if (version > presetFormatVersion)
+        throw Fault{"it was made by a newer Idiophone (preset version " +
+                    std::to_string(static_cast<int>(version)) + ")"};
+    Preset preset;
+    preset.name = text(root, "name");
+    if (preset.name.empty())
+        throw Fault{"its name is empty"};
+    preset.author = root.contains("author") ? text(root, "author") : "";
+    preset.description = root.contains("description") ? text(root, "description") : "";
+    if (root.contains("tags")) {
+        if (!root["tags"].is_array())
+            throw Fault{"'tags' are not a list"};
+        for (const auto& tag : root["tags"]) {
+            if (!tag.is_string())
+                throw Fault{"'tags' are not all texts"};
+            preset.tags.push_back(tag);
+        }
+    }
+    preset.keyMap = parseKeyMap(member(root, "keyMap"));
+    if (root.contains("parameters"))
+        parseParameters(root["parameters"], preset);
+    return preset;
+}
+
+} // namespace
+
+Result<Preset> parsePreset(std::string_view json, std::string_view name) {
+    const auto refuse = [&](const std::string& sentence) {
+        return failure(std::string(name) + ": " + sentence);
+    };
+    if (json.size() > 1 << 20)
+        return refuse("it is too large for a preset");
+    try {
+        const auto root = ordered_json::parse(json, nullptr, false);
+        if (root.is_discarded())
+            return refuse("it is not JSON");
+        return parse(root);
+    } catch (const Fault& fault) {
+        return refuse(fault.sentence);
+    } catch (const ordered_json::exception&) {
+        return refuse("it is damaged");
+    }
+}
+
+std::string encodePreset(const Preset& preset) {
+    const auto& map = preset.keyMap;
+    ordered_json keyMap{{"kind", kindName(map.kind)},     {"lowestNote", map.lowestNote},
+                        {"highestNote", map.highestNote}, {"object", map.object},
+                        {"strikePath", map.strikePath},   {"strikeAt", map.strikeAt},
+                        {"strikeWidth", map.strikeWidth}};
+    if (map.referenceNote >= 0)
+        keyMap["referenceNote"] = map.referenceNote;
+    ordered_json parameters = ordered_json::object();
+    for (const auto& info : parameterTable())
+        parameters[info.id] = preset.parameters[info.parameter];
+    const ordered_json root{{"format", "idiophone-preset"},
+                            {"version", presetFormatVersion},
+                            {"name", preset.name},
+                            {"author", preset.author},
+                            {"description", preset.description},
+                            {"tags", preset.tags},
+                            {"keyMap", keyMap},
+                            {"parameters", parameters}};
+    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    return root.dump(4, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+} // namespace idiophone

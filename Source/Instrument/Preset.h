@@ -1,0 +1,65 @@
+// A preset: which objects the keys play, where they are struck, and a value for every parameter.
+// Plain data and its JSON; building the instrument from it is Instrument.h's.
+#pragma once
+
+#include "Object/Result.h"
+#include "Parameters/ParameterTable.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace idiophone {
+
+enum class KeyMapKind {
+    bars,  ///< one object a key
+    zones, ///< one object; the strike moves along a path over it as the keys go up
+    scaled ///< one object, resized for each key to its pitch
+};
+
+/// How MIDI notes find objects and strike points.
+struct KeyMap {
+    KeyMapKind kind = KeyMapKind::bars;
+    int lowestNote = 0;    ///< 0 to 127
+    int highestNote = 127; ///< lowestNote to 127
+    /// The modal object: a factory object's name ("plate") or a file's path; for `bars`, `{note}`
+    /// in it stands for the MIDI note.
+    std::string object;
+    /// Where keys strike: a path over the object, from its lowest key's end to its highest's, in
+    /// units of the object's bounding box (−1 to 1 along x, y and z). Each point is taken to the
+    /// nearest vertex that carries shapes. `zones` spread the keys along the path; the other maps
+    /// strike at `strikeAt` of the way.
+    std::vector<std::array<double, 3>> strikePath{{-1, 0, 0}, {1, 0, 0}};
+    double strikeAt = 0.5; ///< 0 to 1
+    /// How far beside the path "strike position across" reaches, in units of the bounding box.
+    double strikeWidth = 1; ///< 0 to 1
+    /// `scaled`: which MIDI note the object sounds at its own size, by its lowest mode; found from
+    /// the object where it is negative.
+    double referenceNote = -1;
+
+    bool operator==(const KeyMap&) const = default;
+};
+
+struct Preset {
+    std::string name;
+    std::string author;
+    std::string description;
+    std::vector<std::string> tags;
+    KeyMap keyMap;
+    ParameterValues parameters; ///< those the file does not name have their default
+    /// Ids of parameters in the file that this version does not know.
+    std::vector<std::string> unknownParameters;
+
+    bool operator==(const Preset&) const = default;
+};
+
+inline constexpr int presetFormatVersion = 1;
+
+/// Parses a preset file; `name` stands for it in errors.
+Result<Preset> parsePreset(std::string_view json, std::string_view name);
+
+/// The preset as JSON text that `parsePreset` reads back to an equal preset.
+std::string encodePreset(const Preset& preset);
+
+} // namespace idiophone

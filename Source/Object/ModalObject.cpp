@@ -1,0 +1,138 @@
+#include "Object/ModalObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace idiophone {
+namespace {
+
+template <class Values>
+bool allFinite(const Values& values) {
+    return std::ranges::all_of(values, [](auto value) { return std::isfinite(value); });
+}
+
+std::string sizesFault(const ModalObject& object) {
+    if (object.modeCount() == 0)
+        return "it has no modes";
+    if (object.shapeVertexCount() == 0)
+        return "no vertex carries mode shapes";
+    if (object.vertices.size() % 3 != 0 || object.faces.size() % 3 != 0)
+        return "vertices and faces must come in threes";
+    // Divisions, not products: a hostile size must not wrap around.
+    if (object.shapes.size() % 3 != 0 || object.shapes.size() / 3 % object.modeCount() != 0 ||
+        object.shapes.size() / 3 / object.modeCount() != object.shapeVertexCount())
+        return "the size of the mode shapes is not vertices x modes x 3";
+    if (!object.bending.empty() && object.bending.size() != object.modeCount())
+        return "the bending parts are not one for each mode";
+    return {};
+}
+
+std::string eigenvaluesFault(const ModalObject& object) {
+    if (!allFinite(object.eigenvalues) || !allFinite(object.bending))
+        return "an eigenvalue is not a finite number";
+    if (!(object.eigenvalues.front() > 0))
+        return "an eigenvalue is not positive";
+    if (!std::ranges::is_sorted(object.eigenvalues))
+        return "the eigenvalues are not in ascending order";
+    // Beyond 1 GHz nothing vibrates as this model says, and later squares could overflow.
+    if (object.eigenvalues.back() > 4e19)
+        return "an eigenvalue lies beyond 1 GHz";
+    for (std::size_t mode = 0; mode < object.bending.size(); ++mode)
+        if (object.bending[mode] < 0 || object.bending[mode] > object.eigenvalues[mode])
+            return "a bending part is not between 0 and its eigenvalue";
+    return {};
+}
+
+std::string geometryFault(const ModalObject& object) {
+    if (!allFinite(object.shapes))
+        return "a mode shape is not a finite number";
+    if (!allFinite(object.vertices))
+        return "a vertex is not a finite number";
+    const auto vertexCount = static_cast<std::int64_t>(object.vertexCount());
+    const auto isVertex = [&](std::int32_t index) { return index >= 0 && index < vertexCount; };
+    if (!std::ranges::all_of(object.faces, isVertex))
+        return "a face names a vertex that does not exist";
+    if (!std::ranges::all_of(object.shapeVertices, isVertex))
+        return "the list of vertices with shapes names a vertex that does not exist";
+    if (std::ranges::adjacent_find(object.shapeVertices, std::greater_equal{}) !=
+        object.shapeVertices.end())
+        return "the list of vertices with shapes is not in ascending order";
+    return {};
+}
+
+std::string scalarsFault(const ModalObject& object) {
+    if (!std::isfinite(object.thicknessMetres) || object.thicknessMetres < 0 ||
+        (object.body == BodyKind::shell && object.thicknessMetres == 0))
+        return "the thickness is not a positive number";
+    if (!std::isfinite(object.bandHz) || object.bandHz <= 0)
+        return "the analysed band is not a positive number";
+    if (!std::isfinite(object.mass.massKg) || object.mass.massKg <= 0)
+        return "the mass is not a positive number";
+    if (!allFinite(object.mass.centreMetres) || !allFinite(object.mass.inertiaKgM2))
+        return "the centre or the inertia is not a finite number";
+    if (!std::isfinite(object.provenance.analysisSeconds))
+        return "the analysis time is not a finite number";
+    return {};
+}
+
+} // namespace
+
+Result<ModalObject> validated(ModalObject object) {
+    if (auto material = validated(object.material); !material)
+        return failure(material.error().message);
+    for (const auto fault : {sizesFault, eigenvaluesFault, geometryFault, scalarsFault})
+        if (const auto sentence = fault(object); !sentence.empty())
+            return failure(sentence);
+    return object;
+}
+
+std::vector<float> vertexNormals(const ModalObject& object) {
+    std::vector<double> sums(object.vertices.size(), 0.0);
+    const auto coordinate = [&](std::int32_t vertex, int axis) {
+        return static_cast<double>(object.vertices[static_cast<std::size_t>(vertex) * 3 + axis]);
+    };
+    for (std::size_t face = 0; face < object.faceCount(); ++face) {
+        const auto* corner = &object.faces[face * 3];
+        std::array<double, 3> u{}, v{};
+        for (int axis = 0; axis < 3; ++axis) {
+            u[axis] = coordinate(corner[1], axis) - coordinate(corner[0], axis);
+            v[axis] = coordinate(corner[2], axis) - coordinate(corner[0], axis);
+        }
+        // The cross product's length is twice the area: the weighting comes by itself.
+        const std::array<double, 3> cross{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                          u[0] * v[1] - u[1] * v[0]};
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis)
+                sums[static_cast<std::size_t>(corner[c]) * 3 + axis] += cross[axis];
+    }
+    std::vector<float> normals(object.vertices.size());
+    for (std::size_t i = 0; i < normals.size(); i += 3) {
+        const double length = std::hypot(sums[i], sums[i + 1], sums[i + 2]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            normals[i + axis] = length > 0 ? static_cast<float>(sums[i + axis] / length)
+                                           : (axis == 2 ? 1.0f : 0.0f);
+    }
+    return normals;
+}
+
+std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 3>& pointMetres) {
+    std::size_t nearest = 0;
+    double nearestSquared = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
+        const auto* vertex =
+            &object.vertices[static_cast<std::size_t>(object.shapeVertices[row]) * 3];
+        double squared = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double difference = vertex[axis] - pointMetres[axis];
+            squared += difference * difference;
+        }
+        if (squared < nearestSquared) {
+            nearestSquared = squared;
+            nearest = row;
+        }
+    }
+    return nearest;
+}
+
+} // namespace idiophone

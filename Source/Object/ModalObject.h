@@ -1,0 +1,76 @@
+// A modal object: what analysis computes from a mesh and synthesis plays. It holds only what does
+// not depend on live material changes; λ ∝ Y/ρ and gains ∝ 1/√m are applied where it is played.
+#pragma once
+
+#include "Object/Material.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+enum class BodyKind { solid, shell };
+
+struct MassProperties {
+    double massKg = 0;
+    std::array<double, 3> centreMetres{};
+    std::array<double, 9> inertiaKgM2{}; ///< about the centre, row-major
+};
+
+/// Where an object comes from, for people and for `idiophone info`.
+struct Provenance {
+    std::string source;   ///< mesh file or generator
+    std::string software; ///< "Idiophone 0.1.0"
+    std::string notes;    ///< what repair and analysis found worth saying
+    double analysisSeconds = 0;
+    std::int64_t analysedVertices = 0; ///< vertices of the mesh that was analysed
+    std::int64_t zeroModes = 0;        ///< rigid and spurious modes found and left out
+};
+
+/// V vertices carry shapes, M modes, N mesh vertices, F faces. A value that passed `validated` (as
+/// everything read from a file has) may be shared, read-only, by any number of threads.
+struct ModalObject {
+    std::string name;
+    Material material; ///< reference material: `eigenvalues` belong to it
+    BodyKind body = BodyKind::solid;
+    double thicknessMetres = 0; ///< reference thickness of a shell; 0 for a solid
+    std::string method;         ///< "spring-mass", "van-gelder", "two-layer", "fem"
+    double bandHz = 0;          ///< every mode from 20 Hz up to here is present
+
+    std::vector<double> eigenvalues;         ///< [M] λ = ω² in rad²/s², ascending, > 0
+    std::vector<float> shapes;               ///< [V,M,3] mass-normalised (GᵀMG = I), in 1/√kg
+    std::vector<std::int32_t> shapeVertices; ///< [V] which mesh vertices carry shapes, ascending
+    std::vector<float> vertices;             ///< [N,3] in metres
+    std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
+    std::vector<double> bending;             ///< empty, or [M] bending part of λ (0 ≤ b ≤ λ)
+
+    MassProperties mass;
+    Provenance provenance;
+
+    std::size_t modeCount() const { return eigenvalues.size(); }
+    std::size_t shapeVertexCount() const { return shapeVertices.size(); }
+    std::size_t vertexCount() const { return vertices.size() / 3; }
+    std::size_t faceCount() const { return faces.size() / 3; }
+
+    /// [M,3] shapes of all modes at row `shapeRow` of `shapeVertices`.
+    std::span<const float> shapesAt(std::size_t shapeRow) const {
+        return {shapes.data() + shapeRow * modeCount() * 3, modeCount() * 3};
+    }
+};
+
+/// The object unchanged, or the first thing wrong with it: sizes that disagree, an index out of
+/// range, a value that is not finite or not in order.
+Result<ModalObject> validated(ModalObject object);
+
+/// Unit outward normals [N,3], the area-weighted mean over the faces at each mesh vertex
+/// ((0,0,1) at a vertex of no face).
+std::vector<float> vertexNormals(const ModalObject& object);
+
+/// The row of `shapeVertices` whose vertex is nearest to a point in metres. The object has one.
+std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 3>& pointMetres);
+
+} // namespace idiophone

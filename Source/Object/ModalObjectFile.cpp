@@ -1,0 +1,293 @@
+#include "Object/ModalObjectFile.h"
+
+#include "Object/HalfFloat.h"
+#include "Object/Safetensors.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::json;
+using safetensors::Container;
+using safetensors::Fault;
+using safetensors::Tensor;
+
+constexpr int formatVersion = 1;
+constexpr std::uintmax_t fileLimitBytes = std::uintmax_t{1} << 32;
+
+class Reader {
+public:
+    explicit Reader(Container source) : container(std::move(source)) {
+        if (!container.metadata.is_object() || text("format") != "idiophone-modal")
+            throw Fault{"it is not an Idiophone modal object"};
+        if (text("format_version") != std::to_string(formatVersion))
+            throw Fault{"it has format version " + text("format_version") +
+                        ", and this Idiophone reads version " + std::to_string(formatVersion)};
+    }
+
+    ModalObject object() const {
+        ModalObject object;
+        object.name = text("name");
+        object.method = text("method");
+        object.body = body();
+        object.thicknessMetres = number(section("geometry"), "thickness_m");
+        object.bandHz = number(section("geometry"), "band_hz");
+        object.material = material();
+        object.mass = massProperties();
+        object.provenance = provenance();
+
+        object.eigenvalues = values<double>("eigenvalues", "F64", 1);
+        object.shapes = shapes();
+        object.shapeVertices = values<std::int32_t>("shape_vertices", "I32", 1);
+        object.vertices = values<float>("vertices", "F32", 2);
+        object.faces = values<std::int32_t>("faces", "I32", 2);
+        if (container.tensors.contains("bending"))
+            object.bending = values<double>("bending", "F64", 1);
+        return object;
+    }
+
+private:
+    std::string text(const char* key) const {
+        if (!container.metadata.contains(key) || !container.metadata[key].is_string())
+            throw Fault{"its metadata lack '" + std::string(key) + "'"};
+        return container.metadata[key];
+    }
+
+    json section(const char* key) const {
+        json parsed = json::parse(text(key), nullptr, false);
+        if (!parsed.is_object())
+            throw Fault{"its metadata '" + std::string(key) + "' are not a JSON object"};
+        return parsed;
+    }
+
+    static double number(const json& object, const char* key) {
+        if (!object.contains(key) || !object[key].is_number())
+            throw Fault{"its metadata lack the number '" + std::string(key) + "'"};
+        return object[key];
+    }
+
+    static std::int64_t count(const json& object, const char* key) {
+        if (!object.contains(key) || !object[key].is_number_unsigned() ||
+            object[key].get<std::uint64_t>() > std::uint64_t{1} << 53)
+            throw Fault{"its metadata lack the count '" + std::string(key) + "'"};
+        return object[key];
+    }
+
+    static std::string word(const json& object, const char* key) {
+        if (!object.contains(key) || !object[key].is_string())
+            throw Fault{"its metadata lack the text '" + std::string(key) + "'"};
+        return object[key];
+    }
+
+    template <std::size_t size>
+    static std::array<double, size> numbers(const json& object, const char* key) {
+        if (!object.contains(key) || !object[key].is_array() || object[key].size() != size)
+            throw Fault{"its metadata lack the numbers '" + std::string(key) + "'"};
+        std::array<double, size> result{};
+        for (std::size_t i = 0; i < size; ++i) {
+            if (!object[key][i].is_number())
+                throw Fault{"its metadata '" + std::string(key) + "' are not all numbers"};
+            result[i] = object[key][i];
+        }
+        return result;
+    }
+
+    BodyKind body() const {
+        const auto kind = text("body");
+        if (kind == "solid")
+            return BodyKind::solid;
+        if (kind == "shell")
+            return BodyKind::shell;
+        throw Fault{"its body '" + kind + "' is neither solid nor shell"};
+    }
+
+    Material material() const {
+        const auto m = section("material");
+        return {.name = word(m, "name"),
+                .youngsModulusPa = number(m, "youngs_modulus_pa"),
+                .densityKgPerM3 = number(m, "density_kg_per_m3"),
+                .poissonRatio = number(m, "poisson_ratio"),
+                .fluidDampingPerSecond = number(m, "fluid_damping_per_s"),
+                .viscoelasticDampingSeconds = number(m, "viscoelastic_damping_s"),
+                .friction = number(m, "friction"),
+                .restitution = number(m, "restitution"),
+                .roughness = number(m, "roughness"),
+                .source = word(m, "source")};
+    }
+
+    MassProperties massProperties() const {
+        const auto m = section("mass");
+        return {.massKg = number(m, "mass_kg"),
+                .centreMetres = numbers<3>(m, "centre_m"),
+                .inertiaKgM2 = numbers<9>(m, "inertia_kg_m2")};
+    }
+
+    Provenance provenance() const {
+        const auto p = section("provenance");
+        return {.source = word(p, "source"),
+                .software = word(p, "software"),
+                .notes = word(p, "notes"),
+                .analysisSeconds = number(p, "analysis_s"),
+                .analysedVertices = count(p, "analysed_vertices"),
+                .zeroModes = count(p, "zero_modes")};
+    }
+
+    const Tensor& tensor(const char* name, std::size_t rank) const {
+        const auto found = container.tensors.find(name);
+        if (found == container.tensors.end())
+            throw Fault{"it lacks the tensor '" + std::string(name) + "'"};
+        const auto& shape = found->second.shape;
+        if (shape.size() != rank || (rank > 1 && shape.back() != 3))
+            throw Fault{"tensor '" + std::string(name) + "' does not have the right shape"};
+        return found->second;
+    }
+
+    template <class Value>
+    std::vector<Value> values(const char* name, const char* type, std::size_t rank) const {
+        const auto& found = tensor(name, rank);
+        if (found.type != type)
+            throw Fault{"tensor '" + std::string(name) + "' is not of type " + type};
+        return found.copy<Value>();
+    }
+
+    std::vector<float> shapes() const {
+        const auto& found = tensor("shapes", 3);
+        // The counts of the other tensors are compared with the product only.
+        if (found.shape[0] != tensor("shape_vertices", 1).shape[0] ||
+            found.shape[1] != tensor("eigenvalues", 1).shape[0])
+            throw Fault{"the size of the mode shapes is not vertices x modes x 3"};
+        if (found.type == "F32")
+            return found.copy<float>();
+        if (found.type != "F16")
+            throw Fault{"tensor 'shapes' is neither of type F16 nor F32"};
+        const auto halves = found.copy<std::uint16_t>();
+        std::vector<float> result(halves.size());
+        std::ranges::transform(halves, result.begin(), halfToFloat);
+        return result;
+    }
+
+    Container container;
+};
+
+json describe(const Material& m) {
+    return {{"name", m.name},
+            {"youngs_modulus_pa", m.youngsModulusPa},
+            {"density_kg_per_m3", m.densityKgPerM3},
+            {"poisson_ratio", m.poissonRatio},
+            {"fluid_damping_per_s", m.fluidDampingPerSecond},
+            {"viscoelastic_damping_s", m.viscoelasticDampingSeconds},
+            {"friction", m.friction},
+            {"restitution", m.restitution},
+            {"roughness", m.roughness},
+            {"source", m.source}};
+}
+
+json describeMetadata(const ModalObject& object) {
+    const json geometry{{"thickness_m", object.thicknessMetres}, {"band_hz", object.bandHz}};
+    const json mass{{"mass_kg", object.mass.massKg},
+                    {"centre_m", object.mass.centreMetres},
+                    {"inertia_kg_m2", object.mass.inertiaKgM2}};
+    const json provenance{
+        {"source", object.provenance.source},
+        {"software", object.provenance.software},
+        {"notes", object.provenance.notes},
+        {"analysis_s", object.provenance.analysisSeconds},
+        {"analysed_vertices", static_cast<std::uint64_t>(object.provenance.analysedVertices)},
+        {"zero_modes", static_cast<std::uint64_t>(object.provenance.zeroModes)}};
+    // safetensors allows metadata from text to text only, hence JSON inside JSON; names come from
+    // people and files, so what is not UTF-8 is replaced.
+    const auto inner = [](const json& section) {
+        return section.dump(-1, ' ', false, json::error_handler_t::replace);
+    };
+    return {{"format", "idiophone-modal"},
+            {"format_version", std::to_string(formatVersion)},
+            {"units", "SI: metres, kilograms, seconds, pascals; eigenvalues in rad²/s²"},
+            {"name", object.name},
+            {"method", object.method},
+            {"body", object.body == BodyKind::shell ? "shell" : "solid"},
+            {"geometry", inner(geometry)},
+            {"material", inner(describe(object.material))},
+            {"mass", inner(mass)},
+            {"provenance", inner(provenance)}};
+}
+
+} // namespace
+
+Result<ModalObject> readModalObject(std::span<const std::byte> bytes, std::string_view name) {
+    const auto refuse = [&](const std::string& sentence) {
+        return failure(std::string(name) + ": " + sentence);
+    };
+    try {
+        auto object = validated(Reader(safetensors::parse(bytes)).object());
+        if (!object)
+            return refuse(object.error().message);
+        return object;
+    } catch (const Fault& fault) {
+        return refuse(fault.sentence);
+    } catch (const json::exception&) {
+        return refuse("its header is damaged");
+    } catch (const std::bad_alloc&) {
+        return refuse("it is too large for this machine's memory");
+    }
+}
+
+Result<ModalObject> readModalObject(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const auto size = std::filesystem::file_size(file, ignored);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || ignored || !std::filesystem::is_regular_file(file, ignored))
+        return failure(file.string() + ": the file cannot be opened");
+    if (size > fileLimitBytes)
+        return failure(file.string() + ": it is larger than 4 GiB");
+    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!stream)
+        return failure(file.string() + ": the file cannot be read");
+    return readModalObject(bytes, file.string());
+}
+
+std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecision precision) {
+    safetensors::Writer writer(describeMetadata(object));
+    const auto modes = object.modeCount();
+    const auto shapeVertices = object.shapeVertexCount();
+    // Wide numbers first, so that every tensor stays aligned to its own size.
+    writer.add("eigenvalues", "F64", {modes}, object.eigenvalues);
+    if (!object.bending.empty())
+        writer.add("bending", "F64", {modes}, object.bending);
+    writer.add("vertices", "F32", {object.vertexCount(), 3}, object.vertices);
+    writer.add("faces", "I32", {object.faceCount(), 3}, object.faces);
+    writer.add("shape_vertices", "I32", {shapeVertices}, object.shapeVertices);
+    if (precision == ShapePrecision::single) {
+        writer.add("shapes", "F32", {shapeVertices, modes, 3}, object.shapes);
+    } else {
+        std::vector<std::uint16_t> halves(object.shapes.size());
+        std::ranges::transform(object.shapes, halves.begin(), floatToHalf);
+        writer.add("shapes", "F16", {shapeVertices, modes, 3}, halves);
+    }
+    return writer.finish();
+}
+
+Result<void> writeModalObject(const ModalObject& object,
+                              const std::filesystem::path& file,
+                              ShapePrecision precision) {
+    const auto bytes = encodeModalObject(object, precision);
+    auto temporary = file;
+    temporary += ".part";
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    stream.write(reinterpret_cast<const char*>(bytes.data()),
+                 static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    std::error_code fault;
+    if (stream)
+        std::filesystem::rename(temporary, file, fault);
+    if (!stream || fault) {
+        std::filesystem::remove(temporary, fault);
+        return failure(file.string() + ": the file cannot be written");
+    }
+    return {};
+}
+
+} // namespace idiophone

@@ -1,0 +1,210 @@
+#include "Parameters/ParameterTable.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+using enum ParameterScale;
+
+// clang-format off
+constexpr std::array<ParameterInfo, parameterCount> table{{
+    {tau, "tau", "Truncation threshold", "steps", logarithmic, 0.001, 1000, 0.1, 3, 1,
+     "Modes quieter than this many 16-bit steps are dropped", nullptr},
+    {qualitySlope, "slope", "Quality slope", "", linear, 0, 10, 1, 2, 1,
+     "How steeply the mode budget favours the loudest objects", "Greedy"},
+    {modeBudget, "budget", "Mode budget", "modes", logarithmic, 16, 16384, 4096, 4, 1,
+     "Modes mixed at a time by all objects together", nullptr},
+    {compression, "compression", "Mode compression", "x", linear, 0, 4, 1, 2, 1,
+     "How far apart modes may lie to be merged, in units of what the ear discriminates", nullptr},
+    {material, "material", "Material", "", choice, 0, 63, ownMaterial, 0, 1,
+     "What the objects are made of; Custom takes the four figures below", nullptr},
+    {youngsModulus, "young", "Young's modulus", "GPa", logarithmic, 0.01, 1000, 12.5, 4, 1,
+     "Stiffness of the custom material: pitch rises with its square root", nullptr},
+    {density, "density", "Density", "kg/m3", logarithmic, 10, 25000, 850, 4, 1,
+     "Density of the custom material: pitch falls with its square root", nullptr},
+    {fluidDamping, "gamma", "Fluid damping", "1/s", logarithmic, 0.01, 1000, 51.58, 4, 1,
+     "Damping of the custom material that is the same for all modes", nullptr},
+    {viscoelasticDamping, "eta", "Visco-elastic damping", "us", logarithmic, 0.0001, 100, 0.235, 4, 1,
+     "Damping of the custom material that grows with the square of frequency", nullptr},
+    {size, "size", "Size", "x", logarithmic, 0.1, 10, 1, 3, 1,
+     "Scales every object: twice the size sounds an octave lower", nullptr},
+    {strikeAlong, "strike_along", "Strike position along", "%", linear, -100, 100, 0, 1, 1,
+     "Moves the strike from its place on each key towards either end", nullptr},
+    {strikeAcross, "strike_across", "Strike position across", "%", linear, -100, 100, 0, 1, 1,
+     "Moves the strike towards either edge", nullptr},
+    {strikeSpread, "spread", "Strike spread", "%", linear, 0, 100, 2, 1, 1,
+     "How far strikes stray from the position, as a player's do", nullptr},
+    {malletHardness, "hardness", "Mallet hardness", "MPa", logarithmic, 1, 100000, 1000, 3, 1,
+     "Elastic modulus of the contact: 2 is wound yarn, 100 hard rubber, 1000 wood, 60000 brass", nullptr},
+    {malletMass, "mallet_mass", "Mallet mass", "g", logarithmic, 1, 500, 20, 3, 1,
+     "Heavier mallets strike louder, longer and darker", nullptr},
+    {malletSpeed, "mallet_speed", "Mallet speed", "m/s", logarithmic, 0.1, 10, 3, 3, 1,
+     "Speed of the mallet at velocity 127", nullptr},
+    {velocityCurve, "velocity_curve", "Velocity curve", "", logarithmic, 0.25, 4, 1.5, 3, 1,
+     "Exponent from MIDI velocity to mallet speed", nullptr},
+    {letRing, "let_ring", "Let ring", "", onOff, 0, 1, 1, 0, 1,
+     "On: notes ring out; off: releasing a key damps it", nullptr},
+    {releaseTime, "release", "Release time", "s", logarithmic, 0.005, 10, 0.15, 3, 1,
+     "Time in which a damped key falls by 60 dB", nullptr},
+    {tune, "tune", "Tune", "cents", linear, -1200, 1200, 0, 1, 1,
+     "Shifts every key", nullptr},
+    {bendRange, "bend_range", "Pitch bend range", "semitones", steps, 0, 48, 2, 0, 1,
+     "How far the pitch wheel bends", nullptr},
+    {level, "level", "Level", "dB", linear, -60, 24, 0, 1, 1,
+     "Output level", nullptr},
+    {bypass, "bypass", "Bypass", "", onOff, 0, 1, 0, 0, 1,
+     "Silences the instrument", nullptr},
+}};
+
+// Appended to only: automation stores the number. Library names in the order of materialLibrary().
+constexpr std::array<std::string_view, 13> materialNames{
+    "Own", "Custom", "Rosewood", "Padauk", "Wood", "Ceramic", "Glass", "Plastic", "Iron",
+    "Polycarbonate", "Steel", "Tin", "Aluminium"};
+// clang-format on
+
+constexpr bool tableIsInOrder() {
+    for (std::size_t i = 0; i < table.size(); ++i)
+        if (table[i].parameter != static_cast<ParameterId>(i))
+            return false;
+    return true;
+}
+static_assert(tableIsInOrder());
+
+std::string_view trimmed(std::string_view text) {
+    const auto isSpace = [](unsigned char c) { return std::isspace(c) != 0; };
+    while (!text.empty() && isSpace(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && isSpace(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+bool sameWord(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+std::string formatNumber(double value, int decimals) {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    stream << std::fixed << std::setprecision(decimals) << value;
+    return stream.str();
+}
+
+/// Decimals that show at least so many significant digits of the value as it is rounded.
+int decimalsFor(double value, int significantDigits) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - significantDigits + 1);
+    const double rounded = std::round(value / unit) * unit;
+    const int magnitude = static_cast<int>(std::floor(std::log10(rounded) + 1e-9));
+    return std::max(0, significantDigits - 1 - magnitude);
+}
+
+bool isWhole(ParameterScale scale) {
+    return scale == steps || scale == onOff || scale == choice;
+}
+
+} // namespace
+
+double ParameterInfo::toNormalised(double value) const {
+    const double inside = clamped(value);
+    if (scale == logarithmic)
+        return std::log(inside / minimum) / std::log(maximum / minimum);
+    return (inside - minimum) / (maximum - minimum);
+}
+
+double ParameterInfo::fromNormalised(double normalised) const {
+    const double inside =
+        std::isnan(normalised) ? toNormalised(defaultValue) : std::clamp(normalised, 0.0, 1.0);
+    if (scale == logarithmic)
+        return clamped(minimum * std::pow(maximum / minimum, inside));
+    return clamped(minimum + inside * (maximum - minimum));
+}
+
+double ParameterInfo::clamped(double value) const {
+    if (std::isnan(value))
+        return defaultValue;
+    const double inside = std::clamp(value, minimum, maximum);
+    return isWhole(scale) ? std::round(inside) : inside;
+}
+
+std::span<const ParameterInfo> parameterTable() {
+    return table;
+}
+
+const ParameterInfo& parameterInfo(ParameterId parameter) {
+    return table[static_cast<std::size_t>(parameter)];
+}
+
+const ParameterInfo* findParameter(std::string_view id) {
+    const auto found =
+        std::ranges::find_if(table, [&](const ParameterInfo& info) { return id == info.id; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+std::span<const std::string_view> choiceNames(ParameterId parameter) {
+    if (parameter == material)
+        return materialNames;
+    return {};
+}
+
+std::string formatParameter(const ParameterInfo& info, double value) {
+    const double inside = info.clamped(value);
+    if (info.scale == onOff)
+        return inside != 0 ? "On" : "Off";
+    if (info.scale == choice) {
+        const auto names = choiceNames(info.parameter);
+        const auto index = static_cast<std::size_t>(inside);
+        return index < names.size() ? std::string(names[index]) : "(" + std::to_string(index) + ")";
+    }
+    if (info.maximumName != nullptr && inside == info.maximum)
+        return info.maximumName;
+    std::string text = formatNumber(
+        inside, info.scale == logarithmic ? decimalsFor(inside, info.decimals) : info.decimals);
+    if (*info.unit != '\0')
+        text += std::string(" ") + info.unit;
+    return text;
+}
+
+std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text) {
+    text = trimmed(text);
+    if (info.scale == onOff && (sameWord(text, "on") || sameWord(text, "off")))
+        return sameWord(text, "on") ? 1.0 : 0.0;
+    if (info.maximumName != nullptr && sameWord(text, info.maximumName))
+        return info.maximum;
+    const auto names = choiceNames(info.parameter);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (sameWord(text, names[i]))
+            return static_cast<double>(i);
+    if (text.starts_with('(') && text.ends_with(')'))
+        text = text.substr(1, text.size() - 2);
+
+    std::istringstream stream{std::string(text)};
+    stream.imbue(std::locale::classic()); // a host may have set a locale with decimal commas
+    double value = 0;
+    stream >> value;
+    if (!stream)
+        return std::nullopt;
+    std::string rest;
+    std::getline(stream, rest);
+    if (!trimmed(rest).empty() && !sameWord(trimmed(rest), info.unit))
+        return std::nullopt;
+    return info.clamped(value);
+}
+
+ParameterValues::ParameterValues() {
+    for (const auto& info : table)
+        values[static_cast<std::size_t>(info.parameter)] = info.defaultValue;
+}
+
+void ParameterValues::set(ParameterId parameter, double value) {
+    values[static_cast<std::size_t>(parameter)] = parameterInfo(parameter).clamped(value);
+}
+
+} // namespace idiophone

@@ -1,0 +1,102 @@
+// The one table of parameters: what exists, in which unit and range. The plugin, presets, console,
+// docs and tests all read it. Knows nothing of what a parameter does to the sound.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace idiophone {
+
+/// Order and number are internal; what hosts and files store are the ids of the table.
+enum class ParameterId : std::size_t {
+    tau,
+    qualitySlope,
+    modeBudget,
+    compression,
+    material,
+    youngsModulus,
+    density,
+    fluidDamping,
+    viscoelasticDamping,
+    size,
+    strikeAlong,
+    strikeAcross,
+    strikeSpread,
+    malletHardness,
+    malletMass,
+    malletSpeed,
+    velocityCurve,
+    letRing,
+    releaseTime,
+    tune,
+    bendRange,
+    level,
+    bypass,
+    count
+};
+
+inline constexpr std::size_t parameterCount = static_cast<std::size_t>(ParameterId::count);
+
+enum class ParameterScale { linear, logarithmic, steps, onOff, choice };
+
+/// One row. Values are in `unit` and lie in [minimum, maximum]; `steps`, `onOff` and `choice` take
+/// whole numbers only.
+struct ParameterInfo {
+    ParameterId parameter;
+    const char* id;   ///< stable for ever: stored in states, presets and host automation
+    const char* name; ///< for people
+    const char* unit; ///< empty where the number has none
+    ParameterScale scale;
+    double minimum;
+    double maximum;
+    double defaultValue;
+    int decimals;            ///< shown behind the point; significant digits where logarithmic
+    int versionAdded;        ///< JUCE's version hint
+    const char* description; ///< one sentence: what it does to the sound
+    const char* maximumName; ///< what the top of the range is called, or nullptr
+
+    double toNormalised(double value) const;
+    double fromNormalised(double normalised) const;
+    /// The nearest value the parameter can take; NaN becomes the default.
+    double clamped(double value) const;
+};
+
+std::span<const ParameterInfo> parameterTable();
+const ParameterInfo& parameterInfo(ParameterId parameter);
+const ParameterInfo* findParameter(std::string_view id);
+
+/// "12.5 GPa", "Rosewood", "Greedy", "On".
+std::string formatParameter(const ParameterInfo& info, double value);
+
+/// What a person typed, with or without the unit; nothing where it is not a value.
+std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text);
+
+/// The names of a choice; empty for other parameters. A choice's range may be longer than its
+/// names: the rest is kept free, so that automation recorded today still means the same when names
+/// come.
+std::span<const std::string_view> choiceNames(ParameterId parameter);
+
+/// A value for every parameter, in its unit: plain data that crosses threads by copy.
+class ParameterValues {
+public:
+    ParameterValues(); ///< the defaults
+
+    double operator[](ParameterId parameter) const {
+        return values[static_cast<std::size_t>(parameter)];
+    }
+    void set(ParameterId parameter, double value); ///< clamped to the range
+
+    bool operator==(const ParameterValues&) const = default;
+
+private:
+    std::array<double, parameterCount> values;
+};
+
+/// Choices of ParameterId::material with a meaning of their own; library materials follow.
+enum MaterialChoice { ownMaterial = 0, customMaterial = 1, firstLibraryMaterial = 2 };
+
+} // namespace idiophone

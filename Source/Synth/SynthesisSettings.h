@@ -1,0 +1,41 @@
+// What may change while objects ring. All of it acts at grid points.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace idiophone {
+
+/// Every object renders in cells of this many samples, counted on the stream from its start.
+inline constexpr int cellSamples = 64;
+
+/// The surface velocity, in m/s, that one unit of τ stands for: τ counts 16-bit steps of a full
+/// scale of 65536 (Raghuvanshi & Lin 2006, section 4.2), and full scale is 1 m/s.
+inline constexpr double metresPerSecondPerTau = 1.0 / 65536.0;
+
+/// A material that replaces each object's own while it is played.
+struct LiveMaterial {
+    double youngsModulusPa = 0;
+    double densityKgPerM3 = 0;
+    double fluidDampingPerSecond = 0;
+    double viscoelasticDampingSeconds = 0;
+
+    bool operator==(const LiveMaterial&) const = default;
+};
+
+struct SynthesisSettings {
+    double tau = 0.01;         ///< τ ≥ 0 in 16-bit steps; 0 never truncates
+    double qualitySlope = 1;   ///< S ≥ 0; infinity is greedy
+    double modeBudget = 4096;  ///< Q ≥ 0: modes mixed per cell by all objects together
+    double compression = 1;    ///< ≥ 0, times the discrimination curve; 0 merges equal poles only
+    double sizeRatio = 1;      ///< > 0: every object scaled by this
+    double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
+    std::optional<LiveMaterial> material; ///< nothing: each object keeps its reference material
+
+    bool operator==(const SynthesisSettings&) const = default;
+};
+
+inline constexpr double greedySlope = std::numeric_limits<double>::infinity();
+
+} // namespace idiophone

@@ -1,0 +1,75 @@
+// Ringing objects mixed to one stream of samples: modal banks on the fixed grid, strikes at their
+// sample, truncation by τ, quality scaling by S. Knows nothing of notes, meshes or hosts.
+#pragma once
+
+#include "Object/ModalObject.h"
+#include "Synth/Strike.h"
+#include "Synth/SynthesisSettings.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+class SoundingObject;
+
+/// One object in the mix. Slots may share a modal object, each with a state of its own.
+struct SynthesiserSlot {
+    std::shared_ptr<const ModalObject> object;
+    double sizeRatio = 1; ///< > 0: the object scaled; λ ∝ 1/size², mass ∝ size³
+};
+
+/// Constructed and destroyed off the audio thread; every other member is for the audio thread, and
+/// neither allocates, locks nor throws. Output is surface velocity in m/s (full scale 1), mono.
+class Synthesiser {
+public:
+    Synthesiser(std::vector<SynthesiserSlot> slots, double sampleRateHz);
+    ~Synthesiser();
+    Synthesiser(const Synthesiser&) = delete;
+    Synthesiser& operator=(const Synthesiser&) = delete;
+
+    /// Takes effect at the next `beginCell`.
+    void setSettings(const SynthesisSettings& settings);
+
+    /// Extra fluid damping of one slot (a mute, a damper): everything it plays is multiplied by
+    /// e^{−δt}, from the next `beginCell` on. 0 lifts it.
+    void setDamping(std::size_t slot, double dampingPerSecond);
+
+    /// Frequencies of one slot times this (> 0), from the next `beginCell` on.
+    void setFrequencyRatio(std::size_t slot, double ratio);
+
+    /// Advances by one cell and writes what rings into `cell`.
+    void beginCell(std::span<float, cellSamples> cell);
+
+    /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the cell begun last and
+    /// adds the sound to the rest of it. Returns false where 64 contacts are already under way in
+    /// this slot, and does nothing.
+    bool strike(std::size_t slot,
+                const Strike& strike,
+                double sampleInCell,
+                std::span<float, cellSamples> cell);
+
+    /// Forgets all that rings, at once. The caller fades the output.
+    void reset();
+
+    struct SlotStatus {
+        float amplitude = 0;           ///< summed amplitude of its modes, m/s
+        std::int32_t modesRinging = 0; ///< above τ
+        std::int32_t modesMixed = 0;   ///< of these, within its share of the budget
+    };
+    /// As of the cell begun last.
+    std::span<const SlotStatus> status() const;
+    std::int64_t modesMixed() const;
+    bool silent() const; ///< nothing rings and no contact is under way
+
+    double sampleRateHz() const;
+    std::size_t slotCount() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+};
+
+} // namespace idiophone

@@ -1,0 +1,163 @@
+#include "Object/ModalObjectFile.h"
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+
+using namespace idiophone;
+using Catch::Matchers::ContainsSubstring;
+using nlohmann::json;
+using test::syntheticObject;
+
+namespace {
+
+std::vector<std::byte> withHeader(const std::string& header,
+                                  std::span<const std::byte> data,
+                                  std::optional<std::uint64_t> claimedLength = {}) {
+    const std::uint64_t length = claimedLength.value_or(header.size());
+    std::vector<std::byte> file(8 + header.size());
+    std::memcpy(file.data(), &length, 8);
+    std::memcpy(file.data() + 8, header.data(), header.size());
+    file.insert(file.end(), data.begin(), data.end());
+    return file;
+}
+
+/// A valid file whose header went through `change`.
+std::vector<std::byte> changed(const std::function<void(json&)>& change) {
+    const auto file = encodeModalObject(syntheticObject({100, 200, 300}));
+    std::uint64_t length = 0;
+    std::memcpy(&length, file.data(), 8);
+    auto header = json::parse(reinterpret_cast<const char*>(file.data()) + 8,
+                              reinterpret_cast<const char*>(file.data()) + 8 + length);
+    change(header);
+    return withHeader(header.dump(), std::span(file).subspan(8 + length));
+}
+
+void checkRefused(std::span<const std::byte> file, const char* sentence) {
+    INFO(sentence);
+    const auto result = readModalObject(file, "evil.modal");
+    REQUIRE_FALSE(result);
+    CHECK_THAT(result.error().message, ContainsSubstring("evil.modal"));
+    CHECK_THAT(result.error().message, ContainsSubstring(sentence));
+}
+
+} // namespace
+
+TEST_CASE("An object read back is the object written, to the last bit") {
+    auto object = syntheticObject({100, 200.125, 44000}, {0.3f, -1.7f, 3e-9f});
+    object.bending = {1, 2, 3};
+    object.provenance = {.source = "a \"mesh\" – ü.obj",
+                         .software = "Idiophone",
+                         .notes = "line\nline",
+                         .analysisSeconds = 0.1,
+                         .analysedVertices = 12,
+                         .zeroModes = 6};
+    const auto file = encodeModalObject(object);
+    const auto back = readModalObject(file, "x.modal");
+    REQUIRE(back);
+    CHECK(back->name == object.name);
+    CHECK(back->material == object.material);
+    CHECK(back->eigenvalues == object.eigenvalues);
+    CHECK(back->shapes == object.shapes);
+    CHECK(back->bending == object.bending);
+    CHECK(back->vertices == object.vertices);
+    CHECK(back->faces == object.faces);
+    CHECK(back->provenance.source == object.provenance.source);
+    CHECK(back->provenance.analysisSeconds == object.provenance.analysisSeconds);
+    CHECK(encodeModalObject(*back) == file);
+}
+
+TEST_CASE("Half-precision shapes are within half a unit of the eleventh bit") {
+    const auto object = syntheticObject({100, 200, 300}, {0.3f, -1.7f, 12.345f});
+    const auto back = readModalObject(encodeModalObject(object, ShapePrecision::half), "x.modal");
+    REQUIRE(back);
+    for (std::size_t i = 0; i < object.shapes.size(); ++i)
+        CHECK(std::abs(back->shapes[i] - object.shapes[i]) <= std::abs(object.shapes[i]) / 2048);
+}
+
+TEST_CASE("A file written to disk reads back, and an unwritable place is one sentence") {
+    const auto directory = std::filesystem::path(IDIOPHONE_TEST_DIR);
+    const auto file = directory / "written.modal";
+    REQUIRE(writeModalObject(syntheticObject({100}), file));
+    CHECK(readModalObject(file));
+    std::filesystem::remove(file);
+    const auto failed = writeModalObject(syntheticObject({100}), directory / "none" / "x.modal");
+    REQUIRE_FALSE(failed);
+    CHECK_THAT(failed.error().message, ContainsSubstring("cannot be written"));
+    const auto missing = readModalObject(directory / "missing.modal");
+    REQUIRE_FALSE(missing);
+    CHECK_THAT(missing.error().message, ContainsSubstring("missing.modal"));
+    CHECK_FALSE(readModalObject(directory));
+}
+
+TEST_CASE("A hostile header is refused with its fault") {
+    checkRefused({}, "too short");
+    checkRefused(withHeader("{}", {}, std::uint64_t{1} << 60), "claims");
+    checkRefused(withHeader("{}", {}, 100), "cut off");
+    checkRefused(withHeader("[1, 2", {}), "not a JSON object");
+    checkRefused(withHeader(std::string(900'000, '['), {}), "not a JSON object");
+    checkRefused(withHeader("{}", {}), "not an Idiophone modal object");
+    checkRefused(changed([](json& h) { h["__metadata__"]["format_version"] = "2"; }), "version 2");
+    checkRefused(changed([](json& h) { h["__metadata__"].erase("material"); }), "'material'");
+    checkRefused(changed([](json& h) { h["__metadata__"]["mass"] = "{}"; }), "'mass_kg'");
+    checkRefused(changed([](json& h) { h["__metadata__"]["body"] = "ghost"; }), "ghost");
+}
+
+TEST_CASE("A hostile tensor is refused with its fault") {
+    using Change = std::function<void(json&)>;
+    const auto [change, sentence] = GENERATE(table<Change, const char*>({
+        {[](json& h) { h["faces"]["data_offsets"][0] = 0; }, "does not match its shape"},
+        {[](json& h) {
+             h["faces"]["data_offsets"] = h["vertices"]["data_offsets"];
+             h["faces"]["shape"] = {4, 3};
+         },
+         "overlap"},
+        {[](json& h) {
+             h["faces"]["shape"] = {-2, 3};
+         },
+         "whole positive"},
+        {[](json& h) {
+             h["faces"]["shape"] = {1ull << 62, 1ull << 62};
+         },
+         "more data than"},
+        {[](json& h) { h["faces"]["data_offsets"][1] = 1ull << 60; }, "outside the file"},
+        {[](json& h) { h["faces"]["dtype"] = "F32"; }, "not of type I32"},
+        {[](json& h) { h["faces"]["dtype"] = "X99"; }, "unknown number type"},
+        {[](json& h) { h["faces"]["shape"] = {6}; }, "right shape"},
+        {[](json& h) { h["faces"].erase("dtype"); }, "not described"},
+        {[](json& h) { h["eigenvalues"]["data_offsets"] = "x"; }, "not described"},
+        {[](json& h) { h.erase("shapes"); }, "after its last tensor"},
+        {[](json& h) {
+             h["shapes"]["shape"] = {2, 6, 3};
+         },
+         "size of the mode shapes"},
+    }));
+    checkRefused(changed(change), sentence);
+}
+
+TEST_CASE("Values that make no sense are refused as by validation") {
+    auto object = syntheticObject({100, 200});
+    object.eigenvalues[1] = std::numeric_limits<double>::quiet_NaN();
+    checkRefused(encodeModalObject(object), "not a finite number");
+}
+
+TEST_CASE("No truncation and no flipped byte crashes the reader") {
+    const auto file = encodeModalObject(syntheticObject({100, 200, 300}));
+    for (std::size_t size = 0; size < file.size(); ++size)
+        CHECK_FALSE(readModalObject(std::span(file).first(size), "cut.modal"));
+    std::mt19937 random(1);
+    for (int round = 0; round < 20000; ++round) {
+        auto damaged = file;
+        for (int flips = 0; flips < 3; ++flips)
+            damaged[random() % damaged.size()] = static_cast<std::byte>(random());
+        const auto result = readModalObject(damaged, "damaged.modal");
+        if (!result)
+            REQUIRE(result.error().message.starts_with("damaged.modal: "));
+    }
+}

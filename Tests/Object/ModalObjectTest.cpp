@@ -1,0 +1,78 @@
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <limits>
+
+using namespace idiophone;
+using Catch::Matchers::ContainsSubstring;
+using test::syntheticObject;
+
+TEST_CASE("A well-formed object passes validation unchanged") {
+    const auto object = validated(syntheticObject({100, 200, 300}));
+    REQUIRE(object);
+    CHECK(object->modeCount() == 3);
+    CHECK(object->shapeVertexCount() == 4);
+    CHECK(object->shapesAt(2).size() == 9);
+}
+
+TEST_CASE("Each malformed field is named") {
+    const auto refuse = [](auto change, const char* sentence) {
+        INFO(sentence);
+        auto object = syntheticObject({100, 200, 300});
+        change(object);
+        const auto result = validated(object);
+        REQUIRE_FALSE(result);
+        CHECK_THAT(result.error().message, ContainsSubstring(sentence));
+    };
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    refuse(
+        [](auto& o) {
+            o.eigenvalues.clear();
+            o.shapes.clear();
+        },
+        "no modes");
+    refuse(
+        [](auto& o) {
+            o.shapeVertices.clear();
+            o.shapes.clear();
+        },
+        "no vertex");
+    refuse([](auto& o) { o.shapes.pop_back(); }, "size of the mode shapes");
+    refuse([](auto& o) { o.bending = {1}; }, "bending parts");
+    refuse([](auto& o) { o.bending = {1, -1, 1}; }, "bending part");
+    refuse([&](auto& o) { o.eigenvalues[1] = nan; }, "not a finite number");
+    refuse([](auto& o) { o.eigenvalues[0] = -1; }, "not positive");
+    refuse([](auto& o) { std::swap(o.eigenvalues[0], o.eigenvalues[2]); }, "ascending");
+    refuse([](auto& o) { o.eigenvalues[2] = 1e30; }, "1 GHz");
+    refuse([&](auto& o) { o.shapes[5] = nan; }, "mode shape");
+    refuse([&](auto& o) { o.vertices[5] = nan; }, "vertex");
+    refuse([](auto& o) { o.vertices.pop_back(); }, "threes");
+    refuse([](auto& o) { o.faces[0] = 4; }, "face");
+    refuse([](auto& o) { o.faces[0] = -1; }, "face");
+    refuse([](auto& o) { o.shapeVertices[3] = 7; }, "does not exist");
+    refuse([](auto& o) { std::swap(o.shapeVertices[0], o.shapeVertices[1]); }, "ascending order");
+    refuse([](auto& o) { o.thicknessMetres = 0; }, "thickness");
+    refuse([](auto& o) { o.bandHz = 0; }, "band");
+    refuse([](auto& o) { o.mass.massKg = -1; }, "mass");
+    refuse([&](auto& o) { o.mass.inertiaKgM2[4] = nan; }, "inertia");
+    refuse([](auto& o) { o.material.densityKgPerM3 = 0; }, "density");
+}
+
+TEST_CASE("Vertex normals point outward from counter-clockwise faces") {
+    const auto normals = vertexNormals(syntheticObject({100}));
+    for (std::size_t vertex = 0; vertex < 4; ++vertex) {
+        CHECK(normals[vertex * 3] == 0);
+        CHECK(normals[vertex * 3 + 1] == 0);
+        CHECK(normals[vertex * 3 + 2] == Catch::Approx(1));
+    }
+}
+
+TEST_CASE("The nearest row is that of the nearest vertex with shapes") {
+    auto object = syntheticObject({100});
+    object.shapeVertices = {1, 3};
+    object.shapes.resize(6);
+    CHECK(nearestShapeRow(object, {0.9, 0.1, 0.3}) == 0);
+    CHECK(nearestShapeRow(object, {0.1, 0.9, 0.3}) == 1);
+}

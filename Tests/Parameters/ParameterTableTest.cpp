@@ -1,0 +1,95 @@
+#include "Parameters/ParameterTable.h"
+#include "Object/Material.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <set>
+
+using namespace idiophone;
+using Catch::Approx;
+
+TEST_CASE("Ids are unique, and every default lies in its range") {
+    std::set<std::string_view> ids;
+    for (const auto& info : parameterTable()) {
+        INFO(info.id);
+        CHECK(ids.insert(info.id).second);
+        CHECK(info.minimum < info.maximum);
+        CHECK(info.clamped(info.defaultValue) == info.defaultValue);
+        CHECK(findParameter(info.id) == &info);
+        CHECK_FALSE(std::string_view(info.description).empty());
+    }
+    CHECK(findParameter("no such id") == nullptr);
+}
+
+TEST_CASE("The normalised range covers the values, both ways") {
+    for (const auto& info : parameterTable()) {
+        INFO(info.id);
+        CHECK(info.fromNormalised(0) == Approx(info.minimum));
+        CHECK(info.fromNormalised(1) == Approx(info.maximum));
+        CHECK(info.toNormalised(info.minimum) == Approx(0).margin(1e-12));
+        CHECK(info.toNormalised(info.maximum) == Approx(1));
+        for (double normalised = 0; normalised <= 1; normalised += 0.01) {
+            const double value = info.fromNormalised(normalised);
+            CHECK(info.fromNormalised(info.toNormalised(value)) == Approx(value));
+        }
+    }
+}
+
+TEST_CASE("Values out of range and not a number are brought back inside") {
+    for (const auto& info : parameterTable()) {
+        INFO(info.id);
+        const double infinity = std::numeric_limits<double>::infinity();
+        CHECK(info.clamped(infinity) == info.maximum);
+        CHECK(info.clamped(-infinity) == info.minimum);
+        CHECK(info.clamped(std::nan("")) == info.defaultValue);
+        CHECK(info.fromNormalised(std::nan("")) == Approx(info.defaultValue));
+        CHECK(info.fromNormalised(2) == Approx(info.maximum));
+    }
+}
+
+TEST_CASE("What is shown can be typed back in, to the digits shown") {
+    for (const auto& info : parameterTable())
+        for (double normalised = 0; normalised <= 1; normalised += 0.05) {
+            const double value = info.fromNormalised(normalised);
+            const auto text = formatParameter(info, value);
+            INFO(info.id << ": " << text);
+            const auto typed = parseParameter(info, text);
+            REQUIRE(typed);
+            CHECK(formatParameter(info, *typed) == text);
+        }
+}
+
+TEST_CASE("Typed entry takes units and names, and refuses what is neither") {
+    const auto& young = parameterInfo(ParameterId::youngsModulus);
+    CHECK(parseParameter(young, " 70 gpa ") == 70.0);
+    CHECK(parseParameter(young, "70") == 70.0);
+    CHECK_FALSE(parseParameter(young, "70 Hz"));
+    CHECK_FALSE(parseParameter(young, "stiff"));
+    CHECK_FALSE(parseParameter(young, ""));
+    CHECK_FALSE(parseParameter(young, "nan"));
+    const auto& slope = parameterInfo(ParameterId::qualitySlope);
+    CHECK(parseParameter(slope, "greedy") == slope.maximum);
+    CHECK(formatParameter(slope, slope.maximum) == "Greedy");
+    CHECK(parseParameter(parameterInfo(ParameterId::letRing), "off") == 0.0);
+    CHECK(parseParameter(parameterInfo(ParameterId::material), "Custom") == customMaterial);
+}
+
+TEST_CASE("Numbers are written with a point whatever the locale of the host") {
+    if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
+        SKIP("the locale de_DE.UTF-8 is not installed");
+    const auto& young = parameterInfo(ParameterId::youngsModulus);
+    CHECK(formatParameter(young, 12.5) == "12.50 GPa");
+    CHECK(parseParameter(young, "12.5") == 12.5);
+    std::setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("The material choice names the library's materials in the library's order") {
+    const auto names = choiceNames(ParameterId::material);
+    const auto library = materialLibrary();
+    REQUIRE(names.size() == library.size() + firstLibraryMaterial);
+    for (std::size_t i = 0; i < library.size(); ++i)
+        CHECK(names[i + firstLibraryMaterial] == library[i].name);
+}

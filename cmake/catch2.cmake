@@ -1,0 +1,11 @@
+# Catch2 3.7.1: the unit tests.
+if(TARGET Catch2::Catch2WithMain)
+    return()
+endif()
+idiophone_debian_source(Catch2 PACKAGE catch2 VERSION 3.7.1-0.5 SUITE trixie)
+FetchContent_Declare(Catch2
+    GIT_REPOSITORY https://github.com/catchorg/Catch2.git
+    GIT_TAG v3.7.1
+    GIT_SHALLOW ON)
+FetchContent_MakeAvailable(Catch2)
+list(APPEND CMAKE_MODULE_PATH "${Catch2_SOURCE_DIR}/extras")

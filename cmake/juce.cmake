@@ -1,0 +1,10 @@
+# JUCE 8.0.6: the plugin formats, the window, MIDI and audio files.
+if(TARGET juce::juce_core)
+    return()
+endif()
+idiophone_debian_source(juce PACKAGE juce VERSION 8.0.6+ds-2 SUITE trixie)
+FetchContent_Declare(juce
+    GIT_REPOSITORY https://github.com/juce-framework/JUCE.git
+    GIT_TAG 8.0.6
+    GIT_SHALLOW ON)
+FetchContent_MakeAvailable(juce)
