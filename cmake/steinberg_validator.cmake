@@ -5,8 +5,6 @@ if(TARGET steinberg_validator)
 endif()
 include(ExternalProject)
 
-set(vst3sdk_hosting public.sdk/samples/vst-hosting)
-set(vst3sdk_source)
 if(IDIOPHONE_DEBIAN_SOURCES)
     # The mirror serves this package's archives without its description, so that each is unpacked
     # here; apt has checked them against the signed index.
@@ -20,15 +18,15 @@ if(IDIOPHONE_DEBIAN_SOURCES)
                     "${IDIOPHONE_DEPENDENCIES}" --archives
             OUTPUT_VARIABLE log ERROR_VARIABLE log)
         file(REMOVE_RECURSE "${folder}.partial")
-        foreach(part . base cmake pluginterfaces public.sdk)
-            string(REPLACE . - suffix ".${part}")
-            string(REGEX REPLACE "-+$" "" suffix "${suffix}")
-            set(archive "${IDIOPHONE_DEPENDENCIES}/vst3sdk_${version}.orig${suffix}.tar.gz")
-            file(MAKE_DIRECTORY "${folder}.partial/${part}")
+        foreach(part "" -base -cmake -pluginterfaces -public-sdk)
+            set(archive "${IDIOPHONE_DEPENDENCIES}/vst3sdk_${version}.orig${part}.tar.gz")
+            string(REGEX REPLACE "^-" "" subfolder "${part}")
+            string(REPLACE public-sdk public.sdk subfolder "${subfolder}")
+            file(MAKE_DIRECTORY "${folder}.partial/${subfolder}")
             execute_process(
                 COMMAND tar --extract --file "${archive}" --strip-components 1
-                        --directory "${folder}.partial/${part}"
-                RESULT_VARIABLE failed OUTPUT_VARIABLE log ERROR_VARIABLE tar_log)
+                        --directory "${folder}.partial/${subfolder}"
+                RESULT_VARIABLE failed ERROR_VARIABLE tar_log)
             if(failed)
                 message(FATAL_ERROR "Debian source package vst3sdk ${version}-4 could not be fetched "
                                     "(${archive}); -DIDIOPHONE_DEBIAN_SOURCES=OFF takes the upstream "
@@ -39,7 +37,7 @@ if(IDIOPHONE_DEBIAN_SOURCES)
         file(GLOB archives "${IDIOPHONE_DEPENDENCIES}/vst3sdk_${version}*")
         file(REMOVE ${archives})
     endif()
-    set(vst3sdk_source DOWNLOAD_COMMAND "" SOURCE_DIR "${folder}")
+    set(vst3sdk_source SOURCE_DIR "${folder}")
 else()
     set(vst3sdk_source
         GIT_REPOSITORY https://github.com/steinbergmedia/vst3sdk.git
@@ -50,3 +48,17 @@ endif()
 
 set(vst3sdk_build "${CMAKE_BINARY_DIR}/steinberg_validator")
 set(STEINBERG_VALIDATOR "${vst3sdk_build}/bin/Release/validator${CMAKE_EXECUTABLE_SUFFIX}")
+ExternalProject_Add(steinberg_validator
+    ${vst3sdk_source}
+    UPDATE_COMMAND ""
+    BINARY_DIR "${vst3sdk_build}"
+    CMAKE_ARGS
+        -DCMAKE_BUILD_TYPE=Release
+        -DSMTG_ENABLE_VST3_PLUGIN_EXAMPLES=OFF
+        -DSMTG_ENABLE_VST3_HOSTING_EXAMPLES=OFF
+        -DSMTG_ENABLE_VSTGUI_SUPPORT=OFF
+        -DSMTG_CREATE_PLUGIN_LINK=0
+    BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --config Release --target validator
+    BUILD_BYPRODUCTS "${STEINBERG_VALIDATOR}"
+    INSTALL_COMMAND ""
+    LOG_CONFIGURE ON LOG_BUILD ON LOG_OUTPUT_ON_FAILURE ON)

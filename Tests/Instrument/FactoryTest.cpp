@@ -1,0 +1,123 @@
+#include "Instrument/FactoryContent.h"
+#include "Instrument/Player.h"
+#include "Support/PoleFit.h"
+#include "Support/RenderNotes.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators_range.hpp>
+#include <cmath>
+#include <ebur128.h>
+#include <set>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+std::unique_ptr<Player> playerFor(const Preset& preset) {
+    auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared());
+    REQUIRE(instrument);
+    return std::make_unique<Player>(*instrument, sampleRateHz);
+}
+
+void applyLevel(std::vector<float>& sound, const Preset& preset) {
+    const auto gain = static_cast<float>(std::pow(10, preset.parameters[ParameterId::level] / 20));
+    for (float& sample : sound)
+        sample *= gain;
+}
+
+/// Eight notes spread over the preset's keys, two a second, at one velocity.
+std::vector<MidiEvent> scale(const Preset& preset, int velocity) {
+    std::vector<MidiEvent> events;
+    for (int i = 0; i < 8; ++i) {
+        const int note = preset.keyMap.lowestNote +
+                         (preset.keyMap.highestNote - preset.keyMap.lowestNote) * i / 7;
+        const int time = static_cast<int>(i * sampleRateHz / 2);
+        events.push_back(midi(time, 0x90, note, velocity));
+        events.push_back(midi(time + static_cast<int>(sampleRateHz / 2) - 100, 0x80, note, 0));
+    }
+    return events;
+}
+
+double loudness(std::span<const float> sound) {
+    auto* state = ebur128_init(1, static_cast<unsigned long>(sampleRateHz), EBUR128_MODE_I);
+    ebur128_add_frames_float(state, sound.data(), sound.size());
+    double result = 0;
+    ebur128_loudness_global(state, &result);
+    ebur128_destroy(&state);
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("Every factory preset is complete and builds an instrument") {
+    const auto presets = factoryPresets();
+    REQUIRE(presets.size() >= 3);
+    CHECK(presets.front().name == "Rosewood Xylophone");
+    std::set<std::string> names;
+    std::set<KeyMapKind> kinds;
+    for (const auto& preset : presets) {
+        INFO(preset.name);
+        CHECK(names.insert(preset.name).second);
+        CHECK_FALSE(preset.description.empty());
+        CHECK_FALSE(preset.tags.empty());
+        CHECK(preset.unknownParameters.empty());
+        CHECK(Instrument::build(preset.keyMap, ObjectLibrary::shared()));
+        CHECK(findFactoryPreset(preset.name) == &preset);
+        kinds.insert(preset.keyMap.kind);
+    }
+    CHECK(kinds.size() == 3);
+    CHECK(findFactoryPreset("no such preset") == nullptr);
+}
+
+TEST_CASE("Every xylophone key sounds within 1 cent of equal temperament") {
+    const auto& preset = factoryPresets().front();
+    auto player = playerFor(preset);
+    const int note = GENERATE(range(72, 109));
+    const auto sound = render(*player, {midi(0, 0x90, note, 100)}, 14400, 480, preset.parameters);
+    const double expectedHz = 440 * std::exp2((note - 69) / 12.0);
+    const auto pole = fitPole(sound, sampleRateHz, expectedHz, 0.04);
+    INFO("note " << note << ": " << pole.frequencyHz << " Hz for " << expectedHz);
+    CHECK(std::abs(cents(pole.frequencyHz, expectedHz)) < 1);
+}
+
+TEST_CASE("Factory presets are within 2 LU of one another at velocity 100") {
+    std::vector<double> loudnesses;
+    for (const auto& preset : factoryPresets()) {
+        auto player = playerFor(preset);
+        auto sound = render(*player, scale(preset, 100),
+                            static_cast<std::size_t>(4.5 * sampleRateHz), 480, preset.parameters);
+        applyLevel(sound, preset);
+        loudnesses.push_back(loudness(sound));
+        UNSCOPED_INFO(preset.name << ": " << loudnesses.back() << " LUFS");
+    }
+    const auto [lowest, highest] = std::ranges::minmax(loudnesses);
+    CHECK(highest - lowest <= 2);
+}
+
+TEST_CASE("Ten notes at once at velocity 127 stay under 0 dBFS, and silence follows") {
+    for (const auto& preset : factoryPresets()) {
+        INFO(preset.name);
+        const int range = preset.keyMap.highestNote - preset.keyMap.lowestNote;
+        for (int lowest = preset.keyMap.lowestNote; lowest <= preset.keyMap.highestNote - 10;
+             lowest += 5) {
+            auto player = playerFor(preset);
+            const bool adjacent = lowest % 2 == 0;
+            std::vector<MidiEvent> events;
+            for (int i = 0; i < 10; ++i)
+                events.push_back(
+                    midi(0, 0x90, adjacent ? lowest + i : preset.keyMap.lowestNote + range * i / 9,
+                         127));
+            auto sound = render(*player, events, 24000, 480, preset.parameters);
+            applyLevel(sound, preset);
+            CHECK(peak(sound) < 1);
+            for (const float sample : sound)
+                REQUIRE(std::isfinite(sample));
+            for (int seconds = 0; seconds < 60 && !player->silent(); ++seconds)
+                render(*player, {}, 48000, 4800, preset.parameters);
+            CHECK(player->silent());
+        }
+    }
+}

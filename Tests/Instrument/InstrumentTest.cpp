@@ -1,0 +1,105 @@
+#include "Instrument/Instrument.h"
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace idiophone;
+using Catch::Approx;
+using Catch::Matchers::ContainsSubstring;
+using test::syntheticObject;
+
+namespace {
+
+KeyMap keyMap(KeyMapKind kind, int lowest, int highest, std::string object) {
+    KeyMap map;
+    map.kind = kind;
+    map.lowestNote = lowest;
+    map.highestNote = highest;
+    map.object = std::move(object);
+    return map;
+}
+
+} // namespace
+
+TEST_CASE("Bars give every key an object of its own") {
+    ObjectLibrary library;
+    const auto a = library.add("bar-60", syntheticObject({261.6}));
+    const auto b = library.add("bar-61", syntheticObject({277.2}));
+    const auto instrument =
+        Instrument::build(keyMap(KeyMapKind::bars, 60, 61, "bar-{note}"), library);
+    REQUIRE(instrument);
+    REQUIRE((*instrument)->slots().size() == 2);
+    CHECK((*instrument)->slots()[0].object == a);
+    CHECK((*instrument)->slots()[1].object == b);
+    CHECK((*instrument)->key(60).slot == 0);
+    CHECK((*instrument)->key(61).slot == 1);
+    CHECK((*instrument)->key(59).slot == -1);
+    CHECK((*instrument)->key(62).slot == -1);
+}
+
+TEST_CASE("Zones move the strike along the path as the keys go up") {
+    ObjectLibrary library;
+    const auto kept = library.add("square", syntheticObject({200}));
+    auto map = keyMap(KeyMapKind::zones, 60, 63, "square");
+    map.strikePath = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    const auto built = Instrument::build(map, library);
+    REQUIRE(built);
+    const auto& instrument = **built;
+    REQUIRE(instrument.slots().size() == 1);
+    for (int note = 60; note <= 63; ++note) {
+        const auto& key = instrument.key(note);
+        CHECK(key.slot == 0);
+        // The path visits the square's four corners, which are the rows 0 to 3.
+        CHECK(instrument.strip(key).at(key.along, 0).shapeRows[0] == note - 60);
+    }
+}
+
+TEST_CASE("Scaled keys resize the object so that its lowest mode sounds the key") {
+    ObjectLibrary library;
+    const auto kept = library.add("thing", syntheticObject({440, 1000}));
+    const auto built = Instrument::build(keyMap(KeyMapKind::scaled, 57, 81, "thing"), library);
+    REQUIRE(built);
+    const auto& instrument = **built;
+    CHECK(instrument.slots().size() == 25);
+    const auto sizeOf = [&](int note) {
+        return instrument.slots()[static_cast<std::size_t>(instrument.key(note).slot)].sizeRatio;
+    };
+    CHECK(sizeOf(69) == Approx(1).epsilon(1e-5));
+    CHECK(sizeOf(57) == Approx(2).epsilon(1e-5));
+    CHECK(sizeOf(81) == Approx(0.5).epsilon(1e-5));
+    CHECK(instrument.key(81).malletScale == sizeOf(81));
+}
+
+TEST_CASE("Strike position across reaches the edges beside the path") {
+    ObjectLibrary library;
+    const auto kept = library.add("square", syntheticObject({200}));
+    auto map = keyMap(KeyMapKind::zones, 60, 61, "square");
+    map.strikePath = {{-1, 0, 0}, {1, 0, 0}};
+    const auto instrument = Instrument::build(map, library);
+    REQUIRE(instrument);
+    const auto& strip = (*instrument)->strip((*instrument)->key(60));
+    CHECK(strip.at(0, -1).shapeRows[0] == 0);
+    CHECK(strip.at(0, 1).shapeRows[0] == 3);
+    CHECK(strip.at(1, -1).shapeRows[0] == 1);
+    CHECK(strip.at(1, 1).shapeRows[0] == 2);
+    CHECK(strip.at(7, 9).shapeRows[0] == 2);
+    CHECK(strip.at(0, 0).normal[2] == Approx(1));
+}
+
+TEST_CASE("An instrument whose object is missing says which") {
+    ObjectLibrary library;
+    const auto built =
+        Instrument::build(keyMap(KeyMapKind::zones, 60, 61, "no/such.modal"), library);
+    REQUIRE_FALSE(built);
+    CHECK_THAT(built.error().message, ContainsSubstring("no/such.modal"));
+}
+
+TEST_CASE("Everybody who asks for an object gets the same one, for as long as it is used") {
+    ObjectLibrary library;
+    auto first = library.add("a", syntheticObject({100}));
+    CHECK(library.find("a").value() == first);
+    first.reset();
+    CHECK_FALSE(library.find("a"));
+}

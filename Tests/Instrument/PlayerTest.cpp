@@ -1,0 +1,209 @@
+#include "Instrument/Player.h"
+#include "Support/PoleFit.h"
+#include "Support/RenderNotes.h"
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <cmath>
+#include <random>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+/// Keys 60 to 72, a bar of two modes each.
+std::shared_ptr<const Instrument> bars() {
+    ObjectLibrary library;
+    std::vector<std::shared_ptr<const ModalObject>> kept;
+    for (int note = 60; note <= 72; ++note) {
+        const double frequencyHz = 440 * std::exp2((note - 69) / 12.0);
+        kept.push_back(library.add("bar-" + std::to_string(note),
+                                   syntheticObject({frequencyHz, 3 * frequencyHz})));
+    }
+    KeyMap map;
+    map.kind = KeyMapKind::bars;
+    map.lowestNote = 60;
+    map.highestNote = 72;
+    map.object = "bar-{note}";
+    return Instrument::build(map, library).value();
+}
+
+double level(std::span<const float> signal) {
+    double sum = 0;
+    for (const float sample : signal)
+        sum += sample * sample;
+    return std::sqrt(sum / static_cast<double>(signal.size()));
+}
+
+std::vector<MidiEvent> busyEvents(int samples) {
+    std::mt19937 random(3);
+    std::vector<MidiEvent> events;
+    for (int time = 5; time < samples; time += static_cast<int>(random() % 700)) {
+        const int note = 58 + static_cast<int>(random() % 17);
+        switch (random() % 8) {
+        case 0:
+            events.push_back(midi(time, 0xb0, 64, random() % 2 ? 127 : 0));
+            break;
+        case 1:
+            events.push_back(midi(time, 0xe0, 0, static_cast<int>(random() % 128)));
+            break;
+        case 2:
+            events.push_back(midi(time, 0x80, note, 0));
+            break;
+        default:
+            events.push_back(midi(time, 0x90, note, 1 + static_cast<int>(random() % 127)));
+        }
+    }
+    return events;
+}
+
+} // namespace
+
+TEST_CASE("Renders are bit-identical for block sizes 1, 7, 64, 480 and 4096") {
+    const auto instrument = bars();
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    const auto events = busyEvents(30000);
+    Player reference(instrument, sampleRateHz);
+    const auto expected = render(reference, events, 30000, 512, parameters);
+    CHECK(peak(expected) > 0.001f);
+    const auto blockSize = GENERATE(1u, 7u, 64u, 480u, 4096u);
+    Player player(instrument, sampleRateHz);
+    CHECK(render(player, events, 30000, blockSize, parameters) == expected);
+}
+
+TEST_CASE("After a reset the same events sound the same to the last bit") {
+    Player player(bars(), sampleRateHz);
+    const auto events = busyEvents(10000);
+    const auto first = render(player, events, 10000, 100);
+    player.reset();
+    CHECK(player.silent());
+    CHECK(render(player, events, 10000, 100) == first);
+}
+
+TEST_CASE("A note starts at its very sample") {
+    const int start = GENERATE(0, 1, 63, 64, 65, 1000);
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player, {midi(start, 0x90, 69, 127)}, 2000, 333);
+    CHECK(peak(std::span(sound).first(static_cast<std::size_t>(start))) == 0);
+    CHECK(peak(std::span(sound).subspan(static_cast<std::size_t>(start), 8)) > 0);
+}
+
+TEST_CASE("With let-ring off a released key falls by 60 dB in the release time, else it rings on") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.2);
+    parameters.set(ParameterId::strikeSpread, 0);
+    const std::vector events{midi(0, 0x90, 69, 100), midi(4800, 0x80, 69, 0)};
+    const std::size_t atRelease = 4864; // the first grid point at or after the stamp
+    Player damped(bars(), sampleRateHz);
+    Player held(bars(), sampleRateHz);
+    const auto released = render(damped, events, 24000, 256, parameters);
+    const auto ringing = render(held, {events[0]}, 24000, 256, parameters);
+    const auto ratioAt = [&](std::size_t sample) {
+        return 20 * std::log10(level(std::span(released).subspan(sample, 480)) /
+                               level(std::span(ringing).subspan(sample, 480)));
+    };
+    CHECK(std::equal(released.begin(), released.begin() + atRelease, ringing.begin()));
+    CHECK(ratioAt(atRelease + 4800 - 240) == Approx(-30).margin(0.2));
+    CHECK(ratioAt(atRelease + 9600 - 240) == Approx(-60).margin(0.2));
+
+    parameters.set(ParameterId::letRing, 1);
+    Player letRing(bars(), sampleRateHz);
+    CHECK(render(letRing, events, 24000, 256, parameters) == ringing);
+}
+
+TEST_CASE("The sustain pedal holds released keys until it is lifted") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.05);
+    const std::vector events{midi(0, 0xb0, 64, 127), midi(10, 0x90, 69, 100),
+                             midi(500, 0x80, 69, 0), midi(9600, 0xb0, 64, 0)};
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player, events, 19200, 256, parameters);
+    const auto at = [&](std::size_t sample) {
+        return level(std::span(sound).subspan(sample, 480));
+    };
+    CHECK(at(9000) > 0.3 * at(1000));
+    CHECK(at(12500) < 0.001 * at(9000));
+}
+
+TEST_CASE("A key struck again just after its release is not damped") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.02);
+    Player player(bars(), sampleRateHz);
+    const std::vector events{midi(0, 0x90, 69, 100), midi(4805, 0x80, 69, 0),
+                             midi(4810, 0x90, 69, 100)};
+    const auto sound = render(player, events, 14400, 256, parameters);
+    CHECK(level(std::span(sound).subspan(13000, 960)) >
+          0.3 * level(std::span(sound).subspan(5200, 960)));
+}
+
+TEST_CASE("The pitch wheel bends by its range, and reset controllers brings the pitch back") {
+    Player player(bars(), sampleRateHz);
+    const std::vector events{midi(0, 0x90, 69, 100), midi(0, 0xe0, 127, 127),
+                             midi(24000, 0xb0, 121, 0)};
+    const auto sound = render(player, events, 48000, 256);
+    const auto bent =
+        fitPole(std::span(sound).first(24000), sampleRateHz, 440 * std::exp2(2 / 12.0), 0.05);
+    CHECK(std::abs(cents(bent.frequencyHz, 440) - 200) < 0.5);
+    const auto back = fitPole(std::span(sound).subspan(24064), sampleRateHz, 440, 0.05);
+    CHECK(std::abs(cents(back.frequencyHz, 440)) < 0.5);
+}
+
+TEST_CASE("All sound off silences within 50 ms, and the next note sounds again") {
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player,
+                              {midi(0, 0x90, 69, 127), midi(0, 0x90, 60, 127),
+                               midi(4800, 0xb0, 120, 0), midi(9600, 0x90, 69, 127)},
+                              14400, 256);
+    CHECK(peak(std::span(sound).subspan(7200, 2400)) < 1e-4f * peak(sound));
+    CHECK(peak(std::span(sound).subspan(9600)) > 0.5f * peak(sound));
+}
+
+TEST_CASE("Notes outside the keys, and messages that mean nothing here, are silent") {
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player,
+                              {midi(0, 0x90, 20, 127), midi(1, 0xa0, 69, 127), midi(2, 0xd0, 99, 0),
+                               midi(3, 0x90, 69, 0), midi(4, 0xf8, 0, 0)},
+                              1000, 256);
+    CHECK(peak(sound) == 0);
+    CHECK_FALSE(player.takeProgramChange());
+}
+
+TEST_CASE("A program change is reported once") {
+    Player player(bars(), sampleRateHz);
+    render(player, {midi(0, 0xc0, 5, 0)}, 100, 50);
+    CHECK(player.takeProgramChange() == 5);
+    CHECK_FALSE(player.takeProgramChange());
+}
+
+TEST_CASE("A library material moves every frequency by the square root of Y over density") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::material,
+                   *parseParameter(parameterInfo(ParameterId::material), "Glass"));
+    const auto* glass = findMaterial("Glass");
+    const double expected =
+        440 * std::sqrt(glass->youngsModulusPa / glass->densityKgPerM3 / (1e10 / 1000));
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player, {midi(0, 0x90, 69, 100)}, 24000, 256, parameters);
+    CHECK(std::abs(cents(fitPole(sound, sampleRateHz, expected, 0.05).frequencyHz, expected)) <
+          0.1);
+}
+
+TEST_CASE("Silence returns when all notes have died away") {
+    Player player(bars(), sampleRateHz);
+    CHECK(player.silent());
+    render(player, {midi(0, 0x90, 69, 100)}, 64, 64);
+    CHECK_FALSE(player.silent());
+    const auto tail = render(player, {}, 48000 * 12, 4096);
+    CHECK(player.silent());
+    CHECK(peak(std::span(tail).last(4800)) == 0);
+}

@@ -1,0 +1,55 @@
+// Fits one decaying sinusoid near a frequency: a pole, not an FFT bin.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <span>
+
+namespace idiophone::test {
+
+struct FittedPole {
+    double frequencyHz = 0;
+    double decayPerSecond = 0;
+};
+
+/// Heterodynes at the expected frequency, averages under Hann windows of `frameSeconds` (which must
+/// be long against the distance to the next partial), and takes the least-squares ratio of
+/// successive frames; repeated until the frequency stands still.
+inline FittedPole fitPole(std::span<const float> signal,
+                          double sampleRateHz,
+                          double expectedHz,
+                          double frameSeconds) {
+    const auto frame = static_cast<std::size_t>(frameSeconds * sampleRateHz);
+    const std::size_t hop = frame / 8;
+    FittedPole pole{.frequencyHz = expectedHz, .decayPerSecond = 0};
+    for (int round = 0; round < 4; ++round) {
+        const double omega = 2 * std::numbers::pi * pole.frequencyHz / sampleRateHz;
+        std::complex<double> previous = 0;
+        std::complex<double> product = 0;
+        double energy = 0;
+        for (std::size_t start = 0; start + frame <= signal.size(); start += hop) {
+            std::complex<double> sum = 0;
+            for (std::size_t i = 0; i < frame; ++i) {
+                const double hann = 1 - std::cos(2 * std::numbers::pi * i / frame);
+                sum += hann * signal[start + i] *
+                       std::polar(1.0, -omega * static_cast<double>(start + i));
+            }
+            if (start > 0) {
+                product += sum * std::conj(previous);
+                energy += std::norm(previous);
+            }
+            previous = sum;
+        }
+        const auto step = std::log(product / energy) / (hop / sampleRateHz);
+        pole.frequencyHz += step.imag() / (2 * std::numbers::pi);
+        pole.decayPerSecond = -step.real();
+    }
+    return pole;
+}
+
+inline double cents(double frequencyHz, double referenceHz) {
+    return 1200 * std::log2(frequencyHz / referenceHz);
+}
+
+} // namespace idiophone::test

@@ -1,0 +1,46 @@
+// Renders MIDI events through a player in blocks of one size.
+#pragma once
+
+#include "Instrument/Player.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace idiophone::test {
+
+inline MidiEvent midi(int sample, int status, int first, int second) {
+    return {.sampleOffset = sample,
+            .bytes = {static_cast<std::uint8_t>(status), static_cast<std::uint8_t>(first),
+                      static_cast<std::uint8_t>(second)}};
+}
+
+/// `events` are stamped on the stream and in order.
+inline std::vector<float> render(Player& player,
+                                 const std::vector<MidiEvent>& events,
+                                 std::size_t samples,
+                                 std::size_t blockSize,
+                                 const ParameterValues& parameters = {}) {
+    std::vector<float> output(samples);
+    std::size_t next = 0;
+    for (std::size_t start = 0; start < samples; start += blockSize) {
+        const auto count = std::min(blockSize, samples - start);
+        std::vector<MidiEvent> block;
+        for (; next < events.size() &&
+               static_cast<std::size_t>(events[next].sampleOffset) < start + count;
+             ++next) {
+            block.push_back(events[next]);
+            block.back().sampleOffset -= static_cast<int>(start);
+        }
+        player.process(std::span(output).subspan(start, count), block, parameters);
+    }
+    return output;
+}
+
+inline float peak(std::span<const float> signal) {
+    float highest = 0;
+    for (const float sample : signal)
+        highest = std::max(highest, std::abs(sample));
+    return highest;
+}
+
+} // namespace idiophone::test
