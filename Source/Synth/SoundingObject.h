@@ -17,8 +17,9 @@
 
 namespace idiophone {
 
-/// Memory is reserved by the constructor; every other member is for the audio thread. Ringing states
-/// stand at the grid point at which the cell begun last starts, after `mix` at the one where it ends.
+/// Memory is reserved by the constructor; every other member is for the audio thread. Ringing
+/// states stand at the grid point at which the cell begun last starts, after `mix` at the one where
+/// it ends.
 class SoundingObject {
 public:
     /// At most this many contacts are under way at a time.
@@ -33,15 +34,14 @@ public:
 
     /// Moves to the grid point of cell `index`: applies what was set and drops modes at t_c
     /// (eq. 14). True where there is anything to mix.
-    bool beginCell(std::int64_t index,
-                   const SynthesisSettings& settings,
-                   bool settingsChanged) noexcept;
+    bool
+    beginCell(std::int64_t index, const SynthesisSettings& settings, bool settingsChanged) noexcept;
 
     /// After `beginCell`: what quality scaling asks. Modes held by a contact are part of it.
     ModeDemand demand() const noexcept { return demanded; }
 
-    /// Mixes the strongest `share` modes into the cell. While a contact is under way its modes stay,
-    /// whatever the share: its forced part was summed over them.
+    /// Mixes the strongest `share` modes into the cell. While a contact is under way its modes
+    /// stay, whatever the share: its forced part was summed over them.
     void mix(std::int32_t share, std::span<float, cellSamples> cell) noexcept;
 
     /// Adds a strike to the rest of the cell begun last; `allowance` bounds the modes mixed after
@@ -62,15 +62,19 @@ public:
 private:
     /// One contact under way; its free part is in the states of the modes.
     struct Contact {
-        Strike strike;              ///< its duration cleared of resonances
-        double gainRatio = 1;       ///< as of its start
+        Strike strike;        ///< its duration cleared of resonances
+        double gainRatio = 1; ///< as of its start
         std::int64_t startCell = 0;
         double startSample = 0;
         double steadyVelocity = 0;  ///< G0 over the modes mixed
         std::complex<double> swing; ///< H over the modes mixed
     };
 
-    // SoundingObject.cpp: conditions, truncation, mixing.
+    // SoundingObject.cpp
+    void measure() noexcept;
+    void chooseModes(std::int32_t share) noexcept;
+
+    // SoundingObjectConditions.cpp: poles, damping, truncation.
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles(const PoleLaw& newLaw) noexcept;
     void regroup() noexcept;
@@ -78,10 +82,8 @@ private:
     void reviveTruncated() noexcept;
     void bringUpToDate(std::size_t g, std::int64_t grid) noexcept;
     void listRinging() noexcept;
-    void measure() noexcept;
     void dropEnded() noexcept;
-    void chooseModes(std::int32_t share) noexcept;
-    bool inBand(std::size_t g) const noexcept;
+    void noteFaint(std::size_t g, std::int64_t grid) noexcept;
     double dampingLog(std::int64_t grid) const noexcept;
     std::size_t index(std::int32_t g) const noexcept { return static_cast<std::size_t>(g); }
 
@@ -94,10 +96,9 @@ private:
     void soundContacts(std::span<float, cellSamples> cell) noexcept;
     double addForced(const Contact& contact, std::span<float, cellSamples> cell) const noexcept;
     void addKicks(double at, double until, std::span<float, cellSamples> cell) noexcept;
-    void endContact(const Contact& contact, double at, std::span<float, cellSamples> cell) noexcept;
-    void updateStruck() noexcept;
-    std::complex<double> phaseAt(const Contact& contact, std::int64_t cell, double sample)
-        const noexcept;
+    void joinKicks(double at) noexcept;
+    std::complex<double>
+    phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
     std::shared_ptr<const ModalObject> object;
     double slotSizeRatio;
@@ -118,8 +119,8 @@ private:
     std::int64_t cellIndex = -1; ///< the cell begun last
 
     // Groups, and the conditions under which they were formed.
-    std::vector<double> modeWeights;        ///< [M] mean-square shape
-    std::vector<std::int32_t> groupStarts;  ///< [G+1]
+    std::vector<double> modeWeights;       ///< [M] mean-square shape
+    std::vector<std::int32_t> groupStarts; ///< [G+1]
     std::size_t groupCount = 0;
     PoleLaw groupedLaw;
     double groupedCompression = 1;
@@ -150,11 +151,11 @@ private:
     std::vector<Contact> contacts;
 
     // Scratch.
-    std::vector<double> modeResidues;      ///< [M]
-    std::vector<double> groupResidues;     ///< [G]
-    std::vector<ModalState> kicks;         ///< [G] states to add, at the kick's time
-    std::vector<double> kickedStates;      ///< [G,2]
-    std::vector<ModalPole> audiblePoles;   ///< [G]
+    std::vector<double> modeResidues;    ///< [M]
+    std::vector<double> groupResidues;   ///< [G]
+    std::vector<ModalState> kicks;       ///< [G] states to add, at the kick's time
+    std::vector<double> kickedStates;    ///< [G,2]
+    std::vector<ModalPole> audiblePoles; ///< [G]
     std::vector<std::int32_t> candidates;
     std::vector<std::int32_t> joining;
     std::vector<std::int32_t> leaving;

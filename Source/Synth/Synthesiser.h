@@ -31,17 +31,17 @@ public:
     Synthesiser& operator=(const Synthesiser&) = delete;
 
     /// Takes effect at the next `beginCell`.
-    void setSettings(const SynthesisSettings& settings);
+    void setSettings(const SynthesisSettings& settings) noexcept;
 
     /// Extra fluid damping of one slot (a mute, a damper): everything it plays is multiplied by
     /// e^{−δt}, from the next `beginCell` on. 0 lifts it.
-    void setDamping(std::size_t slot, double dampingPerSecond);
+    void setDamping(std::size_t slot, double dampingPerSecond) noexcept;
 
     /// Frequencies of one slot times this (> 0), from the next `beginCell` on.
-    void setFrequencyRatio(std::size_t slot, double ratio);
+    void setFrequencyRatio(std::size_t slot, double ratio) noexcept;
 
     /// Advances by one cell and writes what rings into `cell`.
-    void beginCell(std::span<float, cellSamples> cell);
+    void beginCell(std::span<float, cellSamples> cell) noexcept;
 
     /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the cell begun last and
     /// adds the sound to the rest of it. Returns false where 64 contacts are already under way in
@@ -49,10 +49,10 @@ public:
     bool strike(std::size_t slot,
                 const Strike& strike,
                 double sampleInCell,
-                std::span<float, cellSamples> cell);
+                std::span<float, cellSamples> cell) noexcept;
 
     /// Forgets all that rings, at once. The caller fades the output.
-    void reset();
+    void reset() noexcept;
 
     struct SlotStatus {
         float amplitude = 0;           ///< summed amplitude of its modes, m/s
@@ -60,12 +60,12 @@ public:
         std::int32_t modesMixed = 0;   ///< of these, within its share of the budget
     };
     /// As of the cell begun last.
-    std::span<const SlotStatus> status() const;
-    std::int64_t modesMixed() const;
-    bool silent() const; ///< nothing rings and no contact is under way
+    std::span<const SlotStatus> status() const noexcept;
+    std::int64_t modesMixed() const noexcept;
+    bool silent() const noexcept; ///< nothing rings and no contact is under way
 
-    double sampleRateHz() const;
-    std::size_t slotCount() const;
+    double sampleRateHz() const noexcept;
+    std::size_t slotCount() const noexcept;
 
 private:
     struct Implementation;

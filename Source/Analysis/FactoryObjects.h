@@ -1,0 +1,19 @@
+// The modal objects that ship with the instrument, made from generated meshes: what
+// `idiophone factory` writes into Resources/Objects.
+#pragma once
+
+#include "Analysis/AnalysisControl.h"
+#include "Object/ModalObject.h"
+
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+/// "xylophone-72" to "xylophone-108", "plate", "ring".
+std::vector<std::string> factoryObjectNames();
+
+/// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.
+Result<ModalObject> makeFactoryObject(const std::string& name, const AnalysisControl& control = {});
+
+} // namespace idiophone

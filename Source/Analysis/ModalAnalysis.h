@@ -1,0 +1,51 @@
+// From a mesh and a material to a modal object: repair, model, modes. What a musician drops on the
+// window goes through here.
+#pragma once
+
+#include "Analysis/AnalysisControl.h"
+#include "Geometry/Mesh.h"
+#include "Object/ModalObject.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace idiophone {
+
+enum class AnalysisMethod {
+    twoLayer,   ///< TwoLayerShell, the default
+    springMass, ///< as published, k = Y t
+    vanGelder   ///< the same with k = Y t (A1 + A2)/L²
+};
+
+/// "two-layer", "spring-mass", "van-gelder": as objects and the console name them.
+std::string_view methodName(AnalysisMethod method);
+std::optional<AnalysisMethod> findMethod(std::string_view name);
+
+struct AnalysisSettings {
+    std::string name;
+    std::string source; ///< mesh file or generator, for the object's provenance
+    Material material;
+    AnalysisMethod method = AnalysisMethod::twoLayer;
+    double thicknessMetres = 0.005;
+    double lowestFrequencyHz = 20;
+    double maxFrequencyHz = 44000;
+    int maximumModes = 5000;            ///< an object with more in the band is refused
+    bool largestComponentOnly = false;  ///< leave smaller components of the mesh out
+    double weldTolerance = 1e-7;        ///< see RepairSettings
+    std::vector<int> shapeVertices = {}; ///< input vertices whose shapes to keep; empty: all
+};
+
+/// Meshes beyond these vertices (after repair) are refused, for they would take minutes to hours.
+inline constexpr int twoLayerVertexLimit = 20000;
+inline constexpr int springMassVertexLimit = 40000;
+
+/// The modal object of the repaired mesh, holding every mode in the band; it passes `validated`.
+/// `provenance.notes` says in plain words what repair did and what to beware of (more than the six
+/// rigid zero modes, for one). The same input gives the same object, but for the time it took.
+/// Errors are one sentence: settings out of range, an unusable or too large mesh, no mode in the
+/// band, too many modes, or `cancelledMessage`.
+Result<ModalObject>
+analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control = {});
+
+} // namespace idiophone

@@ -1,0 +1,31 @@
+// The spring-mass model of Raghuvanshi & Lin 2006, section 3: masses at the vertices, springs along
+// the edges. Flat parts have no stiffness against bending (REFERENCE 1.3 is their zero-mode law), so
+// TwoLayerShell is what instruments use.
+#pragma once
+
+#include "Analysis/VibrationModel.h"
+#include "Geometry/Mesh.h"
+#include "Object/Material.h"
+
+namespace idiophone {
+
+enum class SpringStiffness {
+    literal,  ///< k = Y t (eq. 1): a membrane of E t = 2k/√3 on equilateral triangles
+    vanGelder ///< k = Y t (A1 + A2)/L² (van Gelder 1998): E t = Y t there, on any mesh size
+};
+
+/// Rows 3v, 3v+1, 3v+2 are the displacement of vertex v; m_v = ρ t a_v (eq. 1). Edges have a length
+/// and vertices a face, as repairMesh ensures.
+VibrationModel springMassModel(const Mesh& mesh,
+                               const Material& material,
+                               double thicknessMetres,
+                               SpringStiffness stiffness);
+
+/// The stiffness of an edge's spring in N/m.
+double springStiffness(const MeshEdge& edge,
+                       double lengthMetres,
+                       double youngsModulusPa,
+                       double thicknessMetres,
+                       SpringStiffness stiffness);
+
+} // namespace idiophone

@@ -1,0 +1,91 @@
+#include "Analysis/TwoLayerShell.h"
+
+#include "Analysis/SpringAssembly.h"
+#include "Analysis/SpringMassModel.h"
+
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+/// Shear stiffness κ G t of the sheet in N/m, made softer by what bending within one edge would
+/// add (MacNeal's residual bending flexibility, L²/12D): without it coarse meshes of thin shells
+/// lock.
+double shearStiffness(const Material& material, double thicknessMetres, double lengthMetres) {
+    const double nu = material.poissonRatio, y = material.youngsModulusPa;
+    const double kappa = 10 * (1 + nu) / (12 + 11 * nu); // Cowper 1966, rectangular section
+    const double pure = kappa * y / (2 * (1 + nu)) * thicknessMetres;
+    const double bending = y * std::pow(thicknessMetres, 3) / 12;
+    return 1 / (1 / pure + lengthMetres * lengthMetres / (12 * bending));
+}
+
+struct Layers {
+    Eigen::MatrixXd upper, lower; ///< [N×3]
+};
+
+void addBraces(SpringAssembly& springs,
+               const Layers& layers,
+               const MeshEdge& edge,
+               double lengthMetres,
+               double sheetShearStiffness) {
+    const auto unit = [](const Eigen::Vector3d& v) { return Eigen::Vector3d(v / v.norm()); };
+    const Eigen::Vector3d down = (layers.lower.row(edge.b) - layers.upper.row(edge.a)).transpose();
+    const Eigen::Vector3d up = (layers.upper.row(edge.b) - layers.lower.row(edge.a)).transpose();
+    const double brace2 = (down.squaredNorm() + up.squaredNorm()) / 2;
+    const double height2 = ((layers.upper.row(edge.a) - layers.lower.row(edge.a)).squaredNorm() +
+                            (layers.upper.row(edge.b) - layers.lower.row(edge.b)).squaredNorm()) /
+                           2;
+    // A shear strain γ along the edge makes the elongations differ by 2 γ L H/ℓ. On equilateral
+    // triangles edges of stiffness (2/3) S (A1+A2)/L² against L γ make a sheet of shear stiffness S.
+    const double edgeStiffness =
+        2.0 / 3 * sheetShearStiffness * edge.adjacentAreaM2 / (lengthMetres * lengthMetres);
+    const Eigen::Vector3d n1 = unit(down), n2 = unit(up);
+    springs.add<4>(edgeStiffness * brace2 / (4 * height2),
+                   {6 * edge.a, 6 * edge.a + 3, 6 * edge.b, 6 * edge.b + 3}, {-n1, n2, -n2, n1});
+}
+
+} // namespace
+
+double layerOffsetMetres(double thicknessMetres) { return thicknessMetres / std::sqrt(12.0); }
+
+VibrationModel twoLayerShell(const Mesh& mesh, const Material& material, double thicknessMetres) {
+    const auto edges = uniqueEdges(mesh);
+    const Eigen::VectorXd areas = vertexAreas(mesh);
+    const Eigen::MatrixXd normals = vertexNormals(mesh);
+    const double offset = layerOffsetMetres(thicknessMetres);
+    const Layers layers{mesh.vertices + offset * normals, mesh.vertices - offset * normals};
+
+    SpringAssembly springs;
+    springs.reserve(edges.size() * 120 + static_cast<std::size_t>(mesh.vertexCount()) * 21);
+    for (const auto& edge : edges) {
+        const double length = (mesh.vertices.row(edge.b) - mesh.vertices.row(edge.a)).norm();
+        const double k = springStiffness(edge, length, material.youngsModulusPa,
+                                         thicknessMetres / 2, SpringStiffness::vanGelder);
+        for (const auto layer : {0, 1}) {
+            const auto& points = layer == 0 ? layers.upper : layers.lower;
+            const Eigen::Vector3d n = (points.row(edge.b) - points.row(edge.a)).normalized();
+            springs.add<2>(k, {6 * edge.a + 3 * layer, 6 * edge.b + 3 * layer}, {-n, n});
+        }
+        addBraces(springs, layers, edge, length, shearStiffness(material, thicknessMetres, length));
+    }
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Eigen::Vector3d n = normals.row(v);
+        springs.add<2>(material.youngsModulusPa * areas(v) / (2 * offset), {6 * v, 6 * v + 3},
+                       {n, -n});
+    }
+    const Eigen::VectorXd halves = material.densityKgPerM3 * thicknessMetres / 2 * areas;
+    return {.stiffness = springs.matrix(6 * mesh.vertexCount()),
+            .mass = halves.transpose().replicate(6, 1).reshaped(),
+            .rowsPerVertex = 6};
+}
+
+Eigen::MatrixXd midSurfaceShapes(const Eigen::MatrixXd& shapes) {
+    const Eigen::Index vertices = shapes.rows() / 6;
+    Eigen::MatrixXd middle(3 * vertices, shapes.cols());
+    for (Eigen::Index v = 0; v < vertices; ++v)
+        middle.middleRows(3 * v, 3) =
+            (shapes.middleRows(6 * v, 3) + shapes.middleRows(6 * v + 3, 3)) / 2;
+    return middle;
+}
+
+} // namespace idiophone

@@ -1,0 +1,47 @@
+#include "Editor/EditorWindow.h"
+
+namespace idiophone {
+
+EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
+    : AudioProcessorEditor(audioProcessor), view(processorView), presets(view), parameters(view),
+      keyboard(view) {
+    setLookAndFeel(&look);
+    for (auto* child :
+         std::initializer_list<juce::Component*>{&presets, &parameters, &status, &keyboard})
+        addAndMakeVisible(child);
+    setResizable(true, true);
+    setResizeLimits(800, 500, 3840, 2160);
+    setSize(960, 580);
+    startTimerHz(25);
+}
+
+EditorWindow::~EditorWindow() {
+    setLookAndFeel(nullptr);
+}
+
+void EditorWindow::timerCallback() {
+    presets.refresh();
+    parameters.refresh();
+    keyboard.refresh();
+    status.show(view.takeStatus());
+    // In a host the keys of the computer are the host's.
+    if (!focusTaken && juce::JUCEApplicationBase::isStandaloneApp() && isShowing()) {
+        focusTaken = true;
+        keyboard.takeFocus();
+    }
+}
+
+void EditorWindow::paint(juce::Graphics& g) {
+    g.fillAll(palette::background);
+}
+
+void EditorWindow::resized() {
+    auto area = getLocalBounds().reduced(12, 0);
+    presets.setBounds(area.removeFromTop(44));
+    area.removeFromBottom(10);
+    keyboard.setBounds(area.removeFromBottom(juce::jlimit(64, 140, getHeight() / 7)));
+    status.setBounds(area.removeFromBottom(34));
+    parameters.setBounds(area);
+}
+
+} // namespace idiophone

@@ -1,0 +1,71 @@
+#include "Editor/KeyboardPanel.h"
+
+#include "Editor/DarkLook.h"
+
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+bool isWhite(int note) {
+    return !juce::MidiMessage::isMidiNoteBlack(note);
+}
+
+int whiteKeys(int lowest, int highest) {
+    int count = 0;
+    for (int note = lowest; note <= highest; ++note)
+        count += isWhite(note) ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
+    using Keyboard = juce::MidiKeyboardComponent;
+    keyboard.setColour(Keyboard::whiteNoteColourId, juce::Colour(0xffd9d6cf));
+    keyboard.setColour(Keyboard::blackNoteColourId, juce::Colour(0xff23262c));
+    keyboard.setColour(Keyboard::keySeparatorLineColourId, palette::outline);
+    keyboard.setColour(Keyboard::keyDownOverlayColourId, palette::accent);
+    keyboard.setColour(Keyboard::mouseOverKeyOverlayColourId, palette::accent.withAlpha(0.35f));
+    keyboard.setColour(Keyboard::shadowColourId, juce::Colours::transparentBlack);
+    keyboard.setScrollButtonsVisible(false);
+    keyboard.setTitle("Keyboard");
+    addAndMakeVisible(keyboard);
+    state.addListener(this);
+    refresh();
+}
+
+KeyboardPanel::~KeyboardPanel() {
+    state.removeListener(this);
+}
+
+void KeyboardPanel::refresh() {
+    const auto range = view.keyRange();
+    if (range.lowest == shown.lowest && range.highest == shown.highest)
+        return;
+    shown = range;
+    lowest = range.lowest - range.lowest % 12;
+    highest = juce::jlimit(lowest, 127, juce::jmax(range.highest, lowest + 24));
+    if (!isWhite(highest))
+        ++highest;
+    state.allNotesOff(0);
+    keyboard.setAvailableRange(lowest, highest);
+    keyboard.setKeyPressBaseOctave(lowest / 12);
+    resized();
+}
+
+void KeyboardPanel::resized() {
+    keyboard.setKeyWidth(static_cast<float>(getWidth()) /
+                         static_cast<float>(whiteKeys(lowest, highest)));
+    keyboard.setBounds(getLocalBounds());
+}
+
+void KeyboardPanel::handleNoteOn(juce::MidiKeyboardState*, int, int note, float velocity) {
+    view.playNote(note, juce::jlimit(1, 127, juce::roundToInt(velocity * 127)));
+}
+
+void KeyboardPanel::handleNoteOff(juce::MidiKeyboardState*, int, int note, float) {
+    view.playNote(note, 0);
+}
+
+} // namespace idiophone

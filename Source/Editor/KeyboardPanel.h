@@ -1,0 +1,32 @@
+// The on-screen keyboard over the notes that the instrument has; the computer's keys play it too.
+#pragma once
+
+#include "Editor/ProcessorView.h"
+
+#include <juce_audio_utils/juce_audio_utils.h>
+
+namespace idiophone {
+
+class KeyboardPanel final : public juce::Component, private juce::MidiKeyboardState::Listener {
+public:
+    explicit KeyboardPanel(ProcessorView& view);
+    ~KeyboardPanel() override;
+
+    /// Shows the range of the instrument that is loaded now.
+    void refresh();
+    void takeFocus() { keyboard.grabKeyboardFocus(); }
+
+    void resized() override;
+
+private:
+    void handleNoteOn(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
+    void handleNoteOff(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
+
+    ProcessorView& view;
+    ProcessorView::KeyRange shown{.lowest = -1, .highest = -1};
+    int lowest = 0, highest = 127; ///< of the keys drawn
+    juce::MidiKeyboardState state; // never seen by the audio thread: it locks
+    juce::MidiKeyboardComponent keyboard{state, juce::MidiKeyboardComponent::horizontalKeyboard};
+};
+
+} // namespace idiophone

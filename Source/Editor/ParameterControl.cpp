@@ -1,0 +1,144 @@
+#include "Editor/ParameterControl.h"
+
+#include "Editor/DarkLook.h"
+
+#include <limits>
+
+namespace idiophone {
+namespace {
+
+// Slider with steps of the mouse wheel and arrow keys in proportion to its range, in real units.
+juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
+    const auto* row = &info; // rows live for ever
+    return {info.minimum, info.maximum,
+            [row](double, double, double place) { return row->fromNormalised(place); },
+            [row](double, double, double value) { return row->toNormalised(value); },
+            [row](double, double, double value) { return row->clamped(value); }};
+}
+
+} // namespace
+
+ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& processor)
+    : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()) {
+    const auto title = juce::String::fromUTF8(info.name);
+    setTitle(title);
+    name.setText(title, juce::dontSendNotification);
+    name.setFont(DarkLook::textFont());
+    name.setColour(juce::Label::textColourId, palette::dimText);
+    name.setBorderSize({0, 0, 0, 0});
+    name.setMinimumHorizontalScale(0.8f);
+    name.setTooltip(juce::String::fromUTF8(info.description));
+    addAndMakeVisible(name);
+    if (info.scale == ParameterScale::onOff)
+        makeSwitch();
+    else if (info.scale == ParameterScale::choice)
+        makeList();
+    else
+        makeSlider();
+    refresh();
+}
+
+void ParameterControl::makeSlider() {
+    makeValueText();
+    slider =
+        std::make_unique<juce::Slider>(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox);
+    slider->setTitle(getTitle());
+    slider->setNormalisableRange(rangeOf(info));
+    slider->setDoubleClickReturnValue(true, info.defaultValue);
+    slider->setTooltip(juce::String::fromUTF8(info.description));
+    slider->textFromValueFunction = [this](double number) {
+        return juce::String::fromUTF8(formatParameter(info, number).c_str());
+    };
+    slider->onDragStart = [this] { view.beginParameterChange(info.parameter); };
+    slider->onDragEnd = [this] { view.endParameterChange(info.parameter); };
+    slider->onValueChange = [this] {
+        if (slider->isMouseButtonDown())
+            view.changeParameter(info.parameter, slider->getValue());
+        else
+            changeOnce(slider->getValue());
+        refresh();
+    };
+    addAndMakeVisible(*slider);
+}
+
+void ParameterControl::makeSwitch() {
+    toggle = std::make_unique<juce::ToggleButton>();
+    toggle->setTitle(getTitle());
+    toggle->setTooltip(juce::String::fromUTF8(info.description));
+    toggle->onClick = [this] { changeOnce(toggle->getToggleState() ? 1 : 0); };
+    addAndMakeVisible(*toggle);
+}
+
+void ParameterControl::makeList() {
+    list = std::make_unique<juce::ComboBox>();
+    list->setTitle(getTitle());
+    list->setTooltip(juce::String::fromUTF8(info.description));
+    int id = 1;
+    for (const auto choice : choiceNames(info.parameter))
+        list->addItem(juce::String::fromUTF8(choice.data(), static_cast<int>(choice.size())), id++);
+    list->onChange = [this] { changeOnce(list->getSelectedId() - 1); };
+    addAndMakeVisible(*list);
+}
+
+void ParameterControl::makeValueText() {
+    value.setFont(DarkLook::textFont());
+    value.setJustificationType(juce::Justification::centredRight);
+    value.setBorderSize({0, 0, 0, 0});
+    value.setMinimumHorizontalScale(0.8f);
+    value.setEditable(true);
+    value.setTitle(getTitle());
+    value.setTooltip("Click to type a value");
+    value.onTextChange = [this] { typed(); };
+    addAndMakeVisible(value);
+}
+
+void ParameterControl::changeOnce(double number) {
+    view.beginParameterChange(info.parameter);
+    view.changeParameter(info.parameter, number);
+    view.endParameterChange(info.parameter);
+}
+
+void ParameterControl::typed() {
+    if (const auto parsed = parseParameter(info, value.getText().toStdString()))
+        changeOnce(*parsed);
+    shown = std::numeric_limits<double>::quiet_NaN(); // what was typed gives way to what holds
+    refresh();
+}
+
+void ParameterControl::refresh() {
+    const double now = view.parameterValue(info.parameter);
+    if (now == shown)
+        return;
+    shown = now;
+    if (!value.isBeingEdited())
+        value.setText(juce::String::fromUTF8(formatParameter(info, now).c_str()),
+                      juce::dontSendNotification);
+    if (slider != nullptr)
+        slider->setValue(now, juce::dontSendNotification);
+    if (toggle != nullptr)
+        toggle->setToggleState(now != 0, juce::dontSendNotification);
+    if (list != nullptr)
+        list->setSelectedId(static_cast<int>(now) + 1, juce::dontSendNotification);
+}
+
+void ParameterControl::resized() {
+    auto area = getLocalBounds();
+    if (toggle != nullptr) {
+        area.setHeight(juce::jmin(area.getHeight(), 24));
+        toggle->setBounds(area.removeFromRight(40));
+        name.setBounds(area);
+        return;
+    }
+    auto line = area.removeFromTop(17);
+    if (list != nullptr) {
+        name.setBounds(line);
+        list->setBounds(area.withHeight(juce::jmin(area.getHeight(), 24)));
+        return;
+    }
+    const auto valueWidth = juce::jmax(76, line.getWidth() * 2 / 5);
+    value.setBounds(line.removeFromRight(valueWidth));
+    name.setBounds(line);
+    slider->setBounds(area.withHeight(juce::jmin(area.getHeight(), 22)));
+}
+
+} // namespace idiophone

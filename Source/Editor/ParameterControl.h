@@ -1,0 +1,38 @@
+// One parameter in the window: its name, its value to read and to type, and a slider, switch or
+// list to change it.
+#pragma once
+
+#include "Editor/ProcessorView.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+#include <memory>
+
+namespace idiophone {
+
+class ParameterControl final : public juce::Component {
+public:
+    ParameterControl(const ParameterInfo& info, ProcessorView& view);
+
+    /// Shows what the processor has, if that has changed.
+    void refresh();
+
+    void resized() override;
+
+private:
+    void makeSlider();
+    void makeSwitch();
+    void makeList();
+    void makeValueText();
+    void changeOnce(double value);
+    void typed();
+
+    const ParameterInfo& info;
+    ProcessorView& view;
+    double shown;
+    juce::Label name, value;
+    std::unique_ptr<juce::Slider> slider;
+    std::unique_ptr<juce::ToggleButton> toggle;
+    std::unique_ptr<juce::ComboBox> list;
+};
+
+} // namespace idiophone

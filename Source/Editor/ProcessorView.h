@@ -1,0 +1,48 @@
+// What the window needs of the processor, and nothing else: the editor knows no more of the plugin.
+#pragma once
+
+#include "Parameters/ParameterTable.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+/// For the message thread.
+class ProcessorView {
+public:
+    struct Status {
+        std::string sentence; ///< what is loaded, or what went wrong last
+        bool isError = false;
+        std::int64_t modesMixed = 0; ///< in the cell rendered last
+        float peak = 0;              ///< of the output since this was asked last; full scale is 1
+    };
+
+    struct KeyRange {
+        int lowest = 0; ///< MIDI notes
+        int highest = 127;
+    };
+
+    virtual ~ProcessorView() = default;
+
+    virtual std::vector<std::string> presetNames() const = 0;
+    /// −1 where what plays is none of them.
+    virtual int presetIndex() const = 0;
+    virtual void choosePreset(int index) = 0;
+
+    /// In the unit of the table.
+    virtual double parameterValue(ParameterId parameter) const = 0;
+    /// A change by hand: `begin`, any number of `change`s, `end`; the host records it.
+    virtual void beginParameterChange(ParameterId parameter) = 0;
+    virtual void changeParameter(ParameterId parameter, double value) = 0;
+    virtual void endParameterChange(ParameterId parameter) = 0;
+
+    /// Velocity 1 to 127; 0 releases.
+    virtual void playNote(int midiNote, int velocity) = 0;
+    virtual KeyRange keyRange() const = 0; ///< the notes that sound
+
+    virtual Status takeStatus() = 0;
+};
+
+} // namespace idiophone

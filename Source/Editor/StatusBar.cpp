@@ -1,0 +1,41 @@
+#include "Editor/StatusBar.h"
+
+#include "Editor/DarkLook.h"
+
+#include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
+
+namespace idiophone {
+
+void StatusBar::show(ProcessorView::Status status) {
+    constexpr int fallPerUpdate = 2; // dB: a peak can be seen
+    const auto now = static_cast<int>(std::lround(
+        juce::Decibels::gainToDecibels(status.peak, static_cast<float>(silentDecibels))));
+    const int decibels = juce::jmax(now, shownDecibels - fallPerUpdate, silentDecibels);
+    const bool same = decibels == shownDecibels && status.modesMixed == shown.modesMixed &&
+                      status.isError == shown.isError && status.sentence == shown.sentence;
+    shown = std::move(status);
+    shownDecibels = decibels;
+    if (!same)
+        repaint();
+}
+
+void StatusBar::paint(juce::Graphics& g) {
+    auto area = getLocalBounds();
+    const auto meter = area.removeFromRight(120).toFloat().withSizeKeepingCentre(120, 6);
+    const auto modes = area.removeFromRight(110).withTrimmedRight(12);
+    const float filled = static_cast<float>(shownDecibels - silentDecibels) / -silentDecibels;
+    g.setColour(palette::outline);
+    g.fillRoundedRectangle(meter, 3);
+    g.setColour(shownDecibels >= 0 ? palette::error : palette::accent);
+    g.fillRoundedRectangle(meter.withWidth(meter.getWidth() * juce::jlimit(0.0f, 1.0f, filled)), 3);
+
+    g.setFont(DarkLook::textFont());
+    g.setColour(palette::dimText);
+    g.drawText(juce::String(shown.modesMixed) + " modes", modes, juce::Justification::centredRight);
+    g.setColour(shown.isError ? palette::error : palette::text);
+    g.drawFittedText(juce::String::fromUTF8(shown.sentence.c_str()), area,
+                     juce::Justification::centredLeft, 2, 0.85f);
+}
+
+} // namespace idiophone

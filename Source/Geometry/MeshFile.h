@@ -1,0 +1,52 @@
+// What the readers of the mesh formats share: the polygons that they collect and a scanner of text.
+// Internal to Geometry. The formats are parsed here and not by libigl, whose readers leave the
+// program or overrun buffers on malformed files (docs/decisions).
+#pragma once
+
+#include "Object/Result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace idiophone {
+
+/// Vertices and triangles as a file gives them; indices are not checked yet.
+struct RawMesh {
+    std::vector<double> coordinates;     ///< [N,3]
+    std::vector<std::int64_t> triangles; ///< [F,3]
+
+    std::int64_t vertexCount() const { return static_cast<std::int64_t>(coordinates.size() / 3); }
+    void addPolygon(const std::vector<std::int64_t>& corners);
+};
+
+/// Words of a text, without copies. '#' begins a comment that ends with its line.
+class TextScanner {
+public:
+    explicit TextScanner(std::string_view text) : rest_(text) {}
+
+    /// The next word on this or a later line; empty at the end of the text.
+    std::string_view nextWord();
+    std::optional<double> nextNumber();
+    std::optional<std::int64_t> nextInteger();
+    /// The rest of the current line without its end and comment; nothing at the end of the text.
+    std::optional<std::string_view> nextLine();
+    std::size_t bytesLeft() const { return rest_.size(); }
+
+private:
+    std::string_view rest_;
+};
+
+/// A whole word as a number ("nan" and "inf" are numbers, to be refused by what they mean).
+std::optional<double> parseNumber(std::string_view word);
+std::optional<std::int64_t> parseInteger(std::string_view word);
+
+/// One reader a format. The errors say the fault only; readMesh adds the file.
+Result<RawMesh> readObj(std::string_view bytes);
+Result<RawMesh> readOff(std::string_view bytes);
+Result<RawMesh> readPly(std::string_view bytes);
+Result<RawMesh> readStl(std::string_view bytes);
+
+} // namespace idiophone

@@ -1,0 +1,294 @@
+#include "Geometry/ParametricMesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Collects vertices and faces while their number is not known yet.
+struct MeshBuilder {
+    std::vector<Eigen::RowVector3d> vertices;
+    std::vector<Eigen::RowVector3i> faces;
+
+    int add(double x, double y, double z) {
+        vertices.emplace_back(x, y, z);
+        return static_cast<int>(vertices.size()) - 1;
+    }
+    void face(int a, int b, int c) { faces.emplace_back(a, b, c); }
+
+    Mesh mesh() const {
+        Mesh result{Eigen::MatrixXd(vertices.size(), 3), Eigen::MatrixXi(faces.size(), 3)};
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            result.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            result.faces.row(static_cast<Eigen::Index>(i)) = faces[i];
+        return result;
+    }
+};
+
+int sheetVertexCount(const SheetGrid& grid) {
+    const int longRows = grid.rowsAcross / 2, evenRows = longRows + 1;
+    return evenRows * (grid.segmentsAlong + 1) + longRows * (grid.segmentsAlong + 2);
+}
+
+/// The strip of triangles between two rows of vertices: walks both at once, always advancing on the
+/// row whose next segment lies further back, which keeps the strip mirror-symmetric.
+void stitch(MeshBuilder& builder,
+            const std::vector<int>& lower,
+            const std::vector<int>& upper,
+            const std::vector<double>& lowerX,
+            const std::vector<double>& upperX) {
+    std::size_t i = 0, j = 0;
+    while (i + 1 < lower.size() || j + 1 < upper.size()) {
+        const bool advanceLower =
+            j + 1 == upper.size() ||
+            (i + 1 < lower.size() && lowerX[i] + lowerX[i + 1] < upperX[j] + upperX[j + 1]);
+        if (advanceLower) {
+            builder.face(lower[i], lower[i + 1], upper[j]);
+            ++i;
+        } else {
+            builder.face(lower[i], upper[j + 1], upper[j]);
+            ++j;
+        }
+    }
+}
+
+} // namespace
+
+SheetGrid sheetGrid(double lengthMetres, double widthMetres, int targetVertices) {
+    SheetGrid best;
+    int leastMiss = -1;
+    for (int rows = 2; rows <= 2000; rows += 2) {
+        const double spacing = 2 / std::sqrt(3.0) * widthMetres / rows;
+        // The middle row has a vertex at x = 0 when its parity fits the number of segments.
+        const bool odd = rows % 4 == 2;
+        int segments = 2 * static_cast<int>(std::lround((lengthMetres / spacing - odd) / 2)) + odd;
+        segments = std::max(segments, odd ? 3 : 2);
+        const SheetGrid grid{segments, rows};
+        const int count = sheetVertexCount(grid);
+        if (const int miss = std::abs(count - targetVertices); leastMiss < 0 || miss < leastMiss) {
+            leastMiss = miss;
+            best = grid;
+        }
+        if (count > 2 * targetVertices)
+            break;
+    }
+    return best;
+}
+
+Mesh sheetMesh(double lengthMetres, double widthMetres, const SheetGrid& grid) {
+    MeshBuilder builder;
+    std::vector<int> previous;
+    std::vector<double> previousX;
+    for (int row = 0; row <= grid.rowsAcross; ++row) {
+        std::vector<double> xs;
+        if (row % 2 == 0) {
+            for (int i = 0; i <= grid.segmentsAlong; ++i)
+                xs.push_back(static_cast<double>(i) / grid.segmentsAlong);
+        } else {
+            xs.push_back(0);
+            for (int i = 0; i < grid.segmentsAlong; ++i)
+                xs.push_back((i + 0.5) / grid.segmentsAlong);
+            xs.push_back(1);
+        }
+        const double y = (static_cast<double>(row) / grid.rowsAcross - 0.5) * widthMetres;
+        std::vector<int> current;
+        for (const double x : xs)
+            current.push_back(builder.add((x - 0.5) * lengthMetres, y, 0));
+        if (row > 0)
+            stitch(builder, previous, current, previousX, xs);
+        previous = std::move(current);
+        previousX = std::move(xs);
+    }
+    return builder.mesh();
+}
+
+Mesh sheetMesh(double lengthMetres, double widthMetres, int targetVertices) {
+    return sheetMesh(lengthMetres, widthMetres,
+                     sheetGrid(lengthMetres, widthMetres, targetVertices));
+}
+
+Mesh gridPlateMesh(double lengthMetres, double widthMetres, int columns, int rows) {
+    MeshBuilder builder;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i)
+            builder.add((static_cast<double>(i) / columns - 0.5) * lengthMetres,
+                        (static_cast<double>(j) / rows - 0.5) * widthMetres, 0);
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const int a = j * (columns + 1) + i, b = a + columns + 1;
+            builder.face(a, a + 1, b + 1);
+            builder.face(a, b + 1, b);
+        }
+    return builder.mesh();
+}
+
+Mesh discMesh(double radiusMetres, int rings) {
+    MeshBuilder builder;
+    builder.add(0, 0, 0);
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int k = 0; k < 6 * ring; ++k) {
+            const double radius = radiusMetres * ring / rings, angle = 2 * pi * k / (6 * ring);
+            builder.add(radius * std::cos(angle), radius * std::sin(angle), 0);
+        }
+    const auto index = [](int ring, int k) {
+        return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + k % (6 * ring);
+    };
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int sector = 0; sector < 6; ++sector)
+            for (int k = 0; k < ring; ++k) {
+                const int outer = sector * ring + k, inner = sector * (ring - 1) + k;
+                builder.face(index(ring - 1, inner), index(ring, outer), index(ring, outer + 1));
+                if (k + 1 < ring)
+                    builder.face(index(ring - 1, inner), index(ring, outer + 1),
+                                 index(ring - 1, inner + 1));
+            }
+    return builder.mesh();
+}
+
+Mesh boxMesh(const Eigen::Vector3d& sizeMetres, const Eigen::Vector3i& segments) {
+    MeshBuilder builder;
+    std::map<std::array<int, 3>, int> known;
+    const auto vertex = [&](const std::array<int, 3>& at) {
+        const auto [place, isNew] = known.try_emplace(at, 0);
+        if (isNew) {
+            Eigen::Vector3d p;
+            for (int axis = 0; axis < 3; ++axis)
+                p(axis) = (static_cast<double>(at[axis]) / segments(axis) - 0.5) * sizeMetres(axis);
+            place->second = builder.add(p.x(), p.y(), p.z());
+        }
+        return place->second;
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, segments(axis)}) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            for (int j = 0; j < segments(v); ++j)
+                for (int i = 0; i < segments(u); ++i) {
+                    const auto corner = [&](int di, int dj) {
+                        std::array<int, 3> at{};
+                        at[axis] = side, at[u] = i + di, at[v] = j + dj;
+                        return vertex(at);
+                    };
+                    const int a = corner(0, 0), b = corner(1, 0), c = corner(1, 1),
+                              d = corner(0, 1);
+                    if (side == 0) {
+                        builder.face(a, c, b);
+                        builder.face(a, d, c);
+                    } else {
+                        builder.face(a, b, c);
+                        builder.face(a, c, d);
+                    }
+                }
+        }
+    return builder.mesh();
+}
+
+Mesh icosphereMesh(double radiusMetres, int level) {
+    const double g = std::numbers::phi;
+    MeshBuilder builder;
+    for (const double s : {-1.0, 1.0})
+        for (const double t : {-g, g}) {
+            builder.add(0, s, t);
+            builder.add(s, t, 0);
+            builder.add(t, 0, s);
+        }
+    // The faces are the triples of vertices at the icosahedron's edge length, 2.
+    const auto near = [&](int a, int b) {
+        return (builder.vertices[a] - builder.vertices[b]).norm() < 2.1;
+    };
+    for (int a = 0; a < 12; ++a)
+        for (int b = a + 1; b < 12; ++b)
+            for (int c = b + 1; c < 12; ++c)
+                if (near(a, b) && near(b, c) && near(a, c)) {
+                    const auto &p = builder.vertices[a], &q = builder.vertices[b],
+                               &r = builder.vertices[c];
+                    if ((q - p).cross(r - p).dot(p) > 0)
+                        builder.face(a, b, c);
+                    else
+                        builder.face(a, c, b);
+                }
+    for (auto& vertex : builder.vertices)
+        vertex.normalize();
+    for (int step = 0; step < level; ++step) {
+        std::map<std::pair<int, int>, int> middles;
+        const auto middle = [&](int a, int b) {
+            const auto [place, isNew] = middles.try_emplace(std::minmax(a, b), 0);
+            if (isNew) {
+                const Eigen::RowVector3d p =
+                    (builder.vertices[a] + builder.vertices[b]).normalized();
+                place->second = builder.add(p.x(), p.y(), p.z());
+            }
+            return place->second;
+        };
+        const auto coarse = std::move(builder.faces);
+        builder.faces.clear();
+        for (const auto& f : coarse) {
+            const int ab = middle(f(0), f(1)), bc = middle(f(1), f(2)), ca = middle(f(2), f(0));
+            builder.face(f(0), ab, ca);
+            builder.face(f(1), bc, ab);
+            builder.face(f(2), ca, bc);
+            builder.face(ab, bc, ca);
+        }
+    }
+    Mesh mesh = builder.mesh();
+    mesh.vertices *= radiusMetres;
+    return mesh;
+}
+
+Mesh torusMesh(double radiusMetres, double sectionRadiusMetres, int sections, int sidesOfSection) {
+    MeshBuilder builder;
+    for (int i = 0; i < sections; ++i)
+        for (int j = 0; j < sidesOfSection; ++j) {
+            const double u = 2 * pi * i / sections;
+            const double v = 2 * pi * (j + (i % 2) * 0.5) / sidesOfSection;
+            const double r = radiusMetres + sectionRadiusMetres * std::cos(v);
+            builder.add(r * std::cos(u), r * std::sin(u), sectionRadiusMetres * std::sin(v));
+        }
+    for (int i = 0; i < sections; ++i)
+        for (int j = 0; j < sidesOfSection; ++j) {
+            const auto at = [&](int section, int side) {
+                return section % sections * sidesOfSection + side % sidesOfSection;
+            };
+            const int a = at(i, j), b = at(i, j + 1);
+            if (i % 2 == 0) { // the next section's vertex j lies between a and b
+                builder.face(a, at(i + 1, j), b);
+                builder.face(b, at(i + 1, j), at(i + 1, j + 1));
+            } else {
+                builder.face(a, at(i + 1, j + 1), b);
+                builder.face(a, at(i + 1, j), at(i + 1, j + 1));
+            }
+        }
+    return builder.mesh();
+}
+
+Mesh hoopMesh(double radiusMetres, double heightMetres, int around, int rows) {
+    MeshBuilder builder;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i < around; ++i) {
+            const double angle = 2 * pi * (i + (j % 2) * 0.5) / around;
+            builder.add(radiusMetres * std::cos(angle), radiusMetres * std::sin(angle),
+                        (static_cast<double>(j) / rows - 0.5) * heightMetres);
+        }
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < around; ++i) {
+            const int next = (i + 1) % around, low = j * around, high = low + around;
+            if (j % 2 == 0) {
+                builder.face(low + i, low + next, high + i);
+                builder.face(low + next, high + next, high + i);
+            } else {
+                builder.face(low + i, high + next, high + i);
+                builder.face(low + i, low + next, high + next);
+            }
+        }
+    return builder.mesh();
+}
+
+} // namespace idiophone

@@ -1,0 +1,232 @@
+#include "Geometry/MeshFile.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <string>
+
+namespace idiophone {
+namespace {
+
+enum class Encoding { text, littleEndian, bigEndian };
+enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Property {
+    std::string_view name;
+    Scalar type = Scalar::float32;
+    std::optional<Scalar> countType; ///< present in a list
+};
+
+struct Element {
+    std::string_view name;
+    std::int64_t count = 0;
+    std::vector<Property> properties;
+};
+
+struct Header {
+    Encoding encoding = Encoding::text;
+    std::vector<Element> elements;
+};
+
+std::optional<Scalar> scalarNamed(std::string_view name) {
+    constexpr std::array<std::array<std::string_view, 2>, 8> names{{{"char", "int8"},
+                                                                     {"uchar", "uint8"},
+                                                                     {"short", "int16"},
+                                                                     {"ushort", "uint16"},
+                                                                     {"int", "int32"},
+                                                                     {"uint", "uint32"},
+                                                                     {"float", "float32"},
+                                                                     {"double", "float64"}}};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (name == names[i][0] || name == names[i][1])
+            return static_cast<Scalar>(i);
+    return std::nullopt;
+}
+
+std::size_t sizeOf(Scalar type) {
+    constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[static_cast<std::size_t>(type)];
+}
+
+/// Values one after the other, from text or from bytes; nothing at the end of the file.
+class Values {
+public:
+    Values(std::string_view body, Encoding encoding)
+        : bytes_(body), text_(body), encoding_(encoding) {}
+
+    std::optional<double> next(Scalar type) {
+        if (encoding_ == Encoding::text)
+            return text_.nextNumber();
+        const std::size_t size = sizeOf(type);
+        if (bytes_.size() < size)
+            return std::nullopt;
+        std::array<char, 8> raw{};
+        std::copy_n(bytes_.begin(), size, raw.begin());
+        bytes_.remove_prefix(size);
+        if ((encoding_ == Encoding::bigEndian) != (std::endian::native == std::endian::big))
+            std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(size));
+        switch (type) {
+        case Scalar::int8: return as<std::int8_t>(raw);
+        case Scalar::uint8: return as<std::uint8_t>(raw);
+        case Scalar::int16: return as<std::int16_t>(raw);
+        case Scalar::uint16: return as<std::uint16_t>(raw);
+        case Scalar::int32: return as<std::int32_t>(raw);
+        case Scalar::uint32: return as<std::uint32_t>(raw);
+        case Scalar::float32: return as<float>(raw);
+        case Scalar::float64: return as<double>(raw);
+        }
+        return std::nullopt;
+    }
+
+    std::size_t bytesLeft() const {
+        return encoding_ == Encoding::text ? text_.bytesLeft() : bytes_.size();
+    }
+
+    /// The fewest bytes that a value can take.
+    std::size_t leastSize(Scalar type) const {
+        return encoding_ == Encoding::text ? 1 : sizeOf(type);
+    }
+
+private:
+    template <class T>
+    static double as(const std::array<char, 8>& raw) {
+        T value;
+        std::memcpy(&value, raw.data(), sizeof value);
+        return static_cast<double>(value);
+    }
+
+    std::string_view bytes_;
+    TextScanner text_;
+    Encoding encoding_;
+};
+
+std::optional<Property> readProperty(TextScanner& words) {
+    Property property;
+    auto type = words.nextWord();
+    if (type == "list") {
+        property.countType = scalarNamed(words.nextWord());
+        if (!property.countType)
+            return std::nullopt;
+        type = words.nextWord();
+    }
+    const auto scalar = scalarNamed(type);
+    if (!scalar)
+        return std::nullopt;
+    property.type = *scalar;
+    property.name = words.nextWord();
+    return property;
+}
+
+std::optional<Encoding> encodingNamed(std::string_view name) {
+    if (name == "ascii")
+        return Encoding::text;
+    if (name == "binary_little_endian")
+        return Encoding::littleEndian;
+    if (name == "binary_big_endian")
+        return Encoding::bigEndian;
+    return std::nullopt;
+}
+
+Result<Header> readHeader(TextScanner& lines) {
+    Header header;
+    bool hasEncoding = false;
+    while (const auto line = lines.nextLine()) {
+        TextScanner words(*line);
+        const auto keyword = words.nextWord();
+        if (keyword == "end_header") {
+            if (!hasEncoding)
+                return failure("its header names no format");
+            return header;
+        }
+        if (keyword == "format") {
+            const auto encoding = encodingNamed(words.nextWord());
+            if (!encoding)
+                return failure("its header names a format that PLY does not have");
+            header.encoding = *encoding;
+            hasEncoding = true;
+        } else if (keyword == "element") {
+            const auto name = words.nextWord();
+            const auto count = words.nextInteger();
+            if (!count || *count < 0)
+                return failure("its header gives an element without a valid count");
+            header.elements.push_back({name, *count, {}});
+        } else if (keyword == "property") {
+            const auto property = readProperty(words);
+            if (!property || header.elements.empty())
+                return failure("its header has a property that cannot be understood");
+            header.elements.back().properties.push_back(*property);
+        }
+    }
+    return failure("its header does not end");
+}
+
+bool isPlausible(const Element& element, const Values& values) {
+    std::size_t leastRow = 0;
+    for (const auto& property : element.properties)
+        leastRow += values.leastSize(property.countType.value_or(property.type));
+    return leastRow == 0 ||
+           static_cast<std::uint64_t>(element.count) <= values.bytesLeft() / leastRow + 1;
+}
+
+/// Reads one row of an element into the mesh, as far as it concerns it; false at the end of file.
+bool readRow(const Element& element, Values& values, RawMesh& mesh) {
+    const bool isVertex = element.name == "vertex", isFace = element.name == "face";
+    std::array<double, 3> position{};
+    std::vector<std::int64_t> corners;
+    for (const auto& property : element.properties) {
+        const auto first = values.next(property.countType.value_or(property.type));
+        if (!first)
+            return false;
+        if (!property.countType) {
+            if (isVertex && property.name.size() == 1 && property.name[0] >= 'x' &&
+                property.name[0] <= 'z')
+                position[property.name[0] - 'x'] = *first;
+            continue;
+        }
+        const bool wanted =
+            isFace && (property.name == "vertex_indices" || property.name == "vertex_index");
+        // Not a cast of an unchecked double: a hostile count may be negative, huge or not a number.
+        if (!(*first >= 0 && *first <= static_cast<double>(values.bytesLeft())))
+            return false;
+        for (auto left = static_cast<std::int64_t>(*first); left > 0; --left) {
+            const auto value = values.next(property.type);
+            if (!value)
+                return false;
+            if (wanted)
+                corners.push_back(std::abs(*value) < 1e15 ? static_cast<std::int64_t>(*value) : -1);
+        }
+    }
+    if (isVertex)
+        mesh.coordinates.insert(mesh.coordinates.end(), position.begin(), position.end());
+    if (isFace)
+        mesh.addPolygon(corners);
+    return true;
+}
+
+} // namespace
+
+Result<RawMesh> readPly(std::string_view bytes) {
+    if (!bytes.starts_with("ply"))
+        return failure("it does not begin with \"ply\"");
+    TextScanner lines(bytes);
+    const auto header = readHeader(lines);
+    if (!header)
+        return failure(header.error().message);
+    Values values(bytes.substr(bytes.size() - lines.bytesLeft()), header->encoding);
+    RawMesh mesh;
+    for (const auto& element : header->elements) {
+        if (!isPlausible(element, values))
+            return failure("its header promises " + std::to_string(element.count) + " of element \"" +
+                           std::string(element.name) + "\", more than the file can hold");
+        if (element.properties.empty())
+            continue;
+        for (std::int64_t row = 0; row < element.count; ++row)
+            if (!readRow(element, values, mesh))
+                return failure("it ends or is malformed at " + std::string(element.name) + " " +
+                               std::to_string(row) + " of " + std::to_string(element.count));
+    }
+    return mesh;
+}
+
+} // namespace idiophone

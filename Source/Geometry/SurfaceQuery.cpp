@@ -1,0 +1,149 @@
+#include "Geometry/SurfaceQuery.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <igl/AABB.h>
+#include <limits>
+#include <vector>
+
+namespace idiophone {
+
+struct SurfaceQuery::Tree : igl::AABB<Eigen::MatrixXd, 3> {};
+
+namespace {
+
+struct Triangle {
+    Eigen::Vector3d a, u, v; ///< a corner, and the edges from it to the other two
+
+    Triangle(const Mesh& mesh, int face)
+        : a(mesh.vertices.row(mesh.faces(face, 0))),
+          u(mesh.vertices.row(mesh.faces(face, 1)).transpose() - a),
+          v(mesh.vertices.row(mesh.faces(face, 2)).transpose() - a) {}
+
+    Eigen::Vector3d normal() const {
+        const Eigen::Vector3d n = u.cross(v);
+        const double length = n.norm();
+        return length > 0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d::UnitZ();
+    }
+
+    /// Of a point of the triangle.
+    Eigen::Vector3d barycentric(const Eigen::Vector3d& point) const {
+        const Eigen::Vector3d w = point - a, n = u.cross(v);
+        const double n2 = n.squaredNorm();
+        double s = 0, t = 0;
+        if (n2 > 0) {
+            s = w.cross(v).dot(n) / n2;
+            t = u.cross(w).dot(n) / n2;
+        } else if (const auto& longer = u.squaredNorm() > v.squaredNorm() ? u : v;
+                   longer.squaredNorm() > 0) { // a degenerate face is a segment
+            (&longer == &u ? s : t) = w.dot(longer) / longer.squaredNorm();
+        }
+        Eigen::Vector3d weights = Eigen::Vector3d(1 - s - t, s, t).cwiseMax(0);
+        return weights / weights.sum();
+    }
+
+    /// Where the ray meets the triangle, in lengths of `direction` (Möller & Trumbore 1997).
+    std::optional<double> hit(const Eigen::Vector3d& origin,
+                              const Eigen::Vector3d& direction) const {
+        const Eigen::Vector3d p = direction.cross(v);
+        const double determinant = u.dot(p);
+        if (std::abs(determinant) <= 1e-14 * u.norm() * v.norm() * direction.norm())
+            return std::nullopt;
+        // A hair's width of slack, so that a ray along a shared edge hits one of the two faces.
+        constexpr double slack = 1e-12;
+        const Eigen::Vector3d w = origin - a, q = w.cross(u);
+        const double s = w.dot(p) / determinant, t = direction.dot(q) / determinant;
+        if (s < -slack || t < -slack || s + t > 1 + slack)
+            return std::nullopt;
+        const double distance = v.dot(q) / determinant;
+        return distance >= 0 ? std::optional(distance) : std::nullopt;
+    }
+};
+
+/// The distance at which the ray enters the box, in lengths of the direction, or infinity.
+double entry(const Eigen::AlignedBox3d& box,
+             const Eigen::Vector3d& origin,
+             const Eigen::Vector3d& direction) {
+    double near = 0, far = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (direction(axis) == 0) {
+            if (origin(axis) < box.min()(axis) || origin(axis) > box.max()(axis))
+                return std::numeric_limits<double>::infinity();
+            continue;
+        }
+        const double t0 = (box.min()(axis) - origin(axis)) / direction(axis);
+        const double t1 = (box.max()(axis) - origin(axis)) / direction(axis);
+        near = std::max(near, std::min(t0, t1));
+        far = std::min(far, std::max(t0, t1));
+    }
+    const double slack = 1e-12 * std::abs(far); // flat boxes: rounding must not empty them
+    return near <= far + slack ? near : std::numeric_limits<double>::infinity();
+}
+
+SurfacePoint surfacePoint(const Mesh& mesh, int face, const Eigen::Vector3d& point) {
+    const Triangle triangle(mesh, face);
+    return {.face = face,
+            .barycentric = triangle.barycentric(point),
+            .pointMetres = point,
+            .normal = triangle.normal(),
+            .distanceMetres = 0};
+}
+
+} // namespace
+
+SurfaceQuery::SurfaceQuery(Mesh mesh) : mesh_(std::move(mesh)), tree_(std::make_unique<Tree>()) {
+    tree_->init(mesh_.vertices, mesh_.faces);
+}
+SurfaceQuery::~SurfaceQuery() = default;
+SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;
+SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
+
+SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point) const {
+    int face = -1;
+    Eigen::RowVector3d nearest;
+    const double squared = tree_->squared_distance(
+        mesh_.vertices, mesh_.faces, Eigen::RowVector3d(point.transpose()), face, nearest);
+    auto result = surfacePoint(mesh_, face, nearest.transpose());
+    result.distanceMetres = std::sqrt(squared);
+    return result;
+}
+
+std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin,
+                                                   const Eigen::Vector3d& direction) const {
+    // libigl's own ray test works in float and takes triangles under 1e-6 m² for parallel to every
+    // ray: its tree, our test.
+    const igl::AABB<Eigen::MatrixXd, 3>* root = tree_.get();
+    std::vector pending{root};
+    double best = std::numeric_limits<double>::infinity();
+    int bestFace = -1;
+    while (!pending.empty()) {
+        const auto* node = pending.back();
+        pending.pop_back();
+        if (node == nullptr || entry(node->m_box, origin, direction) >= best)
+            continue;
+        if (node->m_primitive >= 0) {
+            const auto distance = Triangle(mesh_, node->m_primitive).hit(origin, direction);
+            if (distance && *distance < best) {
+                best = *distance;
+                bestFace = node->m_primitive;
+            }
+            continue;
+        }
+        pending.push_back(node->m_left);
+        pending.push_back(node->m_right);
+    }
+    if (bestFace < 0)
+        return std::nullopt;
+    auto result = surfacePoint(mesh_, bestFace, origin + best * direction);
+    result.distanceMetres = best * direction.norm();
+    return result;
+}
+
+int SurfaceQuery::nearestVertex(const Eigen::Vector3d& point) const {
+    Eigen::Index nearest = 0;
+    (mesh_.vertices.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+}
+
+} // namespace idiophone

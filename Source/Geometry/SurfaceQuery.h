@@ -1,0 +1,46 @@
+// Where a ray or a point meets a surface: picking, strikes at a place, contact. Built once for a
+// mesh; every query is const and may run on several threads at once.
+#pragma once
+
+#include "Geometry/Mesh.h"
+
+#include <memory>
+#include <optional>
+
+namespace idiophone {
+
+struct SurfacePoint {
+    int face = -1;
+    Eigen::Vector3d barycentric; ///< weights of the face's three corners, ≥ 0, their sum 1
+    Eigen::Vector3d pointMetres;
+    Eigen::Vector3d normal;    ///< the face's unit normal, by its orientation
+    double distanceMetres = 0; ///< from the query's point or the ray's origin
+};
+
+class SurfaceQuery {
+public:
+    /// The mesh has a face, and its indices are valid (as MeshReader and MeshRepair see to).
+    explicit SurfaceQuery(Mesh mesh);
+    ~SurfaceQuery();
+    SurfaceQuery(SurfaceQuery&&) noexcept;
+    SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
+
+    const Mesh& mesh() const { return mesh_; }
+
+    SurfacePoint nearestPoint(const Eigen::Vector3d& point) const;
+
+    /// The first face along the ray, from either side; nothing when it misses. The direction need
+    /// not have unit length, only not be zero.
+    std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& origin,
+                                         const Eigen::Vector3d& direction) const;
+
+    /// Linear in the number of vertices.
+    int nearestVertex(const Eigen::Vector3d& point) const;
+
+private:
+    struct Tree;
+    Mesh mesh_;
+    std::unique_ptr<Tree> tree_;
+};
+
+} // namespace idiophone

@@ -1,0 +1,42 @@
+// How a mode answers a raised-cosine force, in closed form (DESIGN 5, Strike): a steady part while
+// the contact lasts and a free part that starts and ends with it.
+#pragma once
+
+#include "Synth/ModalPole.h"
+
+#include <complex>
+#include <span>
+
+namespace idiophone {
+
+/// The part of the response that follows the force f(t) = (1/T)(1 − cos Ωt), Ω = 2π/T, of a mode of
+/// residue 1 whose free motion is multiplied by e^{−δt}: v(t) = steady + Re(swing e^{iΩt}), with
+/// V(s) = s/(s² + d s + λ), steady = V(δ)/T and swing = −V(δ + iΩ)/T. These are G0 and H of DESIGN
+/// 5, which hold for real roots too in this form; without δ no velocity answers a constant force.
+///
+/// The whole response is this plus free motion: from −`motion(1)` at the contact's start and, at
+/// its end, with `motion(1)` added again.
+class ForcedResponse {
+public:
+    ForcedResponse(const ModalPole& pole, double contactSeconds, double dampingPerSecond) noexcept;
+
+    double steadyVelocity() const noexcept { return steady; }
+    std::complex<double> swingVelocity() const noexcept { return swing; }
+
+    /// Velocity and displacement where e^{iΩt} is `phase`.
+    Motion motion(std::complex<double> phase) const noexcept;
+
+private:
+    double contactRate;                     ///< 1/T
+    double constantStiffness;               ///< P(δ), P(s) = s² + d s + λ
+    std::complex<double> swingStiffness;    ///< P(δ + iΩ)
+    std::complex<double> stiffnessIncrease; ///< P(δ + iΩ) − P(δ), without cancellation
+    double steady;
+    std::complex<double> swing;
+};
+
+/// The contact time to use for T: T itself, or 1 % shorter or longer where a lightly damped mode
+/// has |fT − 1| < 1 % and the closed form would be the small difference of large numbers.
+double contactSecondsClearOfModes(double seconds, std::span<const ModalPole> poles) noexcept;
+
+} // namespace idiophone

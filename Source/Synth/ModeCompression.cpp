@@ -1,0 +1,98 @@
+#include "Synth/ModeCompression.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+
+namespace {
+
+constexpr double samePole = 1e-9;
+
+bool canMerge(const ModalPole& first, const ModalPole& next, double compression) noexcept {
+    if (std::abs(next.stiffness - first.stiffness) <= samePole * first.stiffness)
+        return true;
+    if (!isOscillating(first) || !isOscillating(next))
+        return false;
+    const double frequency = dampedFrequency(first);
+    const double difference = std::abs(dampedFrequency(next) - frequency);
+    constexpr double turn = 2 * std::numbers::pi;
+    const double noticeable = turn * compression * discriminationHz(frequency / turn);
+    const double meanDecay = (first.damping + next.damping) / 4;
+    return difference <= noticeable && difference <= meanDecay;
+}
+
+} // namespace
+
+double discriminationHz(double frequencyHz) noexcept {
+    return frequencyHz < 2000 ? 1.5 + (frequencyHz - 20) * (5 - 1.5) / (2000 - 20)
+                              : 5 + (frequencyHz - 2000) * (300.0 - 5) / (22000 - 2000);
+}
+
+std::size_t groupModes(std::span<const double> referenceEigenvalues,
+                       const PoleLaw& law,
+                       double compression,
+                       std::span<std::int32_t> groupStarts) noexcept {
+    std::size_t groups = 0;
+    std::size_t start = 0;
+    ModalPole first;
+    for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
+        const ModalPole pole = law.pole(referenceEigenvalues[i]);
+        if (groups > 0 && i - start < largestGroup && canMerge(first, pole, compression))
+            continue;
+        groupStarts[groups++] = static_cast<std::int32_t>(i);
+        start = i;
+        first = pole;
+    }
+    groupStarts[groups] = static_cast<std::int32_t>(referenceEigenvalues.size());
+    return groups;
+}
+
+double mergedEigenvalue(std::span<const double> referenceEigenvalues,
+                        std::span<const double> weights) noexcept {
+    if (referenceEigenvalues.front() == referenceEigenvalues.back())
+        return referenceEigenvalues.front();
+    const double first = std::sqrt(referenceEigenvalues.front());
+    double sum = 0;
+    double total = 0;
+    for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
+        sum += weights[i] * (std::sqrt(referenceEigenvalues[i]) - first);
+        total += weights[i];
+    }
+    const double mean = total > 0 ? first + sum / total : first;
+    return mean * mean;
+}
+
+double mergedResidue(std::span<const double> residues,
+                     std::span<const double> referenceEigenvalues,
+                     const PoleLaw& law) noexcept {
+    double sum = 0;
+    for (const double residue : residues)
+        sum += residue;
+    if (referenceEigenvalues.front() == referenceEigenvalues.back())
+        return sum;
+
+    const std::size_t count = std::min(residues.size(), largestGroup);
+    std::array<double, largestGroup> decays;
+    std::array<double, largestGroup> frequencies;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ModalPole pole = law.pole(referenceEigenvalues[i]);
+        decays[i] = pole.damping / 2;
+        frequencies[i] = dampedFrequency(pole);
+    }
+    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave (Σr)² without rounding.
+    double lost = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j) {
+            const double a = decays[i] + decays[j];
+            const double delta = frequencies[i] - frequencies[j];
+            const double both = a * a + delta * delta;
+            if (both > 0)
+                lost += 2 * residues[i] * residues[j] * delta * delta / both;
+        }
+    return std::copysign(std::sqrt(std::max(sum * sum - lost, 0.0)), sum);
+}
+
+} // namespace idiophone

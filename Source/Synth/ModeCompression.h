@@ -1,0 +1,45 @@
+// Which modes of an object the ear cannot tell apart, and what stands for them: pure functions of
+// poles, material and residues (DESIGN 5, Compression). Knows nothing of time or samples.
+#pragma once
+
+#include "Synth/ModalPole.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace idiophone {
+
+/// A strike costs a pass over all pairs within a group, so groups are bounded.
+inline constexpr std::size_t largestGroup = 32;
+
+/// The just noticeable difference D(f) in Hz: straight lines through (20, 1.5), (2000, 5) and
+/// (22000, 300), continued beyond. At a dense spectrum 962 windows cover 20 to 22000 Hz.
+double discriminationHz(double frequencyHz) noexcept;
+
+/// Groups modes in ascending order into contiguous runs and returns the number G of groups; group g
+/// is the modes groupStarts[g] to groupStarts[g+1] − 1 (`groupStarts` has room for M + 1).
+/// A mode joins the group of the last one where all of this holds against the group's FIRST mode:
+///  - its damped frequency is within compression · D of the first's (a chain would merge
+///  everything);
+///  - they do not beat audibly: |Δω| ≤ (α_i + α_j)/2, so that they decay within a beat;
+///  - both oscillate (over-damped modes have no frequency to compare).
+/// Modes whose λ agree within 1e-9 are one pole and always join, even at compression 0.
+std::size_t groupModes(std::span<const double> referenceEigenvalues,
+                       const PoleLaw& law,
+                       double compression,
+                       std::span<std::int32_t> groupStarts) noexcept;
+
+/// The reference eigenvalue that stands for a group: the square of the mean of √λ weighted by
+/// `weights` (each mode's mean-square shape), independent of where the object is struck. Exact
+/// where the members are equal.
+double mergedEigenvalue(std::span<const double> referenceEigenvalues,
+                        std::span<const double> weights) noexcept;
+
+/// The residue that stands for a group: R² = Σ_ij r_i r_j a_ij²/(a_ij² + Δ_ij²), a_ij = α_i + α_j,
+/// Δ_ij = ω_i − ω_j, with the sign of Σr. Equal poles give Σr exactly.
+double mergedResidue(std::span<const double> residues,
+                     std::span<const double> referenceEigenvalues,
+                     const PoleLaw& law) noexcept;
+
+} // namespace idiophone

@@ -1,0 +1,46 @@
+// Modes that leave or return without a click: what they would sound for 3 ms under a raised cosine
+// is rendered ahead into a buffer of its own, so that the bank itself only knows modes that are in
+// or out, and modes that are struck while they fade need no special case.
+#pragma once
+
+#include "Synth/ModalBank.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+/// Memory is reserved by the constructor; every other member is for the audio thread.
+class ModeFader {
+public:
+    ModeFader(std::size_t modeCapacity, double sampleRateHz);
+
+    /// From the next sample to be played on, modes that are no longer rendered fade out.
+    void leave(const ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
+
+    /// Modes that are rendered in full from the next sample on fade in: what a fade would hold back
+    /// is taken away.
+    void enter(const ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
+
+    /// Adds the next cell of the fades and moves on.
+    void addCell(std::span<float> cell) noexcept;
+
+    /// Multiplies what is left to play.
+    void scale(float factor) noexcept;
+
+    bool active() const noexcept { return remaining > 0; }
+    void reset() noexcept;
+
+private:
+    void fade(const ModalBank& bank, std::span<const std::int32_t> modes, float sign) noexcept;
+
+    std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
+    std::vector<float> tail;   ///< what is left to play, from its next sample
+    std::vector<float> scratch;
+    std::vector<double> states; ///< [G,2]
+    std::size_t remaining = 0;  ///< samples of `tail` that may not be zero
+};
+
+} // namespace idiophone

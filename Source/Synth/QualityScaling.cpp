@@ -1,0 +1,71 @@
+#include "Synth/QualityScaling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace idiophone {
+
+namespace {
+
+// More than any budget; keeps an infinite Q within integers.
+constexpr double largestBudget = 1e9;
+
+// Greedy for any number of objects, and finite.
+constexpr double steepestSlope = 1e12;
+
+/// The entitlement falls on a line; `top` is the first's and `fall` from each to the next.
+struct Entitlement {
+    double top = 0;
+    double fall = 0;
+
+    double at(std::size_t rank) const noexcept {
+        return rank == 0 ? top : std::max(0.0, top - fall * static_cast<double>(rank));
+    }
+};
+
+Entitlement entitlement(std::size_t objects, double budget, double slope) noexcept {
+    const auto n = static_cast<double>(objects);
+    const double fall = std::min(slope, steepestSlope) * budget / (n * n);
+    // With the first k entitled to something, k a − fall k(k−1)/2 = Q; the k-th must stay above 0.
+    double entitled = n;
+    while (entitled > 1 && budget / entitled <= fall * (entitled - 1) / 2)
+        entitled -= 1;
+    return {budget / entitled + fall * (entitled - 1) / 2, fall};
+}
+
+} // namespace
+
+void shareModeBudget(std::span<const ModeDemand> demands,
+                     double budget,
+                     double slope,
+                     std::span<std::int32_t> ranking,
+                     std::span<std::int32_t> shares) noexcept {
+    if (demands.empty())
+        return;
+    const auto ranks = ranking.first(demands.size());
+    std::iota(ranks.begin(), ranks.end(), 0);
+    std::sort(ranks.begin(), ranks.end(), [&](std::int32_t a, std::int32_t b) {
+        const double left = demands[static_cast<std::size_t>(a)].amplitude;
+        const double right = demands[static_cast<std::size_t>(b)].amplitude;
+        return left != right ? left > right : a < b;
+    });
+
+    const double whole = std::floor(std::clamp(budget, 0.0, largestBudget));
+    const Entitlement line = entitlement(demands.size(), whole, slope);
+    double running = 0;
+    double given = 0;
+    std::int32_t unused = 0;
+    for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
+        running += line.at(rank);
+        // The running sum of thirds must reach its whole; 1e-9 of it forgives the rounding.
+        const double upTo = std::min(std::floor(running * (1 + 1e-9) + 1e-9), whole);
+        const std::int32_t available = static_cast<std::int32_t>(upTo - given) + unused;
+        given = upTo;
+        const auto object = static_cast<std::size_t>(ranks[rank]);
+        shares[object] = std::min(available, demands[object].modes);
+        unused = available - shares[object];
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,28 @@
+// How many modes each ringing object may mix (Raghuvanshi & Lin 2006, quality scaling; DESIGN 5):
+// a pure function, counted in modes and never in measured time, so that a render repeats.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace idiophone {
+
+struct ModeDemand {
+    double amplitude = 0;   ///< summed amplitude of the object's modes; decides its rank
+    std::int32_t modes = 0; ///< as many as it could mix
+};
+
+/// Divides `budget` Q among n objects. They are ranked by amplitude, loudest first, ties in the
+/// order given; rank r = 0, 1, … is entitled to max(0, a − S·r·Q/n²) with a such that the
+/// entitlements sum to Q. S = 0 is equal shares; S = ∞ entitles the first to everything. What an
+/// object does not need goes on to the next in rank.
+/// Entitlements are made whole on their running sum (rank r gets ⌊sum to r⌋ − ⌊sum to r−1⌋), so
+/// that shares sum to at most ⌊Q⌋. `ranking` is scratch of n, and holds the ranks' objects on
+/// return.
+void shareModeBudget(std::span<const ModeDemand> demands,
+                     double budget,
+                     double slope,
+                     std::span<std::int32_t> ranking,
+                     std::span<std::int32_t> shares) noexcept;
+
+} // namespace idiophone

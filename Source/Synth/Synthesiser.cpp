@@ -1,0 +1,187 @@
+#include "Synth/Synthesiser.h"
+
+#include "Synth/QualityScaling.h"
+#include "Synth/SoundingObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+
+namespace {
+
+bool positive(double value) {
+    return value > 0 && std::isfinite(value);
+}
+
+bool valid(const LiveMaterial& material) {
+    return positive(material.youngsModulusPa) && positive(material.densityKgPerM3) &&
+           material.fluidDampingPerSecond >= 0 && std::isfinite(material.fluidDampingPerSecond) &&
+           material.viscoelasticDampingSeconds >= 0 &&
+           std::isfinite(material.viscoelasticDampingSeconds);
+}
+
+/// Every figure that is out of its range keeps what it was.
+SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& previous) {
+    const auto keepUnless = [](bool good, double& value, double before) {
+        if (!good)
+            value = before;
+    };
+    keepUnless(wanted.tau >= 0 && std::isfinite(wanted.tau), wanted.tau, previous.tau);
+    keepUnless(wanted.qualitySlope >= 0, wanted.qualitySlope, previous.qualitySlope);
+    keepUnless(wanted.modeBudget >= 0, wanted.modeBudget, previous.modeBudget);
+    keepUnless(wanted.compression >= 0, wanted.compression, previous.compression);
+    keepUnless(positive(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
+    keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
+    if (wanted.material && !valid(*wanted.material))
+        wanted.material = previous.material;
+    return wanted;
+}
+
+} // namespace
+
+struct Synthesiser::Implementation {
+    double sampleRate;
+    std::vector<SoundingObject> objects;
+    SynthesisSettings settings;
+    bool settingsChanged = false;
+    std::int64_t nextCell = 0;
+
+    std::vector<SlotStatus> status;
+    std::vector<std::int32_t> slotShares; ///< of every slot, 0 where silent
+    // The slots that ring in this cell, and what they ask and get.
+    std::vector<std::int32_t> sounding;
+    std::vector<ModeDemand> demands;
+    std::vector<std::int32_t> shares;
+    std::vector<std::int32_t> ranking;
+
+    void listSounding();
+    void report();
+    std::int32_t allowance(std::size_t slot) const;
+};
+
+Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots, double sampleRateHz)
+    : implementation(std::make_unique<Implementation>()) {
+    auto& all = *implementation;
+    all.sampleRate = sampleRateHz;
+    all.objects.reserve(slots.size());
+    for (SynthesiserSlot& slot : slots)
+        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, sampleRateHz);
+    all.status.resize(slots.size());
+    all.slotShares.resize(slots.size());
+    all.sounding.reserve(slots.size());
+    all.demands.reserve(slots.size());
+    all.shares.resize(slots.size());
+    all.ranking.resize(slots.size());
+}
+
+Synthesiser::~Synthesiser() = default;
+
+void Synthesiser::setSettings(const SynthesisSettings& settings) noexcept {
+    auto& all = *implementation;
+    const SynthesisSettings wanted = corrected(settings, all.settings);
+    all.settingsChanged = all.settingsChanged || wanted != all.settings;
+    all.settings = wanted;
+}
+
+void Synthesiser::setDamping(std::size_t slot, double dampingPerSecond) noexcept {
+    if (slot < slotCount())
+        implementation->objects[slot].setDamping(dampingPerSecond);
+}
+
+void Synthesiser::setFrequencyRatio(std::size_t slot, double ratio) noexcept {
+    if (slot < slotCount())
+        implementation->objects[slot].setFrequencyRatio(ratio);
+}
+
+void Synthesiser::beginCell(std::span<float, cellSamples> cell) noexcept {
+    auto& all = *implementation;
+    std::fill(cell.begin(), cell.end(), 0.0f);
+    all.listSounding();
+    shareModeBudget(all.demands, all.settings.modeBudget, all.settings.qualitySlope, all.ranking,
+                    all.shares);
+    for (std::size_t k = 0; k < all.sounding.size(); ++k) {
+        const auto slot = static_cast<std::size_t>(all.sounding[k]);
+        all.slotShares[slot] = all.shares[k];
+        all.objects[slot].mix(all.shares[k], cell);
+    }
+    all.report();
+}
+
+void Synthesiser::Implementation::listSounding() {
+    for (const std::int32_t slot : sounding)
+        slotShares[static_cast<std::size_t>(slot)] = 0;
+    sounding.clear();
+    demands.clear();
+    for (std::size_t slot = 0; slot < objects.size(); ++slot) {
+        if (!objects[slot].beginCell(nextCell, settings, settingsChanged))
+            continue;
+        sounding.push_back(static_cast<std::int32_t>(slot));
+        demands.push_back(objects[slot].demand());
+    }
+    settingsChanged = false;
+    ++nextCell;
+}
+
+void Synthesiser::Implementation::report() {
+    std::fill(status.begin(), status.end(), SlotStatus{});
+    for (const std::int32_t sounded : sounding) {
+        const auto slot = static_cast<std::size_t>(sounded);
+        const SoundingObject& object = objects[slot];
+        status[slot] = {static_cast<float>(object.demand().amplitude), object.modesRinging(),
+                        object.modesMixed()};
+    }
+}
+
+std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
+    const bool counted = std::find(sounding.begin(), sounding.end(),
+                                   static_cast<std::int32_t>(slot)) != sounding.end();
+    const double objectsThen = static_cast<double>(sounding.size() + (counted ? 0 : 1));
+    const double equalShare = std::min(settings.modeBudget / objectsThen, 1e9);
+    return std::max(slotShares[slot], static_cast<std::int32_t>(equalShare));
+}
+
+bool Synthesiser::strike(std::size_t slot,
+                         const Strike& strike,
+                         double sampleInCell,
+                         std::span<float, cellSamples> cell) noexcept {
+    auto& all = *implementation;
+    return slot < slotCount() &&
+           all.objects[slot].strike(strike, sampleInCell, all.allowance(slot), cell);
+}
+
+void Synthesiser::reset() noexcept {
+    auto& all = *implementation;
+    for (SoundingObject& object : all.objects)
+        object.reset();
+    std::fill(all.status.begin(), all.status.end(), SlotStatus{});
+    std::fill(all.slotShares.begin(), all.slotShares.end(), 0);
+    all.sounding.clear();
+}
+
+std::span<const Synthesiser::SlotStatus> Synthesiser::status() const noexcept {
+    return implementation->status;
+}
+
+std::int64_t Synthesiser::modesMixed() const noexcept {
+    std::int64_t sum = 0;
+    for (const SlotStatus& slot : implementation->status)
+        sum += slot.modesMixed;
+    return sum;
+}
+
+bool Synthesiser::silent() const noexcept {
+    const auto& objects = implementation->objects;
+    return std::all_of(objects.begin(), objects.end(),
+                       [](const SoundingObject& object) { return object.silent(); });
+}
+
+double Synthesiser::sampleRateHz() const noexcept {
+    return implementation->sampleRate;
+}
+
+std::size_t Synthesiser::slotCount() const noexcept {
+    return implementation->objects.size();
+}
+
+} // namespace idiophone
