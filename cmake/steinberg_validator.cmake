@@ -1,5 +1,5 @@
 # Steinberg's validator (VST 3 SDK 3.7.10): the reference check of our VST3, built for tests only.
-# Defines the target steinberg_validator, part of "all", and STEINBERG_VALIDATOR, the program's path.
+# Defines the target steinberg_validator, part of "all", and STEINBERG_VALIDATOR, its path.
 if(TARGET steinberg_validator)
     return()
 endif()
@@ -28,9 +28,10 @@ if(IDIOPHONE_DEBIAN_SOURCES)
                         --directory "${folder}.partial/${subfolder}"
                 RESULT_VARIABLE failed ERROR_VARIABLE tar_log)
             if(failed)
-                message(FATAL_ERROR "Debian source package vst3sdk ${version}-4 could not be fetched "
-                                    "(${archive}); -DIDIOPHONE_DEBIAN_SOURCES=OFF takes the upstream "
-                                    "repository instead.\n${log}${tar_log}")
+                message(FATAL_ERROR
+                    "Debian source package vst3sdk ${version}-4 could not be fetched (${archive}); "
+                    "-DIDIOPHONE_DEBIAN_SOURCES=OFF takes the upstream repository instead.\n"
+                    "${log}${tar_log}")
             endif()
         endforeach()
         file(RENAME "${folder}.partial" "${folder}")

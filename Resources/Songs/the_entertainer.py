@@ -93,7 +93,8 @@ SECOND_ENDING_ACCOMPANIMENT = """
 
 MELODY = (INTRODUCTION_MELODY + FIRST_STRAIN_MELODY + FIRST_ENDING_MELODY
           + FIRST_STRAIN_MELODY + SECOND_ENDING_MELODY)
-ACCOMPANIMENT = (INTRODUCTION_ACCOMPANIMENT + FIRST_STRAIN_ACCOMPANIMENT + FIRST_ENDING_ACCOMPANIMENT
+ACCOMPANIMENT = (INTRODUCTION_ACCOMPANIMENT
+                 + FIRST_STRAIN_ACCOMPANIMENT + FIRST_ENDING_ACCOMPANIMENT
                  + FIRST_STRAIN_ACCOMPANIMENT + SECOND_ENDING_ACCOMPANIMENT)
 
 
@@ -121,6 +122,8 @@ def notes_of(bars, louder=0, share_held=0.9):
                 velocity = loudness + louder + (ACCENT if ">" in marks else 0)
                 notes += [(now, length, midi_note(name), velocity) for name in pitch.split("+")]
             tied = "~" in marks
+            if tied and "+" in pitch:
+                raise ValueError(f"only single notes can be tied: {word}")
             now += length
         if now != (number + 1) * 8 * SIXTEENTH_TICKS:
             raise ValueError(f"bar {number + 1} is not two quarters long: {bar}")

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double toleranceCents = 0.02; // of the promised 0.05
 
-/// The first bending mode of a free-free beam at x in −1/2 … 1/2 (Euler-Bernoulli; its sign and size
-/// do not matter).
+/// The first bending mode of a free-free beam at x in −1/2 … 1/2 (Euler-Bernoulli; its sign and
+/// size do not matter).
 double freeBeamShape(double x) {
     constexpr double beta = 4.730040744862704;
     return std::cos(beta * x) / std::cos(beta / 2) + std::cosh(beta * x) / std::cosh(beta / 2);
@@ -100,11 +100,9 @@ evenSheetVertices(const Mesh& sheet, double lengthMetres, double widthMetres, in
     std::vector<int> chosen;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
-            const Eigen::RowVector3d point((static_cast<double>(i) / (columns - 1) - 0.5) *
-                                               lengthMetres,
-                                           (static_cast<double>(j) / (rows - 1) - 0.5) *
-                                               widthMetres,
-                                           0);
+            const Eigen::RowVector3d point(
+                (static_cast<double>(i) / (columns - 1) - 0.5) * lengthMetres,
+                (static_cast<double>(j) / (rows - 1) - 0.5) * widthMetres, 0);
             Eigen::Index nearest = 0;
             (sheet.vertices.rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
             chosen.push_back(static_cast<int>(nearest));
@@ -142,16 +140,15 @@ Result<TunedBar> tuneBar(const BarSpecification& bar, const AnalysisControl& con
         result.fundamentalHz = dampedFrequencyHz(fundamental->eigenvalue, bar.material);
         const double miss = cents(result.fundamentalHz, bar.targetFrequencyHz);
         if (std::abs(miss) <= toleranceCents) {
-            auto object = analyse(
-                result.mesh,
-                {.name = bar.name,
-                 .source = "rectangular bar, a sheet of its height",
-                 .material = bar.material,
-                 .thicknessMetres = bar.heightMetres,
-                 .maxFrequencyHz = bar.maxFrequencyHz,
-                 .shapeVertices = evenSheetVertices(result.mesh, length, bar.widthMetres,
-                                                    bar.shapeVertexCount)},
-                control);
+            auto object = analyse(result.mesh,
+                                  {.name = bar.name,
+                                   .source = "rectangular bar, a sheet of its height",
+                                   .material = bar.material,
+                                   .thicknessMetres = bar.heightMetres,
+                                   .maxFrequencyHz = bar.maxFrequencyHz,
+                                   .shapeVertices = evenSheetVertices(
+                                       result.mesh, length, bar.widthMetres, bar.shapeVertexCount)},
+                                  control);
             if (!object)
                 return failure(object.error().message);
             result.object = std::move(*object);

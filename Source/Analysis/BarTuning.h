@@ -1,5 +1,5 @@
-// Bars in tune: solves the length of a rectangular bar, modelled as a sheet with the bar's height as
-// shell thickness, for the pitch of its lowest bending mode. Undercut bars are another model.
+// Bars in tune: solves the length of a rectangular bar, modelled as a sheet with the bar's height
+// as shell thickness, for the pitch of its lowest bending mode. Undercut bars are another model.
 #pragma once
 
 #include "Analysis/ModalAnalysis.h"
@@ -12,14 +12,14 @@ struct BarSpecification {
     double widthMetres = 0.04;
     double heightMetres = 0.02;
     Material material;
-    int vertexCount = 1000;      ///< about so many in the mesh
-    int shapeVertexCount = 285;  ///< about so many carry shapes, on an even grid with the edges
+    int vertexCount = 1000;     ///< about so many in the mesh
+    int shapeVertexCount = 285; ///< about so many carry shapes, on an even grid with the edges
     double maxFrequencyHz = 44000;
 };
 
 struct TunedBar {
     double lengthMetres = 0;
-    double fundamentalHz = 0;   ///< damped, of the lowest bending mode
+    double fundamentalHz = 0;     ///< damped, of the lowest bending mode
     Eigen::Index bendingMode = 0; ///< which mode of the object that is; 0 unless twist lies lower
     Mesh mesh;
     ModalObject object;

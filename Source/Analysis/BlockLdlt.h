@@ -1,6 +1,7 @@
-// L D Lᵀ of a sparse symmetric, possibly indefinite matrix made of B × B blocks, one for each pair of
-// neighbouring vertices. Internal to Analysis. Eigen's SimplicialLDLT works entry by entry, several
-// times slower, and cannot be stopped; CHOLMOD's fast factorisation does not take indefinite ones.
+// L D Lᵀ of a sparse symmetric, possibly indefinite matrix made of B × B blocks, one for each pair
+// of neighbouring vertices. Internal to Analysis. Eigen's SimplicialLDLT works entry by entry,
+// several times slower, and cannot be stopped; CHOLMOD's fast factorisation does not take
+// indefinite ones.
 #pragma once
 
 #include <Eigen/Eigenvalues>

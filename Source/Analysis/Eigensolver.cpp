@@ -20,13 +20,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index denseUpTo = 400; ///< rows; below, LAPACK-style dense solves are quicker
-constexpr Index modesPerSlice = 220; ///< beyond, one basis costs more than another factorisation
 constexpr double workLimitBytes = 3e9;
+constexpr double countingShare = 0.05; ///< of the progress
 constexpr std::string_view cannotFactorise =
     "The stiffness matrix cannot be factorised; the mesh is too badly shaped.";
 
 /// Thrown through Spectra's iteration, which has no other way out; never leaves this file.
 struct Cancelled {};
+
+/// Beyond this a basis costs more than another factorisation, and one step of dense algebra on it
+/// more than a cancelling user's patience: n k² is what both go with.
+Index modesPerSlice(Index rows) {
+    return std::clamp(static_cast<Index>(std::sqrt(5e8 / static_cast<double>(rows))), Index{40},
+                      Index{220});
+}
 
 double lambdaOf(double frequencyHz) {
     const double omega = 2 * std::numbers::pi * frequencyHz;
@@ -79,7 +86,9 @@ struct EigenBlock {
 
 class BandSolver {
 public:
-    BandSolver(const VibrationModel& model, const FrequencyBand& band, const AnalysisControl& control)
+    BandSolver(const VibrationModel& model,
+               const FrequencyBand& band,
+               const AnalysisControl& control)
         : matrix_(massScaled(model)), factor_(matrix_, model.rowsPerVertex, control), band_(band),
           control_(control) {}
 
@@ -103,7 +112,7 @@ private:
     FrequencyBand band_;
     const AnalysisControl& control_;
     Index zeroModes_ = 0;
-    double operations_ = 0, expectedOperations_ = 1;
+    double operations_ = 0, expectedOperations_ = 1, counts_ = 0;
 };
 
 struct Fault {
@@ -137,7 +146,8 @@ void BandSolver::checkCancelled() const {
 void BandSolver::countOperation() {
     checkCancelled();
     if (static_cast<long>(++operations_) % 16 == 0)
-        control_.report(std::min(0.99, 1 - std::exp(-2 * operations_ / expectedOperations_)),
+        control_.report(countingShare + (0.99 - countingShare) *
+                                            (1 - std::exp(-2 * operations_ / expectedOperations_)),
                         "Solving for modes");
 }
 
@@ -147,6 +157,8 @@ Index BandSolver::factoriseAndCount(double lambda) {
         throw Cancelled{};
     if (outcome == ShiftedFactor::Outcome::failed)
         throw Fault{std::string(cannotFactorise)};
+    if (operations_ == 0)
+        control_.report(countingShare * (1 - std::exp(-0.1 * ++counts_)), "Counting modes");
     return factor_.eigenvaluesBelow();
 }
 
@@ -162,9 +174,9 @@ EigenBlock BandSolver::solveDense() {
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-/// An orthonormal basis of the zero modes, by subspace iteration just below zero. Their shift-invert
-/// images outgrow all others by orders of magnitude, so two or three steps do; a Lanczos process
-/// would find hundreds of equal eigenvalues one copy at a time.
+/// An orthonormal basis of the zero modes, by subspace iteration just below zero. Their
+/// shift-invert images outgrow all others by orders of magnitude, so two or three steps do; a
+/// Lanczos process would find hundreds of equal eigenvalues one copy at a time.
 MatrixXd BandSolver::zeroSpace() {
     if (zeroModes_ == 0)
         return MatrixXd(matrix_.rows(), 0);
@@ -190,7 +202,7 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
     if (slice.count == 0)
         return;
     const double low = std::sqrt(std::max(slice.low, 0.0)), high = std::sqrt(slice.high);
-    if (slice.count > modesPerSlice && high - low > 1e-3 * high)
+    if (slice.count > modesPerSlice(matrix_.rows()) && high - low > 1e-3 * high)
         for (const double share : {0.5, 0.47, 0.53, 0.44, 0.56, 0.41, 0.59, 0.38, 0.62}) {
             const double cut = std::pow(low + share * (high - low), 2);
             const Index left = factoriseAndCount(cut) - slice.below;
@@ -207,8 +219,7 @@ EigenBlock BandSolver::solveSlice(const Slice& slice, const MatrixXd& deflated) 
     // The `count` eigenvalues nearest to the shift are exactly those of the slice: from its middle,
     // or for the lowest slice, whose zero modes are deflated, from below.
     const bool lowest = slice.below == zeroModes_;
-    const double shift =
-        lowest ? -lambdaOf(band_.lowestHz) : (slice.low + slice.high) / 2;
+    const double shift = lowest ? -lambdaOf(band_.lowestHz) : (slice.low + slice.high) / 2;
     factoriseAndCount(shift);
     const double sigma = factor_.shift(), n = static_cast<double>(matrix_.rows());
     MatrixXd found = deflated;
@@ -253,7 +264,8 @@ Result<EigenBlock> BandSolver::solve() {
         control_.report(0, "Counting modes");
         const double norm = factor_.norm();
         const double lowest = lambdaOf(band_.lowestHz), highest = lambdaOf(band_.highestHz);
-        const double zeroEdge = std::min(lowest, std::max(lambdaOf(band_.lowestHz / 20), 1e-14 * norm));
+        const double zeroEdge =
+            std::min(lowest, std::max(lambdaOf(band_.lowestHz / 20), 1e-14 * norm));
         zeroModes_ = factoriseAndCount(zeroEdge);
         const double bottom = factor_.shift();
         const Index upTo = factoriseAndCount(highest);
@@ -261,8 +273,8 @@ Result<EigenBlock> BandSolver::solve() {
         const Index count = upTo - zeroModes_;
         if (count > band_.maximumModes)
             throw Fault{"The object has " + std::to_string(count) + " modes below " +
-                        std::to_string(std::lround(band_.highestHz)) + " Hz, more than the limit of " +
-                        std::to_string(band_.maximumModes) +
+                        std::to_string(std::lround(band_.highestHz)) +
+                        " Hz, more than the limit of " + std::to_string(band_.maximumModes) +
                         "; lower the highest frequency or choose a coarser mesh."};
         const Index n = matrix_.rows();
         if (n <= denseUpTo || upTo > n * 3 / 4) {
@@ -302,9 +314,8 @@ Result<EigenBlock> BandSolver::solve() {
 
 } // namespace
 
-Result<Modes> solveModes(const VibrationModel& model,
-                         const FrequencyBand& band,
-                         const AnalysisControl& control) {
+Result<Modes>
+solveModes(const VibrationModel& model, const FrequencyBand& band, const AnalysisControl& control) {
     BandSolver solver(model, band, control);
     auto all = solver.solve();
     if (!all)
@@ -315,8 +326,7 @@ Result<Modes> solveModes(const VibrationModel& model,
     for (Index i = 0; i < all->values.size(); ++i)
         if (all->values(i) >= lambdaOf(band.lowestHz) && all->values(i) <= lambdaOf(band.highestHz))
             inBand.push_back(i);
-    const Index lowerThanBand =
-        (all->values.array() < lambdaOf(band.lowestHz)).count();
+    const Index lowerThanBand = (all->values.array() < lambdaOf(band.lowestHz)).count();
     const bool holdsZeroModes = all->values.size() == model.mass.size(); // the dense solver's
     modes.belowBand = lowerThanBand - (holdsZeroModes ? modes.zeroModes : 0);
     modes.eigenvalues = all->values(inBand);

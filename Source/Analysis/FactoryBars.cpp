@@ -17,7 +17,9 @@ Material rosewood() {
 
 } // namespace
 
-double noteFrequencyHz(int midiNote) { return 440 * std::exp2((midiNote - 69) / 12.0); }
+double noteFrequencyHz(int midiNote) {
+    return 440 * std::exp2((midiNote - 69) / 12.0);
+}
 
 BarSpecification rosewoodXylophoneBar(int midiNote) {
     const double share = static_cast<double>(midiNote - lowestXylophoneNote) /

@@ -104,9 +104,8 @@ bool isTooThick(const Mesh& mesh, double thicknessMetres) {
     return false;
 }
 
-std::string notesOn(const RepairedMesh& repaired,
-                    const AnalysisSettings& settings,
-                    const Modes& modes) {
+std::string
+notesOn(const RepairedMesh& repaired, const AnalysisSettings& settings, const Modes& modes) {
     std::string notes = repaired.report.text();
     const auto add = [&](const std::string& sentence) {
         notes += (notes.empty() ? "" : " ") + sentence;
@@ -129,9 +128,8 @@ void storeShapes(const Modes& modes,
                  AnalysisMethod method,
                  const std::vector<int>& vertices,
                  ModalObject& object) {
-    const Eigen::MatrixXd shapes = method == AnalysisMethod::twoLayer
-                                       ? midSurfaceShapes(modes.shapes)
-                                       : modes.shapes;
+    const Eigen::MatrixXd shapes =
+        method == AnalysisMethod::twoLayer ? midSurfaceShapes(modes.shapes) : modes.shapes;
     object.shapes.reserve(vertices.size() * static_cast<std::size_t>(shapes.cols()) * 3);
     for (const int vertex : vertices)
         for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode)
@@ -171,16 +169,15 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisContro
     if (const auto material = validated(settings.material); !material)
         return failure(material.error().message);
     control.report(0, "Repairing the mesh");
-    const auto repaired = repairMesh(
-        mesh, {.weldTolerance = settings.weldTolerance,
-               .largestComponentOnly = settings.largestComponentOnly});
+    const auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
+                                            .largestComponentOnly = settings.largestComponentOnly});
     if (!repaired)
         return failure(repaired.error().message);
     const auto vertices = shapeVertices(settings, *repaired);
     if (!vertices)
         return failure(vertices.error().message);
-    const int limit = settings.method == AnalysisMethod::twoLayer ? twoLayerVertexLimit
-                                                                  : springMassVertexLimit;
+    const int limit =
+        settings.method == AnalysisMethod::twoLayer ? twoLayerVertexLimit : springMassVertexLimit;
     if (repaired->mesh.vertexCount() > limit)
         return failure("The mesh has " + std::to_string(repaired->mesh.vertexCount()) +
                        " vertices after repair, and the " +
@@ -211,14 +208,14 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisContro
     storeShapes(*modes, settings.method, *vertices, object);
     storeMesh(repaired->mesh, object);
     object.mass = massProperties(repaired->mesh, settings);
-    object.provenance = {.source = settings.source,
-                         .software = "Idiophone " IDIOPHONE_VERSION,
-                         .notes = notesOn(*repaired, settings, *modes),
-                         .analysisSeconds = std::chrono::duration<double>(
-                                                std::chrono::steady_clock::now() - start)
-                                                .count(),
-                         .analysedVertices = repaired->mesh.vertexCount(),
-                         .zeroModes = modes->zeroModes};
+    object.provenance = {
+        .source = settings.source,
+        .software = "Idiophone " IDIOPHONE_VERSION,
+        .notes = notesOn(*repaired, settings, *modes),
+        .analysisSeconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+        .analysedVertices = repaired->mesh.vertexCount(),
+        .zeroModes = modes->zeroModes};
     control.report(1, "Done");
     return validated(std::move(object));
 }

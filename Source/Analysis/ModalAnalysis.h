@@ -30,9 +30,9 @@ struct AnalysisSettings {
     double thicknessMetres = 0.005;
     double lowestFrequencyHz = 20;
     double maxFrequencyHz = 44000;
-    int maximumModes = 5000;            ///< an object with more in the band is refused
-    bool largestComponentOnly = false;  ///< leave smaller components of the mesh out
-    double weldTolerance = 1e-7;        ///< see RepairSettings
+    int maximumModes = 5000;             ///< an object with more in the band is refused
+    bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
+    double weldTolerance = 1e-7;         ///< see RepairSettings
     std::vector<int> shapeVertices = {}; ///< input vertices whose shapes to keep; empty: all
 };
 

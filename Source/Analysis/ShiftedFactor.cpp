@@ -57,8 +57,8 @@ Eigen::MatrixXd ShiftedFactor::solve(Eigen::MatrixXd right) const {
 }
 
 bool ShiftedFactor::isAccurate() const {
-    // Pivots are not exchanged between blocks, so an indefinite matrix may lose digits: the backward
-    // error of one solve tells.
+    // Pivots are not exchanged between blocks, so an indefinite matrix may lose digits: the
+    // backward error of one solve tells.
     Eigen::VectorXd right(lower_.rows());
     for (Eigen::Index i = 0; i < right.size(); ++i)
         right(i) = std::cos(1.7 * static_cast<double>(i) + 0.3);

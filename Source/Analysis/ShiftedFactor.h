@@ -20,8 +20,8 @@ public:
 
     enum class Outcome { done, failed, cancelled };
 
-    /// Factorises at σ, or at a shift within 1 % of it (away from zero) where the pivots at σ itself
-    /// are too small to be trusted. Not thread-safe.
+    /// Factorises at σ, or at a shift within 1 % of it (away from zero) where the pivots at σ
+    /// itself are too small to be trusted. Not thread-safe.
     Outcome factorise(double shift);
 
     double shift() const { return shift_; }

@@ -1,6 +1,6 @@
 // The spring-mass model of Raghuvanshi & Lin 2006, section 3: masses at the vertices, springs along
-// the edges. Flat parts have no stiffness against bending (REFERENCE 1.3 is their zero-mode law), so
-// TwoLayerShell is what instruments use.
+// the edges. Flat parts have no stiffness against bending (REFERENCE 1.3 is their zero-mode law),
+// so TwoLayerShell is what instruments use.
 #pragma once
 
 #include "Analysis/VibrationModel.h"

@@ -36,7 +36,8 @@ void addBraces(SpringAssembly& springs,
                             (layers.upper.row(edge.b) - layers.lower.row(edge.b)).squaredNorm()) /
                            2;
     // A shear strain γ along the edge makes the elongations differ by 2 γ L H/ℓ. On equilateral
-    // triangles edges of stiffness (2/3) S (A1+A2)/L² against L γ make a sheet of shear stiffness S.
+    // triangles edges of stiffness (2/3) S (A1+A2)/L² against L γ make a sheet of shear stiffness
+    // S.
     const double edgeStiffness =
         2.0 / 3 * sheetShearStiffness * edge.adjacentAreaM2 / (lengthMetres * lengthMetres);
     const Eigen::Vector3d n1 = unit(down), n2 = unit(up);
@@ -46,7 +47,9 @@ void addBraces(SpringAssembly& springs,
 
 } // namespace
 
-double layerOffsetMetres(double thicknessMetres) { return thicknessMetres / std::sqrt(12.0); }
+double layerOffsetMetres(double thicknessMetres) {
+    return thicknessMetres / std::sqrt(12.0);
+}
 
 VibrationModel twoLayerShell(const Mesh& mesh, const Material& material, double thicknessMetres) {
     const auto edges = uniqueEdges(mesh);

@@ -8,11 +8,11 @@
 
 namespace idiophone {
 
-/// The mesh is the mid-surface; copies of it lie at ± t/√12 along the vertex normals, each with half
-/// of the mass and half of the van Gelder stiffness, so that membrane stiffness Y t and bending
-/// stiffness Y t³/12 are both right. At every vertex a post joins the layers; at every edge a pair
-/// of crossed braces resists transverse shear with G = Y/(2(1+ν)), ν the material's, and Cowper's
-/// shear coefficient. Within the layers the springs make Poisson's ratio 1/3.
+/// The mesh is the mid-surface; copies of it lie at ± t/√12 along the vertex normals, each with
+/// half of the mass and half of the van Gelder stiffness, so that membrane stiffness Y t and
+/// bending stiffness Y t³/12 are both right. At every vertex a post joins the layers; at every edge
+/// a pair of crossed braces resists transverse shear with G = Y/(2(1+ν)), ν the material's, and
+/// Cowper's shear coefficient. Within the layers the springs make Poisson's ratio 1/3.
 ///
 /// The two braces of an edge work on the difference of their elongations: their sum, which would
 /// stiffen the membrane, is left free.

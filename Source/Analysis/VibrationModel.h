@@ -1,4 +1,5 @@
-// A mesh as masses and springs in matrices: K x = λ M x, the meeting point of models and eigensolver.
+// A mesh as masses and springs in matrices: K x = λ M x, the meeting point of models and
+// eigensolver.
 #pragma once
 
 #include <Eigen/Core>

@@ -26,7 +26,8 @@ struct MeshEdge {
 /// [F] areas in m².
 Eigen::VectorXd faceAreas(const Mesh& mesh);
 
-/// [N] a third of the area of the faces at each vertex, in m²: a_i of Raghuvanshi & Lin 2006, eq. 1.
+/// [N] a third of the area of the faces at each vertex, in m²: a_i of Raghuvanshi & Lin 2006,
+/// eq. 1.
 Eigen::VectorXd vertexAreas(const Mesh& mesh);
 
 /// [N×3] unit area-weighted vertex normals; (0,0,1) where they are undefined.

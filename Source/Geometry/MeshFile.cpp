@@ -36,9 +36,13 @@ std::string_view TextScanner::nextWord() {
     return word;
 }
 
-std::optional<double> TextScanner::nextNumber() { return parseNumber(nextWord()); }
+std::optional<double> TextScanner::nextNumber() {
+    return parseNumber(nextWord());
+}
 
-std::optional<std::int64_t> TextScanner::nextInteger() { return parseInteger(nextWord()); }
+std::optional<std::int64_t> TextScanner::nextInteger() {
+    return parseInteger(nextWord());
+}
 
 std::optional<std::string_view> TextScanner::nextLine() {
     if (rest_.empty())

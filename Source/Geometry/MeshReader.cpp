@@ -124,7 +124,8 @@ std::string faultOf(const RawMesh& raw, double metresPerUnit) {
     if (raw.coordinates.size() > std::numeric_limits<int>::max())
         return "it has too many vertices";
     for (std::size_t i = 0; i < raw.coordinates.size(); ++i)
-        if (!std::isfinite(raw.coordinates[i]) || std::abs(raw.coordinates[i]) * metresPerUnit > 1e6)
+        if (!std::isfinite(raw.coordinates[i]) ||
+            std::abs(raw.coordinates[i]) * metresPerUnit > 1e6)
             return numbered("vertex", static_cast<std::int64_t>(i / 3)) +
                    (std::isfinite(raw.coordinates[i]) ? " lies beyond 1000 km"
                                                       : " is not a finite number");
@@ -252,10 +253,10 @@ Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit) {
         mesh.vertices = Eigen::Map<const RowMajor>(raw->coordinates.data(), raw->vertexCount(), 3) *
                         metresPerUnit;
         using RowMajorIndices = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
-        mesh.faces = Eigen::Map<const RowMajorIndices>(
-                         raw->triangles.data(),
-                         static_cast<Eigen::Index>(raw->triangles.size() / 3), 3)
-                         .cast<int>();
+        mesh.faces =
+            Eigen::Map<const RowMajorIndices>(
+                raw->triangles.data(), static_cast<Eigen::Index>(raw->triangles.size() / 3), 3)
+                .cast<int>();
         return mesh;
     } catch (const std::bad_alloc&) {
         return fail("it is too large for this machine's memory");

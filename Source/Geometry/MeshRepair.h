@@ -11,17 +11,18 @@
 namespace idiophone {
 
 struct RepairSettings {
-    double weldTolerance = 1e-7; ///< vertices this near are one, as a share of the bounding diagonal
+    double weldTolerance =
+        1e-7; ///< vertices this near are one, as a share of the bounding diagonal
     bool largestComponentOnly = false; ///< keep the component with the greatest area alone
 };
 
 /// What repair found and did; counts of what the mesh holds now come after what was done.
 struct RepairReport {
     int weldedVertices = 0;
-    int degenerateFaces = 0;     ///< dropped: two corners in one vertex, or no area
-    int duplicateFaces = 0;      ///< dropped: the same three vertices as another face
+    int degenerateFaces = 0;      ///< dropped: two corners in one vertex, or no area
+    int duplicateFaces = 0;       ///< dropped: the same three vertices as another face
     int unreferencedVertices = 0; ///< dropped: no face (left) names them
-    int flippedFaces = 0;        ///< turned to agree with their neighbours, or outward
+    int flippedFaces = 0;         ///< turned to agree with their neighbours, or outward
     int droppedComponents = 0;
     int components = 0;
     int boundaryEdges = 0;    ///< 0 when closed

@@ -31,13 +31,13 @@ struct Header {
 
 std::optional<Scalar> scalarNamed(std::string_view name) {
     constexpr std::array<std::array<std::string_view, 2>, 8> names{{{"char", "int8"},
-                                                                     {"uchar", "uint8"},
-                                                                     {"short", "int16"},
-                                                                     {"ushort", "uint16"},
-                                                                     {"int", "int32"},
-                                                                     {"uint", "uint32"},
-                                                                     {"float", "float32"},
-                                                                     {"double", "float64"}}};
+                                                                    {"uchar", "uint8"},
+                                                                    {"short", "int16"},
+                                                                    {"ushort", "uint16"},
+                                                                    {"int", "int32"},
+                                                                    {"uint", "uint32"},
+                                                                    {"float", "float32"},
+                                                                    {"double", "float64"}}};
     for (std::size_t i = 0; i < names.size(); ++i)
         if (name == names[i][0] || name == names[i][1])
             return static_cast<Scalar>(i);
@@ -67,14 +67,22 @@ public:
         if ((encoding_ == Encoding::bigEndian) != (std::endian::native == std::endian::big))
             std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(size));
         switch (type) {
-        case Scalar::int8: return as<std::int8_t>(raw);
-        case Scalar::uint8: return as<std::uint8_t>(raw);
-        case Scalar::int16: return as<std::int16_t>(raw);
-        case Scalar::uint16: return as<std::uint16_t>(raw);
-        case Scalar::int32: return as<std::int32_t>(raw);
-        case Scalar::uint32: return as<std::uint32_t>(raw);
-        case Scalar::float32: return as<float>(raw);
-        case Scalar::float64: return as<double>(raw);
+        case Scalar::int8:
+            return as<std::int8_t>(raw);
+        case Scalar::uint8:
+            return as<std::uint8_t>(raw);
+        case Scalar::int16:
+            return as<std::int16_t>(raw);
+        case Scalar::uint16:
+            return as<std::uint16_t>(raw);
+        case Scalar::int32:
+            return as<std::int32_t>(raw);
+        case Scalar::uint32:
+            return as<std::uint32_t>(raw);
+        case Scalar::float32:
+            return as<float>(raw);
+        case Scalar::float64:
+            return as<double>(raw);
         }
         return std::nullopt;
     }
@@ -217,8 +225,9 @@ Result<RawMesh> readPly(std::string_view bytes) {
     RawMesh mesh;
     for (const auto& element : header->elements) {
         if (!isPlausible(element, values))
-            return failure("its header promises " + std::to_string(element.count) + " of element \"" +
-                           std::string(element.name) + "\", more than the file can hold");
+            return failure("its header promises " + std::to_string(element.count) +
+                           " of element \"" + std::string(element.name) +
+                           "\", more than the file can hold");
         if (element.properties.empty())
             continue;
         for (std::int64_t row = 0; row < element.count; ++row)

@@ -36,7 +36,9 @@ TEST_CASE("A bar tuned to 1000 Hz sounds within 0.05 cent of it, damping and all
 }
 
 TEST_CASE("The estimated length of a slender bar is Euler-Bernoulli's, of a thick one shorter") {
-    BarSpecification bar{.targetFrequencyHz = 100, .heightMetres = 0.005,
+    BarSpecification bar{.name = "bar",
+                         .targetFrequencyHz = 100,
+                         .heightMetres = 0.005,
                          .material = referenceWood()};
     const auto slender = [&] {
         return std::sqrt(1.02792 * bar.heightMetres * std::sqrt(20e9 / 1000) /

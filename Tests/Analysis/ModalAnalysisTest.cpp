@@ -59,8 +59,9 @@ TEST_CASE("An analysed object is complete and says where it comes from") {
 }
 
 TEST_CASE("Striking at i and listening at j equals striking at j and listening at i") {
-    // The displacement at j for a static force at i, Σ φ_i φ_j/λ, is symmetric for the vectors kept,
-    // and each mode's shape is its share of K's inverse: compare with a second, independent basis.
+    // The displacement at j for a static force at i, Σ φ_i φ_j/λ, is symmetric for the vectors
+    // kept, and each mode's shape is its share of K's inverse: compare with a second, independent
+    // basis.
     const auto mesh = icosphereMesh(0.1, 2);
     auto settings = barSettings();
     settings.thicknessMetres = 0.003;
@@ -187,9 +188,8 @@ TEST_CASE("Chosen vertices alone carry shapes, the same as when all do") {
     REQUIRE(some);
     CHECK(some->shapeVertices == std::vector<std::int32_t>{3, 77, 200});
     for (std::size_t row = 0; row < 3; ++row)
-        CHECK(std::ranges::equal(
-            some->shapesAt(row),
-            all->shapesAt(static_cast<std::size_t>(some->shapeVertices[row]))));
+        CHECK(std::ranges::equal(some->shapesAt(row), all->shapesAt(static_cast<std::size_t>(
+                                                          some->shapeVertices[row]))));
     settings.shapeVertices = {-1};
     CHECK_THAT(errorOf(mesh, settings), ContainsSubstring("does not exist"));
 }
@@ -214,7 +214,8 @@ TEST_CASE("What cannot be analysed is refused with one sentence") {
     auto broken = mesh;
     broken.vertices(7, 1) = std::numeric_limits<double>::infinity();
     CHECK_THAT(errorOf(broken, settings), ContainsSubstring("not a finite number"));
-    CHECK_THAT(errorOf(gridPlateMesh(1, 1, 200, 200), settings), ContainsSubstring("at most 20000"));
+    CHECK_THAT(errorOf(gridPlateMesh(1, 1, 200, 200), settings),
+               ContainsSubstring("at most 20000"));
 }
 
 TEST_CASE("A million-triangle soup is refused in seconds, not hours") {
@@ -229,7 +230,8 @@ TEST_CASE("A million-triangle soup is refused in seconds, not hours") {
 
 TEST_CASE("A set flag cancels the analysis") {
     const std::atomic<bool> cancelled = true;
-    const auto object = analyse(icosphereMesh(0.1, 3), barSettings(), {.progress = {}, .cancelled = &cancelled});
+    const auto object =
+        analyse(icosphereMesh(0.1, 3), barSettings(), {.progress = {}, .cancelled = &cancelled});
     REQUIRE_FALSE(object);
     CHECK(object.error().message == cancelledMessage);
 }

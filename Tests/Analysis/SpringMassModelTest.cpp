@@ -20,16 +20,15 @@ constexpr double thickness = 0.005;
 /// Lower root W of the thin spherical membrane's W⁴ − (1+3ν+l(l+1))W² + (l−1)(l+2)(1−ν²) = 0, as a
 /// frequency for the membrane stiffness E t (REFERENCE 4.8).
 double membraneFrequencyHz(int l, double radius, double stiffness, double massPerArea) {
-    const double nu = 1.0 / 3, b = 1 + 3 * nu + l * (l + 1),
-                 c = (l - 1) * (l + 2) * (1 - nu * nu);
+    const double nu = 1.0 / 3, b = 1 + 3 * nu + l * (l + 1), c = (l - 1) * (l + 2) * (1 - nu * nu);
     const double w2 = (b - std::sqrt(b * b - 4 * c)) / 2;
     return std::sqrt(w2 * stiffness / (massPerArea * (1 - nu * nu))) / radius /
            (2 * std::numbers::pi);
 }
 
 Eigen::Index zeroModesOf(const Mesh& mesh, SpringStiffness stiffness) {
-    const auto count = countModesBelow(
-        springMassModel(mesh, referenceWood(), thickness, stiffness), 1);
+    const auto count =
+        countModesBelow(springMassModel(mesh, referenceWood(), thickness, stiffness), 1);
     REQUIRE(count);
     return *count;
 }
@@ -58,9 +57,9 @@ TEST_CASE("The five l = 2 modes of an icosphere are equal within 1e-6 and within
     const double theory =
         membraneFrequencyHz(2, radius, membrane, material.densityKgPerM3 * thickness);
     const int level = GENERATE(3, 4);
-    const auto modes = solveModes(
-        springMassModel(icosphereMesh(radius, level), material, thickness, stiffness),
-        {.lowestHz = 20, .highestHz = 1.1 * theory});
+    const auto modes =
+        solveModes(springMassModel(icosphereMesh(radius, level), material, thickness, stiffness),
+                   {.lowestHz = 20, .highestHz = 1.1 * theory});
     REQUIRE(modes);
     REQUIRE(modes->eigenvalues.size() >= 5);
     CHECK(modes->zeroModes == 6);
@@ -74,9 +73,9 @@ TEST_CASE("An icosphere's l = 4 modes are within 10 % of the membrane theory") {
     const auto material = referenceWood();
     const double theory = membraneFrequencyHz(4, 0.1, material.youngsModulusPa * thickness,
                                               material.densityKgPerM3 * thickness);
-    const auto modes = solveModes(springMassModel(icosphereMesh(0.1, 3), material, thickness,
-                                                  SpringStiffness::vanGelder),
-                                  {.lowestHz = 20, .highestHz = 1.2 * theory});
+    const auto modes = solveModes(
+        springMassModel(icosphereMesh(0.1, 3), material, thickness, SpringStiffness::vanGelder),
+        {.lowestHz = 20, .highestHz = 1.2 * theory});
     REQUIRE(modes);
     REQUIRE(modes->eigenvalues.size() >= 5 + 7 + 9);
     const auto f = frequenciesHz(modes->eigenvalues);

@@ -89,7 +89,8 @@ TEST_CASE("Binary STL, text STL, binary PLY and OFF hold the same triangles") {
     const auto box = boxMesh({1, 2, 3}, {1, 1, 1});
     std::string off = "OFF\n# a comment\n8 12 0\n", stl = "solid a box\n";
     for (const auto& v : box.vertices.rowwise())
-        off += std::to_string(v(0)) + " " + std::to_string(v(1)) + " " + std::to_string(v(2)) + "\n";
+        off +=
+            std::to_string(v(0)) + " " + std::to_string(v(1)) + " " + std::to_string(v(2)) + "\n";
     for (const auto& f : box.faces.rowwise()) {
         off += "3 " + std::to_string(f(0)) + " " + std::to_string(f(1)) + " " +
                std::to_string(f(2)) + " 0.5 0.5 0.5\n";
@@ -178,8 +179,8 @@ TEST_CASE("Each fault of a mesh file has one sentence that names the file") {
          "x\nend_header\n",
          "more than the file can hold"},
         {"minus.ply", "ply\nformat ascii 1.0\nelement vertex -5\nend_header\n", "valid count"},
-        {"nothing.ply",
-         "ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n", "no faces"},
+        {"nothing.ply", "ply\nformat ascii 1.0\nelement vertex 9000000000000000000\nend_header\n",
+         "no faces"},
         {"short.stl", "sol", "too short"},
         {"text.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
          "ends before \"endsolid\""},

@@ -17,7 +17,8 @@ bool hasVertexAt(const Mesh& mesh, const Eigen::RowVector3d& point) {
 
 } // namespace
 
-TEST_CASE("A sheet has about the vertices asked for, a middle, corners and both mirror symmetries") {
+TEST_CASE(
+    "A sheet has about the vertices asked for, a middle, corners and both mirror symmetries") {
     const int target = GENERATE(150, 600, 1000, 3000);
     const double length = GENERATE(0.39, 0.14), width = 0.04;
     const auto sheet = sheetMesh(length, width, target);
@@ -51,7 +52,8 @@ TEST_CASE("The triangles of a sheet are near-equilateral away from its ends") {
 }
 
 TEST_CASE("A sheet and a disc look along +z") {
-    for (const auto& mesh : {sheetMesh(0.3, 0.03, 300), discMesh(0.1, 6), gridPlateMesh(1, 1, 4, 3)})
+    for (const auto& mesh :
+         {sheetMesh(0.3, 0.03, 300), discMesh(0.1, 6), gridPlateMesh(1, 1, 4, 3)})
         CHECK(vertexNormals(mesh).col(2).minCoeff() > 0.999);
 }
 

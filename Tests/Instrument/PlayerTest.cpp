@@ -100,7 +100,7 @@ TEST_CASE("With let-ring off a released key falls by 60 dB in the release time, 
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::releaseTime, 0.2);
     parameters.set(ParameterId::strikeSpread, 0);
-    const std::vector events{midi(0, 0x90, 69, 100), midi(4800, 0x80, 69, 0)};
+    const std::vector events{midi(0, 0x90, 69, 100), midi(4801, 0x80, 69, 0)};
     const std::size_t atRelease = 4864; // the first grid point at or after the stamp
     Player damped(bars(), sampleRateHz);
     Player held(bars(), sampleRateHz);

@@ -53,7 +53,7 @@ TEST_CASE("Parameters may be given as they are shown, and unknown ones are remem
         head + map + R"(,"parameters":{"material":"Glass","young":"70 GPa","x9":1}})", "x.json");
     REQUIRE(preset);
     CHECK(preset->parameters[ParameterId::youngsModulus] == 70);
-    CHECK(preset->parameters[ParameterId::material] > customMaterial);
+    CHECK(preset->parameters[ParameterId::material] > static_cast<double>(customMaterial));
     CHECK(preset->unknownParameters == std::vector<std::string>{"x9"});
     CHECK(preset->parameters[ParameterId::tau] == parameterInfo(ParameterId::tau).defaultValue);
 }

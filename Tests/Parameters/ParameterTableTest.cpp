@@ -74,7 +74,7 @@ TEST_CASE("Typed entry takes units and names, and refuses what is neither") {
     CHECK(parseParameter(slope, "greedy") == slope.maximum);
     CHECK(formatParameter(slope, slope.maximum) == "Greedy");
     CHECK(parseParameter(parameterInfo(ParameterId::letRing), "off") == 0.0);
-    CHECK(parseParameter(parameterInfo(ParameterId::material), "Custom") == customMaterial);
+    CHECK(parseParameter(parameterInfo(ParameterId::material), "Custom") == static_cast<double>(customMaterial));
 }
 
 TEST_CASE("Numbers are written with a point whatever the locale of the host") {

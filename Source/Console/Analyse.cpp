@@ -1,0 +1,136 @@
+#include "Analysis/ModalAnalysis.h"
+#include "Console/Command.h"
+#include "Console/Interrupt.h"
+#include "Console/JsonText.h"
+#include "Console/MaterialFile.h"
+#include "Console/OptionChecks.h"
+#include "Console/OutputCheck.h"
+#include "Console/ProgressLine.h"
+#include "Geometry/MeshReader.h"
+#include "Object/ModalObjectFile.h"
+
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::filesystem::path mesh;
+    std::filesystem::path output;
+    std::string name;
+    std::string material = "Steel";
+    std::string method = "two-layer";
+    double thicknessMetres = 0.005;
+    double maxFrequencyHz = 44000;
+    double metresPerUnit = 1;
+    bool largestPart = false;
+    bool json = false;
+};
+
+const std::map<std::string, double> units{{"m", 1}, {"cm", 0.01}, {"mm", 0.001}};
+
+Result<AnalysisSettings> settingsFrom(const Options& options) {
+    const auto material = findOrReadMaterial(options.material);
+    if (!material)
+        return tl::unexpected(material.error());
+    const auto method = findMethod(options.method);
+    if (!method)
+        return failure("--method " + options.method +
+                       ": it is none of two-layer, spring-mass and van-gelder");
+    return AnalysisSettings{.name =
+                                options.name.empty() ? options.mesh.stem().string() : options.name,
+                            .source = options.mesh.filename().string(),
+                            .material = *material,
+                            .method = *method,
+                            .thicknessMetres = options.thicknessMetres,
+                            .maxFrequencyHz = options.maxFrequencyHz,
+                            .largestComponentOnly = options.largestPart};
+}
+
+Result<ModalObject> analyseFile(const Options& options) {
+    const auto settings = settingsFrom(options);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto mesh = readMesh(options.mesh, options.metresPerUnit);
+    if (!mesh)
+        return tl::unexpected(mesh.error());
+    ProgressLine progress(options.mesh.filename().string());
+    auto object = analyse(
+        *mesh, *settings,
+        {.progress = [&](double fraction, std::string_view step) { progress.show(fraction, step); },
+         .cancelled = &interruptRequested()});
+    if (!object && object.error().message != cancelledMessage)
+        return failure(options.mesh.string() + ": " + object.error().message);
+    return object;
+}
+
+void report(const ModalObject& object, const Options& options) {
+    const auto& origin = object.provenance;
+    if (options.json) {
+        std::cout << jsonText({{"object", options.output.string()},
+                               {"name", object.name},
+                               {"vertices", object.vertexCount()},
+                               {"faces", object.faceCount()},
+                               {"mode_count", object.modeCount()},
+                               {"band_hz", object.bandHz},
+                               {"method", object.method},
+                               {"thickness_m", object.thicknessMetres},
+                               {"mass_kg", object.mass.massKg},
+                               {"zero_modes", origin.zeroModes},
+                               {"notes", origin.notes},
+                               {"analysis_s", origin.analysisSeconds}});
+        return;
+    }
+    std::cout << std::fixed << std::setprecision(1) << options.output.string() << ": "
+              << object.modeCount() << " modes up to " << object.bandHz / 1000 << " kHz from "
+              << origin.analysedVertices << " vertices, in " << origin.analysisSeconds << " s\n"
+              << origin.zeroModes << " zero modes were left out.\n";
+    if (!origin.notes.empty())
+        std::cout << origin.notes << '\n';
+}
+
+Result<void> analyseAndWrite(const Options& options) {
+    if (auto writable = checkWritable(options.output); !writable)
+        return writable;
+    const auto object = analyseFile(options);
+    if (!object)
+        return tl::unexpected(object.error());
+    if (auto written = writeModalObject(*object, options.output); !written)
+        return written;
+    report(*object, options);
+    return {};
+}
+
+} // namespace
+
+void addAnalyse(CLI::App& program, Action& chosen) {
+    auto* command = program.add_subcommand("analyse", "Makes a modal object from a triangle mesh");
+    auto options = std::make_shared<Options>();
+    command->add_option("MESH", options->mesh, "An .obj, .off, .ply or .stl file")->required();
+    command->add_option("-o,--output", options->output, "The .modal file to write")->required();
+    command->add_option("--name", options->name, "The object's name; else the mesh file's");
+    command->add_option("--material", options->material, "A material's name or a JSON file")
+        ->capture_default_str();
+    command->add_option("--thickness", options->thicknessMetres, "Of the shell, in metres")
+        ->check(numberBetween(1e-6, 10))
+        ->capture_default_str();
+    command->add_option("--method", options->method, "two-layer, spring-mass or van-gelder")
+        ->capture_default_str();
+    command->add_option("--max-frequency", options->maxFrequencyHz, "End of the band, in Hz")
+        ->check(numberBetween(100, 1e6))
+        ->capture_default_str();
+    command->add_option("--unit", options->metresPerUnit, "Of the mesh file: m, cm or mm")
+        ->transform(CLI::CheckedTransformer(units))
+        ->default_str("m");
+    command->add_flag("--largest-part", options->largestPart,
+                      "Leaves all but the largest connected part out");
+    command->add_flag("--json", options->json, "Reports as JSON");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return analyseAndWrite(*options); }; });
+}
+
+} // namespace idiophone

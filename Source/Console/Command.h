@@ -1,0 +1,24 @@
+// The subcommands of the program `idiophone`, one a file. Each adds its options to the command
+// line; when it is the one that was given, it leaves its action for Main to run.
+#pragma once
+
+#include "Object/Result.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace idiophone {
+
+/// Runs after the whole command line was read. The error becomes one sentence on standard error and
+/// an exit code other than 0.
+using Action = std::function<Result<void>()>;
+
+void addAnalyse(CLI::App& program, Action& chosen);
+void addInfo(CLI::App& program, Action& chosen);
+void addStrike(CLI::App& program, Action& chosen);
+void addRender(CLI::App& program, Action& chosen);
+void addMesh(CLI::App& program, Action& chosen);
+void addFactory(CLI::App& program, Action& chosen);
+void addLists(CLI::App& program, Action& chosen); ///< presets, materials, parameters
+
+} // namespace idiophone

@@ -1,0 +1,145 @@
+#include "Console/ImpulseFile.h"
+
+#include "Console/TextFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t faultsShown = 20;
+constexpr double longestSeconds = 36000;
+constexpr double longestContactSeconds = 1;
+// Generous: a lorry at motorway speed has 1e6 N s.
+constexpr double largestImpulse = 1e6;
+constexpr double farthestMetres = 1e6;
+
+// Inside this file a line's fault travels as an exception.
+struct Fault {
+    std::string sentence;
+};
+
+double number(const json& value, const std::string& what, double lowest, double highest) {
+    if (!value.is_number())
+        throw Fault{what + " is not a number"};
+    const double result = value;
+    if (!(result >= lowest && result <= highest)) {
+        std::ostringstream range;
+        range << what << " is not between " << lowest << " and " << highest;
+        throw Fault{range.str()};
+    }
+    return result;
+}
+
+std::array<double, 3> vector(const json& value, const std::string& what, double reach) {
+    if (!value.is_array() || value.size() != 3)
+        throw Fault{what + " is not a list of three numbers [x, y, z]"};
+    std::array<double, 3> result{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        result[axis] = number(value[axis], "a coordinate of " + what, -reach, reach);
+    return result;
+}
+
+std::string objectName(const json& value) {
+    if (!value.is_string() || value.get_ref<const std::string&>().empty())
+        throw Fault{"'object' is not a text"};
+    return value;
+}
+
+std::string bodyName(const json& value) {
+    if (value.is_number_integer())
+        return value.dump();
+    if (!value.is_string())
+        throw Fault{"'body' is neither a text nor a whole number"};
+    return value;
+}
+
+std::int64_t vertexNumber(const json& value) {
+    if (!value.is_number_integer() || value < 0 || value > std::int64_t{1} << 31)
+        throw Fault{"'vertex' is not the number of a vertex"};
+    return value;
+}
+
+void parseMember(const std::string& key, const json& value, Impulse& impulse) {
+    if (key == "time")
+        impulse.seconds = number(value, "'time'", 0, longestSeconds);
+    else if (key == "object")
+        impulse.object = objectName(value);
+    else if (key == "body")
+        impulse.body = bodyName(value);
+    else if (key == "vertex")
+        impulse.vertex = vertexNumber(value);
+    else if (key == "point")
+        impulse.pointMetres = vector(value, "'point'", farthestMetres);
+    else if (key == "impulse")
+        impulse.impulseNewtonSeconds = vector(value, "'impulse'", largestImpulse);
+    else if (key == "contact_time")
+        impulse.contactSeconds = number(value, "'contact_time'", 0, longestContactSeconds);
+    else
+        throw Fault{"an impulse has no '" + key + "'"};
+}
+
+Impulse parseLine(const std::string& text) {
+    const auto root = json::parse(text, nullptr, false);
+    if (!root.is_object())
+        throw Fault{"it is not a JSON object"};
+    for (const char* key : {"time", "object", "impulse"})
+        if (!root.contains(key))
+            throw Fault{"it lacks '" + std::string(key) + "'"};
+    if (root.contains("vertex") == root.contains("point"))
+        throw Fault{"it needs either 'vertex' or 'point'"};
+    Impulse impulse;
+    for (const auto& [key, value] : root.items())
+        parseMember(key, value, impulse);
+    return impulse;
+}
+
+bool isBlankOrComment(const std::string& line) {
+    const auto first = line.find_first_not_of(" \t\r");
+    return first == std::string::npos || line[first] == '#';
+}
+
+std::string joined(const std::vector<std::string>& faults) {
+    std::string sentences;
+    for (std::size_t i = 0; i < std::min(faults.size(), faultsShown); ++i)
+        sentences += (i == 0 ? "" : "\n") + faults[i];
+    if (faults.size() > faultsShown)
+        sentences += "\nand " + std::to_string(faults.size() - faultsShown) + " more bad lines.";
+    return sentences;
+}
+
+} // namespace
+
+Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file) {
+    const auto text = readTextFile(file);
+    if (!text)
+        return tl::unexpected(text.error());
+    std::vector<Impulse> impulses;
+    std::vector<std::string> faults;
+    std::istringstream lines(*text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        if (isBlankOrComment(line))
+            continue;
+        try {
+            impulses.push_back(parseLine(line));
+            impulses.back().line = number;
+        } catch (const Fault& fault) {
+            faults.push_back(file.string() + ": line " + std::to_string(number) + ": " +
+                             fault.sentence);
+        }
+    }
+    if (!faults.empty())
+        return failure(joined(faults));
+    if (impulses.empty())
+        return failure(file.string() + ": it holds no impulses");
+    std::ranges::stable_sort(impulses, {}, &Impulse::seconds);
+    return impulses;
+}
+
+} // namespace idiophone

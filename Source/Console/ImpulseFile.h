@@ -1,0 +1,30 @@
+// Contacts as a game or physics engine reports them: JSON lines, specified in docs/impulses.md.
+#pragma once
+
+#include "Object/Result.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+struct Impulse {
+    int line = 0; ///< of the file, counted from 1
+    double seconds = 0;
+    std::string object;                  ///< a factory object's name or a modal object file
+    std::string body;                    ///< tells several bodies of the same object apart
+    std::optional<std::int64_t> vertex;  ///< of the object's mesh, or else:
+    std::array<double, 3> pointMetres{}; ///< in the object's coordinates
+    std::array<double, 3> impulseNewtonSeconds{};
+    double contactSeconds = 0; ///< 0: an ideal impulse
+};
+
+/// The file's impulses in order of time, those of one time in the file's order. The error has one
+/// sentence, with file and line, for each bad line (for the first 20).
+Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file);
+
+} // namespace idiophone

@@ -1,0 +1,161 @@
+#include "Console/ImpulseRender.h"
+
+#include "Console/ImpulseFile.h"
+#include "Console/Interrupt.h"
+#include "Console/ObjectSurface.h"
+#include "Console/ProgressLine.h"
+#include "Console/SettingsOfParameters.h"
+#include "Instrument/FactoryContent.h"
+#include "Instrument/ObjectLibrary.h"
+#include "Synth/Synthesiser.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <juce_audio_basics/juce_audio_basics.h>
+#include <map>
+
+namespace idiophone {
+namespace {
+
+struct Contact {
+    double seconds = 0;
+    std::size_t slot = 0;
+    Strike strike;
+};
+
+struct Scene {
+    std::vector<SynthesiserSlot> slots;
+    std::vector<Contact> contacts; ///< in order of time
+};
+
+/// Files are named from where the list of impulses stands.
+std::string resolved(const std::string& object, const std::filesystem::path& impulseFile) {
+    if (factoryObject(object))
+        return object;
+    return (impulseFile.parent_path() / object).string();
+}
+
+Result<Scene> arrange(std::span<const Impulse> impulses, const std::filesystem::path& file) {
+    Scene scene;
+    std::map<std::string, std::shared_ptr<const ModalObject>> objects;
+    std::map<std::string, ObjectSurface> surfaces;
+    std::map<std::pair<std::string, std::string>, std::size_t> slotOfBody;
+    for (const auto& impulse : impulses) {
+        const auto place = file.string() + ": line " + std::to_string(impulse.line) + ": ";
+        auto& object = objects[impulse.object];
+        if (object == nullptr) {
+            auto found = ObjectLibrary::shared().find(resolved(impulse.object, file));
+            if (!found)
+                return failure(place + found.error().message);
+            object = std::move(*found);
+            surfaces.try_emplace(impulse.object, *object);
+        }
+        const auto [body, isNew] =
+            slotOfBody.try_emplace({impulse.object, impulse.body}, scene.slots.size());
+        if (isNew)
+            scene.slots.push_back({.object = object, .sizeRatio = 1});
+
+        const auto& surface = surfaces.at(impulse.object);
+        const auto point = impulse.vertex ? surface.atVertex(*impulse.vertex)
+                                          : surface.nearest(impulse.pointMetres);
+        if (!point)
+            return failure(place + "vertex " + std::to_string(*impulse.vertex) + " of '" +
+                           impulse.object + "' carries no mode shapes");
+        Contact contact{.seconds = impulse.seconds, .slot = body->second, .strike = {}};
+        contact.strike.point = *point;
+        contact.strike.durationSeconds = impulse.contactSeconds;
+        std::ranges::transform(impulse.impulseNewtonSeconds,
+                               contact.strike.impulseNewtonSeconds.begin(),
+                               [](double component) { return static_cast<float>(component); });
+        scene.contacts.push_back(contact);
+    }
+    return scene;
+}
+
+/// The grid's cells one after another, each with the contacts that begin in it.
+class CellPlayer {
+public:
+    CellPlayer(const Scene& scene, const SynthesisSettings& settings, double sampleRateHz)
+        : contacts(scene.contacts), synth(scene.slots, sampleRateHz) {
+        synth.setSettings(settings);
+    }
+
+    std::span<const float, cellSamples> next(RenderTally& tally) {
+        const auto start = std::chrono::steady_clock::now();
+        synth.beginCell(cell);
+        for (; due < contacts.size(); ++due) {
+            const double sample = contacts[due].seconds * synth.sampleRateHz() - cellStart;
+            if (sample >= cellSamples)
+                break;
+            const bool taken =
+                synth.strike(contacts[due].slot, contacts[due].strike, std::max(sample, 0.0), cell);
+            taken ? ++tally.strikes : ++dropped;
+        }
+        cellStart += cellSamples;
+        tally.renderSeconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        tally.count(synth.modesMixed());
+        return cell;
+    }
+
+    bool finished() const { return due == contacts.size() && synth.silent(); }
+    std::int64_t droppedCount() const { return dropped; }
+
+private:
+    std::span<const Contact> contacts;
+    Synthesiser synth;
+    alignas(64) std::array<float, cellSamples> cell{};
+    double cellStart = 0;
+    std::size_t due = 0;
+    std::int64_t dropped = 0;
+};
+
+} // namespace
+
+Result<RenderTally> renderImpulses(const std::filesystem::path& file,
+                                   const ParameterValues& parameters,
+                                   const RecordingFormat& format,
+                                   Recording& recording) {
+    const auto impulses = readImpulses(file);
+    if (!impulses)
+        return tl::unexpected(impulses.error());
+    const auto scene = arrange(*impulses, file);
+    if (!scene)
+        return tl::unexpected(scene.error());
+
+    const juce::ScopedNoDenormals asInTheAudioCallback;
+    const auto& interrupted = interruptRequested();
+    const double rate = format.sampleRateHz;
+    const auto lastContact = static_cast<std::int64_t>(scene->contacts.back().seconds * rate);
+    const std::int64_t end = format.seconds ? std::llround(*format.seconds * rate)
+                                            : lastContact + std::llround(longestTailSeconds * rate);
+    RenderTally tally;
+    CellPlayer player(*scene, synthesisSettings(parameters), rate);
+    ProgressLine progress(file.filename().string());
+    for (std::int64_t position = 0; position < end; position += cellSamples) {
+        const auto cell = player.next(tally);
+        const auto wanted =
+            static_cast<std::size_t>(std::min<std::int64_t>(cellSamples, end - position));
+        const auto blockSize = static_cast<std::size_t>(format.blockSize);
+        for (std::size_t done = 0; done < wanted; done += blockSize)
+            if (auto added = recording.add(cell.subspan(done, std::min(blockSize, wanted - done)));
+                !added)
+                return tl::unexpected(added.error());
+        if (interrupted)
+            return failure(std::string(interruptedMessage));
+        if (!format.seconds && player.finished())
+            break;
+        progress.show(static_cast<double>(position) / static_cast<double>(end), "");
+    }
+    if (auto done = recording.finish(format.seconds ? end : lastContact + 1); !done)
+        return tl::unexpected(done.error());
+    if (player.droppedCount() > 0)
+        std::cerr << "warning: " << file.string() << ": " << player.droppedCount()
+                  << " impulses were left out, because their bodies were in 64 contacts already"
+                  << std::endl;
+    return tally;
+}
+
+} // namespace idiophone

@@ -1,0 +1,18 @@
+// Plays impulses on modal objects directly, without keys or mallets.
+#pragma once
+
+#include "Console/Recording.h"
+#include "Console/SongRender.h"
+
+#include <filesystem>
+
+namespace idiophone {
+
+/// Reads the impulses and their objects, and renders up to the length of the format or else to
+/// silence after the last contact. Impulses act at their time to a fraction of a sample.
+Result<RenderTally> renderImpulses(const std::filesystem::path& file,
+                                   const ParameterValues& parameters,
+                                   const RecordingFormat& format,
+                                   Recording& recording);
+
+} // namespace idiophone

@@ -1,0 +1,121 @@
+#include "Console/Command.h"
+#include "Console/JsonText.h"
+#include "Console/MaterialFile.h"
+#include "Instrument/FactoryContent.h"
+#include "Parameters/ParameterTable.h"
+
+#include <iomanip>
+#include <iostream>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array<const char*, 5> scaleNames{"linear", "logarithmic", "steps", "on-off",
+                                                "choice"};
+
+ordered_json describePresets() {
+    ordered_json list = ordered_json::array();
+    for (const auto& preset : factoryPresets())
+        list.push_back(ordered_json::parse(encodePreset(preset)));
+    return list;
+}
+
+void printPresets() {
+    for (const auto& preset : factoryPresets())
+        std::cout << std::left << std::setw(22) << preset.name << preset.description << '\n';
+}
+
+ordered_json describeMaterials() {
+    ordered_json list = ordered_json::array();
+    for (const auto& material : materialLibrary())
+        list.push_back(describe(material));
+    return list;
+}
+
+void printMaterials() {
+    std::cout << "                E GPa   kg/m3   nu      gamma 1/s  eta s      T60 at 440 Hz\n";
+    for (const auto& material : materialLibrary())
+        std::cout << std::left << std::setw(16) << material.name << std::setw(8)
+                  << material.youngsModulusPa / 1e9 << std::setw(8) << material.densityKgPerM3
+                  << std::setw(8) << material.poissonRatio << std::setw(11)
+                  << material.fluidDampingPerSecond << std::setw(11)
+                  << material.viscoelasticDampingSeconds << std::setprecision(3)
+                  << decaySeconds(material, 440) << std::setprecision(6) << " s\n";
+}
+
+ordered_json describe(const ParameterInfo& info) {
+    ordered_json result{{"id", info.id},
+                        {"name", info.name},
+                        {"unit", info.unit},
+                        {"scale", scaleNames[static_cast<std::size_t>(info.scale)]},
+                        {"minimum", info.minimum},
+                        {"maximum", info.maximum},
+                        {"default", info.defaultValue},
+                        {"version_added", info.versionAdded},
+                        {"description", info.description}};
+    if (const auto names = choiceNames(info.parameter); !names.empty())
+        result["choices"] = names;
+    if (info.maximumName != nullptr)
+        result["maximum_name"] = info.maximumName;
+    return result;
+}
+
+ordered_json describeParameters() {
+    ordered_json list = ordered_json::array();
+    for (const auto& info : parameterTable())
+        list.push_back(describe(info));
+    return list;
+}
+
+std::string rangeOf(const ParameterInfo& info) {
+    if (info.scale == ParameterScale::onOff)
+        return "Off, On";
+    if (!choiceNames(info.parameter).empty())
+        return "a name";
+    return formatParameter(info, info.minimum) + " to " + formatParameter(info, info.maximum);
+}
+
+void printParameters() {
+    for (const auto& info : parameterTable())
+        std::cout << std::left << std::setw(16) << info.id << std::setw(28) << rangeOf(info)
+                  << std::setw(12) << formatParameter(info, info.defaultValue) << info.description
+                  << '\n';
+    std::cout << "material is one of";
+    const char* separator = " ";
+    for (const auto name : choiceNames(ParameterId::material))
+        std::cout << std::exchange(separator, ", ") << name;
+    std::cout << '\n';
+}
+
+void addList(CLI::App& program,
+             Action& chosen,
+             const char* name,
+             const char* description,
+             ordered_json (*describeAll)(),
+             void (*printAll)()) {
+    auto* command = program.add_subcommand(name, description);
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "The list as JSON");
+    command->final_callback([=, &chosen] {
+        chosen = [=]() -> Result<void> {
+            if (*json)
+                std::cout << jsonText(describeAll());
+            else
+                printAll();
+            return {};
+        };
+    });
+}
+
+} // namespace
+
+void addLists(CLI::App& program, Action& chosen) {
+    addList(program, chosen, "presets", "Lists the factory presets", describePresets, printPresets);
+    addList(program, chosen, "materials", "Lists the materials", describeMaterials, printMaterials);
+    addList(program, chosen, "parameters", "Lists the parameters that --set takes",
+            describeParameters, printParameters);
+}
+
+} // namespace idiophone

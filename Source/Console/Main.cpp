@@ -1,0 +1,53 @@
+#include "Analysis/AnalysisControl.h"
+#include "Console/Command.h"
+#include "Console/Interrupt.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace {
+
+enum ExitCode { success = 0, failed = 1, badUsage = 2, interrupted = 130 };
+
+int complain(const std::string& sentence, ExitCode code) {
+    std::cerr << "idiophone: " << sentence << std::endl;
+    return code;
+}
+
+int run(int argc, char** argv) {
+    using namespace idiophone;
+    CLI::App program("Idiophone: triangle meshes become playable modal objects", "idiophone");
+    program.set_version_flag("--version", "Idiophone " IDIOPHONE_VERSION);
+    program.require_subcommand(1);
+    Action chosen;
+    for (const auto add :
+         {addAnalyse, addInfo, addStrike, addRender, addMesh, addFactory, addLists})
+        add(program, chosen);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return program.exit(help);
+    } catch (const CLI::ParseError& error) {
+        return complain(error.what(), badUsage);
+    }
+    const auto outcome = chosen();
+    if (outcome)
+        return success;
+    const auto& sentence = outcome.error().message;
+    const bool stopped = sentence == cancelledMessage || sentence == interruptedMessage;
+    return complain(sentence, stopped ? interrupted : failed);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return complain("This machine has not enough memory for that.", failed);
+    } catch (const std::exception& exception) {
+        return complain(exception.what(), failed);
+    }
+}

@@ -1,0 +1,126 @@
+#include "Console/Command.h"
+#include "Console/OptionChecks.h"
+#include "Geometry/MeshWriter.h"
+#include "Geometry/ParametricMesh.h"
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+struct Options {
+    std::string kind;
+    std::filesystem::path output;
+    double lengthMetres = 0.4;
+    double widthMetres = 0.05;
+    double heightMetres = 0.02;
+    double radiusMetres = 0.1;
+    double sectionRadiusMetres = 0.01;
+    int vertexCount = 1000;
+};
+
+constexpr double pi = std::numbers::pi;
+
+/// The edge of near-equilateral triangles of which so many vertices cover an area.
+double edgeFor(double areaM2, int vertexCount) {
+    return std::sqrt(areaM2 / vertexCount * 2 / std::sqrt(3.0));
+}
+
+int divisions(double lengthMetres, double edgeMetres, int least) {
+    return std::max(least, static_cast<int>(std::lround(lengthMetres / edgeMetres)));
+}
+
+int evenDivisions(double lengthMetres, double edgeMetres) {
+    return 2 * divisions(lengthMetres / 2, edgeMetres, 3);
+}
+
+Mesh sheet(const Options& o) {
+    return sheetMesh(o.lengthMetres, o.widthMetres, o.vertexCount);
+}
+
+Mesh box(const Options& o) {
+    const Eigen::Vector3d size(o.lengthMetres, o.widthMetres, o.heightMetres);
+    const double area = 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
+    const double edge = std::sqrt(area / o.vertexCount);
+    return boxMesh(size, {divisions(size.x(), edge, 1), divisions(size.y(), edge, 1),
+                          divisions(size.z(), edge, 1)});
+}
+
+Mesh disc(const Options& o) {
+    return discMesh(o.radiusMetres,
+                    std::max(1, static_cast<int>(std::lround(std::sqrt(o.vertexCount / 3.0)))));
+}
+
+Mesh icosphere(const Options& o) {
+    const double level = std::log2(std::max(1.0, (o.vertexCount - 2) / 10.0)) / 2;
+    return icosphereMesh(o.radiusMetres, static_cast<int>(std::lround(level)));
+}
+
+Mesh ring(const Options& o) {
+    const double around = 2 * pi * o.radiusMetres, section = 2 * pi * o.sectionRadiusMetres;
+    const double edge = edgeFor(around * section, o.vertexCount);
+    return torusMesh(o.radiusMetres, o.sectionRadiusMetres, evenDivisions(around, edge),
+                     divisions(section, edge, 3));
+}
+
+Mesh hoop(const Options& o) {
+    const double around = 2 * pi * o.radiusMetres;
+    const double edge = edgeFor(around * o.heightMetres, o.vertexCount);
+    return hoopMesh(o.radiusMetres, o.heightMetres, evenDivisions(around, edge),
+                    divisions(o.heightMetres, edge * std::sqrt(3.0) / 2, 1));
+}
+
+struct Kind {
+    const char* name;
+    Mesh (*make)(const Options&);
+};
+
+constexpr Kind kinds[] = {{"sheet", sheet},         {"box", box},   {"disc", disc},
+                          {"icosphere", icosphere}, {"ring", ring}, {"hoop", hoop}};
+
+Result<void> makeMesh(const Options& options) {
+    for (const auto& kind : kinds) {
+        if (options.kind != kind.name)
+            continue;
+        if (options.sectionRadiusMetres >= options.radiusMetres && options.kind == "ring")
+            return failure("--section-radius: it is not smaller than the radius of the ring");
+        const auto mesh = kind.make(options);
+        if (auto done = writeMesh(mesh, options.output); !done)
+            return done;
+        std::cout << options.output.string() << ": " << mesh.vertexCount() << " vertices, "
+                  << mesh.faceCount() << " faces" << std::endl;
+        return {};
+    }
+    return failure("mesh " + options.kind +
+                   ": it is none of sheet, box, disc, icosphere, ring and hoop");
+}
+
+} // namespace
+
+void addMesh(CLI::App& program, Action& chosen) {
+    auto* command = program.add_subcommand("mesh", "Makes a mesh of a simple form");
+    auto options = std::make_shared<Options>();
+    command->add_option("KIND", options->kind, "sheet, box, disc, icosphere, ring or hoop")
+        ->required();
+    command->add_option("-o,--output", options->output, "The .obj or .ply file to write")
+        ->required();
+    const auto size = [&](const char* option, double& metres, const char* what) {
+        command->add_option(option, metres, what)
+            ->check(numberBetween(1e-4, 100))
+            ->capture_default_str();
+    };
+    size("--length", options->lengthMetres, "Of a sheet or box, in metres");
+    size("--width", options->widthMetres, "Of a sheet or box");
+    size("--height", options->heightMetres, "Of a box or hoop");
+    size("--radius", options->radiusMetres, "Of a disc, icosphere, ring or hoop");
+    size("--section-radius", options->sectionRadiusMetres, "Of a ring's round section");
+    command->add_option("--vertices", options->vertexCount, "About so many")
+        ->check(numberBetween(12, 1e6))
+        ->capture_default_str();
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return makeMesh(*options); }; });
+}
+
+} // namespace idiophone

@@ -1,0 +1,69 @@
+#include "Console/MidiSong.h"
+
+#include "Console/TextFile.h"
+
+#include <algorithm>
+#include <juce_audio_basics/juce_audio_basics.h>
+
+namespace idiophone {
+namespace {
+
+constexpr double longestSeconds = 36000;
+
+int orderAtOneTime(const SongEvent& event) {
+    if (event.isNoteOff())
+        return 1;
+    return event.isNoteOn() ? 2 : 0;
+}
+
+/// JUCE divides by the parts of this field.
+bool isUsableTimeFormat(short format) {
+    return format < 0 ? (format & 0xff) != 0 : format != 0;
+}
+
+std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
+    std::vector<SongEvent> events;
+    for (int track = 0; track < midi.getNumTracks(); ++track)
+        for (const auto* holder : *midi.getTrack(track)) {
+            const auto& message = holder->message;
+            const int size = message.getRawDataSize();
+            if (message.getChannel() == 0 || size < 2 || size > 3)
+                continue;
+            SongEvent event{.seconds = message.getTimeStamp()};
+            std::copy_n(message.getRawData(), size, event.bytes.begin());
+            events.push_back(event);
+        }
+    std::ranges::stable_sort(events, [](const SongEvent& a, const SongEvent& b) {
+        return a.seconds != b.seconds ? a.seconds < b.seconds
+                                      : orderAtOneTime(a) < orderAtOneTime(b);
+    });
+    return events;
+}
+
+} // namespace
+
+Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
+    const auto refuse = [&](const char* fault) { return failure(file.string() + ": " + fault); };
+    const auto bytes = readTextFile(file);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    if (!bytes->starts_with("MThd") && !bytes->starts_with("RIFF"))
+        return refuse("it is not a MIDI file");
+    juce::MemoryInputStream stream(bytes->data(), bytes->size(), false);
+    juce::MidiFile midi;
+    if (!midi.readFrom(stream, false) || !isUsableTimeFormat(midi.getTimeFormat()))
+        return refuse("the MIDI file is damaged or cut off");
+    midi.convertTimestampTicksToSeconds();
+    auto events = channelMessages(midi);
+    if (std::ranges::none_of(events, &SongEvent::isNoteOn))
+        return refuse("it holds no notes");
+    // Negated, so that it catches NaN; sorting put it anywhere.
+    const auto isInTime = [](const SongEvent& event) {
+        return event.seconds >= 0 && event.seconds <= longestSeconds;
+    };
+    if (!std::ranges::all_of(events, isInTime))
+        return refuse("it goes on for more than 10 hours");
+    return events;
+}
+
+} // namespace idiophone

@@ -1,0 +1,28 @@
+// A Standard MIDI File as one stream of channel messages in seconds.
+#pragma once
+
+#include "Object/Result.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace idiophone {
+
+struct SongEvent {
+    double seconds = 0;
+    std::array<std::uint8_t, 3> bytes{}; ///< two-byte messages have a 0 behind them
+
+    bool isNoteOn() const { return (bytes[0] & 0xf0) == 0x90 && bytes[2] > 0; }
+    bool isNoteOff() const {
+        return (bytes[0] & 0xf0) == 0x80 || ((bytes[0] & 0xf0) == 0x90 && bytes[2] == 0);
+    }
+};
+
+/// The channel messages of all tracks, in order of time by the file's tempo map or SMPTE rate. At
+/// one time controllers come first, then note-offs, then note-ons; like ones keep the file's order.
+/// The error names the file and the fault: not a MIDI file, damaged, no notes, beyond 10 hours.
+Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file);
+
+} // namespace idiophone

@@ -1,0 +1,61 @@
+#include "Console/ParameterAssignments.h"
+
+#include <charconv>
+
+namespace idiophone {
+namespace {
+
+std::string valuesOf(const ParameterInfo& info) {
+    const auto names = choiceNames(info.parameter);
+    if (!names.empty()) {
+        std::string list;
+        for (const auto name : names)
+            list += (list.empty() ? "one of " : ", ") + std::string(name);
+        return list;
+    }
+    if (info.scale == ParameterScale::onOff)
+        return "on or off";
+    return formatParameter(info, info.minimum) + " to " + formatParameter(info, info.maximum);
+}
+
+/// The table takes a number beyond the range to its end, which on a command line hides mistakes.
+bool isBeyondRange(const ParameterInfo& info, std::string_view text) {
+    double number = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+    return parsed.ec == std::errc() && !(number >= info.minimum && number <= info.maximum);
+}
+
+Result<void> assign(const std::string& assignment, ParameterValues& values) {
+    const auto equals = assignment.find('=');
+    if (equals == std::string::npos)
+        return failure("--set " + assignment + ": it is not of the form PARAM=VALUE");
+    const auto id = assignment.substr(0, equals);
+    const auto text = std::string_view(assignment).substr(equals + 1);
+    const auto* info = findParameter(id);
+    if (info == nullptr)
+        return failure("--set " + assignment + ": there is no parameter '" + id +
+                       "' (`idiophone parameters` lists them)");
+    const auto value = parseParameter(*info, text);
+    if (!value || isBeyondRange(*info, text))
+        return failure("--set " + assignment + ": " + info->name + " takes " + valuesOf(*info));
+    values.set(info->parameter, *value);
+    return {};
+}
+
+} // namespace
+
+void addParameterAssignments(CLI::App& command, std::vector<std::string>& assignments) {
+    command.add_option("--set", assignments, "Sets a parameter, such as hardness=200 (many times)")
+        ->type_name("PARAM=VALUE")
+        ->allow_extra_args(false);
+}
+
+Result<void> assignParameters(const std::vector<std::string>& assignments,
+                              ParameterValues& values) {
+    for (const auto& assignment : assignments)
+        if (auto done = assign(assignment, values); !done)
+            return done;
+    return {};
+}
+
+} // namespace idiophone

@@ -1,0 +1,30 @@
+#include "Console/PresetChoice.h"
+
+#include "Console/TextFile.h"
+#include "Instrument/FactoryContent.h"
+
+#include <iostream>
+
+namespace idiophone {
+
+Result<Preset> findOrReadPreset(const std::string& nameOrFile) {
+    if (nameOrFile.empty())
+        return Preset{};
+    if (const auto* preset = findFactoryPreset(nameOrFile))
+        return *preset;
+    std::error_code ignored;
+    if (!std::filesystem::exists(nameOrFile, ignored))
+        return failure(nameOrFile + ": it is neither a factory preset (`idiophone presets` lists "
+                                    "them) nor a file");
+    const auto text = readTextFile(nameOrFile);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto preset = parsePreset(*text, nameOrFile);
+    if (preset)
+        for (const auto& id : preset->unknownParameters)
+            std::cerr << "warning: " << nameOrFile << ": this version does not know the parameter '"
+                      << id << "'" << std::endl;
+    return preset;
+}
+
+} // namespace idiophone

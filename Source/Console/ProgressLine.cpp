@@ -1,0 +1,47 @@
+#include "Console/ProgressLine.h"
+
+#include <cmath>
+#include <iostream>
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace idiophone {
+namespace {
+
+bool standardErrorIsTerminal() {
+#ifdef _WIN32
+    return _isatty(2) != 0;
+#else
+    return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+} // namespace
+
+ProgressLine::ProgressLine(std::string what)
+    : task(std::move(what)), onTerminal(standardErrorIsTerminal()) {}
+
+ProgressLine::~ProgressLine() {
+    if (!shown.empty())
+        std::cerr << '\r' << std::string(shown.size(), ' ') << '\r' << std::flush;
+}
+
+void ProgressLine::show(double fraction, std::string_view step) {
+    if (!onTerminal)
+        return;
+    std::string line = task + ": " + std::to_string(std::lround(100 * fraction)) + " %";
+    if (!step.empty())
+        line += ", " + std::string(step);
+    if (line == shown)
+        return;
+    const auto width = shown.size();
+    shown = line;
+    if (line.size() < width)
+        line.append(width - line.size(), ' ');
+    std::cerr << '\r' << line << std::flush;
+}
+
+} // namespace idiophone

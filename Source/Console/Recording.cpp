@@ -1,0 +1,152 @@
+#include "Console/Recording.h"
+
+#include "Console/OptionChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ebur128.h>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace idiophone {
+
+using nlohmann::ordered_json;
+
+void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
+    command.add_option("-o,--output", format.file, "The WAV file to write")->required();
+    command.add_option("--sample-rate", format.sampleRateHz, "In Hz")
+        ->check(numberBetween(8000, 384000))
+        ->capture_default_str();
+    command.add_option("--block-size", format.blockSize, "Samples rendered at a time")
+        ->check(numberBetween(1, 8192))
+        ->capture_default_str();
+    command.add_option("--bit-depth", format.bitDepth, "16, 24, or 32 (floating point)")
+        ->check(CLI::IsMember({16, 24, 32}))
+        ->capture_default_str();
+    command.add_option("--seconds", format.seconds, "Length of the file; else until silence")
+        ->check(numberBetween(0.001, 36000));
+}
+
+double decibelsFullScale(double amplitude) {
+    return 20 * std::log10(amplitude);
+}
+
+void Recording::FreeMeter::operator()(ebur128_state* state) const {
+    ebur128_destroy(&state);
+}
+
+Recording::Recording(RecordingFormat wanted, const ParameterValues& values)
+    : format(std::move(wanted)), parameters(values),
+      meter(ebur128_init(2, static_cast<unsigned long>(format.sampleRateHz), EBUR128_MODE_I)) {
+    const auto size = static_cast<std::size_t>(format.blockSize);
+    left.resize(size);
+    right.resize(size);
+    interleaved.resize(2 * size);
+    output.prepare(format.sampleRateHz, format.blockSize);
+}
+
+Recording::~Recording() = default;
+
+Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& format,
+                                                    const ParameterValues& parameters) {
+    std::unique_ptr<Recording> result(new Recording(format, parameters));
+    auto writer = WavWriter::create(format.file, format.sampleRateHz, 2, format.bitDepth);
+    if (!writer)
+        return tl::unexpected(writer.error());
+    result->writer = std::move(*writer);
+    return result;
+}
+
+Result<void> Recording::add(std::span<const float> mono) {
+    float* channels[] = {left.data(), right.data()};
+    output.process(mono, channels, parameters);
+    const auto isSound = [](float sample) { return sample != 0; };
+    const auto end = left.begin() + static_cast<std::ptrdiff_t>(mono.size());
+    const auto lastSound =
+        std::find_if(std::make_reverse_iterator(end), left.rend(), isSound).base();
+    const auto sounding = static_cast<int>(lastSound - left.begin());
+    if (sounding > 0) {
+        // The output stage's block is still needed: silence is written from the meter's buffer.
+        if (auto done = writeSilence(heldBack); !done)
+            return done;
+        heldBack = 0;
+        if (auto done = write(sounding); !done)
+            return done;
+    }
+    heldBack += static_cast<std::int64_t>(mono.size()) - sounding;
+    return {};
+}
+
+Result<void> Recording::writeSilence(std::int64_t samples) {
+    std::fill(interleaved.begin(), interleaved.end(), 0.0f);
+    const float* channels[] = {interleaved.data(), interleaved.data()};
+    while (samples > 0) {
+        const auto count = static_cast<int>(std::min<std::int64_t>(samples, format.blockSize));
+        if (auto done = writer->write(channels, count); !done)
+            return done;
+        ebur128_add_frames_float(meter.get(), interleaved.data(), static_cast<std::size_t>(count));
+        written += count;
+        samples -= count;
+    }
+    return {};
+}
+
+Result<void> Recording::write(int samples) {
+    const float* channels[] = {left.data(), right.data()};
+    if (auto done = writer->write(channels, samples); !done)
+        return done;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(samples); ++i) {
+        interleaved[2 * i] = left[i];
+        interleaved[2 * i + 1] = right[i];
+        highest = std::max<double>({highest, std::abs(left[i]), std::abs(right[i])});
+    }
+    ebur128_add_frames_float(meter.get(), interleaved.data(), static_cast<std::size_t>(samples));
+    written += samples;
+    return {};
+}
+
+Result<void> Recording::finish(std::int64_t leastSamples) {
+    if (auto done = writeSilence(std::clamp<std::int64_t>(leastSamples - written, 0, heldBack));
+        !done)
+        return done;
+    if (auto done = writer->finish(); !done)
+        return done;
+    if (format.bitDepth != 32 && highest > 1)
+        std::cerr << "warning: " << format.file.string() << ": it is clipped: the peak of "
+                  << std::fixed << std::setprecision(1) << decibelsFullScale(highest)
+                  << " dBFS needs a lower level or --bit-depth 32" << std::endl;
+    return {};
+}
+
+std::optional<double> Recording::loudnessLufs() const {
+    double loudness = 0;
+    if (ebur128_loudness_global(meter.get(), &loudness) != EBUR128_SUCCESS ||
+        !std::isfinite(loudness))
+        return std::nullopt;
+    return loudness;
+}
+
+ordered_json Recording::statistics() const {
+    const auto loudness = loudnessLufs();
+    return {{"samples", written},
+            {"seconds", static_cast<double>(written) / format.sampleRateHz},
+            {"sample_rate_hz", format.sampleRateHz},
+            {"peak_dbfs", highest > 0 ? ordered_json(decibelsFullScale(highest)) : nullptr},
+            {"integrated_lufs", loudness ? ordered_json(*loudness) : nullptr}};
+}
+
+std::string Recording::summary() const {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << static_cast<double>(written) / format.sampleRateHz
+         << " s at " << format.sampleRateHz << " Hz, ";
+    if (highest > 0)
+        text << "peak " << std::setprecision(1) << decibelsFullScale(highest) << " dBFS";
+    else
+        text << "silent";
+    if (const auto loudness = loudnessLufs())
+        text << ", " << std::setprecision(1) << *loudness << " LUFS";
+    return text.str();
+}
+
+} // namespace idiophone

@@ -1,0 +1,79 @@
+// The output stage recorded to a stereo WAV file, with what is to be said of the sound.
+#pragma once
+
+#include "Console/WavWriter.h"
+#include "Output/OutputStage.h"
+#include "Parameters/ParameterTable.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+struct ebur128_state;
+
+namespace idiophone {
+
+/// How the sound is rendered and written, as the options of `strike` and `render` say.
+struct RecordingFormat {
+    std::filesystem::path file;
+    int sampleRateHz = 48000;
+    int blockSize = 64; ///< samples rendered at a time
+    int bitDepth = 32;
+    std::optional<double> seconds; ///< its length; nothing: until silence
+};
+
+/// Adds -o, --sample-rate, --block-size, --bit-depth and --seconds.
+void addRecordingOptions(CLI::App& command, RecordingFormat& format);
+
+class Recording {
+public:
+    static Result<std::unique_ptr<Recording>> start(const RecordingFormat& format,
+                                                    const ParameterValues& parameters);
+    ~Recording();
+
+    /// Appends a mono block of at most the block size.
+    Result<void> add(std::span<const float> mono);
+
+    /// Ends the file at its last sound, but not before `leastSamples`: what was added beyond is
+    /// silence, and how much of it there is depends on the block size.
+    Result<void> finish(std::int64_t leastSamples);
+
+    std::int64_t sampleCount() const { return written; }
+    double peak() const { return highest; } ///< full scale 1
+    /// Integrated loudness after ITU-R BS.1770; nothing for silence.
+    std::optional<double> loudnessLufs() const;
+
+    /// samples, seconds, sample_rate_hz, peak_dbfs, integrated_lufs: null where there is no sound.
+    nlohmann::ordered_json statistics() const;
+    /// "3.21 s at 48000 Hz, peak -6.0 dBFS".
+    std::string summary() const;
+
+private:
+    struct FreeMeter {
+        void operator()(ebur128_state* state) const;
+    };
+
+    Recording(RecordingFormat format, const ParameterValues& parameters);
+    Result<void> writeSilence(std::int64_t samples);
+    Result<void> write(int samples);
+
+    RecordingFormat format;
+    ParameterValues parameters;
+    std::unique_ptr<WavWriter> writer;
+    OutputStage output;
+    std::vector<float> left, right, interleaved;
+    std::unique_ptr<ebur128_state, FreeMeter> meter;
+    std::int64_t written = 0;
+    std::int64_t heldBack = 0; ///< zeros not written yet
+    double highest = 0;
+};
+
+/// 20 lg of an amplitude, full scale 1.
+double decibelsFullScale(double amplitude);
+
+} // namespace idiophone

@@ -1,0 +1,107 @@
+#include "Console/Command.h"
+#include "Console/ImpulseRender.h"
+#include "Console/ParameterAssignments.h"
+#include "Console/PresetChoice.h"
+#include "Console/SongRender.h"
+#include "Console/TextFile.h"
+
+#include <iostream>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string preset;
+    std::filesystem::path midi;
+    std::filesystem::path impulses;
+    std::vector<std::string> assignments;
+    RecordingFormat format;
+    std::filesystem::path statistics;
+    bool json = false;
+};
+
+ordered_json describe(const RenderTally& tally, const Recording& recording) {
+    auto report = recording.statistics();
+    const double seconds = report["seconds"];
+    report["strikes"] = tally.strikes;
+    report["modes_mixed_mean"] = tally.modesMixedMean;
+    report["modes_mixed_max"] = tally.modesMixedMost;
+    report["cpu_share"] = seconds > 0 ? ordered_json(tally.renderSeconds / seconds) : nullptr;
+    return report;
+}
+
+Result<void> report(const RenderTally& tally, const Recording& recording, const Options& options) {
+    const auto statistics = describe(tally, recording);
+    if (!options.statistics.empty())
+        if (auto done = writeTextFile(options.statistics, statistics.dump(4) + "\n"); !done)
+            return done;
+    if (options.json)
+        std::cout << statistics.dump(4) << std::endl;
+    else
+        std::cout << options.format.file.string() << ": " << recording.summary() << ", "
+                  << tally.strikes << " strikes, at most " << tally.modesMixedMost
+                  << " modes at a time" << std::endl;
+    return {};
+}
+
+Result<RenderTally> playSong(const Preset& preset,
+                             const ParameterValues& values,
+                             const Options& options,
+                             Recording& to) {
+    auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared());
+    if (!instrument)
+        return tl::unexpected(instrument.error());
+    const auto song = readMidiSong(options.midi);
+    if (!song)
+        return tl::unexpected(song.error());
+    auto tally = renderSong(std::move(*instrument), *song, values, options.format, to,
+                            options.midi.filename().string());
+    if (tally && tally->strikes == 0)
+        std::cerr << "warning: " << options.midi.string() << ": none of its notes is a key of '"
+                  << preset.name << "', which has " << preset.keyMap.lowestNote << " to "
+                  << preset.keyMap.highestNote << std::endl;
+    return tally;
+}
+
+Result<void> render(const Options& options) {
+    const auto preset = findOrReadPreset(options.preset);
+    if (!preset)
+        return tl::unexpected(preset.error());
+    auto values = preset->parameters;
+    if (auto done = assignParameters(options.assignments, values); !done)
+        return done;
+    auto recording = Recording::start(options.format, values);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    const auto tally = options.midi.empty()
+                           ? renderImpulses(options.impulses, values, options.format, **recording)
+                           : playSong(*preset, values, options, **recording);
+    if (!tally)
+        return tl::unexpected(tally.error());
+    return report(*tally, **recording, options);
+}
+
+} // namespace
+
+void addRender(CLI::App& program, Action& chosen) {
+    auto* command =
+        program.add_subcommand("render", "Plays a MIDI file, or impulses, to a WAV file");
+    auto options = std::make_shared<Options>();
+    auto* preset = command->add_option("--preset", options->preset,
+                                       "A factory preset's name or a preset file");
+    auto* source = command->add_option_group("source", "What is played");
+    source->add_option("--midi", options->midi, "A Standard MIDI File")->needs(preset);
+    source->add_option("--impulses", options->impulses,
+                       "Contacts as a physics engine reports them (docs/impulses.md)");
+    source->require_option(1);
+    addRecordingOptions(*command, options->format);
+    addParameterAssignments(*command, options->assignments);
+    command->add_option("--stats", options->statistics, "A JSON file for figures of the rendering");
+    command->add_flag("--json", options->json, "Says the figures as JSON");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return render(*options); }; });
+}
+
+} // namespace idiophone

@@ -1,0 +1,201 @@
+#include "Console/Command.h"
+#include "Console/JsonText.h"
+#include "Console/MaterialFile.h"
+#include "Console/OptionChecks.h"
+#include "Console/ParameterAssignments.h"
+#include "Console/SongRender.h"
+#include "Console/StruckModes.h"
+#include "Instrument/MalletStrike.h"
+#include "Object/ModalObjectFile.h"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string object;
+    std::optional<std::int64_t> vertex;
+    std::vector<double> pointMetres;
+    int velocity = 100;
+    std::string material;
+    std::vector<std::string> assignments;
+    RecordingFormat format;
+    bool json = false;
+};
+
+constexpr int struckKey = 60;
+constexpr std::size_t modesNamed = 5;
+
+std::array<double, 3> vertexOfRow(const ModalObject& object, std::size_t row) {
+    const auto* vertex = &object.vertices[static_cast<std::size_t>(object.shapeVertices[row]) * 3];
+    return {vertex[0], vertex[1], vertex[2]};
+}
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Far out no mode has a node, so that everything sounds.
+std::size_t farthestRow(const ModalObject& object) {
+    std::size_t farthest = 0;
+    for (std::size_t row = 1; row < object.shapeVertexCount(); ++row)
+        if (distance(vertexOfRow(object, row), object.mass.centreMetres) >
+            distance(vertexOfRow(object, farthest), object.mass.centreMetres))
+            farthest = row;
+    return farthest;
+}
+
+Result<std::size_t> chooseRow(const ModalObject& object, const Options& options) {
+    if (!options.pointMetres.empty())
+        return nearestShapeRow(
+            object, {options.pointMetres[0], options.pointMetres[1], options.pointMetres[2]});
+    if (!options.vertex)
+        return farthestRow(object);
+    const auto found = std::ranges::lower_bound(object.shapeVertices, *options.vertex);
+    if (found == object.shapeVertices.end() || *found != *options.vertex)
+        return failure("--vertex " + std::to_string(*options.vertex) + ": " + options.object +
+                       (*options.vertex < 0 ||
+                                *options.vertex >= static_cast<std::int64_t>(object.vertexCount())
+                            ? " has only " + std::to_string(object.vertexCount()) + " vertices"
+                            : " has no mode shapes at that vertex"));
+    return static_cast<std::size_t>(found - object.shapeVertices.begin());
+}
+
+/// The object as if it had been made of another material: exact at equal Poisson ratios.
+ModalObject withMaterial(ModalObject object, const Material& material) {
+    const auto& before = object.material;
+    const double densityRatio = material.densityKgPerM3 / before.densityKgPerM3;
+    const double eigenvalueRatio = material.youngsModulusPa / before.youngsModulusPa / densityRatio;
+    for (auto* parts : {&object.eigenvalues, &object.bending})
+        for (double& eigenvalue : *parts)
+            eigenvalue *= eigenvalueRatio;
+    for (float& component : object.shapes)
+        component /= static_cast<float>(std::sqrt(densityRatio));
+    object.mass.massKg *= densityRatio;
+    for (double& component : object.mass.inertiaKgM2)
+        component *= densityRatio;
+    object.bandHz *= std::sqrt(eigenvalueRatio);
+    object.material = material;
+    return object;
+}
+
+/// A key map of one key, which strikes one vertex.
+KeyMap keyMapFor(const std::string& name, const ModalObject& object, std::size_t row) {
+    std::array<double, 3> lowest, highest;
+    lowest.fill(std::numeric_limits<double>::infinity());
+    highest.fill(-std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < object.vertices.size(); ++i) {
+        lowest[i % 3] = std::min<double>(lowest[i % 3], object.vertices[i]);
+        highest[i % 3] = std::max<double>(highest[i % 3], object.vertices[i]);
+    }
+    std::array<double, 3> relative{};
+    const auto vertex = vertexOfRow(object, row);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (highest[axis] > lowest[axis])
+            relative[axis] =
+                (2 * vertex[axis] - highest[axis] - lowest[axis]) / (highest[axis] - lowest[axis]);
+    return {.kind = KeyMapKind::zones,
+            .lowestNote = struckKey,
+            .highestNote = struckKey,
+            .object = name,
+            .strikePath = {relative}};
+}
+
+void report(const ModalObject& object,
+            std::size_t row,
+            const StruckModes& modes,
+            const Recording& recording,
+            const Options& options) {
+    const auto vertex = vertexOfRow(object, row);
+    if (options.json) {
+        auto result = recording.statistics();
+        result["object"] = object.name;
+        result["vertex"] = object.shapeVertices[row];
+        result["point_m"] = vertex;
+        result["material"] = object.material.name;
+        for (const auto& mode : modes)
+            result["loudest_modes"].push_back(
+                {{"frequency_hz", mode.frequencyHz}, {"relative_db", mode.relativeDecibels}});
+        std::cout << jsonText(result);
+        return;
+    }
+    std::cout << options.format.file.string() << ": " << recording.summary() << '\n'
+              << "struck '" << object.name << "' at vertex " << object.shapeVertices[row]
+              << std::fixed << std::setprecision(4) << " (" << vertex[0] << ", " << vertex[1]
+              << ", " << vertex[2] << " m)\n"
+              << "loudest modes:" << std::setprecision(1);
+    for (const auto& mode : modes)
+        std::cout << "  " << mode.frequencyHz << " Hz (" << mode.relativeDecibels << " dB)";
+    std::cout << std::endl;
+}
+
+Result<void> strikeObject(const Options& options) {
+    auto object = readModalObject(options.object);
+    if (!object)
+        return tl::unexpected(object.error());
+    if (!options.material.empty()) {
+        const auto material = findOrReadMaterial(options.material);
+        if (!material)
+            return tl::unexpected(material.error());
+        object = withMaterial(std::move(*object), *material);
+    }
+    const auto row = chooseRow(*object, options);
+    if (!row)
+        return tl::unexpected(row.error());
+    ParameterValues values;
+    if (auto done = assignParameters(options.assignments, values); !done)
+        return done;
+
+    const auto known = ObjectLibrary::shared().add(options.object, std::move(*object));
+    auto instrument =
+        Instrument::build(keyMapFor(options.object, *known, *row), ObjectLibrary::shared());
+    if (!instrument)
+        return tl::unexpected(instrument.error());
+    auto recording = Recording::start(options.format, values);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    const SongEvent noteOn{.seconds = 0,
+                           .bytes = {0x90, struckKey, static_cast<std::uint8_t>(options.velocity)}};
+    const auto tally = renderSong(*instrument, {&noteOn, 1}, values, options.format, **recording,
+                                  options.format.file.filename().string());
+    if (!tally)
+        return tl::unexpected(tally.error());
+    const auto& point = (*instrument)->strip((*instrument)->key(struckKey)).points.front();
+    const auto strike = malletStrike(point, options.velocity, 1, values);
+    report(*known, *row,
+           loudestModes(*known, strike, values, options.format.sampleRateHz, modesNamed),
+           **recording, options);
+    return {};
+}
+
+} // namespace
+
+void addStrike(CLI::App& program, Action& chosen) {
+    auto* command = program.add_subcommand("strike", "Strikes a modal object once, to a WAV file");
+    auto options = std::make_shared<Options>();
+    command->add_option("OBJECT", options->object, "A .modal file")->required();
+    auto* vertex = command->add_option("--vertex", options->vertex, "Which vertex of its mesh");
+    command->add_option("--at", options->pointMetres, "Which point, in metres: the nearest vertex")
+        ->type_name("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(numberBetween(-1e6, 1e6))
+        ->excludes(vertex);
+    command->add_option("--velocity", options->velocity, "As of a MIDI key")
+        ->check(numberBetween(1, 127))
+        ->capture_default_str();
+    command->add_option("--material", options->material, "A material's name or a JSON file");
+    addRecordingOptions(*command, options->format);
+    addParameterAssignments(*command, options->assignments);
+    command->add_flag("--json", options->json, "Reports as JSON");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return strikeObject(*options); }; });
+}
+
+} // namespace idiophone

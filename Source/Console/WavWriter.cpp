@@ -1,0 +1,65 @@
+#include "Console/WavWriter.h"
+
+#include <juce_audio_formats/juce_audio_formats.h>
+
+namespace idiophone {
+
+WavWriter::WavWriter(std::filesystem::path destination)
+    : file(std::move(destination)), partial(file) {
+    partial += ".part";
+}
+
+WavWriter::~WavWriter() {
+    if (writer == nullptr)
+        return;
+    writer.reset();
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+}
+
+tl::unexpected<Error> WavWriter::fault() const {
+    return failure(file.string() + ": the file cannot be written");
+}
+
+Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::filesystem::path& file,
+                                                     int sampleRateHz,
+                                                     int channelCount,
+                                                     int bitDepth) {
+    std::unique_ptr<WavWriter> result(new WavWriter(file));
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored))
+        return failure(file.string() + ": it is a directory");
+    const auto path = std::filesystem::absolute(result->partial, ignored).string();
+    const auto partialFile = juce::File(juce::String::fromUTF8(path.c_str()));
+    partialFile.deleteFile();
+    auto stream = std::make_unique<juce::FileOutputStream>(partialFile);
+    if (!stream->openedOk())
+        return result->fault();
+    result->writer.reset(juce::WavAudioFormat().createWriterFor(
+        stream.get(), sampleRateHz, static_cast<unsigned>(channelCount), bitDepth, {}, 0));
+    if (result->writer == nullptr)
+        return result->fault();
+    stream.release(); // the writer owns it now
+    return result;
+}
+
+Result<void> WavWriter::write(const float* const* channels, int sampleCount) {
+    if (!writer->writeFromFloatArrays(channels, writer->getNumChannels(), sampleCount))
+        return fault();
+    return {};
+}
+
+Result<void> WavWriter::finish() {
+    const bool complete = writer->flush();
+    writer.reset();
+    std::error_code error;
+    if (complete)
+        std::filesystem::rename(partial, file, error);
+    if (!complete || error) {
+        std::filesystem::remove(partial, error);
+        return fault();
+    }
+    return {};
+}
+
+} // namespace idiophone

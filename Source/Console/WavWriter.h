@@ -1,0 +1,40 @@
+// A WAV file as it grows: written beside its place and moved there once it is complete.
+#pragma once
+
+#include "Object/Result.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace juce {
+class AudioFormatWriter;
+}
+
+namespace idiophone {
+
+class WavWriter {
+public:
+    /// `bitDepth` is 16 or 24 for whole numbers, which clip at full scale, or 32 for floats, which
+    /// do not. The error names a file that cannot be written.
+    static Result<std::unique_ptr<WavWriter>>
+    create(const std::filesystem::path& file, int sampleRateHz, int channelCount, int bitDepth);
+
+    /// Takes away what was not finished.
+    ~WavWriter();
+    WavWriter(const WavWriter&) = delete;
+    WavWriter& operator=(const WavWriter&) = delete;
+
+    /// Appends `sampleCount` samples of every channel.
+    Result<void> write(const float* const* channels, int sampleCount);
+    Result<void> finish();
+
+private:
+    explicit WavWriter(std::filesystem::path file);
+    tl::unexpected<Error> fault() const;
+
+    std::filesystem::path file;
+    std::filesystem::path partial;
+    std::unique_ptr<juce::AudioFormatWriter> writer;
+};
+
+} // namespace idiophone

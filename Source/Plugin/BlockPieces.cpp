@@ -1,0 +1,73 @@
+#include "Plugin/BlockPieces.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+bool isChannelMessage(const juce::MidiMessageMetadata& metadata) {
+    return metadata.numBytes >= 1 && metadata.numBytes <= 3 && metadata.data[0] >= 0x80 &&
+           metadata.data[0] < 0xf0;
+}
+
+} // namespace
+
+void BlockPieces::begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept {
+    message = midi.cbegin();
+    lastMessage = midi.cend();
+    position = 0;
+    samples = blockSamples;
+    finished = false;
+    eventCount = 0;
+    notes.read([this](const MidiEvent& event) { events[eventCount++] = event; });
+}
+
+// Hosts have been seen to stamp events outside of their block.
+int BlockPieces::stampOf(const juce::MidiMessageMetadata& metadata) const noexcept {
+    return std::clamp(metadata.samplePosition, position, std::max(position, samples - 1));
+}
+
+// As far as samples and events fit; events on one sample are not parted from each other before it.
+int BlockPieces::pieceEnd() const noexcept {
+    const int end = std::min(position + maximumSamples, samples);
+    auto count = eventCount;
+    for (auto later = message; later != lastMessage; ++later) {
+        if (!isChannelMessage(*later))
+            continue;
+        const int stamp = stampOf(*later);
+        if (stamp >= end)
+            break;
+        if (count++ == events.size())
+            return stamp;
+    }
+    return end;
+}
+
+std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
+    if (finished)
+        return std::nullopt;
+    const int start = position;
+    const int end = pieceEnd();
+    for (; message != lastMessage; ++message) {
+        const auto metadata = *message;
+        if (!isChannelMessage(metadata))
+            continue;
+        const int stamp = stampOf(metadata);
+        if ((stamp >= end && end > start) || eventCount == events.size())
+            break;
+        append(stamp - start, {metadata.data, static_cast<std::size_t>(metadata.numBytes)});
+    }
+    position = end;
+    finished = end >= samples && message == lastMessage;
+    return Piece{.start = start,
+                 .length = end - start,
+                 .events = std::span(events).first(std::exchange(eventCount, 0))};
+}
+
+void BlockPieces::append(int sampleOffset, std::span<const juce::uint8> bytes) noexcept {
+    auto& event = events[eventCount++];
+    event = {.sampleOffset = sampleOffset, .bytes = {}};
+    std::copy(bytes.begin(), bytes.end(), event.bytes.begin());
+}
+
+} // namespace idiophone

@@ -1,0 +1,60 @@
+#include "Plugin/HostParameter.h"
+
+namespace idiophone {
+namespace {
+
+// The host shows the label behind the text.
+juce::String withoutUnit(const std::string& text, const ParameterInfo& info) {
+    const auto full = juce::String::fromUTF8(text.c_str());
+    const auto suffix = " " + juce::String::fromUTF8(info.unit);
+    return *info.unit != '\0' && full.endsWith(suffix) ? full.dropLastCharacters(suffix.length())
+                                                       : full;
+}
+
+} // namespace
+
+HostParameter::HostParameter(const ParameterInfo& info)
+    : AudioProcessorParameterWithID(juce::ParameterID(info.id, info.versionAdded),
+                                    juce::String::fromUTF8(info.name),
+                                    juce::AudioProcessorParameterWithIDAttributes().withLabel(
+                                        juce::String::fromUTF8(info.unit))),
+      row(info), exact(info.defaultValue) {}
+
+float HostParameter::getValue() const {
+    return static_cast<float>(row.toNormalised(exactValue()));
+}
+
+void HostParameter::setValue(float normalised) {
+    if (normalised != getValue())
+        setExactValue(row.fromNormalised(normalised));
+}
+
+float HostParameter::getDefaultValue() const {
+    return static_cast<float>(row.toNormalised(row.defaultValue));
+}
+
+juce::String HostParameter::getText(float normalised, int maximumLength) const {
+    const auto text = withoutUnit(formatParameter(row, row.fromNormalised(normalised)), row);
+    return maximumLength > 0 ? text.substring(0, maximumLength) : text;
+}
+
+float HostParameter::getValueForText(const juce::String& text) const {
+    const auto parsed = parseParameter(row, text.toStdString());
+    return parsed ? static_cast<float>(row.toNormalised(*parsed)) : getValue();
+}
+
+bool HostParameter::isDiscrete() const {
+    return row.scale == ParameterScale::steps || row.scale == ParameterScale::onOff ||
+           row.scale == ParameterScale::choice;
+}
+
+bool HostParameter::isBoolean() const {
+    return row.scale == ParameterScale::onOff;
+}
+
+int HostParameter::getNumSteps() const {
+    return isDiscrete() ? static_cast<int>(row.maximum - row.minimum) + 1
+                        : AudioProcessorParameterWithID::getNumSteps();
+}
+
+} // namespace idiophone

@@ -1,0 +1,42 @@
+#include "Plugin/HostParameters.h"
+
+namespace idiophone {
+
+HostParameters::HostParameters(juce::AudioProcessor& processor) {
+    for (const auto& info : parameterTable()) {
+        auto parameter = std::make_unique<HostParameter>(info);
+        parameters[static_cast<std::size_t>(info.parameter)] = parameter.get();
+        processor.addParameter(parameter.release());
+    }
+}
+
+ParameterValues HostParameters::values() const noexcept {
+    ParameterValues result;
+    for (const auto* parameter : parameters)
+        result.set(parameter->info().parameter, parameter->exactValue());
+    return result;
+}
+
+void HostParameters::load(const ParameterValues& values) noexcept {
+    ++loads;
+    for (auto* parameter : parameters)
+        parameter->setExactValue(values[parameter->info().parameter]);
+    ++loads;
+}
+
+void HostParameters::notifyListeners() const {
+    for (auto* parameter : parameters)
+        parameter->sendValueChangedMessageToListeners(parameter->getValue());
+}
+
+const ParameterValues& HostParameters::snapshot() noexcept {
+    const auto before = loads.load();
+    if (before % 2 == 0) {
+        const auto fresh = values();
+        if (loads.load() == before)
+            lastSnapshot = fresh;
+    }
+    return lastSnapshot;
+}
+
+} // namespace idiophone

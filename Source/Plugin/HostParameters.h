@@ -1,0 +1,39 @@
+// All parameters of the table as the host's parameters, loaded all at once from presets and states,
+// and read by the audio thread as one snapshot.
+#pragma once
+
+#include "Plugin/HostParameter.h"
+
+#include <array>
+#include <atomic>
+
+namespace idiophone {
+
+class HostParameters {
+public:
+    /// Adds a parameter for every row to the processor, which owns them from then on.
+    explicit HostParameters(juce::AudioProcessor& processor);
+
+    HostParameter& operator[](ParameterId parameter) const {
+        return *parameters[static_cast<std::size_t>(parameter)];
+    }
+
+    /// [any thread]
+    ParameterValues values() const noexcept;
+
+    /// [message side, one at a time] Sets all of them; a snapshot sees all or none.
+    void load(const ParameterValues& values) noexcept;
+
+    /// [message side] Tells the host and other listeners of all values, after `load`.
+    void notifyListeners() const;
+
+    /// [audio thread] What holds for this callback. While a `load` is under way, what held before.
+    const ParameterValues& snapshot() noexcept;
+
+private:
+    std::array<HostParameter*, parameterCount> parameters{};
+    std::atomic<std::uint32_t> loads{0}; ///< odd while a load is under way
+    ParameterValues lastSnapshot;        ///< the audio thread's
+};
+
+} // namespace idiophone

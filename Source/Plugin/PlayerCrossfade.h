@@ -1,0 +1,60 @@
+// What the audio thread plays: the current player, and the one before it for the few milliseconds
+// in which it fades out.
+#pragma once
+
+#include "Instrument/Player.h"
+#include "Plugin/BlockPieces.h"
+#include "Plugin/Handoff.h"
+
+#include <array>
+#include <memory>
+
+namespace idiophone {
+
+/// Owns its players and gives them back through the handoff. Everything but the constructor, the
+/// destructor and `install` is for the audio thread and neither allocates, locks nor throws.
+class PlayerCrossfade {
+public:
+    static constexpr double fadeSeconds = 0.005; // by ear: short, and no click
+
+    explicit PlayerCrossfade(Handoff<Player>& retireThrough) : handoff(retireThrough) {}
+    PlayerCrossfade(const PlayerCrossfade&) = delete;
+    PlayerCrossfade& operator=(const PlayerCrossfade&) = delete;
+    ~PlayerCrossfade(); ///< [message side] after the last callback
+
+    /// [message side] while no callback runs: plays this one from its start, at once.
+    void install(std::unique_ptr<Player> player);
+
+    /// Plays `next`, which it now owns, with `values` from here on, the pedal and the wheel where
+    /// they are; what rang before fades out under it. A second change within a fade cuts the player
+    /// that has hardly begun, and lets the older one fade on. nullptr changes nothing.
+    void changeTo(Player* next, const ParameterValues& values) noexcept;
+
+    /// The next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.
+    void process(std::span<float> output,
+                 std::span<const MidiEvent> events,
+                 const ParameterValues& values) noexcept;
+
+    /// Silence, at once.
+    void reset() noexcept;
+
+    Player* player() const noexcept { return current; }
+
+private:
+    void followControllers(std::span<const MidiEvent> events) noexcept;
+    void addFading(std::span<float> output) noexcept;
+
+    Handoff<Player>& handoff;
+    Player* current = nullptr;
+    Player* fading = nullptr;
+    int fadePosition = 0;
+    ParameterValues lastValues;
+    ParameterValues fadingValues; ///< what held before the change, so that the fade keeps its sound
+    std::array<float, BlockPieces::maximumSamples> fadingOutput{};
+
+    static constexpr MidiEvent pedalUp{.sampleOffset = 0, .bytes = {0xb0, 64, 0}};
+    static constexpr MidiEvent wheelAtRest{.sampleOffset = 0, .bytes = {0xe0, 0, 64}};
+    std::array<MidiEvent, 2> controllers{pedalUp, wheelAtRest};
+};
+
+} // namespace idiophone

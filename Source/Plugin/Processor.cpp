@@ -1,0 +1,230 @@
+#include "Plugin/Processor.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Plugin/ObjectEmbedding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+
+// The audio thread.
+
+void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
+    const juce::ScopedNoDenormals noDenormals;
+    if (resetRequested.exchange(false)) {
+        sound.reset();
+        output.reset();
+    }
+    // The player before the values: a new one never plays values older than its own.
+    Player* const next = handoff.take();
+    const ParameterValues& values = parameters.snapshot();
+    sound.changeTo(next, values);
+
+    pieces.begin(midi, editorNotes, buffer.getNumSamples());
+    while (const auto piece = pieces.next()) {
+        const auto rendered = std::span(mono).first(static_cast<std::size_t>(piece->length));
+        const auto channels = channelsFrom(buffer, piece->start);
+        sound.process(rendered, piece->events, values);
+        output.process(rendered, channels, values);
+        report(channels, piece->length);
+    }
+    if (isNonRealtime())
+        followProgramChange();
+}
+
+std::span<float* const> Processor::channelsFrom(juce::AudioBuffer<float>& buffer,
+                                                int start) noexcept {
+    const auto count = std::min<std::size_t>(static_cast<std::size_t>(buffer.getNumChannels()),
+                                             channelPointers.size());
+    for (std::size_t i = 0; i < count; ++i)
+        channelPointers[i] = buffer.getWritePointer(static_cast<int>(i), start);
+    return std::span(channelPointers).first(count);
+}
+
+void Processor::report(std::span<float* const> channels, int count) noexcept {
+    if (!channels.empty()) {
+        const auto range = juce::FloatVectorOperations::findMinAndMax(channels.front(), count);
+        const float highest = std::max(-range.getStart(), range.getEnd());
+        if (highest > peak.load())
+            peak = highest;
+    }
+    if (auto* player = sound.player()) {
+        modesMixed = player->synthesiser().modesMixed();
+        if (const auto program = player->takeProgramChange())
+            requestedProgram = *program;
+    }
+}
+
+// Everybody else.
+
+Processor::Processor()
+    : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
+      parameters(*this) {
+    setCurrentProgram(0);
+    startTimerHz(20);
+}
+
+Processor::~Processor() {
+    stopTimer();
+}
+
+bool Processor::isBusesLayoutSupported(const BusesLayout& layouts) const {
+    if (!layouts.inputBuses.isEmpty() || layouts.outputBuses.size() != 1)
+        return false;
+    const auto& main = layouts.outputBuses.getReference(0);
+    return main == juce::AudioChannelSet::mono() || main == juce::AudioChannelSet::stereo();
+}
+
+void Processor::prepareToPlay(double sampleRateHz, int) {
+    const std::scoped_lock lock(soundMutex);
+    preparedRateHz = std::isfinite(sampleRateHz) && sampleRateHz > 0 ? sampleRateHz : 44100;
+    // Blocks are rendered in pieces of our own size: the host's may be of any.
+    output.prepare(preparedRateHz, BlockPieces::maximumSamples);
+    delete handoff.take();
+    sound.install(instrument ? std::make_unique<Player>(instrument, preparedRateHz) : nullptr);
+    handoff.collect();
+    resetRequested = false;
+}
+
+void Processor::releaseResources() {
+    const std::scoped_lock lock(soundMutex);
+    handoff.collect();
+}
+
+void Processor::reset() {
+    resetRequested = true;
+}
+
+juce::AudioProcessorParameter* Processor::getBypassParameter() const {
+    return &parameters[ParameterId::bypass];
+}
+
+double Processor::getTailLengthSeconds() const {
+    using enum ParameterId;
+    const auto values = parameters.values();
+    const auto choice = static_cast<std::size_t>(values[material]);
+    const auto library = materialLibrary();
+    double damping = ownFluidDamping;
+    if (choice == customMaterial)
+        damping = values[fluidDamping];
+    else if (choice >= firstLibraryMaterial && choice - firstLibraryMaterial < library.size())
+        damping = library[choice - firstLibraryMaterial].fluidDampingPerSecond;
+
+    // No mode decays slower than at γ/2 per second.
+    const double released = values[letRing] != 0 ? 0 : std::log(1000) / values[releaseTime];
+    const double decayPerSecond = damping / 2 + released;
+    return std::min(std::log(65536) / decayPerSecond, longestTailSeconds);
+}
+
+int Processor::getNumPrograms() {
+    return static_cast<int>(factoryPresets().size());
+}
+
+int Processor::getCurrentProgram() {
+    return std::max(programIndex.load(), 0);
+}
+
+const juce::String Processor::getProgramName(int index) {
+    const auto presets = factoryPresets();
+    if (index < 0 || index >= static_cast<int>(presets.size()))
+        return {};
+    return juce::String::fromUTF8(presets[static_cast<std::size_t>(index)].name.c_str());
+}
+
+void Processor::setCurrentProgram(int index) {
+    const auto presets = factoryPresets();
+    if (index < 0 || index >= static_cast<int>(presets.size()))
+        return;
+    {
+        const std::scoped_lock lock(soundMutex);
+        const auto& preset = presets[static_cast<std::size_t>(index)];
+        auto built = buildInstrument(preset.keyMap, {});
+        if (!built) {
+            lastError = preset.name + " cannot be played: " + built.error().message;
+            return;
+        }
+        auto values = preset.parameters;
+        values.set(ParameterId::bypass, parameters[ParameterId::bypass].exactValue());
+        unknownParameters.clear();
+        parameters.load(values);
+        play(preset, std::move(*built));
+        programIndex = index;
+    }
+    parameters.notifyListeners();
+    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+}
+
+void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
+    double leastDamping = std::numeric_limits<double>::infinity();
+    for (const auto& slot : built->slots())
+        leastDamping = std::min(leastDamping, slot.object->material.fluidDampingPerSecond);
+    ownFluidDamping = leastDamping;
+    loadedPreset = std::move(preset);
+    instrument = std::move(built);
+    lastError.clear();
+    if (preparedRateHz > 0)
+        handoff.publish(std::make_unique<Player>(instrument, preparedRateHz));
+}
+
+void Processor::getStateInformation(juce::MemoryBlock& destination) {
+    State state{.engineVersion = IDIOPHONE_VERSION,
+                .parameters = parameters.values(),
+                .unknownParameters = {},
+                .preset = {},
+                .objects = {}};
+    {
+        const std::scoped_lock lock(soundMutex);
+        state.unknownParameters = unknownParameters;
+        state.preset = loadedPreset;
+        if (instrument)
+            state.objects = foreignObjects(*instrument);
+    }
+    const auto bytes = encodeState(state);
+    destination.replaceAll(bytes.data(), bytes.size());
+}
+
+void Processor::setStateInformation(const void* bytes, int byteCount) {
+    const std::string_view text(static_cast<const char*>(bytes),
+                                static_cast<std::size_t>(std::max(byteCount, 0)));
+    const auto restored =
+        parseState(text).and_then([this](const State& state) { return restore(state); });
+    if (!restored) {
+        const std::scoped_lock lock(soundMutex);
+        lastError = restored.error().message;
+        return;
+    }
+    parameters.notifyListeners();
+    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+}
+
+Result<void> Processor::restore(const State& state) {
+    const std::scoped_lock lock(soundMutex);
+    auto built = buildInstrument(state.preset.keyMap, state.objects);
+    if (!built)
+        return failure("The saved state cannot be played: " + built.error().message);
+    unknownParameters = state.unknownParameters;
+    parameters.load(state.parameters);
+    play(state.preset, std::move(*built));
+    const auto presets = factoryPresets();
+    const auto factory = std::ranges::find_if(presets, [&](const Preset& preset) {
+        return preset.name == state.preset.name && preset.keyMap == state.preset.keyMap;
+    });
+    programIndex =
+        factory == presets.end() ? -1 : static_cast<int>(std::distance(presets.begin(), factory));
+    return {};
+}
+
+void Processor::timerCallback() {
+    followProgramChange();
+    // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
+    if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock)
+        handoff.collect();
+}
+
+void Processor::followProgramChange() {
+    if (const int wanted = requestedProgram.exchange(-1); wanted >= 0)
+        setCurrentProgram(wanted);
+}
+
+} // namespace idiophone

@@ -1,0 +1,113 @@
+// The plugin: what a host drives. It joins parameters, MIDI, the player and the output stage; the
+// sound itself is Instrument's and Synth's.
+#pragma once
+
+#include "Editor/ProcessorView.h"
+#include "Output/OutputStage.h"
+#include "Plugin/BlockPieces.h"
+#include "Plugin/Handoff.h"
+#include "Plugin/HostParameters.h"
+#include "Plugin/NoteQueue.h"
+#include "Plugin/PlayerCrossfade.h"
+#include "Plugin/State.h"
+
+#include <juce_audio_processors/juce_audio_processors.h>
+#include <juce_events/juce_events.h>
+#include <mutex>
+
+namespace idiophone {
+
+/// Threads: `processBlock` neither allocates, locks nor calls the system, in real time. All that
+/// changes which sound is played (states, programs, `prepareToPlay`) may come from any other thread
+/// and takes `soundMutex`, which the audio thread never does; it gets finished players through the
+/// handoff. In an offline render the callback itself loads the program that MIDI asks for, between
+/// two blocks; in real time a timer of the message thread does, some 50 ms later.
+class Processor final : public juce::AudioProcessor, public ProcessorView, private juce::Timer {
+public:
+    Processor();
+    ~Processor() override;
+
+    const juce::String getName() const override { return "Idiophone"; }
+    bool acceptsMidi() const override { return true; }
+    bool producesMidi() const override { return false; }
+
+    bool isBusesLayoutSupported(const BusesLayout& layouts) const override;
+    void prepareToPlay(double sampleRateHz, int maximumBlockSize) override;
+    void releaseResources() override;
+    void reset() override;
+    void processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override;
+    using AudioProcessor::processBlock;
+
+    juce::AudioProcessorParameter* getBypassParameter() const override;
+    /// The time in which the slowest possible mode falls from full scale by 96 dB, one 16-bit step;
+    /// at most `longestTailSeconds`, as hosts do not stop for longer and lightly damped objects
+    /// ring for minutes.
+    double getTailLengthSeconds() const override;
+    static constexpr double longestTailSeconds = 120;
+
+    int getNumPrograms() override;
+    int getCurrentProgram() override;
+    void setCurrentProgram(int index) override;
+    const juce::String getProgramName(int index) override;
+    void changeProgramName(int, const juce::String&) override {} // factory presets keep theirs
+
+    void getStateInformation(juce::MemoryBlock& destination) override;
+    /// Returns with the instrument ready: the next block plays it. What cannot be restored leaves
+    /// everything as it was, and one sentence for the status line.
+    void setStateInformation(const void* bytes, int byteCount) override;
+
+    bool hasEditor() const override { return true; }
+    juce::AudioProcessorEditor* createEditor() override;
+
+    std::vector<std::string> presetNames() const override;
+    int presetIndex() const override { return programIndex; }
+    void choosePreset(int index) override { setCurrentProgram(index); }
+    double parameterValue(ParameterId parameter) const override;
+    void beginParameterChange(ParameterId parameter) override;
+    void changeParameter(ParameterId parameter, double value) override;
+    void endParameterChange(ParameterId parameter) override;
+    void playNote(int midiNote, int velocity) override;
+    KeyRange keyRange() const override;
+    Status takeStatus() override;
+
+    /// [message side] What plays; null where nothing could be loaded.
+    std::shared_ptr<const Instrument> loadedInstrument() const;
+
+private:
+    void timerCallback() override;
+    void followProgramChange();
+    Result<void> restore(const State& state);
+    void play(Preset preset, std::shared_ptr<const Instrument> instrument);
+
+    std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
+    void report(std::span<float* const> channels, int count) noexcept;
+
+    HostParameters parameters;
+
+    // The message side's, under soundMutex.
+    mutable std::mutex soundMutex;
+    Preset loadedPreset;
+    std::shared_ptr<const Instrument> instrument;
+    std::vector<std::pair<std::string, double>> unknownParameters;
+    std::string lastError;
+    double preparedRateHz = 0; ///< 0 until prepared
+
+    // Between threads.
+    Handoff<Player> handoff;
+    NoteQueue editorNotes;
+    std::atomic<bool> resetRequested{false};
+    std::atomic<int> requestedProgram{-1};
+    std::atomic<int> programIndex{-1};
+    std::atomic<double> ownFluidDamping{0}; ///< the least of the loaded objects
+    std::atomic<std::int64_t> modesMixed{0};
+    std::atomic<float> peak{0};
+
+    // The audio thread's.
+    BlockPieces pieces;
+    PlayerCrossfade sound{handoff};
+    OutputStage output;
+    std::array<float, BlockPieces::maximumSamples> mono{};
+    std::array<float*, 2> channelPointers{};
+};
+
+} // namespace idiophone

@@ -1,0 +1,139 @@
+#include "Plugin/State.h"
+
+#include <juce_core/juce_core.h>
+#include <nlohmann/json.hpp>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::json; // read: sorted, as ordered_json takes quadratic time for hostile key lists
+using nlohmann::ordered_json; // written: in the order that people expect
+
+constexpr const char* formatName = "idiophone-state";
+constexpr juce::int64 largestTotalBytes = juce::int64{1} << 30; // of embedded objects, unpacked
+
+// Inside this file a fault travels as an exception and becomes a Result at parseState.
+struct Fault {
+    std::string sentence;
+};
+
+const json& member(const json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key))
+        throw Fault{"lacks '" + std::string(key) + "'"};
+    return object[key];
+}
+
+std::string text(const json& object, const char* key) {
+    const auto& value = member(object, key);
+    if (!value.is_string())
+        throw Fault{"has '" + std::string(key) + "' that is not a text"};
+    return value;
+}
+
+std::string packed(std::span<const std::byte> bytes) {
+    juce::MemoryOutputStream compressed;
+    {
+        juce::GZIPCompressorOutputStream zip(compressed);
+        zip.write(bytes.data(), bytes.size());
+    }
+    return juce::Base64::toBase64(compressed.getData(), compressed.getDataSize()).toStdString();
+}
+
+std::vector<std::byte>
+unpacked(const std::string& packedText, const std::string& name, juce::int64 largestBytes) {
+    juce::MemoryOutputStream compressed;
+    if (!juce::Base64::convertFromBase64(compressed, juce::String(packedText)))
+        throw Fault{"holds a damaged object '" + name + "'"};
+    juce::MemoryInputStream source(compressed.getData(), compressed.getDataSize(), false);
+    juce::GZIPDecompressorInputStream zip(source);
+    juce::MemoryOutputStream plain;
+    // A few bytes can unpack to any length, so that the end must be ours to set.
+    plain.writeFromInputStream(zip, largestBytes);
+    if (plain.getDataSize() == 0 || !zip.isExhausted())
+        throw Fault{"holds a damaged object '" + name + "'"};
+    const auto* first = static_cast<const std::byte*>(plain.getData());
+    return {first, first + plain.getDataSize()};
+}
+
+void parseParameters(const json& object, State& state) {
+    if (!object.is_object())
+        throw Fault{"has 'parameters' that are not a JSON object"};
+    for (const auto& [id, value] : object.items()) {
+        if (!value.is_number())
+            throw Fault{"has a parameter '" + id + "' that is not a number"};
+        if (const auto* info = findParameter(id))
+            state.parameters.set(info->parameter, value);
+        else
+            state.unknownParameters.emplace_back(id, value.get<double>());
+    }
+}
+
+std::vector<EmbeddedObject> parseObjects(const json& list) {
+    if (!list.is_array())
+        throw Fault{"has 'objects' that are not a list"};
+    std::vector<EmbeddedObject> objects;
+    auto bytesLeft = largestTotalBytes;
+    for (const auto& entry : list) {
+        auto name = text(entry, "name");
+        auto modal = unpacked(text(entry, "modal"), name, bytesLeft);
+        bytesLeft -= static_cast<juce::int64>(modal.size());
+        objects.push_back({.name = std::move(name), .modal = std::move(modal)});
+    }
+    return objects;
+}
+
+State parse(const json& root) {
+    if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
+        throw Fault{"is not one of Idiophone's"};
+    const auto& version = member(root, "version");
+    if (!version.is_number_integer() || version.get<double>() < 1)
+        throw Fault{"has a 'version' that is not a whole number from 1 on"};
+    if (version.get<double>() > stateFormatVersion)
+        throw Fault{"was made by a newer Idiophone (" + text(root, "engine") +
+                    "); the sound stays as it was"};
+    State state;
+    state.engineVersion = text(root, "engine");
+    parseParameters(member(root, "parameters"), state);
+    auto preset = parsePreset(member(root, "preset").dump(), "its preset");
+    if (!preset)
+        throw Fault{"has a fault in " + preset.error().message};
+    state.preset = std::move(*preset);
+    state.objects = parseObjects(member(root, "objects"));
+    return state;
+}
+
+} // namespace
+
+std::string encodeState(const State& state) {
+    ordered_json parameters = ordered_json::object();
+    for (const auto& info : parameterTable())
+        parameters[info.id] = state.parameters[info.parameter];
+    for (const auto& [id, value] : state.unknownParameters)
+        parameters[id] = value;
+    ordered_json objects = ordered_json::array();
+    for (const auto& object : state.objects)
+        objects.push_back({{"name", object.name}, {"modal", packed(object.modal)}});
+    const ordered_json root{{"format", formatName},
+                            {"version", stateFormatVersion},
+                            {"engine", state.engineVersion},
+                            {"parameters", parameters},
+                            {"preset", ordered_json::parse(encodePreset(state.preset))},
+                            {"objects", objects}};
+    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+Result<State> parseState(std::string_view bytes) {
+    try {
+        const auto root = json::parse(bytes, nullptr, false);
+        if (root.is_discarded())
+            throw Fault{"is damaged, or not one of Idiophone's"};
+        return parse(root);
+    } catch (const Fault& fault) {
+        return failure("The saved state " + fault.sentence + ".");
+    } catch (const json::exception&) {
+        return failure("The saved state is damaged.");
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,240 @@
+#!/usr/bin/env python3
+"""The rooms of Source look only at rooms below them, and only at the libraries they may use.
+
+ROOMS is the whole rule (docs/ARCHITECTURE.md tells the reasons). Each room names every other room
+whose headers it may include and every third-party header it may include; the standard library is
+free to all. What stands here and is not used yet costs nothing; what is used and does not stand
+here fails.
+
+The editor shows the processor through an interface of its own (Editor/ProcessorView.h), which the
+processor implements: so Plugin knows Editor, and Editor never knows Plugin.
+
+    include_directions.py SOURCE_FOLDER     checks the folder
+    include_directions.py --self-test       checks that planted violations are found
+"""
+import pathlib
+import re
+import sys
+import tempfile
+
+ROOMS = {
+    # room: (rooms it may include, third-party headers it may include, by prefix)
+    "Object": ("", "nlohmann/ tl/"),
+    "Parameters": ("", ""),
+    "Geometry": ("Object", "Eigen/ igl/ CGAL/"),
+    "Synth": ("Object", "hwy/"),
+    "Analysis": ("Geometry Object", "Eigen/ Spectra/ cholmod.h tetgen.h"),
+    "Instrument": ("Synth Object Parameters", "nlohmann/ Tunings.h libMTSClient.h"),
+    "Scene": ("Synth Geometry Object", "bullet/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
+    "Output": ("Parameters", "juce_dsp/"),
+    "Editor": ("Parameters Object Geometry", "juce_"),
+    "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
+               "juce_ nlohmann/ moodycamel/ readerwriterqueue/"),
+    "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
+                "juce_ CLI/ nlohmann/ ebur128.h"),
+}
+
+# Headers that the build generates, each for the one room that embeds them.
+GENERATED = {"FactoryFiles.h": "Instrument"}
+
+HEADER_ENDINGS = {".h", ".hpp"}
+SOURCE_ENDINGS = HEADER_ENDINGS | {".cpp", ".cc", ".mm"}
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))', re.MULTILINE)
+COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
+# Neither folder nor ending: <vector>, <cmath>; and the operating systems' own, free to all.
+STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|signal|io|sys/\w+)\.h$")
+
+
+def words(text):
+    return text.split()
+
+
+def without_comments(text):
+    """`text` with its comments blanked, line by line as long as before."""
+    return COMMENT_OR_TEXT.sub(
+        lambda found: found.group() if found.group().startswith('"')
+        else re.sub(r"[^\n]", " ", found.group()), text)
+
+
+def may_include_library(room, header):
+    return any(header.startswith(prefix) for prefix in words(ROOMS[room][1]))
+
+
+def fault_of_include(room, header, is_angled, source):
+    """Why `room` may not include `header`, or None."""
+    folder = header.split("/")[0]
+    if folder in ROOMS and "/" in header:
+        if folder != room and folder not in words(ROOMS[room][0]):
+            return f"room {room} may not include room {folder}"
+        if not (source / header).is_file():
+            return "no such header"
+        return None
+    if header in GENERATED:
+        owner = GENERATED[header]
+        return None if owner == room else f"only room {owner} may include it"
+    if is_angled and (STANDARD.match(header) or may_include_library(room, header)):
+        return None
+    if is_angled:
+        return f"room {room} may not include this library"
+    return "headers of ours are included as \"Room/Name.h\""
+
+
+def faults_of_file(file, room, source):
+    text = file.read_text(encoding="utf-8")
+    name = file.relative_to(source.parent)
+    code = without_comments(text)
+    for match in INCLUDE.finditer(code):
+        line = code.count("\n", 0, match.start()) + 1
+        angled, quoted, computed = match.groups()
+        fault = ("includes a macro, which this test cannot follow" if computed
+                 else fault_of_include(room, angled or quoted, angled is not None, source))
+        if fault:
+            yield f"{name}:{line}: {match.group().strip()}: {fault}"
+    if file.suffix in HEADER_ENDINGS:
+        if not text.startswith(("//", "/*")):
+            yield f"{name}:1: a header opens with a comment that says what it is for"
+        if not re.search(r"^#pragma once$", code, re.MULTILINE):
+            yield f"{name}:1: a header needs #pragma once"
+
+
+def cycle_in(graph):
+    """A closed walk through `graph` (node -> nodes) as a list of nodes, or None."""
+    finished, walk = set(), []
+
+    def visit(node):
+        if node in walk:
+            return walk[walk.index(node):] + [node]
+        if node in finished:
+            return None
+        walk.append(node)
+        for following in sorted(graph.get(node, ())):
+            if found := visit(following):
+                return found
+        walk.pop()
+        finished.add(node)
+        return None
+
+    return next(filter(None, map(visit, sorted(graph))), None)
+
+
+def headers_graph(source):
+    """Which header of ours includes which."""
+    graph = {}
+    for file in source.rglob("*.h"):
+        code = without_comments(file.read_text(encoding="utf-8"))
+        found = {angled or quoted for angled, quoted, _ in INCLUDE.findall(code)}
+        graph[file.relative_to(source).as_posix()] = {
+            header for header in found if (source / header).is_file()}
+    return graph
+
+
+def faults_of_table():
+    for room, (below, _) in ROOMS.items():
+        yield from (f"room {room} names room {other}, which does not exist"
+                    for other in words(below) if other not in ROOMS)
+    if cycle := cycle_in({room: words(below) for room, (below, _) in ROOMS.items()}):
+        yield "the table of rooms goes round: " + " -> ".join(cycle)
+
+
+def faults_of(source):
+    faults, files = list(faults_of_table()), 0
+    for file in sorted(source.rglob("*")):
+        if not file.is_file() or file.suffix not in SOURCE_ENDINGS:
+            continue
+        files += 1
+        room = file.relative_to(source).parts[0]
+        if room in ROOMS:
+            faults += faults_of_file(file, room, source)
+        else:
+            faults.append(f"{file.relative_to(source.parent)}: {room} is no room of the table")
+    if files == 0:
+        faults.append(f"{source}: no source file found")
+    if cycle := cycle_in(headers_graph(source)):
+        faults.append("headers include each other in a circle: " + " -> ".join(cycle))
+    return files, faults
+
+
+# A sound house of two files, and what each change to it must bring to light.
+SOUND = {
+    "Object/Thing.h": "// A thing.\n#pragma once\n#include <vector>\n",
+    "Synth/Bank.cpp": '#include "Object/Thing.h"\n#include <hwy/highway.h>\n',
+}
+PLANTED = {
+    "an upward include": ("Object/Up.cpp", '#include "Synth/Bank.cpp"\n', "may not include room"),
+    "an upward include with odd spaces": ("Object/Up.cpp", '  #  include  "Synth/Bank.cpp"\n',
+                                          "may not include room"),
+    "an upward include in angle brackets": ("Object/Up.cpp", "#include <Synth/Bank.cpp>\n",
+                                            "may not include room"),
+    "Synth knowing Analysis": ("Synth/Up.cpp", '#include "Analysis/Solve.h"\n',
+                               "may not include room"),
+    "the editor knowing the plugin": ("Editor/Up.cpp", '#include "Plugin/Processor.h"\n',
+                                      "may not include room"),
+    "JUCE in Synth": ("Synth/Juce.cpp", "#include <juce_core/juce_core.h>\n", "this library"),
+    "Eigen in Instrument": ("Instrument/E.cpp", "#include <Eigen/Core>\n", "this library"),
+    "an unlisted library": ("Object/Boost.cpp", "#include <boost/any.hpp>\n", "this library"),
+    "another JUCE module than Output's": ("Output/J.cpp", "#include <juce_core/juce_core.h>\n",
+                                          "this library"),
+    "a path round the rooms": ("Synth/Dots.cpp", '#include "../Object/Thing.h"\n', "Room/Name.h"),
+    "a generated file in the wrong room": ("Synth/F.cpp", '#include "FactoryFiles.h"\n',
+                                           "only room"),
+    "a header that is not there": ("Synth/No.cpp", '#include "Object/Nothing.h"\n',
+                                   "no such header"),
+    "an include hidden in a macro": ("Synth/Macro.cpp", "#include HEADER\n", "macro"),
+    "an unknown room": ("Attic/Box.cpp", "int box;\n", "no room of the table"),
+    "a file outside any room": ("Loose.cpp", "int loose;\n", "no room of the table"),
+    "a header without #pragma once": ("Object/Twice.h", "// Twice.\n", "#pragma once"),
+    "a header without an opening comment": ("Object/Mute.h", "#pragma once\n",
+                                            "opens with a comment"),
+    "an upward include after text that looks like a comment": (
+        "Object/T.cpp", 'auto all = "/*";\n#include "Synth/Bank.cpp"\nauto end = "*/";\n',
+        "may not include room"),
+    "headers in a circle": ("Object/Self.h", '// Round.\n#pragma once\n#include "Object/Self.h"\n',
+                            "circle"),
+}
+
+
+def house(folder, files):
+    for name, text in files.items():
+        path = folder / "Source" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return folder / "Source"
+
+
+def self_test():
+    missed = []
+    with tempfile.TemporaryDirectory() as temporary:
+        root = pathlib.Path(temporary)
+        _, faults = faults_of(house(root / "sound", SOUND))
+        missed += [f"found in a sound house: {fault}" for fault in faults]
+        comments = '// #include "Synth/Bank.cpp"\n/*\n#include <juce>\n*/\n'
+        commented = SOUND | {"Object/Comments.cpp": comments}
+        _, faults = faults_of(house(root / "commented", commented))
+        missed += [f"found in a comment: {fault}" for fault in faults]
+        for number, (violation, (name, text, expected)) in enumerate(PLANTED.items()):
+            _, faults = faults_of(house(root / str(number), SOUND | {name: text}))
+            if not any(expected in fault and name.split("/")[-1] in fault for fault in faults):
+                missed.append(f"not found: {violation}; found only {faults}")
+        _, faults = faults_of(house(root / "empty", {}))
+        if not faults:
+            missed.append("not found: an empty Source folder")
+        if cycle_in({"a": ["b"], "b": ["c"], "c": ["a"]}) != ["a", "b", "c", "a"]:
+            missed.append("not found: a table that goes round")
+    return len(PLANTED) + 4, missed
+
+
+def main(argument):
+    if argument == "--self-test":
+        count, faults = self_test()
+        done = f"{count} planted cases judged rightly"
+    else:
+        count, faults = faults_of(pathlib.Path(argument).resolve())
+        done = f"{count} files keep the rules"
+    print("\n".join(faults) if faults else done)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sys.exit(main(sys.argv[1]))

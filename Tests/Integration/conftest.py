@@ -1,0 +1,46 @@
+"""What the integration tests share: the paths that CMake hands over, and the console's render."""
+import pathlib
+import subprocess
+
+import pytest
+import soundfile
+
+from performance import PRESET, Performance
+
+
+def pytest_addoption(parser):
+    for name in ("vst3", "lv2", "console", "validator", "pluginval", "songs"):
+        parser.addoption(f"--{name}", help=f"path of the {name}")
+
+
+def path_option(name):
+    @pytest.fixture(scope="session")
+    def path(pytestconfig):
+        value = pytestconfig.getoption(f"--{name}")
+        assert value, f"this test needs --{name}"
+        path = pathlib.Path(value)
+        assert path.exists(), f"{path} is not there: build it first"
+        return path
+    return path
+
+
+vst3, lv2, console = path_option("vst3"), path_option("lv2"), path_option("console")
+validator, pluginval = path_option("validator"), path_option("pluginval")
+songs = path_option("songs")
+
+
+@pytest.fixture(scope="session")
+def song(songs):
+    return Performance.from_midi_file(songs / "TheEntertainer.mid")
+
+
+@pytest.fixture(scope="session")
+def console_render(console, songs, tmp_path_factory):
+    """The console's render of the song, [channels, frames], 32-bit float at 48 kHz."""
+    wave = tmp_path_factory.mktemp("console") / "song.wav"
+    subprocess.run([console, "render", "--preset", PRESET, "--midi", songs / "TheEntertainer.mid",
+                    "-o", wave, "--sample-rate", "48000"], check=True, timeout=300)
+    assert soundfile.info(wave).subtype == "FLOAT"
+    samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
+    assert rate == 48000
+    return samples.T

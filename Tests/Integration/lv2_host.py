@@ -1,0 +1,144 @@
+"""A host of one LV2 instrument, over the C interface of LV2; lilv (lv2info) finds its ports."""
+import ctypes
+import re
+import struct
+import subprocess
+
+import numpy
+
+LV2 = "http://lv2plug.in/ns/"
+SEQUENCE_BYTES = 1 << 16
+
+
+class Descriptor(ctypes.Structure):
+    """LV2_Descriptor."""
+
+
+Handle = ctypes.c_void_p
+Descriptor._fields_ = [
+    ("uri", ctypes.c_char_p),
+    ("instantiate", ctypes.CFUNCTYPE(Handle, ctypes.POINTER(Descriptor), ctypes.c_double,
+                                     ctypes.c_char_p, ctypes.c_void_p)),
+    ("connect_port", ctypes.CFUNCTYPE(None, Handle, ctypes.c_uint32, ctypes.c_void_p)),
+    ("activate", ctypes.CFUNCTYPE(None, Handle)),
+    ("run", ctypes.CFUNCTYPE(None, Handle, ctypes.c_uint32)),
+    ("deactivate", ctypes.CFUNCTYPE(None, Handle)),
+    ("cleanup", ctypes.CFUNCTYPE(None, Handle)),
+    ("extension_data", ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_char_p)),
+]
+
+
+class Feature(ctypes.Structure):
+    """LV2_Feature."""
+    _fields_ = [("uri", ctypes.c_char_p), ("data", ctypes.c_void_p)]
+
+
+MapFunction = ctypes.CFUNCTYPE(ctypes.c_uint32, ctypes.c_void_p, ctypes.c_char_p)
+
+
+class UridMap(ctypes.Structure):
+    """LV2_URID_Map."""
+    _fields_ = [("handle", ctypes.c_void_p), ("map", MapFunction)]
+
+
+class Option(ctypes.Structure):
+    """LV2_Options_Option."""
+    _fields_ = [("context", ctypes.c_int), ("subject", ctypes.c_uint32), ("key", ctypes.c_uint32),
+                ("size", ctypes.c_uint32), ("type", ctypes.c_uint32), ("value", ctypes.c_void_p)]
+
+
+def ports_of(uri, environment):
+    """[(index, set of type names, default value)] as lilv reads them from the plugin's files."""
+    text = subprocess.run(["lv2info", uri], env=environment, check=True, capture_output=True,
+                          text=True, timeout=60).stdout
+    ports = []
+    for index, body in re.findall(r"^\tPort (\d+):\n((?:\t\t.*\n|\n)*)", text, re.MULTILINE):
+        types = set(re.findall(r"[#](\w+Port)\b", body))
+        default = re.search(r"Default:\s+(\S+)", body)
+        ports.append((int(index), types, float(default.group(1)) if default else 0.0))
+    return ports
+
+
+class Lv2Host:
+    def __init__(self, bundle, binary, uri, environment, sample_rate, block):
+        self.block, self.uris, self.keep = block, {}, []
+        library = ctypes.CDLL(str(binary))
+        library.lv2_descriptor.restype = ctypes.POINTER(Descriptor)
+        self.descriptor = library.lv2_descriptor(0)
+        assert self.descriptor.contents.uri.decode() == uri
+        self.handle = self.descriptor.contents.instantiate(
+            self.descriptor, sample_rate, f"{bundle}/".encode(), self.features())
+        assert self.handle, "the plugin did not start"
+        self.connect(ports_of(uri, environment))
+        self.descriptor.contents.activate(self.handle)
+
+    def close(self):
+        self.descriptor.contents.deactivate(self.handle)
+        self.descriptor.contents.cleanup(self.handle)
+
+    def urid(self, uri):
+        return self.uris.setdefault(uri, len(self.uris) + 1)
+
+    def features(self):
+        """The features that JUCE's plugins ask for: a URID map, and the block size as an option."""
+        map_function = MapFunction(lambda _, uri: self.urid(uri.decode()))
+        urid_map = UridMap(None, map_function)
+        size = ctypes.c_int32(self.block)
+        integer = self.urid(LV2 + "ext/atom#Int")
+        options = (Option * 3)(*[
+            Option(0, 0, self.urid(LV2 + "ext/buf-size#" + key), 4, integer,
+                   ctypes.cast(ctypes.pointer(size), ctypes.c_void_p))
+            for key in ("minBlockLength", "maxBlockLength")], Option())
+        listed = [Feature((LV2 + name).encode(), data and ctypes.cast(data, ctypes.c_void_p))
+                  for name, data in (("ext/urid#map", ctypes.pointer(urid_map)),
+                                     ("ext/options#options", options),
+                                     ("ext/buf-size#boundedBlockLength", None))]
+        pointers = (ctypes.POINTER(Feature) * (len(listed) + 1))(*map(ctypes.pointer, listed), None)
+        self.keep += [map_function, urid_map, size, options, listed, pointers]
+        return ctypes.cast(pointers, ctypes.c_void_p)
+
+    def connect(self, ports):
+        self.audio, self.events_in, self.events_out = [], None, None
+        for index, types, default in ports:
+            if "AudioPort" in types:
+                memory = numpy.zeros(self.block, dtype=numpy.float32)
+                if "OutputPort" in types:
+                    self.audio.append(memory)
+            elif "AtomPort" in types:
+                memory = ctypes.create_string_buffer(SEQUENCE_BYTES)
+                if "InputPort" in types:
+                    self.events_in = memory
+                else:
+                    self.events_out = memory
+            else:
+                memory = ctypes.c_float(default)
+            self.keep.append(memory)
+            address = (memory.ctypes.data if isinstance(memory, numpy.ndarray)
+                       else ctypes.addressof(memory))
+            self.descriptor.contents.connect_port(self.handle, index, address)
+
+    def write_events(self, messages):
+        """An atom sequence of (frame, MIDI bytes), in time order."""
+        midi = self.urid(LV2 + "ext/midi#MidiEvent")
+        body = struct.pack("=II", 0, 0)
+        for frame, message in messages:
+            body += struct.pack("=qII", frame, len(message), midi) + message
+            body += bytes(-len(body) % 8)
+        atom = struct.pack("=II", len(body), self.urid(LV2 + "ext/atom#Sequence")) + body
+        ctypes.memmove(self.events_in, atom, len(atom))
+
+    def render(self, messages, frames):
+        """Plays (sample, MIDI bytes) in time order; [channels, frames]."""
+        rendered, waiting = [], list(messages)
+        chunk = self.urid(LV2 + "ext/atom#Chunk")
+        for start in range(0, frames, self.block):
+            now = [(sample - start, message) for sample, message in waiting
+                   if sample < start + self.block]
+            waiting = waiting[len(now):]
+            self.write_events(now)
+            if self.events_out is not None:
+                capacity = struct.pack("=II", SEQUENCE_BYTES - 8, chunk)
+                ctypes.memmove(self.events_out, capacity, len(capacity))
+            self.descriptor.contents.run(self.handle, self.block)
+            rendered.append(numpy.array(self.audio, dtype=numpy.float32))
+        return numpy.concatenate(rendered, axis=1)[:, :frames]

@@ -1,0 +1,83 @@
+"""The VST3 in pedalboard, a host of its own make."""
+import numpy
+import pedalboard
+import pytest
+
+from performance import (PRESET, SAMPLE_RATE, Performance, assert_equal_sound, assert_sounds,
+                         seconds)
+
+BLOCK = 480
+POSITIONS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0)
+
+
+@pytest.fixture
+def load(vst3):
+    return lambda: pedalboard.load_plugin(str(vst3))
+
+
+def render(plugin, performance, frames, reset=True):
+    messages = [(message, seconds(sample)) for sample, message in performance.midi_events()]
+    return plugin(messages, duration=frames / SAMPLE_RATE, sample_rate=SAMPLE_RATE,
+                  num_channels=2, buffer_size=BLOCK, reset=reset)
+
+
+def change(plugin):
+    """Moves some parameters off their defaults, by ways every one of them takes."""
+    for position, parameter in enumerate(sound_parameters(plugin)):
+        parameter.raw_value = (0.3, 0.55, 0.7)[position % 3]
+
+
+def sound_parameters(plugin):
+    return [parameter for name, parameter in plugin.parameters.items()
+            if name not in ("bypass", "program")]
+
+
+def test_it_renders_the_song_as_the_console_does(load, song, console_render):
+    plugin = load()
+    assert plugin.parameters["program"].string_value == PRESET
+    assert plugin.reported_latency_samples == 0
+    assert_equal_sound(render(plugin, song, console_render.shape[1]), console_render)
+
+
+def test_every_parameter_moves_through_its_range_while_notes_sound(load):
+    plugin = load()
+    assert len(plugin.parameters) > 15
+    performance, quiet = Performance.scale(), Performance([])
+    for name, parameter in plugin.parameters.items():
+        resting = parameter.raw_value
+        for position in POSITIONS:
+            parameter.raw_value = position
+            audio = render(plugin, performance, SAMPLE_RATE // 8, reset=False)
+            assert numpy.isfinite(audio).all(), f"{name} at {position}"
+        parameter.raw_value = resting
+        assert numpy.isfinite(render(plugin, quiet, 4096, reset=False)).all(), name
+    assert_sounds(render(plugin, performance, SAMPLE_RATE))
+
+
+def test_a_state_comes_back_byte_for_byte_and_sounds_the_same(load):
+    first = load()
+    untouched = first.raw_state
+    change(first)
+    saved = first.raw_state
+    assert saved != untouched, "the state does not tell what was changed"
+
+    second = load()
+    second.raw_state = saved
+    assert second.raw_state == saved
+    assert [p.string_value for p in second.parameters.values()] == [
+        p.string_value for p in first.parameters.values()]
+
+    scale, frames = Performance.scale(), SAMPLE_RATE
+    render(first, Performance([]), frames)
+    expected = render(first, scale, frames)
+    assert_equal_sound(render(second, scale, frames), expected)
+
+
+def test_a_state_of_random_bytes_does_no_harm(load):
+    plugin = load()
+    state = plugin.raw_state
+    noise = numpy.random.default_rng(1)
+    for length in (0, 1, 7, 64, 4096):
+        plugin.raw_state = noise.bytes(length)
+    plugin.raw_state = state[:len(state) // 2]
+    assert_sounds(render(plugin, Performance.scale(), SAMPLE_RATE))

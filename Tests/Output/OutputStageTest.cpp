@@ -1,0 +1,139 @@
+#include "Output/OutputStage.h"
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace idiophone;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int maximumBlock = 4096;
+
+ParameterValues valuesWith(double levelDecibels, bool bypassed = false) {
+    ParameterValues values;
+    values.set(ParameterId::level, levelDecibels);
+    values.set(ParameterId::bypass, bypassed ? 1 : 0);
+    return values;
+}
+
+std::vector<float> sine(std::size_t count, double frequencyHz = 440) {
+    std::vector<float> samples(count);
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i] = static_cast<float>(
+            std::sin(2 * std::numbers::pi * frequencyHz * static_cast<double>(i) / rateHz));
+    return samples;
+}
+
+/// Stereo through the stage in blocks of one size; the channels must agree.
+std::vector<float> processed(OutputStage& stage,
+                             const std::vector<float>& input,
+                             std::size_t blockSize,
+                             const ParameterValues& values) {
+    std::vector<float> left(input.size()), right(input.size());
+    for (std::size_t start = 0; start < input.size(); start += blockSize) {
+        const auto count = std::min(blockSize, input.size() - start);
+        const std::array<float*, 2> channels{&left[start], &right[start]};
+        stage.process(std::span(input).subspan(start, count), channels, values);
+    }
+    CHECK(left == right);
+    return left;
+}
+
+OutputStage preparedStage() {
+    OutputStage stage;
+    stage.prepare(rateHz, maximumBlock);
+    return stage;
+}
+
+} // namespace
+
+TEST_CASE("At 0 dB the mono stream reaches both channels bit for bit") {
+    auto stage = preparedStage();
+    const auto input = sine(1000);
+    CHECK(processed(stage, input, 100, valuesWith(0)) == input);
+}
+
+TEST_CASE("The level is a gain of 10^(dB/20) from the first sample after a reset") {
+    auto stage = preparedStage();
+    const std::vector<float> input(100, 1.0f);
+    for (const double decibels : {-60.0, -20.0, 6.0, 24.0}) {
+        stage.reset();
+        const auto output = processed(stage, input, 100, valuesWith(decibels));
+        for (const float sample : output)
+            CHECK_THAT(sample, WithinRel(std::pow(10, decibels / 20), 1e-6));
+    }
+}
+
+TEST_CASE("At constant parameters the output does not depend on the block size") {
+    const auto input = sine(10000);
+    auto whole = preparedStage();
+    const auto expected = processed(whole, input, maximumBlock, valuesWith(-7.3));
+    for (const std::size_t blockSize : {1u, 7u, 64u, 480u}) {
+        auto stage = preparedStage();
+        CHECK(processed(stage, input, blockSize, valuesWith(-7.3)) == expected);
+    }
+}
+
+TEST_CASE("A ramp begun by a change of level does not depend on the blocks that follow") {
+    const auto input = sine(4000);
+    auto whole = preparedStage();
+    processed(whole, input, 4000, valuesWith(0));
+    const auto expected = processed(whole, input, 4000, valuesWith(-12));
+    auto pieces = preparedStage();
+    processed(pieces, input, 4000, valuesWith(0));
+    CHECK(processed(pieces, input, 7, valuesWith(-12)) == expected);
+}
+
+TEST_CASE("Level automated in steps of a block moves the gain without a step") {
+    auto stage = preparedStage();
+    const std::vector<float> ones(64, 1.0f);
+    std::vector<float> output = processed(stage, ones, 64, valuesWith(-60));
+    for (int block = 0; block < 200; ++block) {
+        const auto next = processed(stage, ones, 64, valuesWith(block % 2 == 0 ? 0 : -60));
+        output.insert(output.end(), next.begin(), next.end());
+    }
+    // From one sample to the next no more than a ramp over the whole range.
+    const float largest = static_cast<float>(1 / (OutputStage::rampSeconds * rateHz)) + 1e-6f;
+    for (std::size_t i = 1; i < output.size(); ++i)
+        CHECK(std::abs(output[i] - output[i - 1]) <= largest);
+}
+
+TEST_CASE("Bypass is silent after its ramp, and leaving it restores the level") {
+    auto stage = preparedStage();
+    const std::vector<float> ones(2000, 1.0f);
+    processed(stage, ones, 2000, valuesWith(0));
+    const auto off = processed(stage, ones, 2000, valuesWith(0, true));
+    CHECK(off.front() > 0.99f);
+    const auto rampSamples = static_cast<std::size_t>(OutputStage::rampSeconds * rateHz);
+    for (std::size_t i = rampSamples; i < off.size(); ++i)
+        CHECK(off[i] == 0.0f);
+    const auto on = processed(stage, ones, 2000, valuesWith(0));
+    CHECK(on.front() < 0.01f);
+    CHECK(on.back() == 1.0f);
+}
+
+TEST_CASE("One channel that is also the input is processed in place") {
+    auto stage = preparedStage();
+    auto samples = sine(500);
+    const auto original = samples;
+    const std::array<float*, 1> channels{samples.data()};
+    stage.process(samples, channels, valuesWith(-20));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        CHECK_THAT(samples[i], WithinAbs(original[i] * 0.1, 1e-7));
+}
+
+TEST_CASE("No samples and no channels are nothing to do") {
+    auto stage = preparedStage();
+    const auto input = sine(10);
+    stage.process({}, {}, valuesWith(0));
+    stage.process(input, {}, valuesWith(0));
+    CHECK(processed(stage, input, 10, valuesWith(0)) == input);
+}

@@ -1,0 +1,139 @@
+#include "Plugin/BlockPieces.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <vector>
+
+using namespace idiophone;
+
+namespace {
+
+struct Cut {
+    std::vector<int> lengths;
+    std::vector<std::pair<int, int>> notes; ///< sample in the block, note
+    bool contiguous = true;
+    bool inside = true;
+};
+
+Cut cut(const juce::MidiBuffer& midi, int samples, NoteQueue& queue) {
+    BlockPieces pieces;
+    pieces.begin(midi, queue, samples);
+    Cut result;
+    int position = 0;
+    while (const auto piece = pieces.next()) {
+        result.contiguous = result.contiguous && piece->start == position;
+        position += piece->length;
+        result.lengths.push_back(piece->length);
+        int last = 0;
+        for (const auto& event : piece->events) {
+            result.inside = result.inside && event.sampleOffset >= last &&
+                            (event.sampleOffset < piece->length ||
+                             (piece->length == 0 && event.sampleOffset == 0));
+            last = event.sampleOffset;
+            result.notes.emplace_back(piece->start + event.sampleOffset, event.bytes[1]);
+        }
+    }
+    result.contiguous = result.contiguous && position == samples;
+    return result;
+}
+
+Cut cut(const juce::MidiBuffer& midi, int samples) {
+    NoteQueue queue;
+    return cut(midi, samples, queue);
+}
+
+juce::MidiMessage note(int number) {
+    return juce::MidiMessage::noteOn(1, number, static_cast<juce::uint8>(100));
+}
+
+} // namespace
+
+TEST_CASE("A block that fits is one piece with all its channel messages") {
+    juce::MidiBuffer midi;
+    midi.addEvent(note(60), 0);
+    midi.addEvent(note(61), 255);
+    const auto result = cut(midi, 256);
+    CHECK(result.lengths == std::vector{256});
+    CHECK(result.notes == std::vector<std::pair<int, int>>{{0, 60}, {255, 61}});
+    CHECK(result.inside);
+}
+
+TEST_CASE("An overlong block is cut, and every event keeps its sample") {
+    juce::MidiBuffer midi;
+    for (int stamp = 0; stamp < 10000; stamp += 97)
+        midi.addEvent(note(stamp / 97 % 128), stamp);
+    const auto result = cut(midi, 10000);
+    CHECK(result.contiguous);
+    CHECK(result.inside);
+    REQUIRE(result.notes.size() == 104);
+    for (std::size_t i = 0; i < result.notes.size(); ++i)
+        CHECK(result.notes[i].first == static_cast<int>(i) * 97);
+    for (const int length : result.lengths)
+        CHECK(length <= BlockPieces::maximumSamples);
+}
+
+TEST_CASE("More events on one sample than fit a piece keep their sample and their order") {
+    for (const int stamp : {0, 100, 511}) {
+        juce::MidiBuffer midi;
+        for (int i = 0; i < 5000; ++i)
+            midi.addEvent(note(i % 128), stamp);
+        const auto result = cut(midi, 512);
+        INFO("all on sample " << stamp);
+        CHECK(result.contiguous);
+        CHECK(result.inside);
+        REQUIRE(result.notes.size() == 5000);
+        bool right = true;
+        for (int i = 0; i < 5000; ++i)
+            right = right && result.notes[static_cast<std::size_t>(i)] == std::pair(stamp, i % 128);
+        CHECK(right);
+    }
+}
+
+TEST_CASE("A block without samples still hands on its events") {
+    juce::MidiBuffer midi;
+    for (int i = 0; i < 3000; ++i)
+        midi.addEvent(note(i % 128), 0);
+    const auto result = cut(midi, 0);
+    CHECK(result.notes.size() == 3000);
+    CHECK(result.contiguous);
+    CHECK(cut({}, 0).notes.empty());
+}
+
+TEST_CASE("System messages are left out") {
+    juce::MidiBuffer midi;
+    const juce::uint8 dump[]{1, 2, 3, 4, 5};
+    midi.addEvent(juce::MidiMessage::createSysExMessage(dump, 5), 3);
+    midi.addEvent(juce::MidiMessage::midiClock(), 4);
+    midi.addEvent(juce::MidiMessage::songPositionPointer(7), 5);
+    midi.addEvent(note(64), 6);
+    const auto result = cut(midi, 64);
+    CHECK(result.notes == std::vector<std::pair<int, int>>{{6, 64}});
+}
+
+TEST_CASE("Events stamped outside of their block are taken to its ends") {
+    juce::MidiBuffer midi;
+    midi.addEvent(note(60), -5);
+    midi.addEvent(note(61), 900);
+    const auto result = cut(midi, 64);
+    CHECK(result.notes == std::vector<std::pair<int, int>>{{0, 60}, {63, 61}});
+}
+
+TEST_CASE("Notes of the on-screen keyboard come first, at the first sample") {
+    NoteQueue queue;
+    CHECK(queue.push(70, 90));
+    CHECK(queue.push(70, 0));
+    juce::MidiBuffer midi;
+    midi.addEvent(note(60), 0);
+    const auto result = cut(midi, 64, queue);
+    CHECK(result.notes == std::vector<std::pair<int, int>>{{0, 70}, {0, 70}, {0, 60}});
+    CHECK(cut({}, 64, queue).notes.empty());
+}
+
+TEST_CASE("A full keyboard queue says so, and works again when it was read") {
+    NoteQueue queue;
+    int pushed = 0;
+    while (queue.push(pushed % 128, 100))
+        ++pushed;
+    CHECK(pushed >= NoteQueue::capacity - 1);
+    CHECK(cut({}, 64, queue).notes.size() == static_cast<std::size_t>(pushed));
+    CHECK(queue.push(60, 100));
+}

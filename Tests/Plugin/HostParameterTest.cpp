@@ -1,0 +1,177 @@
+#include "Plugin/HostParameter.h"
+
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <chrono>
+#include <limits>
+#include <thread>
+
+using namespace idiophone;
+
+namespace {
+
+HostParameter& parameterOf(Processor& processor, const char* id) {
+    for (auto* parameter : processor.getParameters())
+        if (auto* found = dynamic_cast<HostParameter*>(parameter);
+            found != nullptr && found->getParameterID() == id)
+            return *found;
+    FAIL("no parameter " << id);
+    throw 0;
+}
+
+} // namespace
+
+TEST_CASE("Parameter ids and version hints are those that were published") {
+    // Append only: what stands here is in people's projects.
+    const std::vector<std::pair<juce::String, int>> published{
+        {"tau", 1},          {"slope", 1},          {"budget", 1},
+        {"compression", 1},  {"material", 1},       {"young", 1},
+        {"density", 1},      {"gamma", 1},          {"eta", 1},
+        {"size", 1},         {"strike_along", 1},   {"strike_across", 1},
+        {"spread", 1},       {"hardness", 1},       {"mallet_mass", 1},
+        {"mallet_speed", 1}, {"velocity_curve", 1}, {"let_ring", 1},
+        {"release", 1},      {"tune", 1},           {"bend_range", 1},
+        {"level", 1},        {"bypass", 1}};
+    Processor processor;
+    std::vector<std::pair<juce::String, int>> present;
+    for (auto* parameter : processor.getParameters()) {
+        const auto* hosted = dynamic_cast<juce::HostedAudioProcessorParameter*>(parameter);
+        REQUIRE(hosted != nullptr);
+        present.emplace_back(hosted->getParameterID(), hosted->getVersionHint());
+    }
+    CHECK(present == published);
+}
+
+TEST_CASE("Every parameter can be automated and has a name, a text and a default within range") {
+    Processor processor;
+    for (auto* parameter : processor.getParameters()) {
+        INFO(parameter->getName(100));
+        CHECK(parameter->isAutomatable());
+        CHECK(parameter->getName(100).isNotEmpty());
+        CHECK(parameter->getDefaultValue() >= 0);
+        CHECK(parameter->getDefaultValue() <= 1);
+        for (const float place : {0.0f, 0.3f, 1.0f})
+            CHECK(parameter->getText(place, 100).isNotEmpty());
+    }
+}
+
+TEST_CASE("A parameter's text reads back to its value, with the unit and without") {
+    Processor processor;
+    for (auto* parameter : processor.getParameters()) {
+        INFO(parameter->getName(100));
+        for (const float place : {0.0f, 0.25f, 0.5f, 1.0f}) {
+            const auto text = parameter->getText(place, 100);
+            const float read = parameter->getValueForText(text);
+            CHECK(parameter->getText(read, 100) == text);
+            CHECK(parameter->getValueForText(text + " " + parameter->getLabel()) == read);
+            CHECK_FALSE(
+                (parameter->getLabel().isNotEmpty() && text.endsWith(" " + parameter->getLabel())));
+        }
+    }
+}
+
+TEST_CASE("Text that is no value leaves a parameter where it is") {
+    Processor processor;
+    auto& density = parameterOf(processor, "density");
+    density.setExactValue(1234.5);
+    CHECK(density.getValueForText("heavy") == density.getValue());
+}
+
+TEST_CASE("A host that echoes what it read changes no bit of the value") {
+    HostParameter young(parameterInfo(ParameterId::youngsModulus));
+    std::mt19937 random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const double exact = std::uniform_real_distribution<double>(young.info().minimum,
+                                                                    young.info().maximum)(random);
+        young.setExactValue(exact);
+        young.setValue(young.getValue());
+        REQUIRE(young.exactValue() == exact);
+    }
+}
+
+TEST_CASE("Values that are not numbers or out of range land inside the range") {
+    for (const auto& info : parameterTable()) {
+        HostParameter parameter(info);
+        INFO(info.id);
+        const float infinity = std::numeric_limits<float>::infinity();
+        for (const float hostile : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity,
+                                    -1.0f, 2.0f, std::numeric_limits<float>::denorm_min()}) {
+            parameter.setValue(hostile);
+            CHECK(parameter.exactValue() >= info.minimum);
+            CHECK(parameter.exactValue() <= info.maximum);
+        }
+    }
+}
+
+TEST_CASE("Steps, switches and choices are discrete with the right number of steps") {
+    Processor processor;
+    CHECK(parameterOf(processor, "let_ring").isBoolean());
+    CHECK(parameterOf(processor, "let_ring").getNumSteps() == 2);
+    CHECK(parameterOf(processor, "bypass").isBoolean());
+    CHECK(parameterOf(processor, "bend_range").getNumSteps() == 49);
+    CHECK(parameterOf(processor, "material").getNumSteps() == 64);
+    CHECK(parameterOf(processor, "material").isDiscrete());
+    CHECK_FALSE(parameterOf(processor, "level").isDiscrete());
+    const auto materials = parameterOf(processor, "material").getAllValueStrings();
+    REQUIRE(materials.size() == 64);
+    CHECK(materials[0] == "Own");
+    CHECK(materials[2] == "Rosewood");
+    for (const auto& name : materials)
+        CHECK(name.isNotEmpty());
+}
+
+TEST_CASE("The bypass that the host is told of is the table's") {
+    Processor processor;
+    CHECK(processor.getBypassParameter() == &parameterOf(processor, "bypass"));
+}
+
+TEST_CASE("A snapshot of the parameters never mixes two loads") {
+    struct Empty final : juce::AudioProcessor {
+        const juce::String getName() const override { return "Empty"; }
+        void prepareToPlay(double, int) override {}
+        void releaseResources() override {}
+        void processBlock(juce::AudioBuffer<float>&, juce::MidiBuffer&) override {}
+        double getTailLengthSeconds() const override { return 0; }
+        bool acceptsMidi() const override { return false; }
+        bool producesMidi() const override { return false; }
+        juce::AudioProcessorEditor* createEditor() override { return nullptr; }
+        bool hasEditor() const override { return false; }
+        int getNumPrograms() override { return 1; }
+        int getCurrentProgram() override { return 0; }
+        void setCurrentProgram(int) override {}
+        const juce::String getProgramName(int) override { return {}; }
+        void changeProgramName(int, const juce::String&) override {}
+        void getStateInformation(juce::MemoryBlock&) override {}
+        void setStateInformation(const void*, int) override {}
+    } host;
+    HostParameters parameters(host);
+    ParameterValues low, high;
+    for (const auto& info : parameterTable()) {
+        low.set(info.parameter, info.minimum);
+        high.set(info.parameter, info.maximum);
+    }
+    parameters.load(low);
+    auto previous = parameters.snapshot();
+    REQUIRE(previous == low);
+    std::atomic<bool> stop{false};
+    std::thread loader([&] {
+        for (int i = 0; !stop; ++i) {
+            parameters.load(i % 2 == 0 ? high : low);
+            std::this_thread::sleep_for(std::chrono::microseconds(20));
+        }
+    });
+    bool whole = true;
+    int changes = 0;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (changes < 1000 && std::chrono::steady_clock::now() < end) {
+        const auto now = parameters.snapshot();
+        whole = whole && (now == low || now == high);
+        changes += now == previous ? 0 : 1;
+        previous = now;
+    }
+    stop = true;
+    loader.join();
+    CHECK(whole);
+    CHECK(changes == 1000);
+}

@@ -1,0 +1,87 @@
+#include "Plugin/ObjectEmbedding.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <filesystem>
+#include <thread>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+TEST_CASE("An object from a file travels in the state and outlives the file") {
+    const auto file = std::filesystem::path(IDIOPHONE_TEST_DIR) / "embedded.modal";
+    REQUIRE(writeModalObject(syntheticObject({440, 1000}), file));
+    auto state = testState();
+    state.preset.keyMap.object = file.string();
+    state.preset.keyMap.kind = KeyMapKind::zones;
+    state.objects.clear();
+
+    Processor first;
+    restore(first, state);
+    REQUIRE(first.loadedInstrument()->keyMap() == state.preset.keyMap);
+    const auto bytes = saved(first);
+    std::filesystem::remove(file);
+    const auto embedded = parseState(bytes);
+    REQUIRE(embedded);
+    REQUIRE(embedded->objects.size() == 1);
+    CHECK(embedded->objects[0].name == file.string());
+
+    Processor second;
+    restoreBytes(second, bytes);
+    REQUIRE(second.loadedInstrument() != nullptr);
+    CHECK(second.loadedInstrument()->keyMap() == state.preset.keyMap);
+    CHECK(saved(second) == bytes);
+}
+
+TEST_CASE("A factory instrument embeds nothing") {
+    for (const auto& preset : factoryPresets()) {
+        const auto instrument = buildInstrument(preset.keyMap, {});
+        INFO(preset.name);
+        REQUIRE(instrument);
+        CHECK(foreignObjects(**instrument).empty());
+    }
+}
+
+TEST_CASE("An embedded object cannot take a factory object's place") {
+    const auto& preset = factoryPresets().front();
+    const auto before = buildInstrument(preset.keyMap, {});
+    REQUIRE(before);
+    auto name = preset.keyMap.object;
+    if (const auto mark = name.find("{note}"); mark != std::string::npos)
+        name.replace(mark, 6, std::to_string(preset.keyMap.lowestNote));
+    REQUIRE(factoryObject(name));
+    const EmbeddedObject impostor{.name = name, .modal = encodeModalObject(syntheticObject({100}))};
+    const auto after = buildInstrument(preset.keyMap, {impostor});
+    REQUIRE(after);
+    CHECK((*after)->slots()[0].object == (*before)->slots()[0].object);
+}
+
+TEST_CASE("A damaged embedded object is one sentence that names it") {
+    auto state = testState();
+    state.objects[3].modal.resize(20);
+    const auto built = buildInstrument(state.preset.keyMap, state.objects);
+    REQUIRE_FALSE(built);
+    CHECK_THAT(built.error().message, ContainsSubstring("test/63"));
+}
+
+TEST_CASE("Instances that restore different objects of one name at once each get their own") {
+    const auto low = testState("same", 1), high = testState("same", 2);
+    std::atomic<int> wrong{0};
+    const auto build = [&](const State& state, double expectedHz) {
+        for (int i = 0; i < 50; ++i) {
+            const auto built = buildInstrument(state.preset.keyMap, state.objects);
+            const double lambda = (*built)->slots()[0].object->eigenvalues[0];
+            if (std::abs(std::sqrt(lambda) / (2 * std::numbers::pi) - expectedHz) > 0.01)
+                ++wrong;
+        }
+    };
+    const double lowestHz = 440 * std::exp2((lowestTestNote - 69) / 12.0);
+    std::thread other([&] { build(high, 2 * lowestHz); });
+    build(low, lowestHz);
+    other.join();
+    CHECK(wrong == 0);
+}

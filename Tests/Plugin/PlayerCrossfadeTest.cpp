@@ -1,0 +1,161 @@
+#include "Plugin/PlayerCrossfade.h"
+
+#include "Plugin/ObjectEmbedding.h"
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <numbers>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 48000;
+const auto fadeSamples = static_cast<std::size_t>(PlayerCrossfade::fadeSeconds * rateHz);
+
+std::unique_ptr<Player> testPlayer(const std::string& folder = "test", double transpose = 1) {
+    const auto state = testState(folder, transpose);
+    auto instrument = buildInstrument(state.preset.keyMap, state.objects);
+    REQUIRE(instrument);
+    return std::make_unique<Player>(*instrument, rateHz);
+}
+
+MidiEvent strikeNote(int note = 65) {
+    return {.sampleOffset = 0, .bytes = {0x90, static_cast<std::uint8_t>(note), 110}};
+}
+
+const ParameterValues values = testState().parameters;
+
+/// A player struck once, and what it sounds like from sample 500 on.
+std::vector<float> continuation(std::size_t count) {
+    auto player = testPlayer();
+    std::vector<float> output(500 + count);
+    const std::array events{strikeNote()};
+    player->process(output, events, values);
+    return {output.begin() + 500, output.end()};
+}
+
+struct Ringing {
+    Handoff<Player> handoff;
+    PlayerCrossfade sound{handoff};
+
+    Ringing() {
+        sound.install(testPlayer());
+        std::vector<float> output(500);
+        const std::array events{strikeNote()};
+        sound.process(output, events, values);
+        REQUIRE(loudest(output) > 0.001f);
+    }
+};
+
+} // namespace
+
+TEST_CASE("What rang fades out under a raised cosine of 5 ms") {
+    Ringing ringing;
+    const auto alone = continuation(600);
+    ringing.sound.changeTo(testPlayer("other").release(), values);
+    std::vector<float> output(600);
+    ringing.sound.process(output, {}, values);
+    for (std::size_t i = 0; i < output.size(); ++i) {
+        const double place = static_cast<double>(i) / static_cast<double>(fadeSamples);
+        const double gain = i < fadeSamples ? (1 + std::cos(std::numbers::pi * place)) / 2 : 0;
+        REQUIRE(output[i] == static_cast<float>(gain) * alone[i]);
+    }
+}
+
+TEST_CASE("The fade does not depend on the block size") {
+    Ringing whole, pieces;
+    whole.sound.changeTo(testPlayer("other").release(), values);
+    pieces.sound.changeTo(testPlayer("other").release(), values);
+    std::vector<float> expected(600), output(600);
+    whole.sound.process(expected, {}, values);
+    for (std::size_t start = 0; start < 600; start += 7)
+        pieces.sound.process(
+            std::span(output).subspan(start, std::min<std::size_t>(7, 600 - start)), {}, values);
+    CHECK(output == expected);
+}
+
+TEST_CASE("What fades keeps the parameters it sounded with") {
+    Ringing kept, changed;
+    auto bent = values;
+    bent.set(ParameterId::size, 0.5);
+    kept.sound.changeTo(testPlayer("other").release(), values);
+    changed.sound.changeTo(testPlayer("other").release(), bent);
+    std::vector<float> expected(600), output(600);
+    kept.sound.process(expected, {}, values);
+    changed.sound.process(output, {}, bent);
+    CHECK(output == expected);
+}
+
+TEST_CASE("A new player that is struck at once sounds from its first sample, unfaded") {
+    Handoff<Player> handoff;
+    PlayerCrossfade sound(handoff);
+    sound.install(testPlayer());
+    sound.changeTo(testPlayer("other", 1.5).release(), values);
+    auto alone = testPlayer("other", 1.5);
+    std::vector<float> expected(600), output(600);
+    const std::array events{strikeNote()};
+    alone->process(expected, events, values);
+    sound.process(output, events, values);
+    CHECK(output == expected);
+    CHECK(loudest(output) > 0.001f);
+}
+
+TEST_CASE("A second change within a fade lets the first sound fade on") {
+    Ringing once, twice;
+    once.sound.changeTo(testPlayer("other").release(), values);
+    twice.sound.changeTo(testPlayer("other").release(), values);
+    std::vector<float> expected(600), output(600);
+    once.sound.process(expected, {}, values);
+    twice.sound.process(std::span(output).first(100), {}, values);
+    twice.sound.changeTo(testPlayer("third").release(), values);
+    twice.sound.process(std::span(output).subspan(100), {}, values);
+    CHECK(output == expected);
+}
+
+TEST_CASE("Pedal and pitch wheel stay where they are when the player changes") {
+    auto damped = values;
+    damped.set(ParameterId::letRing, 0);
+    const MidiEvent pedal{.sampleOffset = 0, .bytes = {0xb0, 64, 127}};
+    const MidiEvent wheel{.sampleOffset = 0, .bytes = {0xe0, 0, 127}};
+    const MidiEvent release{.sampleOffset = 0, .bytes = {0x80, 65, 0}};
+
+    Handoff<Player> handoff;
+    PlayerCrossfade sound(handoff);
+    sound.install(testPlayer());
+    std::vector<float> expected(9600), output(9600);
+    const std::array before{pedal, wheel};
+    sound.process(std::span(output).first(64), before, damped);
+    sound.changeTo(testPlayer("other").release(), damped);
+    const std::array tap{strikeNote(), release};
+    for (std::size_t start = 0; start < 9600; start += 960)
+        sound.process(std::span(output).subspan(start, 960),
+                      start == 0 ? std::span<const MidiEvent>(tap) : std::span<const MidiEvent>{},
+                      damped);
+
+    auto alone = testPlayer("other");
+    const std::array all{pedal, wheel, strikeNote(), release};
+    alone->process(expected, all, damped);
+    CHECK(output == expected);
+    CHECK(loudest({output.end() - 960, output.end()}) > 0.001f); // held by the pedal
+}
+
+TEST_CASE("A reset is silence at once, also in a fade") {
+    Ringing ringing;
+    ringing.sound.changeTo(testPlayer("other").release(), values);
+    ringing.sound.reset();
+    std::vector<float> output(600, 1.0f);
+    ringing.sound.process(output, {}, values);
+    CHECK(loudest(output) == 0);
+}
+
+TEST_CASE("Without a player there is silence") {
+    Handoff<Player> handoff;
+    PlayerCrossfade sound(handoff);
+    std::vector<float> output(100, 1.0f);
+    const std::array events{strikeNote()};
+    sound.process(output, events, values);
+    sound.reset();
+    CHECK(loudest(output) == 0);
+}

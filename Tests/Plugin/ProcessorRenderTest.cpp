@@ -1,0 +1,194 @@
+// What the processor renders: the same whatever the host's blocks, rates and layouts are.
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr int songSamples = 24000;
+
+std::vector<float> renderedSong(int blockSize, bool offline = false, double rateHz = 48000) {
+    Processor processor;
+    restore(processor, testState());
+    processor.setNonRealtime(offline);
+    processor.prepareToPlay(rateHz, blockSize);
+    return render(processor, songSamples, blockSize, testMusic(songSamples));
+}
+
+} // namespace
+
+TEST_CASE("Renders are bit-identical for block sizes 1, 7, 64, 480 and 4096") {
+    const auto expected = renderedSong(64);
+    REQUIRE(loudest(expected) > 0.01f);
+    REQUIRE(loudest(expected) < 100);
+    for (const int blockSize : {1, 7, 480, 4096})
+        CHECK(renderedSong(blockSize) == expected);
+}
+
+TEST_CASE("Renders are bit-identical in real time and offline") {
+    CHECK(renderedSong(480, true) == renderedSong(480, false));
+}
+
+TEST_CASE("Every sample rate from 8 to 384 kHz sounds and stays finite") {
+    for (const double rateHz : {8000, 11025, 22050, 44100, 48000, 88200, 96000, 192000, 384000}) {
+        const auto output = renderedSong(512, false, rateHz);
+        INFO(rateHz << " Hz");
+        CHECK(allFinite(output));
+        CHECK(loudest(output) > 0.01f);
+    }
+}
+
+TEST_CASE("Blocks larger than prepared, and of changing sizes, render the same") {
+    const auto expected = renderedSong(64);
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 32);
+    const auto midi = testMusic(songSamples);
+    std::vector<float> output;
+    int size = 1;
+    for (int start = 0; start < songSamples;) {
+        size = (size * 7 + 13) % 9000;
+        const int count = std::min(size, songSamples - start);
+        juce::AudioBuffer<float> buffer(2, count);
+        juce::MidiBuffer block;
+        block.addEvents(midi, start, count, -start);
+        processor.processBlock(buffer, block);
+        output.insert(output.end(), buffer.getReadPointer(0), buffer.getReadPointer(0) + count);
+        start += count;
+    }
+    CHECK(output == expected);
+}
+
+TEST_CASE("Mono is the left channel of stereo, and both stereo channels are the same") {
+    const auto expected = renderedSong(480);
+    Processor mono;
+    restore(mono, testState());
+    juce::AudioProcessor::BusesLayout layout;
+    layout.outputBuses.add(juce::AudioChannelSet::mono());
+    REQUIRE(mono.setBusesLayout(layout));
+    mono.prepareToPlay(48000, 480);
+    CHECK(render(mono, songSamples, 480, testMusic(songSamples), 1) == expected);
+
+    Processor stereo;
+    restore(stereo, testState());
+    stereo.prepareToPlay(48000, songSamples);
+    juce::AudioBuffer<float> buffer(2, songSamples);
+    auto midi = testMusic(songSamples);
+    stereo.processBlock(buffer, midi);
+    bool same = true;
+    for (int i = 0; i < songSamples; ++i)
+        same = same && buffer.getSample(0, i) == buffer.getSample(1, i);
+    CHECK(same);
+}
+
+TEST_CASE("A note sounds from its exact sample on") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 1000);
+    for (const int stamp : {0, 1, 63, 64, 517, 999}) {
+        processor.prepareToPlay(48000, 1000);
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::noteOn(1, 65, static_cast<juce::uint8>(127)), stamp);
+        const auto output = render(processor, 1100, 1000, midi);
+        const auto first =
+            std::find_if(output.begin(), output.end(), [](float x) { return x != 0; });
+        INFO(stamp);
+        // The force pulse begins with zero force: a sample or two may pass before the sound.
+        CHECK(std::distance(output.begin(), first) >= stamp);
+        CHECK(std::distance(output.begin(), first) <= stamp + 2);
+    }
+}
+
+TEST_CASE("Events in a block without samples are heard in the next") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 512);
+    juce::AudioBuffer<float> nothing(2, 0);
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, 65, static_cast<juce::uint8>(127)), 0);
+    processor.processBlock(nothing, midi);
+    CHECK(loudest(render(processor, 512, 512, {})) > 0.01f);
+}
+
+TEST_CASE("Of five thousand events on one sample none is lost") {
+    // 4999 wheel moves before the note: it must still sound, with the wheel where the last left it.
+    juce::MidiBuffer crowded, sparse;
+    for (int i = 0; i < 4999; ++i)
+        crowded.addEvent(juce::MidiMessage::pitchWheel(1, i), 511);
+    sparse.addEvent(juce::MidiMessage::pitchWheel(1, 4998), 511);
+    for (auto* midi : {&crowded, &sparse})
+        midi->addEvent(juce::MidiMessage::noteOn(1, 65, static_cast<juce::uint8>(127)), 511);
+    std::vector<std::vector<float>> outputs;
+    for (const auto* midi : {&crowded, &sparse}) {
+        Processor processor;
+        restore(processor, testState());
+        processor.prepareToPlay(48000, 512);
+        outputs.push_back(render(processor, 4096, 512, *midi));
+    }
+    CHECK(loudest(outputs[0]) > 0.01f);
+    CHECK(outputs[0] == outputs[1]);
+}
+
+TEST_CASE("Automation of every parameter to both ends stays finite") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 256);
+    const auto midi = testMusic(256, 64);
+    juce::AudioBuffer<float> buffer(2, 256);
+    std::mt19937 random(5);
+    bool finite = true;
+    const auto renderBlocks = [&](int blocks) {
+        for (int block = 0; block < blocks; ++block) {
+            auto events = midi;
+            processor.processBlock(buffer, events);
+            for (int i = 0; i < 256; ++i)
+                finite = finite && std::isfinite(buffer.getSample(0, i));
+        }
+    };
+    for (auto* parameter : processor.getParameters()) {
+        INFO(parameter->getName(100));
+        for (const float end : {0.0f, 1.0f}) {
+            parameter->setValue(end);
+            renderBlocks(8);
+        }
+        parameter->setValue(parameter->getDefaultValue());
+        CHECK(finite);
+    }
+    for (int round = 0; round < 300; ++round) {
+        for (auto* parameter : processor.getParameters())
+            if (parameter != processor.getBypassParameter())
+                parameter->setValue(static_cast<float>(random() % 2));
+        renderBlocks(2);
+    }
+    CHECK(finite);
+}
+
+TEST_CASE("Bypass silences, and what rang meanwhile has gone on ringing") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 480);
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, 65, static_cast<juce::uint8>(127)), 0);
+    render(processor, 480, 480, midi);
+    processor.getBypassParameter()->setValue(1);
+    render(processor, 960, 480, {}); // the ramp
+    CHECK(loudest(render(processor, 960, 480, {})) == 0);
+    processor.getBypassParameter()->setValue(0);
+    CHECK(loudest(render(processor, 960, 480, {})) > 0);
+}
+
+TEST_CASE("Level is heard in decibels") {
+    const auto renderAt = [](double decibels) {
+        Processor processor;
+        auto state = testState();
+        state.parameters.set(ParameterId::level, decibels);
+        restore(processor, state);
+        processor.prepareToPlay(48000, 480);
+        return loudest(render(processor, songSamples, 480, testMusic(songSamples)));
+    };
+    const float ratio = renderAt(-20) / renderAt(0);
+    CHECK(std::abs(ratio - 0.1f) < 1e-6f);
+}

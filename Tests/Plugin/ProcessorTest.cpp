@@ -1,0 +1,253 @@
+// What hosts ask of the processor: buses, programs, tail, resets, sharing.
+#include "Plugin/TestSound.h"
+
+#include "Instrument/FactoryContent.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+juce::MidiBuffer oneMessage(const juce::MidiMessage& message) {
+    juce::MidiBuffer midi;
+    midi.addEvent(message, 0);
+    return midi;
+}
+
+const auto hardNote = oneMessage(juce::MidiMessage::noteOn(1, 72, static_cast<juce::uint8>(127)));
+
+bool supports(std::initializer_list<juce::AudioChannelSet> inputs,
+              std::initializer_list<juce::AudioChannelSet> outputs) {
+    Processor processor;
+    juce::AudioProcessor::BusesLayout layout;
+    for (const auto& set : inputs)
+        layout.inputBuses.add(set);
+    for (const auto& set : outputs)
+        layout.outputBuses.add(set);
+    return processor.isBusesLayoutSupported(layout);
+}
+
+} // namespace
+
+TEST_CASE("One mono or stereo output and no input, nothing else") {
+    using Set = juce::AudioChannelSet;
+    CHECK(supports({}, {Set::mono()}));
+    CHECK(supports({}, {Set::stereo()}));
+    CHECK_FALSE(supports({}, {}));
+    CHECK_FALSE(supports({}, {Set::disabled()}));
+    CHECK_FALSE(supports({}, {Set::create5point1()}));
+    CHECK_FALSE(supports({}, {Set::stereo(), Set::stereo()}));
+    CHECK_FALSE(supports({Set::stereo()}, {Set::stereo()}));
+}
+
+TEST_CASE("It takes MIDI, sends none, has no latency and works in single precision") {
+    Processor processor;
+    CHECK(processor.acceptsMidi());
+    CHECK_FALSE(processor.producesMidi());
+    CHECK_FALSE(processor.isMidiEffect());
+    CHECK(processor.getLatencySamples() == 0);
+    CHECK_FALSE(processor.supportsDoublePrecisionProcessing());
+}
+
+TEST_CASE("Every factory preset is a program with a name that plays") {
+    Processor processor;
+    REQUIRE(processor.getNumPrograms() == static_cast<int>(factoryPresets().size()));
+    processor.prepareToPlay(48000, 512);
+    for (int program = 0; program < processor.getNumPrograms(); ++program) {
+        INFO(processor.getProgramName(program));
+        CHECK(processor.getProgramName(program).isNotEmpty());
+        processor.setCurrentProgram(program);
+        CHECK(processor.getCurrentProgram() == program);
+        CHECK_FALSE(processor.takeStatus().isError);
+        const auto output = render(processor, 4800, 480, hardNote);
+        CHECK(loudest(output) > 0.001f);
+        CHECK(allFinite(output));
+    }
+    CHECK(processor.getProgramName(-1).isEmpty());
+    CHECK(processor.getProgramName(1000).isEmpty());
+    processor.setCurrentProgram(-1);
+    processor.setCurrentProgram(1000);
+    CHECK(processor.getCurrentProgram() == processor.getNumPrograms() - 1);
+}
+
+TEST_CASE("A new instance plays the first factory preset") {
+    Processor processor;
+    CHECK(processor.getCurrentProgram() == 0);
+    CHECK(processor.presetIndex() == 0);
+    CHECK_FALSE(processor.takeStatus().isError);
+    processor.prepareToPlay(44100, 512);
+    CHECK(loudest(render(processor, 4096, 512, hardNote)) > 0.001f);
+}
+
+TEST_CASE("A program sets every parameter but bypass") {
+    Processor processor;
+    for (auto* parameter : processor.getParameters())
+        parameter->setValue(1);
+    processor.setCurrentProgram(1);
+    for (const auto& info : parameterTable()) {
+        INFO(info.id);
+        const double expected = info.parameter == ParameterId::bypass
+                                    ? 1
+                                    : factoryPresets()[1].parameters[info.parameter];
+        CHECK(processor.parameterValue(info.parameter) == expected);
+    }
+}
+
+TEST_CASE("A program change by MIDI is followed by the message thread in real time") {
+    Processor processor;
+    processor.prepareToPlay(48000, 512);
+    render(processor, 512, 512, oneMessage(juce::MidiMessage::programChange(1, 2)));
+    CHECK(processor.getCurrentProgram() == 0);
+    for (int i = 0; i < 100 && processor.getCurrentProgram() == 0; ++i) {
+        juce::Thread::sleep(10);
+        juce::Timer::callPendingTimersSynchronously();
+    }
+    CHECK(processor.getCurrentProgram() == 2);
+    render(processor, 512, 512, oneMessage(juce::MidiMessage::programChange(1, 127)));
+    juce::Thread::sleep(100);
+    juce::Timer::callPendingTimersSynchronously();
+    CHECK(processor.getCurrentProgram() == 2);
+}
+
+TEST_CASE("A program change by MIDI holds from the next block on in an offline render") {
+    Processor processor;
+    processor.setNonRealtime(true);
+    processor.prepareToPlay(48000, 512);
+    render(processor, 512, 512, oneMessage(juce::MidiMessage::programChange(1, 2)));
+    CHECK(processor.getCurrentProgram() == 2);
+}
+
+TEST_CASE("A preset chosen while notes ring makes no step larger than the sound's own") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 480);
+    const auto largestStep = [](const std::vector<float>& samples) {
+        float step = 0;
+        for (std::size_t i = 1; i < samples.size(); ++i)
+            step = std::max(step, std::abs(samples[i] - samples[i - 1]));
+        return step;
+    };
+    auto before =
+        render(processor, 9600, 480,
+               oneMessage(juce::MidiMessage::noteOn(1, 60, static_cast<juce::uint8>(90))));
+    before.erase(before.begin(), before.end() - 480);
+    restore(processor, testState("other", 1.3));
+    auto after = render(processor, 960, 480, {});
+    CHECK(loudest({after.end() - 480, after.end()}) == 0);
+    const float natural = largestStep(before);
+    after.insert(after.begin(), before.back());
+    CHECK(largestStep(after) <= 1.05f * natural);
+}
+
+TEST_CASE("Instances share the objects they play") {
+    Processor first, second;
+    const auto a = first.loadedInstrument(), b = second.loadedInstrument();
+    REQUIRE(a != nullptr);
+    REQUIRE(b != nullptr);
+    REQUIRE(a->slots().size() == b->slots().size());
+    for (std::size_t slot = 0; slot < a->slots().size(); ++slot)
+        CHECK(a->slots()[slot].object == b->slots()[slot].object);
+}
+
+TEST_CASE("A reset silences from the next block on, and the same notes sound the same again") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 480);
+    const auto first = render(processor, 9600, 480, testMusic(9600));
+    processor.reset();
+    const auto again = render(processor, 9600, 480, testMusic(9600));
+    CHECK(again == first);
+    processor.reset();
+    CHECK(loudest(render(processor, 480, 480, {})) == 0);
+}
+
+TEST_CASE("Preparing again, in any order and at any rate, starts from silence") {
+    Processor processor;
+    restore(processor, testState());
+    processor.releaseResources();
+    processor.reset();
+    juce::AudioBuffer<float> buffer(2, 64);
+    juce::MidiBuffer none;
+    processor.processBlock(buffer, none); // never prepared
+    CHECK(buffer.getMagnitude(0, 64) == 0);
+    for (const double rateHz : {48000.0, 8000.0, 384000.0, 44100.0, 44100.0}) {
+        processor.prepareToPlay(rateHz, 64);
+        processor.prepareToPlay(rateHz, 8192);
+        CHECK(loudest(render(processor, 64, 64, {})) == 0);
+        CHECK(loudest(render(processor, 2400, 480, testMusic(2400, 100))) > 0.001f);
+        processor.releaseResources();
+        processor.releaseResources();
+    }
+}
+
+TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
+    using enum ParameterId;
+    Processor processor;
+    auto state = testState();
+    state.parameters.set(material, customMaterial);
+    state.parameters.set(fluidDamping, 10);
+    restore(processor, state);
+    CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(std::log(65536) / 5, 1e-12));
+    state.parameters.set(letRing, 0);
+    state.parameters.set(releaseTime, 0.1);
+    restore(processor, state);
+    CHECK_THAT(processor.getTailLengthSeconds(),
+               WithinRel(std::log(65536) / (5 + std::log(1000) / 0.1), 1e-12));
+    state.parameters.set(letRing, 1);
+    state.parameters.set(fluidDamping, 0.01);
+    restore(processor, state);
+    CHECK(processor.getTailLengthSeconds() == Processor::longestTailSeconds);
+    // Of its own material, γ = 5 per second in the test objects.
+    state.parameters.set(material, ownMaterial);
+    restore(processor, state);
+    CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(std::log(65536) / 2.5, 1e-12));
+}
+
+TEST_CASE("Nothing is heard above a 16-bit step when the tail is over") {
+    Processor processor;
+    auto state = testState();
+    state.parameters.set(ParameterId::material, customMaterial);
+    state.parameters.set(ParameterId::fluidDamping, 20);
+    restore(processor, state);
+    processor.prepareToPlay(48000, 480);
+    const auto played = render(processor, 480, 480, hardNote);
+    const int tail = static_cast<int>(std::ceil(processor.getTailLengthSeconds() * 48000));
+    render(processor, tail, 480, {});
+    CHECK(loudest(render(processor, 4800, 480, {})) < loudest(played) / 65536);
+}
+
+TEST_CASE("Notes of the on-screen keyboard are played") {
+    Processor processor;
+    processor.prepareToPlay(48000, 480);
+    processor.playNote(72, 127);
+    CHECK(loudest(render(processor, 4800, 480, {})) > 0.001f);
+    CHECK(processor.takeStatus().peak > 0.001f);
+}
+
+TEST_CASE("A change in the window is recorded by the host as one gesture with the exact value") {
+    struct Listener final : juce::AudioProcessorListener {
+        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
+            log += "=";
+        }
+        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
+        void audioProcessorParameterChangeGestureBegin(juce::AudioProcessor*, int) override {
+            log += "(";
+        }
+        void audioProcessorParameterChangeGestureEnd(juce::AudioProcessor*, int) override {
+            log += ")";
+        }
+        juce::String log;
+    } listener;
+    Processor processor;
+    processor.addListener(&listener);
+    processor.beginParameterChange(ParameterId::density);
+    processor.changeParameter(ParameterId::density, 1000.1);
+    processor.endParameterChange(ParameterId::density);
+    processor.removeListener(&listener);
+    CHECK(listener.log == "(=)");
+    CHECK(processor.parameterValue(ParameterId::density) == 1000.1);
+}

@@ -1,0 +1,190 @@
+// The audio callback neither allocates, locks nor calls the system, shown by a trap that is itself
+// shown to catch each of these.
+#include "Plugin/RealTimeTrap.h"
+#include "Plugin/TestSound.h"
+
+#include "Instrument/FactoryContent.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <cstdlib>
+#include <fcntl.h>
+#include <mutex>
+#include <shared_mutex>
+#include <thread>
+#include <unistd.h>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+/// What somebody might add to a callback: a processor that misbehaves on demand.
+template <class Fault>
+RealTimeFaults plantedIn(Processor& processor, Fault&& fault) {
+    juce::AudioBuffer<float> buffer(2, 256);
+    juce::MidiBuffer midi = testMusic(256, 64);
+    return faultsOf([&] {
+        processor.processBlock(buffer, midi);
+        fault();
+    });
+}
+
+void hide(void* pointer) { // from the optimiser
+    asm volatile("" : : "r"(pointer) : "memory");
+}
+
+class WatchedHost {
+public:
+    explicit WatchedHost(int blockSize) : buffer(2, blockSize) {
+        processor.prepareToPlay(48000, blockSize);
+    }
+
+    void block(const juce::MidiBuffer& midi, int samples) {
+        juce::MidiBuffer events(midi);
+        juce::AudioBuffer<float> view(buffer.getArrayOfWritePointers(), 2, samples);
+        const auto faults = faultsOf([&] { processor.processBlock(view, events); });
+        INFO(what << ": first " << faults.first);
+        CHECK(faults.allocations == 0);
+        CHECK(faults.locks == 0);
+        CHECK(faults.systemCalls == 0);
+        for (int i = 0; i < samples; ++i)
+            loudestSample = std::max(loudestSample, std::abs(view.getSample(0, i)));
+    }
+
+    Processor processor;
+    std::string what;
+    float loudestSample = 0;
+
+private:
+    juce::AudioBuffer<float> buffer;
+};
+
+} // namespace
+
+TEST_CASE("The real-time trap catches every kind of planted fault in a callback") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 256);
+    CHECK(plantedIn(processor, [] {}).none());
+
+    CHECK(plantedIn(processor, [] { hide(std::malloc(10)); }).allocations > 0);
+    CHECK(plantedIn(processor, [] { hide(new int); }).allocations > 0);
+    CHECK(plantedIn(processor, [] { hide(std::aligned_alloc(64, 64)); }).allocations > 0);
+    auto* block = new std::vector<float>(100);
+    CHECK(plantedIn(processor, [&] { delete block; }).allocations > 0);
+    std::vector<int> growing;
+    CHECK(plantedIn(processor, [&] { growing.push_back(1); }).allocations > 0);
+    CHECK(plantedIn(processor, [] { juce::String(3.25).toStdString(); }).allocations > 0);
+
+    std::mutex mutex;
+    CHECK(plantedIn(processor, [&] { const std::scoped_lock lock(mutex); }).locks > 0);
+    CHECK(plantedIn(processor, [&] {
+              const std::unique_lock lock(mutex, std::try_to_lock);
+          }).locks > 0);
+    std::shared_mutex readers;
+    CHECK(plantedIn(processor, [&] { const std::shared_lock lock(readers); }).locks > 0);
+    juce::CriticalSection section;
+    CHECK(plantedIn(processor, [&] { const juce::ScopedLock lock(section); }).locks > 0);
+    juce::MidiKeyboardState keyboard;
+    juce::MidiBuffer midi;
+    CHECK(plantedIn(processor, [&] { keyboard.processNextMidiBuffer(midi, 0, 64, true); }).locks >
+          0);
+    CHECK(plantedIn(processor, [&] { processor.takeStatus(); }).locks > 0);
+}
+
+TEST_CASE("The real-time trap catches planted system calls in a callback") {
+    if (!systemCallTrapWorks())
+        SKIP("needs Linux 5.11 on x86-64 and no sanitizer");
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 256);
+    const auto systemCalls = [&](auto&& fault) { return plantedIn(processor, fault).systemCalls; };
+    CHECK(systemCalls([] {}) == 0);
+    volatile int parent = 0;
+    CHECK(systemCalls([&] { parent = ::getppid(); }) > 0);
+    CHECK(systemCalls([] { std::this_thread::sleep_for(std::chrono::microseconds(1)); }) > 0);
+    CHECK(systemCalls([] { std::this_thread::yield(); }) > 0);
+    CHECK(systemCalls([] { ::close(::open("/dev/null", O_WRONLY)); }) > 0);
+    std::atomic<int> number{0};
+    CHECK(systemCalls([&] { number.notify_all(); }) == 0); // nobody waits: no call
+    const auto written = systemCalls([] { ::write(-1, "", 0); });
+    CHECK(written > 0);
+}
+
+TEST_CASE("No factory preset allocates, locks or calls the system, whatever is played") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(512);
+    const auto music = testMusic(512, 30);
+    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
+        host.what = host.processor.getProgramName(program).toStdString();
+        host.processor.setCurrentProgram(program); // handed over while the last one rings
+        for (int block = 0; block < 40; ++block)
+            host.block(music, 512);
+    }
+    CHECK(host.loudestSample > 0.001f);
+}
+
+TEST_CASE("No parameter at either end makes the callback allocate, lock or call the system") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(256);
+    restore(host.processor, testState());
+    const auto music = testMusic(256, 40);
+    for (auto* parameter : host.processor.getParameters()) {
+        host.what = parameter->getName(100).toStdString();
+        for (const float end : {0.0f, 1.0f}) {
+            // Automation may come on the audio thread.
+            CHECK(faultsOf([&] { parameter->setValue(end); }).none());
+            for (int block = 0; block < 6; ++block)
+                host.block(music, 256);
+        }
+        parameter->setValue(parameter->getDefaultValue());
+    }
+    CHECK(host.loudestSample > 0.001f);
+}
+
+TEST_CASE("Crowded, overlong and empty blocks, resets and program changes stay real-time safe") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(20000);
+    juce::MidiBuffer crowded;
+    for (int i = 0; i < 6000; ++i)
+        crowded.addEvent(juce::MidiMessage::noteOn(1, i % 128, static_cast<juce::uint8>(99)),
+                         i / 3000);
+    std::vector<juce::uint8> dump(2000, 1);
+    crowded.addEvent(juce::MidiMessage::createSysExMessage(dump.data(), 2000), 5);
+    crowded.addEvent(juce::MidiMessage::programChange(1, 1), 6);
+    crowded.addEvent(juce::MidiMessage::allSoundOff(1), 7);
+    for (const int samples : {20000, 1, 0, 7, 8192, 8193})
+        for (int round = 0; round < 3; ++round) {
+            host.what = std::to_string(samples) + " samples";
+            host.processor.playNote(72, 100);
+            host.block(crowded, samples);
+            host.processor.reset();
+            host.block(crowded, samples);
+        }
+}
+
+TEST_CASE("Players handed over in a storm never make the callback allocate, lock or wait") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(64);
+    const auto music = testMusic(64, 16);
+    const auto a = encodeState(testState("a")), b = encodeState(testState("b", 2));
+    std::atomic<bool> stop{false};
+    std::thread message([&] {
+        for (int i = 0; i < 60; ++i) {
+            restoreBytes(host.processor, i % 2 == 0 ? a : b);
+            host.processor.takeStatus();
+            saved(host.processor);
+        }
+        stop = true;
+    });
+    while (!stop)
+        host.block(music, 64);
+    message.join();
+    CHECK(host.loudestSample > 0.001f);
+}

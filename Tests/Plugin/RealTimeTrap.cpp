@@ -1,0 +1,199 @@
+#include "Plugin/RealTimeTrap.h"
+
+#if defined(__linux__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) &&                  \
+    !defined(__SANITIZE_THREAD__)
+
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <dlfcn.h>
+#include <pthread.h>
+#include <semaphore.h>
+#include <sys/prctl.h>
+#include <ucontext.h>
+
+// Of Linux 5.11; older headers lack them.
+#ifndef PR_SET_SYSCALL_USER_DISPATCH
+#define PR_SET_SYSCALL_USER_DISPATCH 59
+#define PR_SYS_DISPATCH_ON 1
+#endif
+
+namespace {
+
+struct Watch {
+    volatile bool active = false;
+    volatile char systemCallsBlocked = 0; ///< read by the kernel at each system call
+    bool dispatching = false;
+    int allocations = 0, locks = 0, systemCalls = 0;
+    const char* first = nullptr;
+    int firstSystemCall = -1;
+};
+thread_local Watch watch;
+
+void note(int Watch::*counter, const char* name) {
+    if (!watch.active)
+        return;
+    ++(watch.*counter);
+    if (watch.first == nullptr)
+        watch.first = name;
+}
+
+void noteAllocation(const char* name) {
+    note(&Watch::allocations, name);
+}
+
+template <class Function>
+Function* next(Function*& function, const char* name) {
+    if (function == nullptr)
+        function = reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+    return function;
+}
+
+template <class Function, class... Arguments>
+int lockCall(Function*& function, const char* name, Arguments... arguments) {
+    note(&Watch::locks, name);
+    return next(function, name)(arguments...);
+}
+
+#if defined(__x86_64__)
+// The kernel hands over the system call instead of making it. It is counted and then made after
+// all, so that what is watched behaves as ever; of each watch the first one is seen.
+void onSystemCall(int, siginfo_t* info, void* context) {
+    watch.systemCallsBlocked = 0;
+    note(&Watch::systemCalls, "a system call");
+    if (watch.firstSystemCall < 0)
+        watch.firstSystemCall = info->si_syscall;
+    auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
+    constexpr int systemCallInstructionBytes = 2;
+    registers[REG_RIP] -= systemCallInstructionBytes;
+    registers[REG_RAX] = info->si_syscall;
+}
+
+bool dispatchSystemCalls() {
+    if (!watch.dispatching) {
+        struct sigaction action {};
+        action.sa_sigaction = onSystemCall;
+        action.sa_flags = SA_SIGINFO;
+        sigaction(SIGSYS, &action, nullptr);
+        watch.dispatching = prctl(PR_SET_SYSCALL_USER_DISPATCH, PR_SYS_DISPATCH_ON, 0L, 0L,
+                                  &watch.systemCallsBlocked) == 0;
+    }
+    return watch.dispatching;
+}
+#else
+bool dispatchSystemCalls() {
+    return false;
+}
+#endif
+
+} // namespace
+
+#define IDIOPHONE_WATCHED_LOCK(name, parameters, ...)                                              \
+    extern "C" int name parameters {                                                               \
+        static decltype(&name) function = nullptr;                                                 \
+        return lockCall(function, #name, __VA_ARGS__);                                             \
+    }
+
+// What the executable defines goes before the C library's.
+extern "C" {
+
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
+
+void* malloc(std::size_t size) {
+    noteAllocation("malloc");
+    return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+    noteAllocation("calloc");
+    return __libc_calloc(count, size);
+}
+void* realloc(void* block, std::size_t size) {
+    noteAllocation("realloc");
+    return __libc_realloc(block, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+    noteAllocation("memalign");
+    return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    noteAllocation("aligned_alloc");
+    return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+    noteAllocation("posix_memalign");
+    *block = __libc_memalign(alignment, size);
+    return *block == nullptr ? ENOMEM : 0;
+}
+void free(void* block) {
+    if (block != nullptr) // free(nullptr) does nothing, and is allowed to
+        noteAllocation("free");
+    __libc_free(block);
+}
+}
+
+IDIOPHONE_WATCHED_LOCK(pthread_mutex_lock, (pthread_mutex_t * m), m)
+IDIOPHONE_WATCHED_LOCK(pthread_mutex_trylock, (pthread_mutex_t * m), m)
+IDIOPHONE_WATCHED_LOCK(pthread_rwlock_rdlock, (pthread_rwlock_t * l), l)
+IDIOPHONE_WATCHED_LOCK(pthread_rwlock_wrlock, (pthread_rwlock_t * l), l)
+IDIOPHONE_WATCHED_LOCK(pthread_spin_lock, (pthread_spinlock_t * l), l)
+IDIOPHONE_WATCHED_LOCK(pthread_cond_wait, (pthread_cond_t * c, pthread_mutex_t* m), c, m)
+IDIOPHONE_WATCHED_LOCK(pthread_cond_signal, (pthread_cond_t * c), c)
+IDIOPHONE_WATCHED_LOCK(pthread_cond_broadcast, (pthread_cond_t * c), c)
+IDIOPHONE_WATCHED_LOCK(sem_wait, (sem_t * s), s)
+IDIOPHONE_WATCHED_LOCK(sem_post, (sem_t * s), s)
+
+namespace idiophone::test {
+
+bool realTimeTrapWorks() {
+    return true;
+}
+
+bool systemCallTrapWorks() {
+    return dispatchSystemCalls();
+}
+
+void beginRealTimeWatch() {
+    const bool blocks = dispatchSystemCalls();
+    watch.allocations = watch.locks = watch.systemCalls = 0;
+    watch.first = nullptr;
+    watch.firstSystemCall = -1;
+    watch.active = true;
+    watch.systemCallsBlocked = blocks ? 1 : 0;
+}
+
+RealTimeFaults endRealTimeWatch() {
+    watch.systemCallsBlocked = 0;
+    watch.active = false;
+    RealTimeFaults faults{.allocations = watch.allocations,
+                          .locks = watch.locks,
+                          .systemCalls = watch.systemCalls,
+                          .first = watch.first == nullptr ? "" : watch.first};
+    if (watch.firstSystemCall >= 0)
+        faults.first += " (system call " + std::to_string(watch.firstSystemCall) + ")";
+    return faults;
+}
+
+} // namespace idiophone::test
+
+#else
+
+namespace idiophone::test {
+
+bool realTimeTrapWorks() {
+    return false;
+}
+bool systemCallTrapWorks() {
+    return false;
+}
+void beginRealTimeWatch() {}
+RealTimeFaults endRealTimeWatch() {
+    return {};
+}
+
+} // namespace idiophone::test
+
+#endif

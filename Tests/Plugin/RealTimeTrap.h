@@ -1,0 +1,33 @@
+// Watches code that must not allocate, lock or call the system: counts what it does of that while
+// it runs. Linux with glibc; not under the sanitizers, which replace the same functions.
+#pragma once
+
+#include <string>
+
+namespace idiophone::test {
+
+struct RealTimeFaults {
+    int allocations = 0; ///< malloc, free and their kin, and so new and delete
+    int locks = 0;       ///< mutexes, read-write locks, condition variables, semaphores
+    int systemCalls = 0;
+    std::string first; ///< names the first fault
+
+    bool none() const { return allocations + locks + systemCalls == 0; }
+};
+
+/// Whether faults are seen at all here, and whether system calls are.
+bool realTimeTrapWorks();
+bool systemCallTrapWorks();
+
+/// [any one thread] Between the two, the calling thread is watched.
+void beginRealTimeWatch();
+RealTimeFaults endRealTimeWatch();
+
+template <class Callback>
+RealTimeFaults faultsOf(Callback&& callback) {
+    beginRealTimeWatch();
+    callback();
+    return endRealTimeWatch();
+}
+
+} // namespace idiophone::test

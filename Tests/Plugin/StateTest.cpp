@@ -1,0 +1,155 @@
+#include "Plugin/State.h"
+
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <chrono>
+#include <random>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const auto place = text.find(from);
+    REQUIRE(place != std::string::npos);
+    return text.replace(place, from.size(), to);
+}
+
+void checkRefused(const std::string& bytes) {
+    const auto state = parseState(bytes);
+    INFO(bytes.substr(0, 200));
+    REQUIRE_FALSE(state);
+    CHECK_THAT(state.error().message, StartsWith("The saved state "));
+    CHECK(state.error().message.back() == '.');
+}
+
+State randomState(unsigned seed) {
+    std::mt19937 random(seed);
+    auto state = testState();
+    for (const auto& info : parameterTable())
+        state.parameters.set(
+            info.parameter,
+            info.fromNormalised(std::uniform_real_distribution<double>(0, 1)(random)));
+    return state;
+}
+
+} // namespace
+
+TEST_CASE("A state reads back equal to the last bit, and writes the same bytes again") {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const auto state = randomState(seed);
+        const auto bytes = encodeState(state);
+        const auto read = parseState(bytes);
+        REQUIRE(read);
+        CHECK(*read == state);
+        CHECK(encodeState(*read) == bytes);
+    }
+}
+
+TEST_CASE("Embedded objects come back byte for byte, whatever they hold") {
+    State state = testState();
+    state.objects = {{.name = "empty bytes", .modal = {std::byte{0}}}};
+    std::mt19937 random(3);
+    std::vector<std::byte> noise(300000);
+    for (auto& value : noise)
+        value = static_cast<std::byte>(random());
+    state.objects.push_back({.name = "noise", .modal = noise});
+    state.objects.push_back({.name = "zeros", .modal = std::vector<std::byte>(1000000)});
+    const auto bytes = encodeState(state);
+    CHECK(bytes.size() < 500000);
+    const auto read = parseState(bytes);
+    REQUIRE(read);
+    CHECK(read->objects == state.objects);
+}
+
+TEST_CASE("Parameters of a newer version are kept and saved again") {
+    auto state = testState();
+    state.unknownParameters = {{"radiance", 0.1}, {"sheen", -3e-300}};
+    const auto read = parseState(encodeState(state));
+    REQUIRE(read);
+    CHECK(read->unknownParameters == state.unknownParameters);
+}
+
+TEST_CASE("A parameter that a state lacks has its default, one out of range its nearest value") {
+    const auto bytes = encodeState(testState());
+    const auto without = parseState(replaced(bytes, "\"tune\":0.0,", ""));
+    REQUIRE(without);
+    CHECK(without->parameters[ParameterId::tune] == 0);
+    const auto outside = parseState(replaced(bytes, "\"tune\":0.0", "\"tune\":1e99"));
+    REQUIRE(outside);
+    CHECK(outside->parameters[ParameterId::tune] == 1200);
+}
+
+TEST_CASE("A state of a newer format is refused with one sentence that says so") {
+    const auto bytes = replaced(encodeState(testState()), "\"version\":1", "\"version\":2");
+    const auto state = parseState(replaced(bytes, "\"engine\":\"0.1.0\"", "\"engine\":\"7.5\""));
+    REQUIRE_FALSE(state);
+    CHECK_THAT(state.error().message, ContainsSubstring("newer Idiophone (7.5)"));
+}
+
+TEST_CASE("Damaged states are refused with one sentence each") {
+    const auto good = encodeState(testState());
+    checkRefused("");
+    checkRefused("{}");
+    checkRefused("[]");
+    checkRefused("null");
+    checkRefused("{\"format\":7}");
+    checkRefused(std::string(100000, '['));
+    checkRefused(replaced(good, "\"version\":1", "\"version\":-1"));
+    checkRefused(replaced(good, "\"version\":1", "\"version\":\"1\""));
+    checkRefused(replaced(good, "\"version\":1", "\"version\":1e400"));
+    checkRefused(replaced(good, "\"tune\":0.0", "\"tune\":null"));
+    checkRefused(replaced(good, "\"tune\":0.0", "\"tune\":1e999"));
+    checkRefused(replaced(good, "\"preset\":{", "\"preset\":3,\"was\":{"));
+    checkRefused(replaced(good, "\"objects\":[", "\"objects\":3,\"were\":["));
+    checkRefused(replaced(good, "\"objects\":[", "\"objects\":[7,"));
+    checkRefused(replaced(good, "\"modal\":\"", "\"modal\":\"!!"));
+    checkRefused(replaced(good, "\"modal\":\"", "\"modal\":\"AAAA"));
+}
+
+TEST_CASE("Any truncation of a state is refused") {
+    auto state = testState();
+    state.objects.resize(1);
+    const auto good = encodeState(state);
+    for (std::size_t length = 0; length < good.size(); ++length)
+        REQUIRE_FALSE(parseState(std::string_view(good).substr(0, length)));
+}
+
+TEST_CASE("Random bytes and random damage never crash") {
+    std::mt19937 random(11);
+    auto state = testState();
+    state.objects.resize(2);
+    const auto good = encodeState(state);
+    for (int i = 0; i < 2000; ++i) {
+        std::string noise(random() % 500, '\0');
+        for (char& c : noise)
+            c = static_cast<char>(random());
+        CHECK_FALSE(parseState(noise));
+        auto damaged = good;
+        for (int flip = 0; flip < 3; ++flip)
+            damaged[random() % damaged.size()] = static_cast<char>(random());
+        if (const auto read = parseState(damaged))
+            for (const auto& info : parameterTable()) {
+                const double value = read->parameters[info.parameter];
+                REQUIRE((value >= info.minimum && value <= info.maximum));
+            }
+    }
+}
+
+TEST_CASE("A hostile state of a hundred thousand parameters is read within a second") {
+    std::string parameters;
+    for (int i = 0; i < 100000; ++i)
+        parameters += "\"p" + std::to_string(i) + "\":1,";
+    const auto bytes =
+        replaced(encodeState(testState()), "\"parameters\":{", "\"parameters\":{" + parameters);
+    const auto start = std::chrono::steady_clock::now();
+    const auto state = parseState(bytes);
+    REQUIRE(state);
+    CHECK(state->unknownParameters.size() == 100000);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+}
