@@ -76,7 +76,8 @@ Result<Material> readMaterial(const std::string& file) {
     const auto text = readTextFile(file);
     if (!text)
         return tl::unexpected(text.error());
-    Material material{.name = std::filesystem::path(file).stem().string()};
+    Material material;
+    material.name = std::filesystem::path(file).stem().string();
     const auto root = ordered_json::parse(*text, nullptr, false);
     if (root.is_discarded())
         return failure(file + ": it is not JSON");

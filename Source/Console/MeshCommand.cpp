@@ -77,8 +77,8 @@ struct Kind {
     Mesh (*make)(const Options&);
 };
 
-constexpr Kind kinds[] = {{"sheet", sheet},         {"box", box},   {"disc", disc},
-                          {"icosphere", icosphere}, {"ring", ring}, {"hoop", hoop}};
+constexpr Kind kinds[] = {{"bar", sheet},           {"plate", sheet}, {"box", box},  {"disc", disc},
+                          {"icosphere", icosphere}, {"ring", ring},   {"hoop", hoop}};
 
 Result<void> makeMesh(const Options& options) {
     for (const auto& kind : kinds) {
@@ -94,7 +94,7 @@ Result<void> makeMesh(const Options& options) {
         return {};
     }
     return failure("mesh " + options.kind +
-                   ": it is none of sheet, box, disc, icosphere, ring and hoop");
+                   ": it is none of bar, plate, box, disc, icosphere, ring and hoop");
 }
 
 } // namespace
@@ -102,7 +102,7 @@ Result<void> makeMesh(const Options& options) {
 void addMesh(CLI::App& program, Action& chosen) {
     auto* command = program.add_subcommand("mesh", "Makes a mesh of a simple form");
     auto options = std::make_shared<Options>();
-    command->add_option("KIND", options->kind, "sheet, box, disc, icosphere, ring or hoop")
+    command->add_option("KIND", options->kind, "bar, plate, box, disc, icosphere, ring or hoop")
         ->required();
     command->add_option("-o,--output", options->output, "The .obj or .ply file to write")
         ->required();
@@ -111,8 +111,8 @@ void addMesh(CLI::App& program, Action& chosen) {
             ->check(numberBetween(1e-4, 100))
             ->capture_default_str();
     };
-    size("--length", options->lengthMetres, "Of a sheet or box, in metres");
-    size("--width", options->widthMetres, "Of a sheet or box");
+    size("--length", options->lengthMetres, "Of a bar, plate or box, in metres");
+    size("--width", options->widthMetres, "Of a bar, plate or box");
     size("--height", options->heightMetres, "Of a box or hoop");
     size("--radius", options->radiusMetres, "Of a disc, icosphere, ring or hoop");
     size("--section-radius", options->sectionRadiusMetres, "Of a ring's round section");

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ebur128.h>
 #include <iomanip>
 #include <iostream>
 #include <sstream>

@@ -7,14 +7,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <ebur128.h>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <vector>
-
-struct ebur128_state;
 
 namespace idiophone {
 

@@ -29,6 +29,7 @@ KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
     keyboard.setColour(Keyboard::mouseOverKeyOverlayColourId, palette::accent.withAlpha(0.35f));
     keyboard.setColour(Keyboard::shadowColourId, juce::Colours::transparentBlack);
     keyboard.setScrollButtonsVisible(false);
+    keyboard.setOctaveForMiddleC(4);
     keyboard.setTitle("Keyboard");
     addAndMakeVisible(keyboard);
     state.addListener(this);

@@ -123,20 +123,17 @@ void ParameterControl::refresh() {
 
 void ParameterControl::resized() {
     auto area = getLocalBounds();
-    if (toggle != nullptr) {
-        area.setHeight(juce::jmin(area.getHeight(), 24));
-        toggle->setBounds(area.removeFromRight(40));
+    if (slider == nullptr) {
+        area.setHeight(juce::jmin(area.getHeight(), 25));
+        if (list != nullptr)
+            list->setBounds(area.removeFromRight(area.getWidth() * 3 / 5).reduced(0, 1));
+        else
+            toggle->setBounds(area.removeFromRight(40));
         name.setBounds(area);
         return;
     }
     auto line = area.removeFromTop(17);
-    if (list != nullptr) {
-        name.setBounds(line);
-        list->setBounds(area.withHeight(juce::jmin(area.getHeight(), 24)));
-        return;
-    }
-    const auto valueWidth = juce::jmax(76, line.getWidth() * 2 / 5);
-    value.setBounds(line.removeFromRight(valueWidth));
+    value.setBounds(line.removeFromRight(juce::jmax(84, line.getWidth() * 3 / 8)));
     name.setBounds(line);
     slider->setBounds(area.withHeight(juce::jmin(area.getHeight(), 22)));
 }

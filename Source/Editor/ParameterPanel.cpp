@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-constexpr int columnCount = 4, gap = 8, padding = 10, headingHeight = 21;
+constexpr int columnCount = 3, gap = 8, padding = 10, headingHeight = 21;
 
 struct Layout {
     const char* title;
@@ -18,11 +18,11 @@ struct Layout {
 using enum ParameterId;
 const Layout layouts[] = {
     {"Material", 0, {material, youngsModulus, density, fluidDamping, viscoelasticDamping, size}},
+    {"Output", 0, {level, bypass}},
     {"Mallet", 1, {malletHardness, malletMass, malletSpeed, velocityCurve}},
     {"Strike", 1, {strikeAlong, strikeAcross, strikeSpread}},
     {"Playing", 2, {letRing, releaseTime, tune, bendRange}},
-    {"Output", 2, {level, bypass}},
-    {"Quality", 3, {tau, qualitySlope, modeBudget, compression}},
+    {"Quality", 2, {tau, qualitySlope, modeBudget, compression}},
 };
 
 } // namespace
@@ -56,9 +56,9 @@ void ParameterPanel::paint(juce::Graphics& g) {
 }
 
 void ParameterPanel::resized() {
-    constexpr int mostRows = 7, mostHeadings = 2;
+    constexpr int mostRows = 8, mostHeadings = 2;
     const int rowHeight =
-        juce::jlimit(34, 52, (getHeight() - 2 * padding - mostHeadings * headingHeight) / mostRows);
+        juce::jlimit(33, 52, (getHeight() - 2 * padding - mostHeadings * headingHeight) / mostRows);
     columns.clear();
     const int width = (getWidth() - (columnCount - 1) * gap) / columnCount;
     for (int column = 0; column < columnCount; ++column) {

@@ -71,6 +71,9 @@ void Player::process(std::span<float> output,
         cellPosition += until - position;
         position = until;
     }
+    // Stamped at or beyond the end, as controllers handed over with an empty block are.
+    while (next < events.size())
+        follow(events[next++]);
 }
 
 // Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by

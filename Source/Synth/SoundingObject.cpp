@@ -47,14 +47,15 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
 }
 
 void SoundingObject::setDamping(double dampingPerSecond) noexcept {
-    if (!(dampingPerSecond >= 0) || !std::isfinite(dampingPerSecond))
+    if (!(dampingPerSecond >= 0) || !std::isfinite(dampingPerSecond) ||
+        dampingPerSecond == requestedDamping)
         return;
     requestedDamping = dampingPerSecond;
     controlsChanged = true;
 }
 
 void SoundingObject::setFrequencyRatio(double newRatio) noexcept {
-    if (!(newRatio > 0) || !std::isfinite(newRatio))
+    if (!(newRatio > 0) || !std::isfinite(newRatio) || newRatio == requestedFrequencyRatio)
         return;
     requestedFrequencyRatio = newRatio;
     controlsChanged = true;

@@ -24,6 +24,9 @@ struct LiveMaterial {
     bool operator==(const LiveMaterial&) const = default;
 };
 
+/// A figure out of its range is ignored and keeps what it was. Frequency, size and material all act
+/// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio², and the damping
+/// d = γ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³.
 struct SynthesisSettings {
     double tau = 0.01;         ///< τ ≥ 0 in 16-bit steps; 0 never truncates
     double qualitySlope = 1;   ///< S ≥ 0; infinity is greedy

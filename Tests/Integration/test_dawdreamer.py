@@ -56,13 +56,15 @@ def test_every_parameter_moves_through_its_range_while_notes_sound(host):
     host = host()
     parameters = host.parameters()
     assert len(parameters) > 15
-    there_and_back = numpy.concatenate([numpy.linspace(0, 1, SAMPLE_RATE // 2),
-                                        numpy.linspace(1, 0, SAMPLE_RATE // 2)])
+    host.plugin.record_automation = True
+    sweep = numpy.linspace(0, 1, SAMPLE_RATE)
     for index, name in parameters:
         resting = host.plugin.get_parameter(index)
-        host.plugin.set_automation(index, there_and_back)
+        host.plugin.set_automation(index, sweep)
         audio = host.render(Performance.scale(), SAMPLE_RATE)
         assert numpy.isfinite(audio).all(), name
+        followed = host.plugin.get_automation()[name]
+        assert followed.min() < 0.05 and followed.max() > 0.95, f"{name} did not follow the sweep"
         host.plugin.set_automation(index, numpy.full(SAMPLE_RATE, resting))
     assert_sounds(host.render(Performance.scale(), SAMPLE_RATE))
 

@@ -7,12 +7,15 @@ from performance import (PRESET, SAMPLE_RATE, Performance, assert_equal_sound, a
                          seconds)
 
 BLOCK = 480
+# After loading, pedalboard strikes middle C until something sounds, or as long as this: a xylophone
+# has no middle C.
+LOADING_SECONDS = 0.1
 POSITIONS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0)
 
 
 @pytest.fixture
 def load(vst3):
-    return lambda: pedalboard.load_plugin(str(vst3))
+    return lambda: pedalboard.load_plugin(str(vst3), initialization_timeout=LOADING_SECONDS)
 
 
 def render(plugin, performance, frames, reset=True):
@@ -49,6 +52,7 @@ def test_every_parameter_moves_through_its_range_while_notes_sound(load):
             parameter.raw_value = position
             audio = render(plugin, performance, SAMPLE_RATE // 8, reset=False)
             assert numpy.isfinite(audio).all(), f"{name} at {position}"
+        assert parameter.raw_value > 0.95, f"{name} did not follow"
         parameter.raw_value = resting
         assert numpy.isfinite(render(plugin, quiet, 4096, reset=False)).all(), name
     assert_sounds(render(plugin, performance, SAMPLE_RATE))

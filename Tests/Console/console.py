@@ -1,0 +1,159 @@
+"""Runs the program `idiophone` that the environment names, and reads what it writes."""
+import array
+import cmath
+import json
+import math
+import os
+import pathlib
+import struct
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["IDIOPHONE"]
+OBJECTS = pathlib.Path(__file__).resolve().parents[2] / "Resources" / "Objects"
+
+
+def run(*arguments, timeout=120):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                          timeout=timeout)
+
+
+class ConsoleTest(unittest.TestCase):
+    """A directory of its own for each test, and the two ways in which the program may end."""
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.folder = pathlib.Path(directory.name)
+
+    def succeed(self, *arguments, timeout=120):
+        result = run(*arguments, timeout=timeout)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def json(self, *arguments):
+        return json.loads(self.succeed(*arguments, "--json").stdout)
+
+    def refuse(self, *arguments, naming, saying=""):
+        """Fails with one sentence, which names what is at fault, and leaves no files behind."""
+        before = set(self.folder.rglob("*"))
+        result = run(*arguments)
+        with self.subTest(arguments=arguments, stderr=result.stderr):
+            self.assertIn(result.returncode, (1, 2), "a refusal, no signal and no success")
+            self.assertEqual(result.stdout, "")
+            self.assertEqual(result.stderr.count("\n"), 1, "one line")
+            self.assertTrue(result.stderr.startswith("idiophone: "))
+            self.assertIn(str(naming), result.stderr)
+            self.assertIn(saying, result.stderr)
+            self.assertEqual(set(self.folder.rglob("*")), before, "no files are left behind")
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+
+class Wave:
+    """The channels of a WAV file as floats."""
+
+    def __init__(self, path):
+        raw = pathlib.Path(path).read_bytes()
+        assert raw[:4] == b"RIFF" and raw[8:12] == b"WAVE", "not a WAV file"
+        chunks, position = {}, 12
+        while position + 8 <= len(raw):
+            size = struct.unpack_from("<I", raw, position + 4)[0]
+            chunks[raw[position:position + 4]] = raw[position + 8:position + 8 + size]
+            position += 8 + size + size % 2
+        tag, self.channel_count, self.rate, _, _, self.bits = struct.unpack_from(
+            "<HHIIHH", chunks[b"fmt "])
+        if tag == 0xFFFE:
+            tag = struct.unpack_from("<H", chunks[b"fmt "], 24)[0]
+        self.is_float = tag == 3
+        values = self.decode(chunks[b"data"])
+        self.channels = [values[c::self.channel_count] for c in range(self.channel_count)]
+
+    def decode(self, data):
+        if self.is_float:
+            return array.array("f", data)
+        width = self.bits // 8
+        return [int.from_bytes(data[i:i + width], "little", signed=True) / (1 << (self.bits - 1))
+                for i in range(0, len(data), width)]
+
+    @property
+    def left(self):
+        return self.channels[0]
+
+    def __len__(self):
+        return len(self.left)
+
+    def peak(self):
+        return max(map(abs, self.left), default=0.0)
+
+    def level_at(self, frequency, start=0, count=None):
+        """The amplitude of a frequency under a Hann window."""
+        samples = self.left[start:None if count is None else start + count]
+        n = len(samples)
+        turn = cmath.exp(-2j * math.pi * frequency / self.rate)
+        phase, total = 1, 0
+        for i, sample in enumerate(samples):
+            total += sample * (0.5 - 0.5 * math.cos(2 * math.pi * i / n)) * phase
+            phase *= turn
+        return abs(total) / n
+
+
+def variable_length(number):
+    parts = [number & 0x7F]
+    while number := number >> 7:
+        parts.insert(0, 0x80 | number & 0x7F)
+    return bytes(parts)
+
+
+def midi_track(events):
+    """From (ticks, bytes) in order of time; meta events are written with their FF."""
+    body, now = b"", 0
+    for ticks, message in [*events, (events[-1][0] if events else 0, b"\xff\x2f\x00")]:
+        body += variable_length(ticks - now) + message
+        now = ticks
+    return b"MTrk" + struct.pack(">I", len(body)) + body
+
+
+def midi_file(*tracks, division=480):
+    return (b"MThd" + struct.pack(">IHHh", 6, 0 if len(tracks) == 1 else 1, len(tracks), division)
+            + b"".join(map(midi_track, tracks)))
+
+
+def note(ticks, number, velocity=100, length=240):
+    return [(ticks, bytes([0x90, number, velocity])), (ticks + length, bytes([0x80, number, 64]))]
+
+
+def tempo(ticks, microseconds_per_quarter):
+    return ticks, b"\xff\x51\x03" + microseconds_per_quarter.to_bytes(3, "big")
+
+
+def mesh_text(path):
+    """The lists of vertices and faces of an OBJ file, faces from 0."""
+    vertices, faces = [], []
+    for line in pathlib.Path(path).read_text().splitlines():
+        word, *rest = line.split() or [""]
+        if word == "v":
+            vertices.append([float(x) for x in rest[:3]])
+        elif word == "f":
+            faces.append([int(x.split("/")[0]) - 1 for x in rest])
+    return vertices, faces
+
+
+def obj_text(vertices, faces):
+    return ("".join("v {!r} {!r} {!r}\n".format(*v) for v in vertices) +
+            "".join("f {} {} {}\n".format(*(corner + 1 for corner in f)) for f in faces))
+
+
+def modal_parts(content):
+    """The header and the tensors' bytes of a .modal file."""
+    size = struct.unpack_from("<Q", content)[0]
+    return json.loads(content[8:8 + size]), content[8 + size:]
+
+
+def modal_bytes(header, data):
+    text = json.dumps(header).encode()
+    return struct.pack("<Q", len(text)) + text + data

@@ -1,0 +1,139 @@
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from console import PROGRAM, ConsoleTest, mesh_text, obj_text
+
+
+class Analyse(ConsoleTest):
+    def mesh(self, kind, *options):
+        path = self.folder / f"{kind}.obj"
+        self.succeed("mesh", kind, "-o", path, *options)
+        return path
+
+    def analyse(self, mesh, *options):
+        output = self.folder / "object.modal"
+        report = self.json("analyse", mesh, "-o", output, *options)
+        return report, self.json("info", output)
+
+    def test_a_sphere_has_six_zero_modes_and_five_equal_lowest_modes(self):
+        sphere = self.mesh("icosphere", "--radius", 0.1, "--vertices", 162)
+        for method in ("spring-mass", "van-gelder", "two-layer"):
+            report, info = self.analyse(sphere, "--method", method, "--thickness", 0.002)
+            with self.subTest(method=method):
+                self.assertEqual(report["vertices"], 162)
+                self.assertEqual(report["zero_modes"], 6)
+                self.assertEqual(info["method"], method)
+                lowest = [mode["frequency_hz"] for mode in info["modes"][:6]]
+                self.assertLess(lowest[4] / lowest[0] - 1, 1e-6)
+                self.assertGreater(lowest[5] / lowest[0] - 1, 1e-3)
+                self.assertLess(info["modes_after_compression"], info["mode_count"])
+
+    def test_flat_faces_under_the_published_method_are_warned_of(self):
+        box = self.mesh("box", "--vertices", 200)
+        report, _ = self.analyse(box, "--method", "spring-mass")
+        self.assertGreater(report["zero_modes"], 6)
+        self.assertIn("zero modes", report["notes"])
+        text = self.succeed("analyse", box, "-o", self.folder / "box.modal", "--method",
+                            "spring-mass").stdout
+        self.assertIn(f"{report['zero_modes']} zero modes", text)
+
+    def test_frequencies_go_with_the_root_of_stiffness_over_density(self):
+        bar = self.mesh("bar", "--vertices", 120)
+        plain = {"poisson_ratio": 0.3, "fluid_damping_per_s": 0, "viscoelastic_damping_s": 0}
+        frequencies = []
+        for modulus, density in ((1e10, 1000), (4e10, 1000)):
+            material = self.write("material.json", str({
+                **plain, "youngs_modulus_pa": modulus, "density_kg_per_m3": density,
+            }).replace("'", '"'))
+            _, info = self.analyse(bar, "--material", material, "--max-frequency", 4000)
+            frequencies.append(info["modes"][0]["frequency_hz"])
+        self.assertAlmostEqual(frequencies[1] / frequencies[0], 2, places=6)
+
+    def test_info_tells_decay_times_from_the_material(self):
+        bar = self.mesh("bar", "--vertices", 120)
+        _, info = self.analyse(bar, "--material", "glass", "--max-frequency", 8000)
+        for mode in info["modes"]:
+            alpha = (info["material"]["fluid_damping_per_s"] +
+                     info["material"]["viscoelastic_damping_s"] * mode["eigenvalue"]) / 2
+            self.assertAlmostEqual(mode["t60_s"] * alpha / math.log(1000), 1, places=9)
+            frequency = math.sqrt(mode["eigenvalue"] - alpha ** 2) / (2 * math.pi)
+            self.assertAlmostEqual(mode["frequency_hz"] / frequency, 1, places=9)
+        text = self.succeed("info", self.folder / "object.modal").stdout
+        for word in ("120", "Glass", "two-layer", str(info["mode_count"])):
+            self.assertIn(word, text)
+
+    def test_a_mesh_in_millimetres_is_the_same_object(self):
+        bar = self.mesh("bar", "--vertices", 120)
+        vertices, faces = mesh_text(bar)
+        millimetres = self.write("mm.obj", obj_text([[1000 * x for x in v] for v in vertices],
+                                                    faces))
+        _, metres = self.analyse(bar, "--max-frequency", 8000)
+        _, scaled = self.analyse(millimetres, "--unit", "mm", "--max-frequency", 8000)
+        self.assertEqual(metres["mode_count"], scaled["mode_count"])
+        for a, b in zip(metres["modes"], scaled["modes"]):
+            self.assertAlmostEqual(a["frequency_hz"] / b["frequency_hz"], 1, places=6)
+
+    def test_repair_is_reported_in_words(self):
+        bar = self.mesh("bar", "--vertices", 120)
+        vertices, faces = mesh_text(bar)
+        soup = [vertices[corner] for face in faces for corner in face]
+        report, info = self.analyse(
+            self.write("soup.obj", obj_text(soup, [(3 * f, 3 * f + 1, 3 * f + 2)
+                                                   for f in range(len(faces))])),
+            "--max-frequency", 4000)
+        self.assertIn("elded", report["notes"])
+        self.assertEqual(info["vertices"], len(vertices))
+
+    def test_open_and_non_manifold_meshes_work(self):
+        bar = self.mesh("bar", "--vertices", 120)
+        vertices, faces = mesh_text(bar)
+        (a, b, _), top = faces[len(faces) // 2], len(vertices)
+        middle = [(x + y) / 2 for x, y in zip(vertices[a], vertices[b])]
+        fin = self.write("fin.obj", obj_text(
+            vertices + [[middle[0], middle[1], 0.01], [middle[0], middle[1], -0.01]],
+            faces + [[a, b, top], [a, b, top + 1]]))
+        for mesh in (bar, fin):
+            _, info = self.analyse(mesh, "--max-frequency", 4000)
+            self.assertGreater(info["mode_count"], 3)
+
+    def test_text_and_binary_formats_give_one_object(self):
+        ply, obj = self.folder / "bar.ply", self.mesh("bar", "--vertices", 60)
+        self.succeed("mesh", "bar", "--vertices", 60, "-o", ply)
+        self.assertEqual(self.analyse(ply)[1]["modes"], self.analyse(obj)[1]["modes"])
+
+    @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
+    def test_ctrl_c_ends_an_analysis_with_a_sentence_and_no_file(self):
+        plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
+        output = self.folder / "plate.modal"
+        process = subprocess.Popen([PROGRAM, "analyse", plate, "-o", output],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(2)
+        self.assertIsNone(process.poll(), "the analysis was over before it could be stopped")
+        process.send_signal(signal.SIGINT)
+        _, complaint = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(complaint, "idiophone: The analysis was cancelled.\n")
+        self.assertEqual(list(self.folder.glob("plate.modal*")), [])
+
+    @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
+    def test_progress_is_shown_on_a_terminal_only(self):
+        import pty
+        bar = self.mesh("bar", "--vertices", 120)
+        command = [PROGRAM, "analyse", bar, "-o", self.folder / "bar.modal"]
+        self.assertEqual(self.succeed(*command[1:]).stderr, "")
+        terminal, its_end = pty.openpty()
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=its_end)
+        os.close(its_end)
+        shown = b""
+        try:
+            while part := os.read(terminal, 4096):
+                shown += part
+        except OSError:  # Linux ends a terminal so
+            pass
+        os.close(terminal)
+        self.assertIn(b"bar.obj: 0 %", shown)

@@ -1,0 +1,267 @@
+import array
+import json
+import random
+import struct
+
+from console import (OBJECTS, ConsoleTest, midi_file, modal_bytes, modal_parts, note,
+                     obj_text, run)
+
+BAR = OBJECTS / "xylophone-108.modal"
+
+
+class BadMeshes(ConsoleTest):
+    def refuse_mesh(self, name, content, saying=""):
+        path = self.write(name, content)
+        self.refuse("analyse", path, "-o", self.folder / "out.modal", naming=path, saying=saying)
+
+    def test_empty_files(self):
+        for ending in ("obj", "off", "ply", "stl"):
+            self.refuse_mesh(f"empty.{ending}", b"", saying="empty")
+
+    def test_meshes_without_faces(self):
+        self.refuse_mesh("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", saying="faces")
+        self.refuse_mesh("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", saying="faces")
+        self.refuse_mesh("points.stl", b"\0" * 80 + struct.pack("<I", 0), saying="faces")
+
+    def test_vertices_that_are_no_numbers(self):
+        for value in ("nan", "inf", "1e999"):
+            self.refuse_mesh("bad.obj", f"v {value} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        facet = struct.pack("<12fH", 0, 0, 1, float("nan"), 0, 0, 1, 0, 0, 0, 1, 0, 0)
+        self.refuse_mesh("nan.stl", b"\0" * 80 + struct.pack("<I", 1) + facet)
+
+    def test_indices_out_of_range(self):
+        for index in (4, 0, -4, 2 ** 31, 2 ** 64):
+            self.refuse_mesh("bad.obj", f"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 {index}\n")
+        self.refuse_mesh("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")
+
+    def test_files_that_promise_more_than_they_hold(self):
+        self.refuse_mesh("short.stl", b"\0" * 80 + struct.pack("<I", 2 ** 32 - 1) + b"\0" * 50)
+        self.refuse_mesh("short.off", "OFF\n1000000000 1 0\n0 0 0\n")
+        self.refuse_mesh("short.ply", "ply\nformat ascii 1.0\nelement vertex 2000000000\n"
+                                      "property float x\nproperty float y\nproperty float z\n"
+                                      "element face 1\nproperty list uchar int vertex_indices\n"
+                                      "end_header\n0 0 0\n")
+
+    def test_a_mesh_in_one_point_and_faces_without_area(self):
+        self.refuse_mesh("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")
+        self.refuse_mesh("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
+
+    def test_a_million_triangle_soup(self):
+        random.seed(1)
+        count = 10 ** 6
+        corners = array.array("f", (random.random() for _ in range(9 * 1000))).tobytes()
+        thousand = b"".join(b"\0" * 12 + corners[36 * i:36 * i + 36] + b"\0\0"
+                            for i in range(1000))
+        # Each thousand somewhere else, so that nothing can be welded away.
+        soup = bytearray(b"\0" * 80 + struct.pack("<I", count) + thousand * (count // 1000))
+        for i in range(count):
+            struct.pack_into("<f", soup, 84 + 50 * i + 12, i * 1e-6)
+        self.refuse_mesh("soup.stl", bytes(soup), saying="vertices")
+
+    def test_random_bytes(self):
+        random.seed(2)
+        for ending in ("obj", "off", "ply", "stl"):
+            for size in (1, 84, 1000):
+                self.refuse_mesh(f"noise.{ending}", random.randbytes(size))
+
+    def test_names_that_are_no_mesh_files(self):
+        out = ("-o", self.folder / "out.modal")
+        self.refuse("analyse", self.folder / "missing.obj", *out, naming="missing.obj")
+        self.refuse("analyse", self.folder, *out, naming=self.folder)
+        self.refuse("analyse", self.write("mesh.txt", "v 0 0 0\n"), *out, naming="mesh.txt",
+                    saying=".obj")
+
+
+class BadObjects(ConsoleTest):
+    def refuse_object(self, content, saying=""):
+        path = self.write("bad.modal", content)
+        self.refuse("info", path, naming=path, saying=saying)
+        self.refuse("strike", path, "-o", self.folder / "out.wav", naming=path, saying=saying)
+
+    def parts(self):
+        return modal_parts(BAR.read_bytes())
+
+    def test_the_object_itself_is_sound(self):
+        path = self.write("good.modal", modal_bytes(*self.parts()))
+        self.assertGreater(self.json("info", path)["mode_count"], 0)
+
+    def test_truncated_files(self):
+        whole = BAR.read_bytes()
+        for size in (0, 1, 7, 8, 100, len(whole) // 2, len(whole) - 1):
+            self.refuse_object(whole[:size])
+        self.refuse_object(whole + b"\0")
+
+    def test_a_header_of_enormous_length(self):
+        for length in (2 ** 60, 2 ** 64 - 1, 2 ** 63):
+            self.refuse_object(struct.pack("<Q", length) + b"{}", saying="header")
+
+    def test_a_header_that_is_no_header(self):
+        for text in (b"", b"{", b"[]", b"null", b"[" * 100000, b"\xff\xfe" * 10,
+                     b'{"__metadata__": 3}'):
+            self.refuse_object(struct.pack("<Q", len(text)) + text)
+
+    def test_overlapping_tensors(self):
+        header, data = self.parts()
+        size = struct.calcsize("d") * header["eigenvalues"]["shape"][0]
+        begin = header["vertices"]["data_offsets"][0]
+        header["eigenvalues"]["data_offsets"] = [begin, begin + size]
+        self.refuse_object(modal_bytes(header, data))
+
+    def test_eigenvalues_that_cannot_be(self):
+        header, data = self.parts()
+        begin, end = header["eigenvalues"]["data_offsets"]
+        for value in (float("nan"), float("inf"), -1.0, 0.0):
+            values = array.array("d", data[begin:end])
+            values[0] = value
+            self.refuse_object(modal_bytes(header, data[:begin] + values.tobytes() + data[end:]),
+                               saying="eigenvalue")
+
+    def test_counts_that_cannot_be(self):
+        for shape in ([-1], [2 ** 63], [1.5], ["many"], [], [2 ** 32, 2 ** 32]):
+            header, data = self.parts()
+            header["eigenvalues"]["shape"] = shape
+            self.refuse_object(modal_bytes(header, data))
+
+    def test_indices_of_vertices_that_do_not_exist(self):
+        header, data = self.parts()
+        for name in ("faces", "shape_vertices"):
+            begin, end = header[name]["data_offsets"]
+            for index in (-1, 2 ** 31 - 1):
+                self.refuse_object(modal_bytes(
+                    header, data[:end - 4] + struct.pack("<i", index) + data[end:]))
+
+    def test_a_future_format(self):
+        header, data = self.parts()
+        header["__metadata__"]["format_version"] = "99"
+        self.refuse_object(modal_bytes(header, data), saying="99")
+
+    def test_one_damaged_byte_anywhere_is_no_crash(self):
+        random.seed(3)
+        whole = bytearray(BAR.read_bytes())
+        header_size = struct.unpack_from("<Q", whole)[0]
+        for _ in range(60):
+            place, value = random.randrange(8 + header_size + 800), random.randrange(256)
+            damaged = bytearray(whole)
+            damaged[place] = value
+            result = run("info", self.write("damaged.modal", bytes(damaged)), "--json")
+            self.assertIn(result.returncode, (0, 1), f"byte {place} = {value}")
+            if result.returncode == 0:
+                json.loads(result.stdout)
+
+    def test_names_that_are_no_object_files(self):
+        for name in (self.folder / "missing.modal", self.folder):
+            self.refuse("info", name, naming=name)
+            self.refuse("strike", name, "-o", self.folder / "out.wav", naming=name)
+
+
+class BadPresetsAndSongs(ConsoleTest):
+    def setUp(self):
+        super().setUp()
+        self.song = self.write("song.mid", midi_file(note(0, 72)))
+        self.out = ("-o", self.folder / "out.wav")
+
+    def preset(self, **changes):
+        preset = json.loads(run("presets", "--json").stdout)[0]
+        return json.dumps({**preset, **changes})
+
+    def refuse_preset(self, content, saying="", naming="bad.json"):
+        path = self.write("bad.json", content)
+        self.refuse("render", "--preset", path, "--midi", self.song, *self.out, naming=naming,
+                    saying=saying)
+
+    def test_a_preset_of_a_future_version(self):
+        self.refuse_preset(self.preset(version=99), saying="newer")
+
+    def test_presets_that_are_none(self):
+        for content in ("", "{", "[]", "null", "{}", b"\xff" * 100, "[" * 100000,
+                        self.preset(format="something"), self.preset(keyMap=3),
+                        self.preset(name="")):
+            self.refuse_preset(content)
+
+    def test_a_preset_without_its_object(self):
+        key_map = {"kind": "zones", "lowestNote": 60, "highestNote": 72, "object": "gone.modal"}
+        self.refuse_preset(self.preset(keyMap=key_map), naming="gone.modal")
+
+    def test_presets_that_are_not_there(self):
+        for name in ("No Such Preset", self.folder):
+            self.refuse("render", "--preset", name, "--midi", self.song, *self.out, naming=name)
+
+    def test_songs_that_are_none(self):
+        whole = midi_file(note(0, 72) + note(480, 74))
+        silent = midi_file([(0, b"\xff\x51\x03\x07\xa1\x20")])
+        endless = midi_file(note(2 ** 27, 72), division=1)
+        for content in (b"", b"RIFF", b"hello, this is text", b"MThd", whole[:30], whole[:-3],
+                        silent, endless, midi_file(note(0, 72), division=0),
+                        midi_file(note(0, 72), division=-25 * 256)):
+            path = self.write("bad.mid", content)
+            self.refuse("render", "--preset", "Steel Ring", "--midi", path, *self.out, naming=path)
+        self.refuse("render", "--preset", "Steel Ring", "--midi", self.folder, *self.out,
+                    naming=self.folder)
+
+    def test_random_songs_are_no_crash(self):
+        random.seed(4)
+        for _ in range(60):
+            noise = bytearray(midi_file(note(0, 72) + note(48, 74), note(9, 80)))
+            for _ in range(random.randrange(1, 6)):
+                noise[random.randrange(12, len(noise))] = random.randrange(256)
+            result = run("render", "--preset", "Steel Ring", "--midi",
+                         self.write("noise.mid", bytes(noise)), *self.out, "--seconds", 0.05)
+            self.assertIn(result.returncode, (0, 1), bytes(noise).hex())
+
+
+class BadArguments(ConsoleTest):
+    def setUp(self):
+        super().setUp()
+        self.song = self.write("song.mid", midi_file(note(0, 72)))
+        self.out = ("-o", self.folder / "out.wav")
+
+    def test_outputs_that_cannot_be_written(self):
+        mesh = self.write("mesh.obj", obj_text([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+        nowhere = self.folder / "missing" / "out"
+        for output in (nowhere, self.folder):
+            for command in (("analyse", mesh), ("strike", BAR), ("mesh", "bar"),
+                            ("render", "--preset", "Steel Ring", "--midi", self.song)):
+                self.refuse(*command, "-o", output, naming=output)
+        self.refuse("factory", "-o", mesh / "folder", "--only", "ring", naming=mesh / "folder")
+        self.refuse("render", "--preset", "Steel Ring", "--midi", self.song, *self.out,
+                    "--seconds", 0.1, "--stats", nowhere, naming=nowhere)
+
+    def test_numbers_out_of_range(self):
+        mesh = self.write("mesh.obj", obj_text([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+        analyse, strike = ("analyse", mesh, *self.out), ("strike", BAR, *self.out)
+        render = ("render", "--preset", "Steel Ring", "--midi", self.song, *self.out)
+        for command, option, values in (
+                (analyse, "--thickness", ("nan", 0, -1, "inf", "thick")),
+                (analyse, "--max-frequency", ("nan", 0, -5, 1e30)),
+                (analyse, "--unit", ("inch", "")),
+                (analyse, "--method", ("fem-2",)),
+                (strike, "--velocity", (0, 128, "nan", -3)),
+                (strike, "--at", ("nan,0,0", "1,2", "a,b,c")),
+                (strike, "--vertex", (-1, 10 ** 7, "nan")),
+                (strike, "--seconds", ("nan", 0, -1, 1e9)),
+                (render, "--sample-rate", ("nan", -48000, 0, 7999, 1e9)),
+                (render, "--block-size", (0, -1, "nan", 10 ** 9)),
+                (render, "--bit-depth", (8, 0, -16, "nan")),
+                (render, "--set", ("tau", "tau=", "tau=loud", "tau=-1", "tau=nan", "colour=3",
+                                   "material=Unobtainium", "=3"))):
+            for value in values:
+                self.refuse(*command, option, value, naming=option)
+
+    def test_materials_that_are_none(self):
+        good = {"youngs_modulus_pa": 1e10, "density_kg_per_m3": 800, "poisson_ratio": 0.3,
+                "fluid_damping_per_s": 5, "viscoelastic_damping_s": 1e-7}
+        for content in ("", "{", "[]", json.dumps({**good, "density_kg_per_m3": -1}),
+                        json.dumps({**good, "colour": 1}), json.dumps({"name": "Empty"}),
+                        json.dumps({**good, "poisson_ratio": "soft"})):
+            path = self.write("material.json", content)
+            self.refuse("strike", BAR, *self.out, "--material", path, naming=path)
+        self.refuse("strike", BAR, *self.out, "--material", "Unobtainium", naming="Unobtainium")
+
+    def test_commands_that_are_none(self):
+        self.refuse(naming="subcommand")
+        self.refuse("dance", naming="dance")
+        self.refuse("render", "--preset", "Steel Ring", *self.out, naming="--midi")
+        self.refuse("render", "--midi", self.song, *self.out, naming="--preset")
+        self.refuse("strike", BAR, naming="--output")
+        self.refuse("strike", BAR, *self.out, "--loudly", naming="--loudly")
+        self.refuse("mesh", "cow", "-o", self.folder / "cow.obj", naming="cow")

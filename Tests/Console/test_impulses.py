@@ -1,0 +1,137 @@
+import json
+
+from console import ConsoleTest, Wave, run
+
+
+class Impulses(ConsoleTest):
+    def lines(self, *impulses, name="impulses.jsonl"):
+        return self.write(name, "".join(json.dumps(i) + "\n" for i in impulses))
+
+    def render(self, file, *options, name="impulses.wav"):
+        output = self.folder / name
+        report = self.json("render", "--impulses", file, "-o", output, *options)
+        return report, output
+
+    def hit(self, time=0.0, impulse=(0, 0, -0.001), **more):
+        where = {} if "vertex" in more else {"point": [0.05, 0.03, 0]}
+        return {"time": time, "object": "plate", "impulse": list(impulse), "contact_time": 0.0005,
+                **where, **more}
+
+    def test_the_order_of_lines_does_not_matter(self):
+        hits = [self.hit(0.01), self.hit(0.1, object="ring", point=[0.07, 0, 0]), self.hit(0.3)]
+        sorted_, shuffled = (self.render(self.lines(*order), "--seconds", 0.5, name=f"{i}.wav")[1]
+                             for i, order in enumerate((hits, [hits[2], hits[0], hits[1]])))
+        self.assertEqual(sorted_.read_bytes(), shuffled.read_bytes())
+
+    def test_block_sizes_give_the_same_file(self):
+        file = self.lines(self.hit(0.01), self.hit(0.0203), self.hit(0.05, body=2))
+        sounds = {size: self.render(file, "--block-size", size, "--set", "tau=5")[1].read_bytes()
+                  for size in (1, 7, 64, 480, 4096)}
+        for size, sound in sounds.items():
+            self.assertEqual(sound, sounds[64], f"block size {size}")
+
+    def test_sound_is_linear_in_the_impulse(self):
+        waves = [Wave(self.render(self.lines(self.hit(impulse=(0, 0, -push))), "--set", "tau=0.001",
+                                  "--seconds", 0.2)[1]) for push in (0.001, 0.002)]
+        for single, double in zip(waves[0].left, waves[1].left):
+            self.assertAlmostEqual(double, 2 * single, delta=1e-5 * waves[1].peak())
+
+    def test_impulses_along_a_thin_plate_are_not_heard_across_it(self):
+        across, along = (Wave(self.render(self.lines(self.hit(impulse=i)), "--seconds", 0.2)[1])
+                         for i in ((0, 0, -0.001), (0.001, 0, 0)))
+        self.assertGreater(across.peak(), 100 * along.peak())
+
+    def test_bodies_of_one_object_ring_on_their_own(self):
+        # 5 ms apart a second impulse on the same body meets a ringing state, which adds up linearly:
+        # one body and two sound alike, but their modes are counted for each.
+        def modes(*bodies):
+            hits = [self.hit(0.005 * i, body=body) for i, body in enumerate(bodies)]
+            report, output = self.render(self.lines(*hits), "--seconds", 0.1)
+            return report["modes_mixed_max"], Wave(output)
+        (one_count, one), (two_count, two) = modes("a", "a"), modes("a", "b")
+        self.assertEqual(two_count, 2 * one_count)
+        for a, b in zip(one.left, two.left):
+            self.assertAlmostEqual(a, b, delta=1e-4 * one.peak())
+
+    def test_impulses_act_at_their_time(self):
+        for time in (0.1, 0.123456):
+            wave = Wave(self.render(self.lines(self.hit(time)), "--seconds", 0.2)[1])
+            first = next(i for i, sample in enumerate(wave.left) if sample != 0)
+            self.assertAlmostEqual(first, time * 48000, delta=2)
+
+    def test_a_vertex_is_the_same_as_its_point(self):
+        struck = self.json("strike", self.object_file("plate"), "-o", self.folder / "s.wav", "--at",
+                           "0.02,0.01,0")
+        hits = (self.hit(vertex=struck["vertex"]), self.hit(point=struck["point_m"]))
+        waves = [Wave(self.render(self.lines(hit), "--seconds", 0.1)[1]) for hit in hits]
+        for a, b in zip(waves[0].left, waves[1].left):
+            self.assertAlmostEqual(a, b, delta=1e-5 * waves[0].peak())
+
+    def object_file(self, name):
+        from console import OBJECTS
+        return OBJECTS / f"{name}.modal"
+
+    def test_files_are_found_from_the_directory_of_the_list(self):
+        (self.folder / "models").mkdir()
+        (self.folder / "models" / "mine.modal").write_bytes(self.object_file("plate").read_bytes())
+        mine, theirs = (self.render(self.lines(self.hit(object=name)), "--seconds", 0.1,
+                                    name=f"{i}.wav")[1].read_bytes()
+                        for i, name in enumerate(("models/mine.modal", "plate")))
+        self.assertEqual(mine, theirs)
+
+    def test_comments_and_blank_lines_are_skipped(self):
+        file = self.write("list.jsonl", "# contacts\n\n" + json.dumps(self.hit()) + "\r\n\n")
+        self.assertEqual(self.render(file, "--seconds", 0.1)[0]["strikes"], 1)
+
+    def test_a_presets_parameters_apply(self):
+        file = self.lines(self.hit())
+        peaks = [Wave(self.render(file, "--seconds", 0.1, "--preset", "Steel Plate", "--set",
+                                  f"level={level}")[1]).peak() for level in (-20, 0)]
+        self.assertAlmostEqual(peaks[1] / peaks[0], 10, places=3)
+
+    def test_more_than_64_contacts_at_a_time_are_warned_of(self):
+        file = self.lines(*(self.hit(contact_time=0.5) for _ in range(70)))
+        output = self.folder / "out.wav"
+        result = self.succeed("render", "--impulses", file, "-o", output)
+        self.assertIn("6 impulses were left out", result.stderr)
+
+    def test_every_bad_line_gets_a_sentence_with_its_number(self):
+        good = self.hit()
+        bad = {
+            "not JSON": "JSON",
+            "[1, 2]": "JSON object",
+            json.dumps({k: v for k, v in good.items() if k != "impulse"}): "'impulse'",
+            json.dumps({k: v for k, v in good.items() if k != "point"}): "'vertex' or 'point'",
+            json.dumps({**good, "vertex": 3}): "'vertex' or 'point'",
+            json.dumps({**good, "time": -1}): "'time'",
+            json.dumps({**good, "time": float("nan")}): "JSON",
+            json.dumps({**good, "time": "soon"}): "'time'",
+            json.dumps({**good, "impulse": [0, 1]}): "'impulse'",
+            json.dumps({**good, "impulse": [0, 1, 1e300]}): "'impulse'",
+            json.dumps({**good, "point": "here"}): "'point'",
+            json.dumps({**good, "contact_time": 1e9}): "'contact_time'",
+            json.dumps({**good, "object": ""}): "'object'",
+            json.dumps({**good, "body": 1.5}): "'body'",
+            json.dumps({**good, "colour": "red"}): "'colour'",
+            "[" * 100000: "JSON",
+        }
+        file = self.write("bad.jsonl", "".join(f"{json.dumps(good)}\n{line}\n" for line in bad))
+        result = run("render", "--impulses", file, "-o", self.folder / "out.wav")
+        self.assertEqual(result.returncode, 1)
+        sentences = result.stderr.splitlines()
+        self.assertEqual(len(sentences), len(bad))
+        for i, (sentence, fault) in enumerate(zip(sentences, bad.values())):
+            self.assertIn(f"{file}: line {2 * i + 2}: ", sentence)
+            self.assertIn(fault, sentence)
+        self.assertFalse((self.folder / "out.wav").exists())
+
+    def test_other_faults_are_refused_in_a_sentence(self):
+        output = ("-o", self.folder / "out.wav")
+        empty = self.write("empty.jsonl", "# nothing\n")
+        self.refuse("render", "--impulses", empty, *output, naming=empty, saying="no impulses")
+        missing = self.lines(self.hit(object="missing.modal"), name="missing.jsonl")
+        self.refuse("render", "--impulses", missing, *output, naming="missing.modal",
+                    saying="line 1")
+        vertex = self.lines(self.hit(), self.hit(vertex=10 ** 6), name="vertex.jsonl")
+        self.refuse("render", "--impulses", vertex, *output, naming=vertex, saying="line 2")
+        self.refuse("render", "--impulses", self.folder / "no.jsonl", *output, naming="no.jsonl")

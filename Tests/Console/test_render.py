@@ -1,0 +1,139 @@
+import json
+
+from console import ConsoleTest, Wave, midi_file, note, run, tempo
+
+XYLOPHONE = "Rosewood Xylophone"
+
+
+class Render(ConsoleTest):
+    def render(self, song, *options, preset=XYLOPHONE, name="render.wav"):
+        output = self.folder / name
+        report = self.json("render", "--preset", preset, "--midi", song, "-o", output, *options)
+        return report, output
+
+    def song(self, *tracks, name="song.mid", **how):
+        return self.write(name, midi_file(*tracks, **how))
+
+    def chords(self):
+        """Chords, a repeated note, a pedal and a bend, at times on no grid."""
+        events = [(0, bytes([0xB0, 64, 127]))]
+        for i, ticks in enumerate((0, 131, 307, 310, 733, 1201)):
+            events += note(ticks, 72 + 3 * i, 40 + 14 * i, 97) + note(ticks, 79 + 2 * i, 90, 97)
+        events += note(1400, 72, 100, 10) + note(1410, 72, 100, 10)
+        events += [(1450, bytes([0xB0, 64, 0])), (1500, bytes([0xE0, 0, 90]))]
+        return sorted(events, key=lambda event: event[0])
+
+    def test_block_sizes_give_the_same_file(self):
+        song = self.song(self.chords())
+        for preset in (XYLOPHONE, "Singing Xylophone", "Steel Ring"):
+            options = ("--set", "tau=20", "--set", "level=-6")
+            _, expected = self.render(song, *options, preset=preset, name="480.wav")
+            for size in (1, 7, 64, 480, 4096):
+                _, output = self.render(song, "--block-size", size, *options, preset=preset)
+                with self.subTest(preset=preset, block_size=size):
+                    self.assertEqual(output.read_bytes(), expected.read_bytes())
+
+    def test_a_render_repeats_bit_for_bit(self):
+        song = self.song(self.chords())
+        first, second = (self.render(song, name=f"{i}.wav")[1] for i in range(2))
+        self.assertEqual(first.read_bytes(), second.read_bytes())
+
+    def test_a_note_sounds_from_its_sample_on_until_silence(self):
+        song = self.song([tempo(0, 500000)] + note(337, 72, 127))
+        for rate in (44100, 48000):
+            _, output = self.render(song, "--sample-rate", rate)
+            wave = Wave(output)
+            first = next(i for i, sample in enumerate(wave.left) if sample != 0)
+            # A contact begins without force, so its first samples may be lost in rounding.
+            self.assertAlmostEqual(first, 337 / 960 * rate, delta=2)
+            self.assertNotEqual(wave.left[-1], 0)
+            self.assertEqual(list(wave.channels[0]), list(wave.channels[1]))
+
+    def test_tempo_changes_are_followed(self):
+        slow = note(0, 72) + note(480, 84, length=120) + note(960, 76)
+        fast = note(0, 72) + note(240, 84, length=60) + note(720, 76)
+        with_map = self.song([tempo(0, 250000)] + slow[:2] + [tempo(480, 500000)] + slow[2:])
+        plain = self.song([tempo(0, 500000)] + fast, name="plain.mid")
+        self.assert_same_sound(with_map, plain)
+
+    def test_smpte_time_is_followed(self):
+        beats = self.song([tempo(0, 500000)] + note(0, 72, length=48) + note(96, 84, length=48),
+                          division=480)
+        # 25 frames of 40 ticks make 1000 ticks a second.
+        frames = self.song(note(0, 72, length=50) + note(100, 84, length=50), name="smpte.mid",
+                           division=-25 * 256 + 40)
+        self.assert_same_sound(beats, frames)
+
+    def test_tracks_are_merged(self):
+        one, other = note(0, 72) + note(480, 74), note(0, 84) + note(300, 86)
+        merged = self.song(sorted(one + other, key=lambda e: e[0]))
+        tracks = self.song([tempo(0, 500000)], one, other, name="tracks.mid")
+        self.assert_same_sound(merged, tracks)
+
+    def test_a_key_struck_again_as_it_is_released_is_down(self):
+        repeated = (note(0, 72, length=480) + note(480, 72, length=480))
+        upside_down = [repeated[0], repeated[2], repeated[1], repeated[3]]
+        self.assert_same_sound(self.song(repeated), self.song(upside_down, name="b.mid"),
+                               preset="Singing Xylophone")
+
+    def assert_same_sound(self, one, other, preset=XYLOPHONE):
+        waves = [self.render(song, preset=preset, name=f"{i}.wav")[1].read_bytes()
+                 for i, song in enumerate((one, other))]
+        self.assertEqual(waves[0], waves[1])
+
+    def test_statistics_are_those_of_the_file(self):
+        statistics = self.folder / "stats.json"
+        report, output = self.render(self.song(self.chords()), "--stats", statistics)
+        wave, stats = Wave(output), json.loads(statistics.read_text())
+        self.assertEqual(stats, report)
+        self.assertEqual(stats["samples"], len(wave))
+        self.assertEqual(stats["strikes"], 14)
+        self.assertAlmostEqual(10 ** (stats["peak_dbfs"] / 20), wave.peak(), places=6)
+        self.assertLess(stats["integrated_lufs"], stats["peak_dbfs"])
+        self.assertGreater(stats["modes_mixed_max"], stats["modes_mixed_mean"])
+        self.assertGreater(stats["cpu_share"], 0)
+
+    def test_the_budget_bounds_the_modes_mixed(self):
+        song = self.song(sum((note(0, 72 + i, 127) for i in range(0, 36, 4)), []))
+        report, _ = self.render(song, "--set", "budget=50", "--set", "tau=0.001")
+        self.assertGreater(report["modes_mixed_max"], 25)
+        self.assertLessEqual(report["modes_mixed_max"], 50)
+
+    def test_parameters_are_set_in_their_units(self):
+        song = self.song(note(0, 72))
+        peaks = [Wave(self.render(song, "--set", f"level={level}")[1]).peak()
+                 for level in ("-20 dB", "-14")]
+        self.assertAlmostEqual(peaks[1] / peaks[0], 10 ** 0.3, places=4)
+
+    def test_length_is_as_asked_whatever_plays(self):
+        song = self.song(note(0, 72) + note(4800, 74))
+        for seconds in (0.25, 12):
+            report, output = self.render(song, "--seconds", seconds)
+            self.assertEqual(len(Wave(output)), 48000 * seconds)
+            self.assertEqual(report["strikes"], 1 if seconds < 1 else 2)
+
+    def test_notes_off_the_keyboard_are_warned_of(self):
+        song = self.song(note(0, 20) + note(480, 30))
+        output = self.folder / "out.wav"
+        result = run("render", "--preset", XYLOPHONE, "--midi", song, "-o", output)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("warning", result.stderr)
+        self.assertIn(str(song), result.stderr)
+        self.assertIn("72 to 108", result.stderr)
+        self.assertEqual(Wave(output).peak(), 0)
+
+    def test_a_preset_file_plays_as_the_preset_does(self):
+        preset = next(p for p in self.json("presets") if p["name"] == "Steel Plate")
+        file = self.write("mine.json", json.dumps(preset))
+        song = self.song(note(0, 60))
+        by_name, by_file = (self.render(song, preset=p, name=f"{i}.wav")[1].read_bytes()
+                            for i, p in enumerate(("steel plate", file)))
+        self.assertEqual(by_name, by_file)
+
+    def test_unknown_parameters_of_a_preset_are_warned_of(self):
+        preset = self.json("presets")[0]
+        preset["parameters"]["from_the_future"] = 1
+        file = self.write("mine.json", json.dumps(preset))
+        result = self.succeed("render", "--preset", file, "--midi", self.song(note(0, 72)), "-o",
+                              self.folder / "out.wav")
+        self.assertIn("from_the_future", result.stderr)

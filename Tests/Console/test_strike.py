@@ -1,0 +1,113 @@
+import math
+
+from console import OBJECTS, ConsoleTest, Wave
+
+PLATE = OBJECTS / "plate.modal"
+BAR = OBJECTS / "xylophone-72.modal"
+
+
+class Strike(ConsoleTest):
+    def strike(self, obj, *options, name="strike.wav"):
+        output = self.folder / name
+        report = self.json("strike", obj, "-o", output, *options)
+        return report, Wave(output)
+
+    def test_the_sound_is_made_of_the_objects_modes(self):
+        report, wave = self.strike(BAR, "--at", "0,0,0", "--seconds", 0.5)
+        modes = {round(m["frequency_hz"], 6) for m in self.json("info", BAR)["modes"]}
+        loudest = report["loudest_modes"]
+        self.assertEqual(loudest[0]["relative_db"], 0)
+        self.assertAlmostEqual(loudest[0]["frequency_hz"], 523.25, delta=0.2)
+        for mode in loudest:
+            self.assertIn(round(mode["frequency_hz"], 6), modes)
+        fundamental = loudest[0]["frequency_hz"]
+        for aside in (0.8, 1.25):
+            self.assertGreater(wave.level_at(fundamental, 0, 12000),
+                               20 * wave.level_at(fundamental * aside, 0, 12000))
+
+    def test_the_loudest_modes_are_as_loud_as_told(self):
+        report, wave = self.strike(PLATE, "--seconds", 1, "--set", "hardness=60")
+        first, second = report["loudest_modes"][:2]
+        told = second["relative_db"]
+        heard = 20 * math.log10(wave.level_at(second["frequency_hz"], 0, 24000) /
+                                wave.level_at(first["frequency_hz"], 0, 24000))
+        self.assertAlmostEqual(heard, told, delta=1.5)
+
+    def test_a_point_is_the_same_as_the_vertex_there(self):
+        at_point, _ = self.strike(PLATE, "--at", "0.05,-0.02,0", name="point.wav")
+        x, y, z = at_point["point_m"]
+        self.assertLess(math.dist((x, y, z), (0.05, -0.02, 0)), 0.01)
+        self.strike(PLATE, "--vertex", at_point["vertex"], name="vertex.wav")
+        self.assertEqual((self.folder / "point.wav").read_bytes(),
+                         (self.folder / "vertex.wav").read_bytes())
+
+    def test_velocity_makes_it_louder_and_brighter(self):
+        loudest, brightness = [], []
+        for velocity in (20, 120):
+            report, wave = self.strike(BAR, "--at", "0,0,0", "--velocity", velocity, "--seconds",
+                                       0.25)
+            third = report["loudest_modes"][2]["frequency_hz"]
+            loudest.append(wave.peak())
+            brightness.append(wave.level_at(third) / wave.level_at(523.25))
+        self.assertGreater(loudest[1], 3 * loudest[0])
+        self.assertGreater(brightness[1], brightness[0])
+
+    def test_another_material_moves_frequencies_by_the_root_of_stiffness_over_density(self):
+        steel, _ = self.strike(PLATE, "--at", "0.1,0.05,0", "--seconds", 0.1)
+        glass, _ = self.strike(PLATE, "--at", "0.1,0.05,0", "--seconds", 0.1, "--material", "Glass")
+        own = self.json("info", PLATE)["material"]
+        ratio = math.sqrt(6.2e10 / 2600 * own["density_kg_per_m3"] / own["youngs_modulus_pa"])
+        self.assertEqual(glass["material"], "Glass")
+        lowest = [min(m["frequency_hz"] for m in r["loudest_modes"]) for r in (steel, glass)]
+        self.assertAlmostEqual(lowest[1] / lowest[0], ratio, places=3)
+
+    def test_a_material_as_listed_can_be_given_as_a_file(self):
+        listed = next(m for m in self.json("materials") if m["name"] == "Glass")
+        import json
+        file = self.write("glass.json", json.dumps(listed))
+        self.strike(BAR, "--material", file, name="file.wav")
+        self.strike(BAR, "--material", "glass", name="name.wav")
+        self.assertEqual((self.folder / "file.wav").read_bytes(),
+                         (self.folder / "name.wav").read_bytes())
+
+    def test_live_material_and_reanalysis_sound_alike(self):
+        _, live = self.strike(PLATE, "--vertex", 0, "--set", "material=Glass", "--seconds", 0.2,
+                              name="live.wav")
+        _, given = self.strike(PLATE, "--vertex", 0, "--material", "Glass", "--seconds", 0.2,
+                               name="given.wav")
+        error = max(abs(a - b) for a, b in zip(live.left, given.left))
+        self.assertLess(error, 1e-4 * given.peak())
+
+    def test_bit_depths_agree_within_a_step(self):
+        waves = {bits: self.strike(BAR, "--seconds", 0.1, "--bit-depth", bits)[1]
+                 for bits in (16, 24, 32)}
+        self.assertTrue(waves[32].is_float)
+        for bits in (16, 24):
+            self.assertFalse(waves[bits].is_float)
+            self.assertEqual(waves[bits].bits, bits)
+            step = 2.0 ** (1 - bits)
+            for exact, whole in zip(waves[32].left, waves[bits].left):
+                self.assertLess(abs(exact - whole), 1.01 * step)
+
+    def test_rate_and_length_are_as_asked(self):
+        for rate in (8000, 44100, 384000):
+            report, wave = self.strike(BAR, "--sample-rate", rate, "--seconds", 0.25)
+            self.assertEqual(wave.rate, rate)
+            self.assertEqual(wave.channel_count, 2)
+            self.assertEqual(len(wave), rate // 4)
+            self.assertEqual(report["samples"], len(wave))
+
+    def test_without_a_length_it_ends_with_the_last_sound(self):
+        _, wave = self.strike(BAR, "--set", "tau=1")
+        self.assertNotEqual(wave.left[-1], 0)
+        self.assertLess(len(wave), 5 * 48000)
+
+    def test_clipping_is_warned_of(self):
+        result = self.succeed("strike", BAR, "-o", self.folder / "loud.wav", "--bit-depth", 16,
+                              "--set", "level=24", "--set", "mallet_mass=500", "--velocity", 127)
+        self.assertIn("clipped", result.stderr)
+
+    def test_people_are_told_what_was_struck(self):
+        text = self.succeed("strike", PLATE, "-o", self.folder / "a.wav", "--vertex", 0).stdout
+        for word in ("plate", "vertex 0", "dBFS", "loudest modes", "Hz"):
+            self.assertIn(word, text)

@@ -1,0 +1,42 @@
+#include "Synth/ModeFader.h"
+#include "Synth/SynthesisSettings.h"
+
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace idiophone;
+
+TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing is left") {
+    constexpr double sampleRate = 44100;
+    constexpr double omega = 2 * std::numbers::pi * 700;
+    ModalBank bank(1, sampleRate);
+    bank.setPole(0, {omega * omega, 0});
+    bank.setState(0, {1, 0});
+    ModeFader fader(1, sampleRate);
+    const std::vector<std::int32_t> mode{0};
+    fader.leave(bank, mode);
+    std::size_t sample = 0;
+    while (fader.active()) {
+        std::array<float, cellSamples> cell{};
+        fader.addCell(cell);
+        for (const float value : cell) {
+            const double t = static_cast<double>(sample++) / sampleRate;
+            const double part = std::min(t / 0.003, 1.0);
+            const double expected =
+                std::cos(omega * t) * 0.5 * (1 + std::cos(std::numbers::pi * part));
+            CHECK(std::abs(static_cast<double>(value) - expected) < 1e-6);
+        }
+    }
+    CHECK(sample == 192); // 133 samples in whole cells
+    CHECK(bank.state(0).x == 1.0);
+
+    fader.leave(bank, mode);
+    fader.enter(bank, mode);
+    std::array<float, cellSamples> cell{};
+    fader.addCell(cell);
+    for (const float value : cell)
+        CHECK(value == 0.0f);
+}

@@ -1,0 +1,73 @@
+#include "Synth/QualityScaling.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+using namespace idiophone;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Shares = std::vector<std::int32_t>;
+
+Shares sharesOf(const std::vector<ModeDemand>& demands, double budget, double slope) {
+    Shares shares(demands.size());
+    Shares ranking(demands.size());
+    shareModeBudget(demands, budget, slope, ranking, shares);
+    return shares;
+}
+
+} // namespace
+
+// Three objects, Q = 12, n² = 9. Loudest first they are the middle, the last, the first.
+const std::vector<ModeDemand> hungry{{0.1, 100}, {3, 100}, {2, 100}};
+
+TEST_CASE("S = 0 gives equal shares") {
+    CHECK(sharesOf(hungry, 12, 0) == Shares{4, 4, 4});
+}
+
+TEST_CASE("S = 1 falls by Q/n^2 from rank to rank") {
+    // Fall 12/9 = 4/3 and 3a − 4/3 (0 + 1 + 2) = 12, so a = 16/3: 16/3, 4, 8/3.
+    // Running sums 5.33, 9.33, 12 made whole: 5, 9, 12.
+    CHECK(sharesOf(hungry, 12, 1) == Shares{3, 5, 4});
+}
+
+TEST_CASE("A steep slope leaves the last object nothing") {
+    // S = 3: fall 4; all three would need a = 8, 4, 0. S = 4: fall 16/3; the first two share
+    // 2a − 16/3 = 12, a = 26/3: 26/3, 10/3, 0; running sums 8, 12, 12.
+    CHECK(sharesOf(hungry, 12, 3) == Shares{0, 8, 4});
+    CHECK(sharesOf(hungry, 12, 4) == Shares{0, 8, 4});
+}
+
+TEST_CASE("S = infinity is greedy") {
+    CHECK(sharesOf(hungry, 12, infinity) == Shares{0, 12, 0});
+    CHECK(sharesOf({{0.1, 100}, {3, 7}, {2, 4}}, 12, infinity) == Shares{1, 7, 4});
+}
+
+TEST_CASE("What an object does not need goes on to the next in rank") {
+    // S = 1 entitles ranks to 5, 4, 3. The first needs 2, so 3 go on: 7 for the second, which
+    // needs 6, so 1 goes on to the third: 4.
+    CHECK(sharesOf({{0.1, 100}, {3, 2}, {2, 6}}, 12, 1) == Shares{4, 2, 6});
+}
+
+TEST_CASE("Equal amplitudes rank in the order of the slots") {
+    CHECK(sharesOf({{1, 9}, {1, 9}}, 9, infinity) == Shares{9, 0});
+}
+
+TEST_CASE("Shares use the whole budget and never exceed it") {
+    for (const double slope : {0.0, 0.3, 1.0, 2.5, 20.0, infinity})
+        for (const double budget : {0.0, 1.0, 7.0, 100.5, 4096.0, infinity})
+            for (std::size_t n = 1; n < 40; ++n) {
+                std::vector<ModeDemand> demands;
+                for (std::size_t k = 0; k < n; ++k)
+                    demands.push_back({static_cast<double>((k * 7) % 11), 200'000'000});
+                const Shares shares = sharesOf(demands, budget, slope);
+                const auto total = std::accumulate(shares.begin(), shares.end(), std::int64_t{0});
+                if (budget < 1e6)
+                    CHECK(total == static_cast<std::int64_t>(budget));
+                CHECK(*std::min_element(shares.begin(), shares.end()) >= 0);
+            }
+}

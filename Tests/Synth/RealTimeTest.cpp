@@ -1,0 +1,58 @@
+#include "ModalReference.h"
+
+#include <atomic>
+#include <catch2/catch_test_macros.hpp>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size > 0 ? size : 1))
+        return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+TEST_CASE("Strikes, cells, contacts, regrouping and every setting allocate nothing") {
+    std::vector<double> frequencies;
+    for (int k = 0; k < 200; ++k)
+        frequencies.push_back(100 + 60 * (k / 2) + 0.2 * (k % 2));
+    Synthesiser synthesiser(
+        {slotOf(syntheticObject(frequencies)), slotOf(syntheticObject(frequencies), 0.7)}, 48000);
+    std::array<float, cellSamples> cell{};
+    SynthesisSettings settings;
+    settings.material = LiveMaterial{1e10, 1000, 30, 1e-7};
+    const long before = allocations.load();
+    for (int c = 0; c < 4000; ++c) {
+        const auto step = static_cast<std::size_t>(c);
+        settings.tau = step % 300 < 150 ? 0.01 : 5;
+        settings.modeBudget = step % 90 < 45 ? 300 : 40;
+        settings.compression = step % 1000 < 500 ? 1 : 0;
+        settings.material->youngsModulusPa = 1e10 * (1 + 0.2 * std::sin(c * 0.02));
+        if (step % 2000 < 1500)
+            synthesiser.setSettings(settings);
+        if (step % 100 == 50) {
+            synthesiser.setDamping(step / 100 % 2, step % 200 == 50 ? 200 : 0);
+            synthesiser.setFrequencyRatio(step / 100 % 2, 1 + 0.01 * static_cast<double>(step % 7));
+        }
+        synthesiser.beginCell(cell);
+        if (step % 17 == 0 && step % 2000 < 1000)
+            synthesiser.strike(step % 2, unitStrike(step % 34 == 0 ? 0.004 : 0), 13.25, cell);
+        if (step == 3900)
+            synthesiser.reset();
+    }
+    const long during = allocations.load() - before;
+    CHECK(during == 0);
+}
