@@ -16,8 +16,9 @@ namespace idiophone {
 
 enum class LdltOutcome { done, singular, stopped };
 
-/// Up-looking factorisation after T. Davis, "Algorithm 849: LDL" (2005), on blocks. Pivots are the
-/// B × B blocks of D, inverted through their eigenvalues, whose signs are the inertia.
+/// Up-looking factorisation after T. Davis, "Algorithm 849: LDL" (2005), on blocks. Each block of
+/// unknowns is turned to the axes in which its pivot is diagonal: pivots are then as large as they
+/// can be without exchanging blocks, and no block is inverted, which would cost digits.
 template <int B>
 class BlockLdlt {
 public:
@@ -51,16 +52,16 @@ public:
             // Ascending order is descendants before ancestors, as a parent has the higher number.
             std::ranges::sort(pattern);
             for (const int i : pattern) {
-                const Block y = work[i];
+                const Block y = rotation_[i].transpose() * work[i];
                 work[i].setZero();
                 for (int p = starts_[i]; p < filled[i]; ++p)
                     work[lowerRows_[p]].noalias() -= lower_[p] * y;
                 Block& entry = lower_[filled[i]];
-                entry.noalias() = y.transpose() * inverse_[i];
+                entry = y.transpose() * pivots_[i].cwiseInverse().asDiagonal();
                 pivot.noalias() -= entry * y;
                 lowerRows_[filled[i]++] = k;
             }
-            if (!invertPivot(pivot, k))
+            if (!diagonalisePivot(pivot, k))
                 return LdltOutcome::singular;
         }
         return LdltOutcome::done;
@@ -73,14 +74,17 @@ public:
         Eigen::VectorXd permuted(x.size());
         for (int i = 0; i < count_; ++i)
             at(permuted, i) = at(x, original_[i]);
-        for (int j = 0; j < count_; ++j)
+        for (int j = 0; j < count_; ++j) {
+            const Column value = rotation_[j].transpose() * at(permuted, j);
             for (int p = starts_[j]; p < starts_[j + 1]; ++p)
-                at(permuted, lowerRows_[p]).noalias() -= lower_[p] * at(permuted, j);
+                at(permuted, lowerRows_[p]).noalias() -= lower_[p] * value;
+            at(permuted, j) = value.cwiseQuotient(pivots_[j]);
+        }
         for (int j = count_ - 1; j >= 0; --j) {
-            Eigen::Matrix<double, B, 1> value = inverse_[j] * at(permuted, j);
+            Column value = at(permuted, j);
             for (int p = starts_[j]; p < starts_[j + 1]; ++p)
                 value.noalias() -= lower_[p].transpose() * at(permuted, lowerRows_[p]);
-            at(permuted, j) = value;
+            at(permuted, j).noalias() = rotation_[j] * value;
         }
         for (int i = 0; i < count_; ++i)
             at(x, original_[i]) = at(permuted, i);
@@ -88,7 +92,9 @@ public:
 
 private:
     using Block = Eigen::Matrix<double, B, B>;
+    using Column = Eigen::Matrix<double, B, 1>;
     using Blocks = std::vector<Block, Eigen::aligned_allocator<Block>>;
+    using Columns = std::vector<Column, Eigen::aligned_allocator<Column>>;
 
     template <class Vector>
     static auto at(Vector& vector, int block) {
@@ -180,17 +186,18 @@ private:
             starts_[k + 1] = starts_[k] + sizes[k];
         lowerRows_.resize(starts_[count_]);
         lower_.resize(starts_[count_]);
-        inverse_.resize(count_);
+        rotation_.resize(count_);
+        pivots_.resize(count_);
     }
 
-    bool invertPivot(const Block& pivot, int k) {
+    bool diagonalisePivot(const Block& pivot, int k) {
         const Eigen::SelfAdjointEigenSolver<Block> eigen(pivot);
         const auto& values = eigen.eigenvalues();
         if (!values.allFinite() || (values.array() == 0).any())
             return false;
         negativePivots_ += (values.array() < 0).count();
-        inverse_[k].noalias() = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() *
-                                eigen.eigenvectors().transpose();
+        rotation_[k] = eigen.eigenvectors();
+        pivots_[k] = values;
         return true;
     }
 
@@ -199,7 +206,8 @@ private:
     std::vector<int> columns_, rows_; ///< permuted matrix above its diagonal
     Blocks values_, diagonal_;
     std::vector<int> parent_, starts_, lowerRows_;
-    Blocks lower_, inverse_;
+    Blocks lower_, rotation_; ///< L takes each column's unknowns turned to its pivot's axes
+    Columns pivots_;
     Eigen::Index negativePivots_ = 0;
 };
 

@@ -18,8 +18,8 @@ void BlockPieces::begin(const juce::MidiBuffer& midi, NoteQueue& notes, int bloc
     position = 0;
     samples = blockSamples;
     finished = false;
-    eventCount = 0;
-    notes.read([this](const MidiEvent& event) { events[eventCount++] = event; });
+    if (eventCount + NoteQueue::capacity <= events.size())
+        notes.read([this](const MidiEvent& event) { events[eventCount++] = event; });
 }
 
 // Hosts have been seen to stamp events outside of their block.
@@ -59,6 +59,8 @@ std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
     }
     position = end;
     finished = end >= samples && message == lastMessage;
+    if (finished && samples == 0)
+        return std::nullopt;
     return Piece{.start = start,
                  .length = end - start,
                  .events = std::span(events).first(std::exchange(eventCount, 0))};

@@ -15,10 +15,10 @@ namespace idiophone {
 class BlockPieces {
 public:
     static constexpr int maximumSamples = 1024;
-    static constexpr int maximumEvents = 1024;
+    /// All the strikes that a synthesiser takes at a time: 64 contacts on each of 128 keys.
+    static constexpr int maximumEvents = 64 * 128;
 
-    /// Valid until the next `next`. `length` may be 0 where only events are left: more of them fall
-    /// on one sample than fit, or the host sent a block without samples.
+    /// Valid until the next `next`. `length` is 0 where more events fall on one sample than fit.
     struct Piece {
         int start = 0;
         int length = 0;
@@ -26,10 +26,14 @@ public:
     };
 
     /// Starts a block; `midi` must live until its last piece. Waiting notes of the queue sound at
-    /// its first sample. System messages and those longer than three bytes are left out.
+    /// its first sample. System messages and those longer than three bytes are left out. What comes
+    /// in a block without samples is kept for the next.
     void begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept;
 
     std::optional<Piece> next() noexcept;
+
+    /// Forgets what is kept for the next block.
+    void reset() noexcept { eventCount = 0; }
 
 private:
     int stampOf(const juce::MidiMessageMetadata& metadata) const noexcept;
@@ -41,7 +45,7 @@ private:
     int samples = 0;
     bool finished = true;
     std::array<MidiEvent, maximumEvents> events{};
-    std::size_t eventCount = 0;
+    std::size_t eventCount = 0; ///< collected and not yet handed out
     static_assert(NoteQueue::capacity <= maximumEvents);
 };
 

@@ -13,6 +13,7 @@ namespace idiophone {
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
     const juce::ScopedNoDenormals noDenormals;
     if (resetRequested.exchange(false)) {
+        pieces.reset();
         sound.reset();
         output.reset();
     }
@@ -84,6 +85,7 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     delete handoff.take();
     sound.install(instrument ? std::make_unique<Player>(instrument, preparedRateHz) : nullptr);
     handoff.collect();
+    pieces.reset();
     resetRequested = false;
 }
 

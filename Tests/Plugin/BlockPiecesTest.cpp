@@ -72,30 +72,65 @@ TEST_CASE("An overlong block is cut, and every event keeps its sample") {
 }
 
 TEST_CASE("More events on one sample than fit a piece keep their sample and their order") {
+    constexpr int crowd = 3 * BlockPieces::maximumEvents + 5;
     for (const int stamp : {0, 100, 511}) {
         juce::MidiBuffer midi;
-        for (int i = 0; i < 5000; ++i)
+        midi.addEvent(note(127), 0);
+        for (int i = 0; i < crowd; ++i)
             midi.addEvent(note(i % 128), stamp);
         const auto result = cut(midi, 512);
         INFO("all on sample " << stamp);
         CHECK(result.contiguous);
         CHECK(result.inside);
-        REQUIRE(result.notes.size() == 5000);
+        REQUIRE(result.notes.size() == crowd + 1);
         bool right = true;
-        for (int i = 0; i < 5000; ++i)
-            right = right && result.notes[static_cast<std::size_t>(i)] == std::pair(stamp, i % 128);
+        for (int i = 0; i < crowd; ++i)
+            right =
+                right && result.notes[static_cast<std::size_t>(i) + 1] == std::pair(stamp, i % 128);
         CHECK(right);
     }
 }
 
-TEST_CASE("A block without samples still hands on its events") {
-    juce::MidiBuffer midi;
+TEST_CASE("Events of blocks without samples are kept for the next, in order") {
+    BlockPieces pieces;
+    NoteQueue queue;
+    juce::MidiBuffer first, second;
+    first.addEvent(note(60), 0);
+    second.addEvent(note(61), 0);
+    for (const auto* midi : {&first, &second}) {
+        pieces.begin(*midi, queue, 0);
+        CHECK_FALSE(pieces.next());
+    }
+    pieces.begin(second, queue, 64);
+    const auto piece = pieces.next();
+    REQUIRE(piece);
+    REQUIRE(piece->events.size() == 3);
+    CHECK(piece->length == 64);
+    CHECK(piece->events[0].bytes[1] == 60);
+    CHECK(piece->events[2].bytes[1] == 61);
+    CHECK_FALSE(pieces.next());
+}
+
+TEST_CASE("What is kept for the next block is handed on before it fills up, and reset forgets it") {
+    BlockPieces pieces;
+    NoteQueue queue;
+    juce::MidiBuffer midi, none;
     for (int i = 0; i < 3000; ++i)
         midi.addEvent(note(i % 128), 0);
-    const auto result = cut(midi, 0);
-    CHECK(result.notes.size() == 3000);
-    CHECK(result.contiguous);
-    CHECK(cut({}, 0).notes.empty());
+    std::size_t handedOn = 0;
+    for (int block = 0; block < 10; ++block) {
+        pieces.begin(midi, queue, 0);
+        while (const auto piece = pieces.next())
+            handedOn += piece->events.size();
+    }
+    CHECK(handedOn > 0);
+    pieces.begin(none, queue, 64);
+    CHECK(handedOn + pieces.next()->events.size() == 30000);
+    pieces.begin(midi, queue, 0);
+    CHECK_FALSE(pieces.next());
+    pieces.reset();
+    pieces.begin(none, queue, 64);
+    CHECK(pieces.next()->events.empty());
 }
 
 TEST_CASE("System messages are left out") {

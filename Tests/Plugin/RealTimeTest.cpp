@@ -151,9 +151,9 @@ TEST_CASE("Crowded, overlong and empty blocks, resets and program changes stay r
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(20000);
     juce::MidiBuffer crowded;
-    for (int i = 0; i < 6000; ++i)
+    for (int i = 0; i < 20000; ++i)
         crowded.addEvent(juce::MidiMessage::noteOn(1, i % 128, static_cast<juce::uint8>(99)),
-                         i / 3000);
+                         i / 10000);
     std::vector<juce::uint8> dump(2000, 1);
     crowded.addEvent(juce::MidiMessage::createSysExMessage(dump.data(), 2000), 5);
     crowded.addEvent(juce::MidiMessage::programChange(1, 1), 6);
