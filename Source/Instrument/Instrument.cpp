@@ -122,13 +122,6 @@ double lowestModeHz(const ModalObject& object) {
     return std::sqrt(std::max(eigenvalue - decay * decay, 1.0)) / (2 * std::numbers::pi);
 }
 
-std::string replaceNote(std::string pattern, int note) {
-    constexpr std::string_view mark = "{note}";
-    if (const auto place = pattern.find(mark); place != std::string::npos)
-        pattern.replace(place, mark.size(), std::to_string(note));
-    return pattern;
-}
-
 } // namespace
 
 const StrikePoint& StrikeStrip::at(double along, double across) const {
@@ -154,7 +147,7 @@ Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap
 
 Result<void> Instrument::buildBars(ObjectLibrary& library) {
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
-        auto object = library.find(replaceNote(map.object, note));
+        auto object = library.find(map.objectFor(note));
         if (!object)
             return tl::unexpected(object.error());
         keys[static_cast<std::size_t>(note)] = {.slot = static_cast<int>(synthesiserSlots.size()),

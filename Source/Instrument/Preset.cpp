@@ -1,11 +1,15 @@
 #include "Instrument/Preset.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 namespace idiophone {
 namespace {
 
+// Sorted for reading, whose look-ups stay fast however many keys a hostile file has; in order for
+// writing, for the people who read it.
+using nlohmann::json;
 using nlohmann::ordered_json;
 
 // Inside this file a fault travels as an exception and becomes a Result at parsePreset.
@@ -13,20 +17,20 @@ struct Fault {
     std::string sentence;
 };
 
-const ordered_json& member(const ordered_json& object, const char* key) {
+const json& member(const json& object, const char* key) {
     if (!object.is_object() || !object.contains(key))
         throw Fault{"it lacks '" + std::string(key) + "'"};
     return object[key];
 }
 
-std::string text(const ordered_json& object, const char* key) {
+std::string text(const json& object, const char* key) {
     const auto& value = member(object, key);
     if (!value.is_string())
         throw Fault{"'" + std::string(key) + "' is not a text"};
     return value;
 }
 
-double number(const ordered_json& object, const char* key, double lowest, double highest) {
+double number(const json& object, const char* key, double lowest, double highest) {
     const auto& value = member(object, key);
     if (!value.is_number())
         throw Fault{"'" + std::string(key) + "' is not a number"};
@@ -56,7 +60,7 @@ const char* kindName(KeyMapKind wanted) {
     return "";
 }
 
-std::vector<std::array<double, 3>> parsePath(const ordered_json& path) {
+std::vector<std::array<double, 3>> parsePath(const json& path) {
     if (!path.is_array() || path.empty() || path.size() > 1000)
         throw Fault{"'strikePath' is not a list of 1 to 1000 points"};
     std::vector<std::array<double, 3>> points;
@@ -74,7 +78,7 @@ std::vector<std::array<double, 3>> parsePath(const ordered_json& path) {
     return points;
 }
 
-KeyMap parseKeyMap(const ordered_json& object) {
+KeyMap parseKeyMap(const json& object) {
     KeyMap map;
     map.kind = parseKind(text(object, "kind"));
     map.lowestNote = static_cast<int>(number(object, "lowestNote", 0, 127));
@@ -91,7 +95,7 @@ KeyMap parseKeyMap(const ordered_json& object) {
     return map;
 }
 
-void parseParameters(const ordered_json& object, Preset& preset) {
+void parseParameters(const json& object, Preset& preset) {
     if (!object.is_object())
         throw Fault{"'parameters' are not a JSON object"};
     for (const auto& [id, value] : object.items()) {
@@ -109,7 +113,7 @@ void parseParameters(const ordered_json& object, Preset& preset) {
     }
 }
 
-Preset parse(const ordered_json& root) {
+Preset parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-preset")
         throw Fault{"it is not an Idiophone preset"};
     const auto version = number(root, "version", 1, 1e9);
@@ -139,20 +143,28 @@ Preset parse(const ordered_json& root) {
 
 } // namespace
 
-Result<Preset> parsePreset(std::string_view json, std::string_view name) {
+std::string KeyMap::objectFor(int midiNote) const {
+    constexpr std::string_view mark = "{note}";
+    std::string name = object;
+    if (const auto place = name.find(mark); kind == KeyMapKind::bars && place != std::string::npos)
+        name.replace(place, mark.size(), std::to_string(midiNote));
+    return name;
+}
+
+Result<Preset> parsePreset(std::string_view text, std::string_view name) {
     const auto refuse = [&](const std::string& sentence) {
         return failure(std::string(name) + ": " + sentence);
     };
-    if (json.size() > 1 << 20)
+    if (text.size() > 1 << 20)
         return refuse("it is too large for a preset");
     try {
-        const auto root = ordered_json::parse(json, nullptr, false);
+        const auto root = nlohmann::json::parse(text, nullptr, false);
         if (root.is_discarded())
             return refuse("it is not JSON");
         return parse(root);
     } catch (const Fault& fault) {
         return refuse(fault.sentence);
-    } catch (const ordered_json::exception&) {
+    } catch (const nlohmann::json::exception&) {
         return refuse("it is damaged");
     }
 }

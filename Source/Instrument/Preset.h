@@ -38,6 +38,9 @@ struct KeyMap {
     /// the object where it is negative.
     double referenceNote = -1;
 
+    /// The object that a note plays: `object` with `{note}` replaced, where there is one for each.
+    std::string objectFor(int midiNote) const;
+
     bool operator==(const KeyMap&) const = default;
 };
 
@@ -57,7 +60,7 @@ struct Preset {
 inline constexpr int presetFormatVersion = 1;
 
 /// Parses a preset file; `name` stands for it in errors.
-Result<Preset> parsePreset(std::string_view json, std::string_view name);
+Result<Preset> parsePreset(std::string_view text, std::string_view name);
 
 /// The preset as JSON text that `parsePreset` reads back to an equal preset.
 std::string encodePreset(const Preset& preset);

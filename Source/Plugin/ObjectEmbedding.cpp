@@ -7,26 +7,13 @@
 #include <set>
 
 namespace idiophone {
-namespace {
-
-std::string objectName(const KeyMap& map, int note) {
-    constexpr std::string_view mark = "{note}";
-    std::string name = map.object;
-    if (const auto place = name.find(mark);
-        map.kind == KeyMapKind::bars && place != std::string::npos)
-        name.replace(place, mark.size(), std::to_string(note));
-    return name;
-}
-
-} // namespace
-
 std::vector<EmbeddedObject> foreignObjects(const Instrument& instrument) {
     std::vector<EmbeddedObject> objects;
     std::set<std::string> known;
     const auto& map = instrument.keyMap();
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         const int slot = instrument.key(note).slot;
-        const auto name = objectName(map, note);
+        const auto name = map.objectFor(note);
         if (slot < 0 || factoryObject(name) || !known.insert(name).second)
             continue;
         const auto& object = *instrument.slots()[static_cast<std::size_t>(slot)].object;

