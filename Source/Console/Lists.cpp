@@ -79,8 +79,8 @@ std::string rangeOf(const ParameterInfo& info) {
 
 void printParameters() {
     for (const auto& info : parameterTable())
-        std::cout << std::left << std::setw(16) << info.id << std::setw(28) << rangeOf(info)
-                  << std::setw(12) << formatParameter(info, info.defaultValue) << info.description
+        std::cout << std::left << std::setw(16) << info.id << std::setw(30) << rangeOf(info)
+                  << std::setw(14) << formatParameter(info, info.defaultValue) << info.description
                   << '\n';
     std::cout << "material is one of";
     const char* separator = " ";

@@ -20,7 +20,6 @@ int run(int argc, char** argv) {
     using namespace idiophone;
     CLI::App program("Idiophone: triangle meshes become playable modal objects", "idiophone");
     program.set_version_flag("--version", "Idiophone " IDIOPHONE_VERSION);
-    program.require_subcommand(1);
     Action chosen;
     for (const auto add :
          {addAnalyse, addInfo, addStrike, addRender, addMesh, addFactory, addLists})
@@ -32,6 +31,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return complain(error.what(), badUsage);
     }
+    if (!chosen)
+        return complain("Say which command to run; `idiophone --help` lists them.", badUsage);
     const auto outcome = chosen();
     if (outcome)
         return success;

@@ -1,5 +1,6 @@
 #include "Console/Command.h"
 #include "Console/ImpulseRender.h"
+#include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/PresetChoice.h"
 #include "Console/SongRender.h"
@@ -72,6 +73,9 @@ Result<void> render(const Options& options) {
     auto values = preset->parameters;
     if (auto done = assignParameters(options.assignments, values); !done)
         return done;
+    if (!options.statistics.empty())
+        if (auto writable = checkWritable(options.statistics); !writable)
+            return writable;
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());

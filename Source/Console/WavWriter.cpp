@@ -1,6 +1,9 @@
 #include "Console/WavWriter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <juce_audio_formats/juce_audio_formats.h>
+#include <vector>
 
 namespace idiophone {
 
@@ -44,9 +47,32 @@ Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::filesystem::path
 }
 
 Result<void> WavWriter::write(const float* const* channels, int sampleCount) {
-    if (!writer->writeFromFloatArrays(channels, writer->getNumChannels(), sampleCount))
+    const bool written =
+        writer->isFloatingPoint()
+            ? writer->writeFromFloatArrays(channels, writer->getNumChannels(), sampleCount)
+            : writeRounded(channels, sampleCount);
+    if (!written)
         return fault();
     return {};
+}
+
+// JUCE would cut the lower bits off, which shifts everything by half a step.
+bool WavWriter::writeRounded(const float* const* channels, int sampleCount) {
+    const int unusedBits = 32 - writer->getBitsPerSample();
+    const double fullScale = std::ldexp(1.0, writer->getBitsPerSample() - 1);
+    const auto count = static_cast<std::size_t>(sampleCount);
+    const auto channelCount = static_cast<std::size_t>(writer->getNumChannels());
+    std::vector<int> steps(channelCount * count);
+    std::vector<const int*> starts;
+    for (std::size_t channel = 0; channel < channelCount; ++channel) {
+        auto* start = steps.data() + channel * count;
+        std::transform(channels[channel], channels[channel] + sampleCount, start, [&](float x) {
+            const double step = std::clamp(std::round(x * fullScale), -fullScale, fullScale - 1);
+            return static_cast<int>(std::ldexp(step, unusedBits));
+        });
+        starts.push_back(start);
+    }
+    return writer->write(starts.data(), sampleCount);
 }
 
 Result<void> WavWriter::finish() {

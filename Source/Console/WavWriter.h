@@ -30,6 +30,7 @@ public:
 
 private:
     explicit WavWriter(std::filesystem::path file);
+    bool writeRounded(const float* const* channels, int sampleCount);
     tl::unexpected<Error> fault() const;
 
     std::filesystem::path file;

@@ -12,7 +12,7 @@ BAR = OBJECTS / "xylophone-108.modal"
 class BadMeshes(ConsoleTest):
     def refuse_mesh(self, name, content, saying=""):
         path = self.write(name, content)
-        self.refuse("analyse", path, "-o", self.folder / "out.modal", naming=path, saying=saying)
+        self.refuse("analyse", path, "-o", self.folder / "out.modal", naming=name, saying=saying)
 
     def test_empty_files(self):
         for ending in ("obj", "off", "ply", "stl"):
@@ -67,7 +67,7 @@ class BadMeshes(ConsoleTest):
     def test_names_that_are_no_mesh_files(self):
         out = ("-o", self.folder / "out.modal")
         self.refuse("analyse", self.folder / "missing.obj", *out, naming="missing.obj")
-        self.refuse("analyse", self.folder, *out, naming=self.folder)
+        self.refuse("analyse", self.folder, *out, naming=self.folder.name)
         self.refuse("analyse", self.write("mesh.txt", "v 0 0 0\n"), *out, naming="mesh.txt",
                     saying=".obj")
 
@@ -217,11 +217,11 @@ class BadArguments(ConsoleTest):
 
     def test_outputs_that_cannot_be_written(self):
         mesh = self.write("mesh.obj", obj_text([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
-        nowhere = self.folder / "missing" / "out"
+        nowhere = self.folder / "missing" / "out.obj"
         for output in (nowhere, self.folder):
             for command in (("analyse", mesh), ("strike", BAR), ("mesh", "bar"),
                             ("render", "--preset", "Steel Ring", "--midi", self.song)):
-                self.refuse(*command, "-o", output, naming=output)
+                self.refuse(*command, "-o", output, naming=output.name)
         self.refuse("factory", "-o", mesh / "folder", "--only", "ring", naming=mesh / "folder")
         self.refuse("render", "--preset", "Steel Ring", "--midi", self.song, *self.out,
                     "--seconds", 0.1, "--stats", nowhere, naming=nowhere)
@@ -258,7 +258,7 @@ class BadArguments(ConsoleTest):
         self.refuse("strike", BAR, *self.out, "--material", "Unobtainium", naming="Unobtainium")
 
     def test_commands_that_are_none(self):
-        self.refuse(naming="subcommand")
+        self.refuse(naming="command")
         self.refuse("dance", naming="dance")
         self.refuse("render", "--preset", "Steel Ring", *self.out, naming="--midi")
         self.refuse("render", "--midi", self.song, *self.out, naming="--preset")
