@@ -101,7 +101,15 @@ class Analyse(ConsoleTest):
             _, info = self.analyse(mesh, "--max-frequency", 4000)
             self.assertGreater(info["mode_count"], 3)
 
-    def test_text_and_binary_formats_give_one_object(self):
+    def test_file_names_may_have_blanks_and_umlauts(self):
+        mesh, modal = self.folder / "eine Glocke, größer.obj", self.folder / "Glöckchen 2.modal"
+        self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
+        self.succeed("analyse", mesh, "-o", modal)
+        self.assertEqual(self.json("info", modal)["name"], "eine Glocke, größer")
+        self.succeed("strike", modal, "-o", self.folder / "ein Schlag, dröhnend.wav")
+        self.assertTrue((self.folder / "ein Schlag, dröhnend.wav").exists())
+
+    def test_obj_and_ply_give_one_object(self):
         ply, obj = self.folder / "bar.ply", self.mesh("bar", "--vertices", 60)
         self.succeed("mesh", "bar", "--vertices", 60, "-o", ply)
         self.assertEqual(self.analyse(ply)[1]["modes"], self.analyse(obj)[1]["modes"])
