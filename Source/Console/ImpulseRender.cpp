@@ -4,9 +4,9 @@
 #include "Console/Interrupt.h"
 #include "Console/ObjectSurface.h"
 #include "Console/ProgressLine.h"
-#include "Console/SettingsOfParameters.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/ObjectLibrary.h"
+#include "Instrument/SettingsOfParameters.h"
 #include "Synth/Synthesiser.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "Console/StruckModes.h"
 
-#include "Console/SettingsOfParameters.h"
+#include "Instrument/SettingsOfParameters.h"
 #include "Synth/ModalPole.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "Instrument/Player.h"
 
 #include "Instrument/MalletStrike.h"
+#include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,23 +21,6 @@ enum ControllerNumber {
     resetControllers,
     allNotesOff = 123
 };
-
-std::optional<LiveMaterial> liveMaterial(const ParameterValues& values) {
-    const int choice = static_cast<int>(values[material]);
-    if (choice == customMaterial)
-        return LiveMaterial{.youngsModulusPa = values[youngsModulus] * 1e9,
-                            .densityKgPerM3 = values[density],
-                            .fluidDampingPerSecond = values[fluidDamping],
-                            .viscoelasticDampingSeconds = values[viscoelasticDamping] * 1e-6};
-    const auto library = materialLibrary();
-    const auto index = static_cast<std::size_t>(choice - firstLibraryMaterial);
-    if (choice < firstLibraryMaterial || index >= library.size())
-        return std::nullopt;
-    return LiveMaterial{.youngsModulusPa = library[index].youngsModulusPa,
-                        .densityKgPerM3 = library[index].densityKgPerM3,
-                        .fluidDampingPerSecond = library[index].fluidDampingPerSecond,
-                        .viscoelasticDampingSeconds = library[index].viscoelasticDampingSeconds};
-}
 
 std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
     return {instrument.slots().begin(), instrument.slots().end()};
@@ -145,7 +129,7 @@ void Player::strikeFor(const MidiEvent& event) {
 }
 
 void Player::beginCell() {
-    synth.setSettings(settings());
+    synth.setSettings(synthesisSettings(current, bend * current[bendRange]));
     updateDampers();
     synth.beginCell(cell);
     cellPosition = 0;
@@ -162,19 +146,6 @@ void Player::updateDampers() {
         synth.setDamping(slot, slotSilenced[slot] ? decibels60 / silencingSeconds
                                : slotHeld[slot]   ? 0
                                                   : decibels60 / current[releaseTime]);
-}
-
-SynthesisSettings Player::settings() const {
-    const auto& slopeInfo = parameterInfo(qualitySlope);
-    const double semitones = current[tune] / 100 + bend * current[bendRange];
-    return {.tau = current[tau],
-            .qualitySlope =
-                current[qualitySlope] == slopeInfo.maximum ? greedySlope : current[qualitySlope],
-            .modeBudget = current[modeBudget],
-            .compression = current[compression],
-            .sizeRatio = current[size],
-            .frequencyRatio = std::exp2(semitones / 12),
-            .material = liveMaterial(current)};
 }
 
 void Player::reset() {

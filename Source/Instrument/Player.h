@@ -54,7 +54,6 @@ private:
     void controller(int number, int value);
     void beginCell();
     void updateDampers();
-    SynthesisSettings settings() const;
 
     std::shared_ptr<const Instrument> playedInstrument;
     Synthesiser synth;

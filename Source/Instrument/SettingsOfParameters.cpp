@@ -1,4 +1,4 @@
-#include "Console/SettingsOfParameters.h"
+#include "Instrument/SettingsOfParameters.h"
 
 #include "Object/Material.h"
 
@@ -28,14 +28,14 @@ std::optional<LiveMaterial> liveMaterial(const ParameterValues& values) {
 
 } // namespace
 
-SynthesisSettings synthesisSettings(const ParameterValues& values) {
+SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones) {
     const double slope = values[qualitySlope];
     return {.tau = values[tau],
             .qualitySlope = slope == parameterInfo(qualitySlope).maximum ? greedySlope : slope,
             .modeBudget = values[modeBudget],
             .compression = values[compression],
             .sizeRatio = values[size],
-            .frequencyRatio = std::exp2(values[tune] / 1200),
+            .frequencyRatio = std::exp2((values[tune] / 100 + bendSemitones) / 12),
             .material = liveMaterial(values)};
 }
 
