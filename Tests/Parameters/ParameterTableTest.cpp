@@ -3,9 +3,9 @@
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
-#include <clocale>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <set>
 
 using namespace idiophone;
@@ -74,16 +74,25 @@ TEST_CASE("Typed entry takes units and names, and refuses what is neither") {
     CHECK(parseParameter(slope, "greedy") == slope.maximum);
     CHECK(formatParameter(slope, slope.maximum) == "Greedy");
     CHECK(parseParameter(parameterInfo(ParameterId::letRing), "off") == 0.0);
-    CHECK(parseParameter(parameterInfo(ParameterId::material), "Custom") == static_cast<double>(customMaterial));
+    CHECK(parseParameter(parameterInfo(ParameterId::material), "Custom") ==
+          static_cast<double>(customMaterial));
 }
 
 TEST_CASE("Numbers are written with a point whatever the locale of the host") {
-    if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr)
-        SKIP("the locale de_DE.UTF-8 is not installed");
+    struct DecimalComma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    const auto before = std::locale::global(std::locale(std::locale(), new DecimalComma));
     const auto& young = parameterInfo(ParameterId::youngsModulus);
-    CHECK(formatParameter(young, 12.5) == "12.50 GPa");
-    CHECK(parseParameter(young, "12.5") == 12.5);
-    std::setlocale(LC_ALL, "C");
+    const auto shown = formatParameter(young, 12.5);
+    const auto hundreds = formatParameter(parameterInfo(ParameterId::density), 12500);
+    const auto typed = parseParameter(young, "12.5");
+    std::locale::global(before);
+    CHECK(shown == "12.50 GPa");
+    CHECK(hundreds == "12500 kg/m3");
+    CHECK(typed == 12.5);
 }
 
 TEST_CASE("The material choice names the library's materials in the library's order") {
