@@ -1,9 +1,7 @@
 #include "Synth/ContactPulse.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace idiophone {
@@ -20,14 +18,10 @@ std::complex<double> quotient(std::complex<double> a, std::complex<double> b) no
     return product(a, std::conj(b)) / std::norm(b);
 }
 
-double distanceFromModes(double seconds, std::span<const ModalPole> poles) noexcept {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const ModalPole& pole : poles) {
-        // A mode this damped has no sharp resonance to avoid.
-        const bool light = pole.damping * pole.damping < 4e-4 * pole.stiffness;
-        if (light)
-            nearest = std::min(nearest, std::abs(naturalFrequencyHz(pole) * seconds - 1));
-    }
+double distanceFrom(std::span<const double> resonancesHz, double seconds) noexcept {
+    double nearest = 1;
+    for (const double hz : resonancesHz)
+        nearest = std::min(nearest, std::abs(hz * seconds - 1));
     return nearest;
 }
 
@@ -55,14 +49,14 @@ Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
     return {steady + product(swing, phase).real(), contactRate * displacement.real()};
 }
 
-double contactSecondsClearOfModes(double seconds, std::span<const ModalPole> poles) noexcept {
+double contactSecondsClearOf(std::span<const double> resonancesHz, double seconds) noexcept {
     constexpr double tooNear = 0.01;
-    double best = distanceFromModes(seconds, poles);
+    double best = distanceFrom(resonancesHz, seconds);
     double chosen = seconds;
     if (best >= tooNear)
         return chosen;
     for (const double candidate : {seconds * (1 + tooNear), seconds * (1 - tooNear)}) {
-        const double distance = distanceFromModes(candidate, poles);
+        const double distance = distanceFrom(resonancesHz, candidate);
         if (distance > best) {
             best = distance;
             chosen = candidate;

@@ -35,8 +35,9 @@ private:
     std::complex<double> swing;
 };
 
-/// The contact time to use for T: T itself, or 1 % shorter or longer where a lightly damped mode
-/// has |fT − 1| < 1 % and the closed form would be the small difference of large numbers.
-double contactSecondsClearOfModes(double seconds, std::span<const ModalPole> poles) noexcept;
+/// The contact time to use for T: T itself, or 1 % shorter or longer where a resonance f has
+/// |fT − 1| < 1 % and the closed form would be the small difference of large numbers. Resonances of
+/// 0 Hz are none.
+double contactSecondsClearOf(std::span<const double> resonancesHz, double seconds) noexcept;
 
 } // namespace idiophone

@@ -12,9 +12,8 @@ namespace idiophone {
 /// for the impulse J at p is (φ(p)·J)(φ(p)·ℓ), which does not depend on the sign of φ or, summed
 /// over equal poles, on their basis. ℓ points inwards, so that a strike straight into the surface
 /// has no negative residue.
-inline std::array<double, 3> listeningDirection(const StrikePoint& point) noexcept {
-    return {-static_cast<double>(point.normal[0]), -static_cast<double>(point.normal[1]),
-            -static_cast<double>(point.normal[2])};
+inline std::array<float, 3> listeningDirection(const StrikePoint& point) noexcept {
+    return {-point.normal[0], -point.normal[1], -point.normal[2]};
 }
 
 } // namespace idiophone

@@ -1,36 +1,236 @@
 #include "Synth/ModalBankKernel.h"
 
-namespace idiophone {
+#include <algorithm>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Synth/ModalBankKernel.cpp"
+#include <hwy/foreach_target.h> // compiles this file once for each target
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace idiophone {
+namespace HWY_NAMESPACE {
 namespace {
 
-// Summed in the output itself and not in a local array, which gcc 12 takes apart into scalars.
-void renderSubBlock(const ModalBankArrays& bank,
-                    std::span<const std::int32_t> active,
-                    float* __restrict output) noexcept {
-    for (const std::int32_t index : active) {
-        const auto g = static_cast<std::size_t>(index);
-        double* state = bank.states + 2 * g;
-        const double* step = bank.steps + 4 * g;
-        const float* __restrict table = bank.tables + 2 * subBlockSamples * g;
-        const double x = state[0];
-        const double y = state[1];
-        const auto xf = static_cast<float>(x);
-        const auto yf = static_cast<float>(y);
-        for (std::size_t k = 0; k < subBlockSamples; ++k)
-            output[k] += table[k] * xf + table[subBlockSamples + k] * yf;
-        state[0] = step[0] * x + step[1] * y;
-        state[1] = step[2] * x + step[3] * y;
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, 16>;
+using Doubles = hn::RepartitionToWide<Floats>;
+using HalfFloats = hn::Half<Floats>;
+constexpr std::size_t floatLanes = hn::MaxLanes(Floats());
+constexpr std::size_t doubleLanes = hn::MaxLanes(Doubles());
+constexpr std::size_t tableVectors = subBlockSamples / floatLanes;
+
+template <bool Scaled>
+void advance(const ModeRotations& rotations,
+             std::size_t count,
+             double scale,
+             double* HWY_RESTRICT x,
+             double* HWY_RESTRICT y,
+             float* HWY_RESTRICT energies,
+             SubBlockStates& ahead) {
+    const Floats f;
+    const Doubles d;
+    const HalfFloats h;
+    const float* HWY_RESTRICT turnRe = rotations.turnRe;
+    const float* HWY_RESTRICT turnIm = rotations.turnIm;
+    const double* HWY_RESTRICT cellRe = rotations.cellRe;
+    const double* HWY_RESTRICT cellIm = rotations.cellIm;
+    float* HWY_RESTRICT aheadX = ahead.x[0];
+    float* HWY_RESTRICT aheadY = ahead.y[0];
+    const auto gain = hn::Set(d, scale);
+    const auto squaredGain = hn::Set(f, static_cast<float>(scale * scale));
+    const auto step = [&](const double* rotation) HWY_ATTR {
+        const auto part = hn::Load(d, rotation);
+        return Scaled ? hn::Mul(gain, part) : part;
+    };
+    for (std::size_t g = 0; g < count; g += floatLanes) {
+        const auto xLow = hn::Load(d, x + g);
+        const auto xHigh = hn::Load(d, x + g + doubleLanes);
+        const auto yLow = hn::Load(d, y + g);
+        const auto yHigh = hn::Load(d, y + g + doubleLanes);
+
+        auto xs = hn::Combine(f, hn::DemoteTo(h, xHigh), hn::DemoteTo(h, xLow));
+        auto ys = hn::Combine(f, hn::DemoteTo(h, yHigh), hn::DemoteTo(h, yLow));
+        const auto re = hn::Load(f, turnRe + g);
+        const auto im = hn::Load(f, turnIm + g);
+#pragma GCC unroll 4
+        for (std::size_t b = 0; b < subBlocks; ++b) {
+            hn::Store(xs, f, aheadX + b * batchModes + g);
+            hn::Store(ys, f, aheadY + b * batchModes + g);
+            const auto turned = hn::NegMulAdd(im, ys, hn::Mul(re, xs));
+            ys = hn::MulAdd(im, xs, hn::Mul(re, ys));
+            xs = turned;
+        }
+        const auto energy = hn::MulAdd(xs, xs, hn::Mul(ys, ys));
+        hn::Store(Scaled ? hn::Mul(energy, squaredGain) : energy, f, energies + g);
+
+        const auto reLow = step(cellRe + g);
+        const auto reHigh = step(cellRe + g + doubleLanes);
+        const auto imLow = step(cellIm + g);
+        const auto imHigh = step(cellIm + g + doubleLanes);
+        hn::Store(hn::NegMulAdd(imLow, yLow, hn::Mul(reLow, xLow)), d, x + g);
+        hn::Store(hn::NegMulAdd(imHigh, yHigh, hn::Mul(reHigh, xHigh)), d, x + g + doubleLanes);
+        hn::Store(hn::MulAdd(imLow, xLow, hn::Mul(reLow, yLow)), d, y + g);
+        hn::Store(hn::MulAdd(imHigh, xHigh, hn::Mul(reHigh, yHigh)), d, y + g + doubleLanes);
     }
 }
 
-} // namespace
+void advanceBatch(const ModeRotations& rotations,
+                  std::size_t count,
+                  double scale,
+                  double* x,
+                  double* y,
+                  float* energies,
+                  SubBlockStates& ahead) {
+    if (scale == 1)
+        advance<false>(rotations, count, scale, x, y, energies, ahead);
+    else
+        advance<true>(rotations, count, scale, x, y, energies, ahead);
+}
 
-void renderModalBank(const ModalBankArrays& bank,
-                     std::span<const std::int32_t> active,
-                     std::span<float> output) noexcept {
-    for (std::size_t start = 0; start + subBlockSamples <= output.size(); start += subBlockSamples)
-        renderSubBlock(bank, active, output.data() + start);
+/// Sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers: the loops over them are
+/// unrolled in full.
+template <std::size_t Start, std::size_t Count>
+HWY_INLINE void mixSubBlocks(const float* HWY_RESTRICT table,
+                             const float* HWY_RESTRICT x,
+                             const float* HWY_RESTRICT y,
+                             std::size_t count,
+                             float* HWY_RESTRICT output) {
+    const Floats f;
+    hn::Vec<Floats> sums[Count][tableVectors];
+#pragma GCC unroll 16
+    for (std::size_t b = 0; b < Count; ++b)
+#pragma GCC unroll 16
+        for (std::size_t v = 0; v < tableVectors; ++v)
+            sums[b][v] = hn::LoadU(f, output + b * subBlockSamples + v * floatLanes);
+    for (std::size_t g = 0; g < count; ++g) {
+        hn::Vec<Floats> row[2 * tableVectors];
+#pragma GCC unroll 16
+        for (std::size_t v = 0; v < 2 * tableVectors; ++v)
+            row[v] = hn::Load(f, table + v * floatLanes);
+#pragma GCC unroll 16
+        for (std::size_t b = 0; b < Count; ++b) {
+            const auto xs = hn::Set(f, x[(Start + b) * batchModes + g]);
+            const auto ys = hn::Set(f, y[(Start + b) * batchModes + g]);
+#pragma GCC unroll 16
+            for (std::size_t v = 0; v < tableVectors; ++v)
+                sums[b][v] = hn::MulAdd(row[v], xs, sums[b][v]);
+#pragma GCC unroll 16
+            for (std::size_t v = 0; v < tableVectors; ++v)
+                sums[b][v] = hn::MulAdd(row[tableVectors + v], ys, sums[b][v]);
+        }
+        table += 2 * subBlockSamples;
+    }
+#pragma GCC unroll 16
+    for (std::size_t b = 0; b < Count; ++b)
+#pragma GCC unroll 16
+        for (std::size_t v = 0; v < tableVectors; ++v)
+            hn::StoreU(sums[b][v], f, output + b * subBlockSamples + v * floatLanes);
+}
+
+void mix(const float* tables,
+         const SubBlockStates& ahead,
+         std::size_t from,
+         std::size_t count,
+         std::size_t blocks,
+         float* output) {
+    const float* x = ahead.x[0] + from;
+    const float* y = ahead.y[0] + from;
+    // No more sums at a time than registers hold beside the tables.
+    if constexpr (tableVectors <= 2) {
+        switch (blocks) {
+        case 1:
+            return mixSubBlocks<0, 1>(tables, x, y, count, output);
+        case 2:
+            return mixSubBlocks<0, 2>(tables, x, y, count, output);
+        case 3:
+            return mixSubBlocks<0, 3>(tables, x, y, count, output);
+        default:
+            return mixSubBlocks<0, 4>(tables, x, y, count, output);
+        }
+    } else {
+        constexpr std::size_t half = 2 * subBlockSamples;
+        if (blocks == 1)
+            return mixSubBlocks<0, 1>(tables, x, y, count, output);
+        mixSubBlocks<0, 2>(tables, x, y, count, output);
+        if (blocks == 3)
+            mixSubBlocks<2, 1>(tables, x, y, count, output + half);
+        if (blocks == 4)
+            mixSubBlocks<2, 2>(tables, x, y, count, output + half);
+    }
+}
+
+void survey(const float* energies,
+            const float* audible,
+            float tauSquared,
+            float faintSquared,
+            std::uint16_t& mask,
+            EnergySurvey& result) {
+    const Floats f;
+    const auto tau = hn::Set(f, tauSquared);
+    const auto faint = hn::Set(f, faintSquared);
+    auto amplitudes = hn::Zero(f);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < modeBlock; k += floatLanes) {
+        const auto energy = hn::Load(f, energies + k);
+        const auto heard = hn::Mul(energy, hn::Load(f, audible + k));
+        const auto rings = hn::Gt(heard, tau);
+        amplitudes = hn::Add(amplitudes, hn::IfThenElseZero(rings, hn::Sqrt(heard)));
+        std::uint8_t lanes[8] = {};
+        hn::StoreMaskBits(f, rings, lanes);
+        bits |= (lanes[0] | (std::uint32_t{lanes[1]} << 8)) << k;
+        // Also what is not finite.
+        const auto fading = hn::Or(hn::And(hn::Lt(energy, faint), hn::Gt(energy, hn::Zero(f))),
+                                   hn::Not(hn::Lt(energy, hn::Set(f, 1e36f))));
+        result.faint = result.faint || !hn::AllFalse(f, fading);
+    }
+    result.amplitudes += static_cast<double>(hn::GetLane(hn::SumOfLanes(f, amplitudes)));
+    result.modes += static_cast<std::int32_t>(hwy::PopCount(bits));
+    result.changed = result.changed || mask != bits;
+    mask = static_cast<std::uint16_t>(bits);
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace idiophone
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace idiophone {
+
+HWY_EXPORT(advanceBatch);
+HWY_EXPORT(mix);
+HWY_EXPORT(survey);
+
+void advanceModes(const ModeRotations& rotations,
+                  std::size_t count,
+                  double scale,
+                  double* x,
+                  double* y,
+                  float* energies,
+                  SubBlockStates& ahead) noexcept {
+    HWY_DYNAMIC_DISPATCH(advanceBatch)(rotations, count, scale, x, y, energies, ahead);
+}
+
+void mixModes(const float* tables,
+              const SubBlockStates& ahead,
+              std::size_t from,
+              std::size_t count,
+              std::size_t blocks,
+              float* output) noexcept {
+    HWY_DYNAMIC_DISPATCH(mix)(tables, ahead, from, count, blocks, output);
+}
+
+void surveyEnergies(const float* energies,
+                    const float* audible,
+                    float tauSquared,
+                    float faintSquared,
+                    std::uint16_t& mask,
+                    EnergySurvey& survey) noexcept {
+    HWY_DYNAMIC_DISPATCH(survey)(energies, audible, tauSquared, faintSquared, mask, survey);
 }
 
 } // namespace idiophone
+#endif

@@ -1,27 +1,70 @@
-// The inner loop of synthesis: adds what many modes sound to a buffer and takes their states on.
-// Nothing else renders modes, so that a faster kernel replaces this one file.
+// The inner loops of synthesis, with SIMD chosen at run time: states of many modes are taken on by
+// a cell, and what they sound is added to a buffer. Arrays in, arrays out; nothing is kept.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace idiophone {
 
 inline constexpr std::size_t subBlockSamples = 16;
+inline constexpr std::size_t subBlocks = 4; ///< a cell of 64 samples
 
-/// Contiguous arrays over G modes (groups of merged modes). Block form: within a sub-block mode g
-/// sounds v[k] = table[32g + k] x + table[32g + 16 + k] y.
-struct ModalBankArrays {
-    const float* tables; ///< [G,2,16] first row of the propagator to sample k: Re ρᵏ, −Im ρᵏ
-    const double* steps; ///< [G,2,2] propagator over one sub-block, row-major
-    double* states;      ///< [G,2] x, y; kept in double so that the phase holds for hours
+/// Arrays over modes are padded to whole blocks of this many, aligned to 64 bytes.
+inline constexpr std::size_t modeBlock = 16;
+
+/// Modes whose states are computed ahead of mixing them; what they touch stays in the first cache.
+inline constexpr std::size_t batchModes = 128;
+
+/// States of a batch at the start of each sub-block.
+struct SubBlockStates {
+    alignas(64) float x[subBlocks][batchModes];
+    alignas(64) float y[subBlocks][batchModes];
 };
 
-/// Adds modes `active` to `output` (a multiple of 16 samples) and advances their states by as much.
-/// Audio thread.
-void renderModalBank(const ModalBankArrays& bank,
-                     std::span<const std::int32_t> active,
-                     std::span<float> output) noexcept;
+/// Rotations of oscillating modes: with ρ = e^{ω⁺/fs}, ρ¹⁶ and ρ⁶⁴ as real and imaginary parts.
+struct ModeRotations {
+    const float* turnRe;
+    const float* turnIm;
+    const double* cellRe;
+    const double* cellIm;
+};
+
+/// Fills `ahead` with the states of `count` modes (whole blocks, at most a batch) at the start of
+/// each sub-block, takes x, y on by one cell times `scale`, and writes |s|² there. States are kept
+/// in double, so that the phase holds for hours; within a cell, single precision does.
+void advanceModes(const ModeRotations& rotations,
+                  std::size_t count,
+                  double scale,
+                  double* x,
+                  double* y,
+                  float* energies,
+                  SubBlockStates& ahead) noexcept;
+
+/// Adds to `output` (16 · `blocks` samples) what a run of `count` modes of a batch sounds, whose
+/// tables start at `tables` and whose states stand in `ahead` from place `from` on: in sub-block b,
+/// sample k of mode g, tables[32 g + k] x + tables[32 g + 16 + k] y.
+void mixModes(const float* tables,
+              const SubBlockStates& ahead,
+              std::size_t from,
+              std::size_t count,
+              std::size_t blocks,
+              float* output) noexcept;
+
+/// A block's part of a survey: which of its modes are above τ.
+struct EnergySurvey {
+    double amplitudes = 0;  ///< Σ |s| over these
+    std::int32_t modes = 0; ///< their number
+    bool changed = false;   ///< they are not the modes of the last survey
+    bool faint = false;     ///< some state should become zero
+};
+
+/// Surveys block `block`: bit k of `mask` is updated to whether energies[k] · audible[k] > τ².
+void surveyEnergies(const float* energies,
+                    const float* audible,
+                    float tauSquared,
+                    float faintSquared,
+                    std::uint16_t& mask,
+                    EnergySurvey& survey) noexcept;
 
 } // namespace idiophone

@@ -15,14 +15,15 @@ namespace idiophone {
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class ModeFader {
 public:
-    ModeFader(std::size_t modeCapacity, double sampleRateHz);
+    /// For modes of this bank.
+    ModeFader(const ModalBank& bank, double sampleRateHz);
 
     /// From the next sample to be played on, modes that are no longer rendered fade out.
-    void leave(const ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
+    void leave(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
 
     /// Modes that are rendered in full from the next sample on fade in: what a fade would hold back
     /// is taken away.
-    void enter(const ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
+    void enter(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
 
     /// Adds the next cell of the fades and moves on.
     void addCell(std::span<float> cell) noexcept;
@@ -34,13 +35,13 @@ public:
     void reset() noexcept;
 
 private:
-    void fade(const ModalBank& bank, std::span<const std::int32_t> modes, float sign) noexcept;
+    void fade(ModalBank& bank, std::span<const std::int32_t> modes, float sign) noexcept;
 
     std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
     std::vector<float> tail;   ///< what is left to play, from its next sample
-    std::vector<float> scratch;
-    std::vector<double> states; ///< [G,2]
-    std::size_t remaining = 0;  ///< samples of `tail` that may not be zero
+    ModeStates states;
+    std::vector<ModeRun> runs;
+    std::size_t remaining = 0; ///< samples of `tail` that may not be zero
 };
 
 } // namespace idiophone

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace idiophone {
 
 namespace {
+
+// −360 dB of full scale, where a state becomes zero: 1e-18 is far above single-precision denormals.
+constexpr double floorVelocity = 1e-18;
 
 /// [M] mean over the vertices of |φ_i|².
 std::vector<double> meanSquareShapes(const ModalObject& object) {
@@ -29,18 +32,23 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
       slotSizeRatio(sizeRatio), sampleRate(sampleRateHz), cellSeconds(cellSamples / sampleRateHz),
       modeWeights(meanSquareShapes(*object)), bank(object->modeCount(), sampleRateHz),
-      fader(object->modeCount(), sampleRateHz) {
+      fader(bank, sampleRateHz), kicks(bank.emptyStates()), forced(bank.emptyStates()),
+      rendered(bank.emptyStates()) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
-    groups.resize(modes);
-    amplitudes.resize(modes);
+    referenceEigenvalues.resize(modes);
     modeResidues.resize(modes);
-    groupResidues.resize(modes);
-    kicks.resize(modes);
-    kickedStates.resize(2 * modes);
-    audiblePoles.reserve(modes);
-    for (auto* list : {&ringingModes, &mixedModes, &candidates, &joining, &leaving})
+    struckGains.resize(modes);
+    heardGains.resize(modes);
+    for (auto* array : {&groupResidues, &steady, &swingRe, &swingIm})
+        array->resize(bank.paddedSize());
+    kickEnergies.resize(bank.paddedSize());
+    blocks.resize(bank.blockCount());
+    wanted.resize(blocks.size());
+    activeBlocks.reserve(blocks.size());
+    for (auto* list : {&mixedModes, &candidates, &joining, &leaving})
         list->reserve(modes);
+    mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
     applySettings({});
     regroup();
@@ -67,54 +75,138 @@ bool SoundingObject::beginCell(std::int64_t cell,
     cellIndex = cell;
     if (settingsChanged || controlsChanged)
         applySettings(settings);
-    if (silent() && mixedModes.empty())
+    if (silent())
         return false;
-    if (contacts.empty())
-        dropEnded();
-    measure();
+    survey();
     return true;
 }
 
-void SoundingObject::measure() noexcept {
-    demanded = {};
-    for (const std::int32_t g : ringingModes) {
-        if (!groups[index(g)].audible)
-            continue;
-        amplitudes[index(g)] = bank.amplitude(index(g));
-        demanded.amplitude += amplitudes[index(g)];
-        ++demanded.modes;
+// t_c of eq. 14 is where the amplitude, which falls as e^{−αt}, meets τ: found here by comparing
+// the two at every grid point, which needs no logarithm when the mode is struck.
+void SoundingObject::survey() noexcept {
+    EnergySurvey found;
+    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
+    const auto faint = static_cast<float>(floorVelocity * floorVelocity);
+    std::int32_t held = 0;
+    for (const std::int32_t number : activeBlocks) {
+        const auto b = static_cast<std::size_t>(number);
+        std::uint16_t rings = blocks[b].rings;
+        surveyEnergies(bank.energies() + b * modeBlock, bank.audibleWeights() + b * modeBlock, tau,
+                       faint, rings, found);
+        held += std::popcount(blocks[b].rings);
+        if (contacts.empty())
+            blocks[b].rings = rings;
     }
+    if (found.faint)
+        for (const std::int32_t b : activeBlocks)
+            bank.clearFaint(static_cast<std::size_t>(b), floorVelocity);
+    mixedIsRinging = mixedIsRinging && !found.changed;
+    demanded = {found.amplitudes, contacts.empty() ? found.modes : held};
 }
 
 void SoundingObject::chooseModes(std::int32_t share) noexcept {
-    candidates.clear();
-    for (const std::int32_t g : ringingModes)
-        if (groups[index(g)].audible)
-            candidates.push_back(g);
-    if (const auto most = index(std::max(share, 0)); candidates.size() > most) {
-        const auto cut = candidates.begin() + static_cast<std::ptrdiff_t>(most);
-        std::nth_element(candidates.begin(), cut, candidates.end(),
-                         [&](std::int32_t a, std::int32_t b) {
-                             const double left = amplitudes[index(a)];
-                             const double right = amplitudes[index(b)];
-                             return left != right ? left > right : a < b;
-                         });
-        candidates.erase(cut, candidates.end());
-        std::sort(candidates.begin(), candidates.end());
-    }
+    const bool all = share >= demanded.modes;
+    if (all && mixedIsRinging)
+        return;
+    if (all)
+        for (const std::int32_t b : activeBlocks)
+            wanted[static_cast<std::size_t>(b)] = blocks[static_cast<std::size_t>(b)].rings;
+    else
+        selectStrongest(static_cast<std::size_t>(std::max(share, 0)));
     leaving.clear();
     joining.clear();
-    std::set_difference(mixedModes.begin(), mixedModes.end(), candidates.begin(), candidates.end(),
-                        std::back_inserter(leaving));
-    std::set_difference(candidates.begin(), candidates.end(), mixedModes.begin(), mixedModes.end(),
-                        std::back_inserter(joining));
-    for (const std::int32_t g : leaving)
-        groups[index(g)].mixed = false;
-    for (const std::int32_t g : joining)
-        groups[index(g)].mixed = true;
-    fader.leave(bank, leaving);
-    fader.enter(bank, joining);
-    std::swap(mixedModes, candidates);
+    for (const std::int32_t number : activeBlocks) {
+        const auto b = static_cast<std::size_t>(number);
+        const unsigned before = blocks[b].mixed;
+        const unsigned now = wanted[b];
+        forEachMode(b, static_cast<std::uint16_t>(before & ~now),
+                    [&](std::int32_t g) { leaving.push_back(g); });
+        forEachMode(b, static_cast<std::uint16_t>(now & ~before),
+                    [&](std::int32_t g) { joining.push_back(g); });
+        blocks[b].mixed = wanted[b];
+    }
+    mixedIsRinging = all;
+    if (!leaving.empty() || !joining.empty()) {
+        fader.leave(bank, leaving);
+        fader.enter(bank, joining);
+        listMixed();
+    }
+    retireBlocks(cellIndex);
+}
+
+void SoundingObject::selectStrongest(std::size_t most) noexcept {
+    candidates.clear();
+    for (const std::int32_t number : activeBlocks) {
+        const auto b = static_cast<std::size_t>(number);
+        wanted[b] = 0;
+        forEachMode(b, blocks[b].rings, [&](std::int32_t g) { candidates.push_back(g); });
+    }
+    keepLoudest(candidates, bank.energies(), most);
+    for (const std::int32_t g : candidates)
+        wanted[static_cast<std::size_t>(g) / modeBlock] |=
+            static_cast<std::uint16_t>(1u << (static_cast<std::size_t>(g) % modeBlock));
+}
+
+void SoundingObject::keepLoudest(std::vector<std::int32_t>& modes,
+                                 const float* energies,
+                                 std::size_t most) noexcept {
+    if (modes.size() <= most)
+        return;
+    const auto cut = modes.begin() + static_cast<std::ptrdiff_t>(most);
+    std::nth_element(modes.begin(), cut, modes.end(), [&](std::int32_t a, std::int32_t b) {
+        return energies[a] != energies[b] ? energies[a] > energies[b] : a < b;
+    });
+    modes.erase(cut, modes.end());
+}
+
+void SoundingObject::listMixed() noexcept {
+    mixedModes.clear();
+    for (const std::int32_t number : activeBlocks) {
+        const auto b = static_cast<std::size_t>(number);
+        forEachMode(b, blocks[b].mixed, [&](std::int32_t g) { mixedModes.push_back(g); });
+    }
+    findRuns(mixedModes, mixedRuns);
+}
+
+void SoundingObject::retireBlocks(std::int64_t grid) noexcept {
+    std::erase_if(activeBlocks, [&](std::int32_t number) {
+        Block& block = blocks[static_cast<std::size_t>(number)];
+        if ((block.rings | block.mixed) != 0)
+            return false;
+        block.active = false;
+        block.restsSince = grid;
+        block.restsAtDampingLog = dampingLog(grid);
+        return true;
+    });
+}
+
+/// True where the block holds anything.
+bool SoundingObject::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
+    if (!(bank.energyOfLoudest(b) > 0))
+        return false;
+    Block& block = blocks[b];
+    bank.advanceBlock(b, cellSeconds * static_cast<double>(grid - block.restsSince),
+                      std::exp(block.restsAtDampingLog - dampingLog(grid)), floorVelocity);
+    block.restsSince = grid;
+    block.restsAtDampingLog = dampingLog(grid);
+    return bank.energyOfLoudest(b) > 0;
+}
+
+/// Makes all blocks active that hold something above τ; the next survey says what of it rings.
+void SoundingObject::wakeBlocks() noexcept {
+    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
+    for (std::size_t b = 0; b < bank.blockCount(); ++b)
+        if (!blocks[b].active && bank.energyOfLoudest(b) > tau && bringUpToDate(b, cellIndex) &&
+            bank.energyOfLoudest(b) > tau)
+            activate(b);
+}
+
+void SoundingObject::activate(std::size_t b) noexcept {
+    if (blocks[b].active)
+        return;
+    blocks[b].active = true;
+    const auto number = static_cast<std::int32_t>(b);
+    activeBlocks.insert(std::lower_bound(activeBlocks.begin(), activeBlocks.end(), number), number);
 }
 
 void SoundingObject::mix(std::int32_t share, std::span<float, cellSamples> cell) noexcept {
@@ -122,11 +214,9 @@ void SoundingObject::mix(std::int32_t share, std::span<float, cellSamples> cell)
         chooseModes(share);
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
 
-    std::array<float, cellSamples> sound{};
-    bank.render(mixedModes, sound);
-    for (const std::int32_t g : ringingModes)
-        if (!groups[index(g)].mixed)
-            bank.advanceCell(index(g));
+    alignas(64) std::array<float, cellSamples> sound{};
+    const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
+    bank.render(activeBlocks, mixedRuns, fallen, sound.data());
     fader.addCell(sound);
     if (damping > 0) {
         const double fall = std::exp(-damping / sampleRate);
@@ -135,9 +225,7 @@ void SoundingObject::mix(std::int32_t share, std::span<float, cellSamples> cell)
             sample *= static_cast<float>(factor);
             factor *= fall;
         }
-        for (const std::int32_t g : ringingModes)
-            bank.scale(index(g), factor);
-        fader.scale(static_cast<float>(factor));
+        fader.scale(static_cast<float>(fallen));
     }
     for (std::size_t k = 0; k < cell.size(); ++k)
         cell[k] += sound[k];
@@ -145,16 +233,14 @@ void SoundingObject::mix(std::int32_t share, std::span<float, cellSamples> cell)
 }
 
 void SoundingObject::reset() noexcept {
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        bank.setState(g, {});
-        groups[g].rings = false;
-        groups[g].mixed = false;
-    }
-    ringingModes.clear();
+    bank.clear();
+    std::fill(blocks.begin(), blocks.end(), Block{});
+    activeBlocks.clear();
     mixedModes.clear();
+    mixedRuns.clear();
+    mixedIsRinging = true;
     contacts.clear();
     fader.reset();
-    faintUntil = 0;
     demanded = {};
     mixedLastCell = 0;
 }

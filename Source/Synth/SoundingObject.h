@@ -9,6 +9,7 @@
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
 
+#include <bit>
 #include <complex>
 #include <cstdint>
 #include <memory>
@@ -17,9 +18,9 @@
 
 namespace idiophone {
 
-/// Memory is reserved by the constructor; every other member is for the audio thread. Ringing
-/// states stand at the grid point at which the cell begun last starts, after `mix` at the one where
-/// it ends.
+/// Memory is reserved by the constructor; every other member is for the audio thread. The states of
+/// active blocks stand at the grid point at which the cell begun last starts, after `mix` at the
+/// one where it ends.
 class SoundingObject {
 public:
     /// At most this many contacts are under way at a time.
@@ -54,7 +55,7 @@ public:
 
     void reset() noexcept;
 
-    bool ringing() const noexcept { return !ringingModes.empty() || !contacts.empty(); }
+    bool ringing() const noexcept { return !activeBlocks.empty() || !contacts.empty(); }
     bool silent() const noexcept { return !ringing() && !fader.active(); }
     std::int32_t modesRinging() const noexcept { return demanded.modes; }
     std::int32_t modesMixed() const noexcept { return mixedLastCell; }
@@ -70,33 +71,48 @@ private:
         std::complex<double> swing; ///< H over the modes mixed
     };
 
-    // SoundingObject.cpp
-    void measure() noexcept;
+    /// One block of the bank's modes, a bit each. A block of which nothing rings is not active: its
+    /// states rest as of the grid point `restsSince` until something needs them.
+    struct Block {
+        std::uint16_t rings = 0; ///< above τ
+        std::uint16_t mixed = 0;
+        bool active = false;
+        std::int64_t restsSince = 0;
+        double restsAtDampingLog = 0;
+    };
+
+    // SoundingObject.cpp: which modes ring and are mixed.
+    void survey() noexcept;
     void chooseModes(std::int32_t share) noexcept;
+    void selectStrongest(std::size_t most) noexcept;
+    void listMixed() noexcept;
+    void retireBlocks(std::int64_t grid) noexcept;
+    void wakeBlocks() noexcept;
+    void activate(std::size_t block) noexcept;
+    bool bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
 
     // SoundingObjectConditions.cpp: poles, damping, truncation.
     void applySettings(const SynthesisSettings& settings) noexcept;
-    void movePoles(const PoleLaw& newLaw) noexcept;
+    void movePoles() noexcept;
+    void fadeOutOfBand() noexcept;
     void regroup() noexcept;
-    void updateEnd(std::size_t g, std::int64_t grid) noexcept;
-    void reviveTruncated() noexcept;
-    void bringUpToDate(std::size_t g, std::int64_t grid) noexcept;
-    void listRinging() noexcept;
-    void dropEnded() noexcept;
-    void noteFaint(std::size_t g, std::int64_t grid) noexcept;
     double dampingLog(std::int64_t grid) const noexcept;
-    std::size_t index(std::int32_t g) const noexcept { return static_cast<std::size_t>(g); }
 
     // SoundingObjectStrike.cpp: residues, contacts.
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
     void computeResidues(const Strike& strike, double gain) noexcept;
+    void computeForced(const Contact& contact, std::complex<double> phase) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
-    void hold(Contact& contact, std::span<const std::int32_t> modes) noexcept;
+    void listWanted(std::size_t most) noexcept;
+    void admit(std::size_t g) noexcept;
+    void hold(Contact& contact, std::span<const std::int32_t> modes) const noexcept;
     void moveContact(Contact& contact, double sign) noexcept;
     void soundContacts(std::span<float, cellSamples> cell) noexcept;
     double addForced(const Contact& contact, std::span<float, cellSamples> cell) const noexcept;
-    void addKicks(double at, double until, std::span<float, cellSamples> cell) noexcept;
-    void joinKicks(double at) noexcept;
+    void startKicks(double factor, double at) noexcept;
+    void endContact(double at, int kickSample) noexcept;
+    void addKicks(int from, int until, std::span<float, cellSamples> cell) noexcept;
+    void joinKicks(int from) noexcept;
     std::complex<double>
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
@@ -110,7 +126,8 @@ private:
     double requestedFrequencyRatio = 1;
     bool controlsChanged = true;
     PoleLaw law;
-    double gainRatio = 1; ///< residues over the reference's: 1/mass ratio
+    bool polesBehind = false; ///< the bank's poles are not yet those of `law`
+    double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
     double compression = 1;
     double tauVelocity = 0; ///< τ in m/s, at least the floor where states are flushed
     double damping = 0;     ///< δ
@@ -119,43 +136,46 @@ private:
     std::int64_t cellIndex = -1; ///< the cell begun last
 
     // Groups, and the conditions under which they were formed.
-    std::vector<double> modeWeights;       ///< [M] mean-square shape
-    std::vector<std::int32_t> groupStarts; ///< [G+1]
-    std::size_t groupCount = 0;
+    std::vector<double> modeWeights;          ///< [M] mean-square shape
+    std::vector<std::int32_t> groupStarts;    ///< [G+1]
+    std::vector<double> referenceEigenvalues; ///< [G]
     PoleLaw groupedLaw;
     double groupedCompression = 1;
 
-    // Per group.
-    struct Group {
-        double referenceEigenvalue = 0;
-        std::int64_t endCell = 0;   ///< t_c: rings in cells before this one
-        std::int64_t stateCell = 0; ///< grid point of the state of a group that does not ring
-        double stateLog = 0;        ///< ln of the amplitude there
-        double stateDampingLog = 0; ///< dampingLog there
-        std::uint32_t poleVersion = 0;
-        bool rings = false;
-        bool mixed = false;
-        bool audible = false; ///< within the band at the pole it has
-    };
-    std::vector<Group> groups;
     ModalBank bank;
     ModeFader fader;
-    std::uint32_t poleVersion = 1;
-    std::int64_t faintUntil = 0; ///< from this cell on, states left by τ are below the floor
-    std::vector<std::int32_t> ringingModes; ///< ascending
+    std::vector<Block> blocks;
+    std::vector<std::int32_t> activeBlocks; ///< ascending
     std::vector<std::int32_t> mixedModes;   ///< ascending
-    std::vector<double> amplitudes;         ///< [G] of ringing groups, at the cell's start
+    std::vector<ModeRun> mixedRuns;
+    bool mixedIsRinging = true; ///< the modes mixed are those that ring
     ModeDemand demanded;
     std::int32_t mixedLastCell = 0;
 
     std::vector<Contact> contacts;
 
+    /// Calls `visit` with the mode of each bit of a block.
+    template <class Visit>
+    static void forEachMode(std::size_t block, std::uint16_t bits, Visit visit) {
+        for (unsigned rest = bits; rest != 0; rest &= rest - 1)
+            visit(static_cast<std::int32_t>(block * modeBlock) + std::countr_zero(rest));
+    }
+    /// Leaves the `most` modes of greatest energy, the lower one of two equals.
+    static void
+    keepLoudest(std::vector<std::int32_t>& modes, const float* energies, std::size_t most) noexcept;
+
     // Scratch.
-    std::vector<double> modeResidues;    ///< [M]
-    std::vector<double> groupResidues;   ///< [G]
-    std::vector<ModalState> kicks;       ///< [G] states to add, at the kick's time
-    std::vector<double> kickedStates;    ///< [G,2]
-    std::vector<ModalPole> audiblePoles; ///< [G]
+    std::vector<float> struckGains;         ///< [M] φ·J
+    std::vector<float> heardGains;          ///< [M] φ·ℓ
+    std::vector<double> modeResidues;       ///< [M]
+    AlignedVector<double> groupResidues;    ///< [G], padded with zeros
+    ModeStates kicks;                       ///< states to add, at a whole sample of the cell
+    ModeStates forced;                      ///< of a contact, for residues of 1
+    ModeStates rendered;                    ///< a copy that rendering may take on
+    AlignedVector<double> steady;           ///< [G]
+    AlignedVector<double> swingRe, swingIm; ///< [G]
+    AlignedVector<float> kickEnergies;      ///< [G]
+    std::vector<std::uint16_t> wanted;      ///< per block: modes to mix
     std::vector<std::int32_t> candidates;
     std::vector<std::int32_t> joining;
     std::vector<std::int32_t> leaving;

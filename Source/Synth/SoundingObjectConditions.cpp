@@ -1,4 +1,4 @@
-// What the settings make of a sounding object's poles, and which of its modes ring.
+// What the settings make of a sounding object's poles.
 #include "Synth/ModeCompression.h"
 #include "Synth/SoundingObject.h"
 
@@ -12,11 +12,8 @@ namespace {
 constexpr double lowestHz = 20;
 constexpr double highestShareOfSampleRate = 0.49;
 
-// −360 dB of full scale, where a state becomes zero: 1e-18 is far above single-precision denormals.
-constexpr double floorVelocity = 1e-18;
-
-// Cells, centuries of them: stands for never where a mode has no damping.
-constexpr double farAway = 1e13;
+// τ = 0 truncates nothing that could be heard after all: −360 dB of full scale.
+constexpr double smallestTauVelocity = 1e-18;
 
 double ratio(double value, double reference) noexcept {
     return value > 0 && reference > 0 ? value / reference : 1;
@@ -36,7 +33,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     const double stiffness = ratio(material.youngsModulusPa, reference.youngsModulusPa);
     const PoleLaw newLaw{stiffness / density * tuning * tuning, material.fluidDampingPerSecond,
                          material.viscoelasticDampingSeconds};
-    const double newTau = std::max(settings.tau * metresPerSecondPerTau, floorVelocity);
+    const double newTau = std::max(settings.tau * metresPerSecondPerTau, smallestTauVelocity);
     gainRatio = 1 / (density * size * size * size);
     compression = settings.compression;
 
@@ -54,140 +51,68 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     dampingSince = cellIndex;
     damping = requestedDamping;
     tauVelocity = newTau;
-    if (polesMove)
-        movePoles(newLaw);
+    law = newLaw;
+    polesBehind = polesBehind || polesMove;
+    if (polesBehind && (ringing() || tauFalls))
+        movePoles();
     if (polesMove || dampingMoves)
         for (Contact& contact : contacts)
             moveContact(contact, -1);
-    for (const std::int32_t g : ringingModes)
-        updateEnd(index(g), cellIndex);
-    if (tauFalls && cellIndex < faintUntil)
-        reviveTruncated();
+    if (polesMove || tauFalls)
+        wakeBlocks();
 }
 
-void SoundingObject::movePoles(const PoleLaw& newLaw) noexcept {
-    law = newLaw;
-    ++poleVersion;
-    // What leaves the band fades with the pole it had: the new one would alias.
+void SoundingObject::movePoles() noexcept {
+    polesBehind = false;
+    // Resting states move with the poles they had up to here.
+    for (std::size_t b = 0; b < bank.blockCount(); ++b)
+        if (!blocks[b].active)
+            bringUpToDate(b, cellIndex);
+    fadeOutOfBand();
+    bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestHz,
+                   highestShareOfSampleRate * sampleRate);
+}
+
+/// What leaves the band fades with the pole it had: the new one would alias.
+void SoundingObject::fadeOutOfBand() noexcept {
     leaving.clear();
     for (const std::int32_t g : mixedModes) {
-        Group& group = groups[index(g)];
-        const double hz = naturalFrequencyHz(law.pole(group.referenceEigenvalue));
-        if (hz < lowestHz || hz >= highestShareOfSampleRate * sampleRate) {
-            leaving.push_back(g);
-            group.mixed = false;
-        }
+        const auto mode = static_cast<std::size_t>(g);
+        const double hz = naturalFrequencyHz(law.pole(referenceEigenvalues[mode]));
+        if (hz >= lowestHz && hz < highestShareOfSampleRate * sampleRate)
+            continue;
+        leaving.push_back(g);
+        Block& block = blocks[mode / modeBlock];
+        const unsigned others = ~(1u << (mode % modeBlock));
+        block.mixed = static_cast<std::uint16_t>(block.mixed & others);
+        block.rings = static_cast<std::uint16_t>(block.rings & others);
     }
+    if (leaving.empty())
+        return;
     fader.leave(bank, leaving);
-    std::erase_if(mixedModes, [&](std::int32_t g) { return !groups[index(g)].mixed; });
-    for (const std::int32_t g : ringingModes)
-        bringUpToDate(index(g), cellIndex);
+    listMixed();
+    retireBlocks(cellIndex);
 }
 
 void SoundingObject::regroup() noexcept {
     groupedLaw = law;
     groupedCompression = compression;
-    groupCount = groupModes(object->eigenvalues, law, compression, groupStarts);
-    faintUntil = 0;
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        const auto first = index(groupStarts[g]);
-        const auto count = index(groupStarts[g + 1]) - first;
-        groups[g] = Group{};
-        groups[g].referenceEigenvalue =
+    const std::size_t groups = groupModes(object->eigenvalues, law, compression, groupStarts);
+    for (std::size_t g = 0; g < groups; ++g) {
+        const auto first = static_cast<std::size_t>(groupStarts[g]);
+        const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
+        referenceEigenvalues[g] =
             mergedEigenvalue(std::span(object->eigenvalues).subspan(first, count),
                              std::span(modeWeights).subspan(first, count));
-        bank.setState(g, {});
     }
+    bank.resize(groups);
+    std::fill(groupResidues.begin(), groupResidues.end(), 0.0);
+    std::fill(blocks.begin(), blocks.end(), Block{});
+    movePoles();
 }
 
 double SoundingObject::dampingLog(std::int64_t grid) const noexcept {
     return dampingLogBase + damping * cellSeconds * static_cast<double>(grid - dampingSince);
-}
-
-void SoundingObject::bringUpToDate(std::size_t g, std::int64_t grid) noexcept {
-    Group& group = groups[g];
-    const ModalState state = bank.state(g);
-    if (!group.rings && (state.x != 0 || state.y != 0)) {
-        bank.advance(g, cellSeconds * static_cast<double>(grid - group.stateCell));
-        bank.scale(g, std::exp(group.stateDampingLog - dampingLog(grid)));
-        if (!(bank.amplitude(g) > floorVelocity))
-            bank.setState(g, {});
-        group.stateCell = grid;
-        group.stateDampingLog = dampingLog(grid);
-    }
-    if (group.poleVersion == poleVersion)
-        return;
-    group.poleVersion = poleVersion;
-    bank.setPole(g, law.pole(group.referenceEigenvalue));
-    const double hz = naturalFrequencyHz(bank.pole(g));
-    group.audible = hz >= lowestHz && hz < highestShareOfSampleRate * sampleRate;
-}
-
-void SoundingObject::updateEnd(std::size_t g, std::int64_t grid) noexcept {
-    Group& group = groups[g];
-    const double amplitude = bank.amplitude(g);
-    if (!(amplitude > floorVelocity) || !std::isfinite(amplitude)) {
-        bank.setState(g, {});
-        group.endCell = grid;
-        return;
-    }
-    group.stateLog = std::log(amplitude);
-    group.stateCell = grid;
-    group.stateDampingLog = dampingLog(grid);
-    const double rate = (decayBound(bank.pole(g)) + damping) * cellSeconds;
-    const double excess = group.stateLog - std::log(tauVelocity);
-    const double cells = excess > 0 ? std::min(farAway, std::ceil(excess / rate)) : 0;
-    group.endCell = grid + static_cast<std::int64_t>(cells);
-}
-
-void SoundingObject::reviveTruncated() noexcept {
-    const double tauLog = std::log(tauVelocity);
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        Group& group = groups[g];
-        const ModalState state = bank.state(g);
-        if (group.rings || (state.x == 0 && state.y == 0))
-            continue;
-        const double rate = decayBound(bank.pole(g)) * cellSeconds;
-        const double cells = static_cast<double>(cellIndex - group.stateCell);
-        const double fallen = rate * cells + dampingLog(cellIndex) - group.stateDampingLog;
-        if (group.stateLog - fallen <= tauLog)
-            continue;
-        bringUpToDate(g, cellIndex);
-        updateEnd(g, cellIndex);
-        group.rings = group.endCell > cellIndex;
-    }
-    listRinging();
-}
-
-void SoundingObject::listRinging() noexcept {
-    ringingModes.clear();
-    for (std::size_t g = 0; g < groupCount; ++g)
-        if (groups[g].rings)
-            ringingModes.push_back(static_cast<std::int32_t>(g));
-}
-
-void SoundingObject::dropEnded() noexcept {
-    std::erase_if(ringingModes, [&](std::int32_t mode) {
-        const std::size_t g = index(mode);
-        Group& group = groups[g];
-        if (group.endCell > cellIndex)
-            return false;
-        updateEnd(g, cellIndex);
-        group.rings = group.endCell > cellIndex;
-        if (!group.rings)
-            noteFaint(g, cellIndex);
-        return !group.rings;
-    });
-}
-
-void SoundingObject::noteFaint(std::size_t g, std::int64_t grid) noexcept {
-    const ModalState state = bank.state(g);
-    if (state.x == 0 && state.y == 0)
-        return;
-    const double rate = decayBound(bank.pole(g)) * cellSeconds;
-    const double cells = (groups[g].stateLog - std::log(floorVelocity)) / rate;
-    faintUntil =
-        std::max(faintUntil, grid + static_cast<std::int64_t>(std::min(farAway, cells)) + 1);
 }
 
 } // namespace idiophone

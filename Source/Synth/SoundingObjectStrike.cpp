@@ -5,7 +5,7 @@
 #include "Synth/SoundingObject.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -38,36 +38,34 @@ bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noex
 }
 
 void SoundingObject::computeResidues(const Strike& strike, double gain) noexcept {
-    const std::array<double, 3> heard = listeningDirection(strike.point);
-    const auto& impulse = strike.impulseNewtonSeconds;
-    std::array<const float*, 3> rows{};
-    std::array<double, 3> weights{};
-    std::size_t used = 0;
-    for (std::size_t k = 0; k < rows.size(); ++k)
+    ShapePoint point;
+    for (std::size_t k = 0; k < strike.point.weights.size(); ++k)
         if (strike.point.weights[k] != 0) {
-            rows[used] = object->shapesAt(index(strike.point.shapeRows[k])).data();
-            weights[used++] = strike.point.weights[k];
+            const auto row = static_cast<std::size_t>(strike.point.shapeRows[k]);
+            point.rows[point.used] = object->shapesAt(row).data();
+            point.weights[point.used++] = strike.point.weights[k];
         }
-    for (std::size_t i = 0; i < modeResidues.size(); ++i) {
-        double struckGain = 0;
-        double heardGain = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            double shape = 0;
-            for (std::size_t k = 0; k < used; ++k)
-                shape += weights[k] * static_cast<double>(rows[k][3 * i + axis]);
-            struckGain += shape * static_cast<double>(impulse[axis]);
-            heardGain += shape * heard[axis];
-        }
-        modeResidues[i] = gain * struckGain * heardGain;
-    }
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        const auto first = index(groupStarts[g]);
-        const auto count = index(groupStarts[g + 1]) - first;
+    projectShapes(point, strike.impulseNewtonSeconds, object->modeCount(), struckGains.data());
+    projectShapes(point, listeningDirection(strike.point), object->modeCount(), heardGains.data());
+    for (std::size_t i = 0; i < modeResidues.size(); ++i)
+        modeResidues[i] =
+            gain * static_cast<double>(struckGains[i]) * static_cast<double>(heardGains[i]);
+    for (std::size_t g = 0; g < bank.size(); ++g) {
+        const auto first = static_cast<std::size_t>(groupStarts[g]);
+        const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         groupResidues[g] =
             count == 1 ? modeResidues[first]
                        : mergedResidue(std::span(modeResidues).subspan(first, count),
                                        std::span(object->eigenvalues).subspan(first, count), law);
     }
+}
+
+void SoundingObject::computeForced(const Contact& contact, std::complex<double> phase) noexcept {
+    computeResidues(contact.strike, contact.gainRatio);
+    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
+                       .dampingPerSecond = damping,
+                       .phase = phase},
+                      forced, steady.data(), swingRe.data(), swingIm.data());
 }
 
 bool SoundingObject::strike(const Strike& asked,
@@ -79,105 +77,140 @@ bool SoundingObject::strike(const Strike& asked,
         return false;
     if (!ringing() && (groupedLaw != law || groupedCompression != compression))
         regroup();
-    const std::int64_t grid = cellIndex + 1;
-    audiblePoles.clear();
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        bringUpToDate(g, grid);
-        if (groups[g].audible)
-            audiblePoles.push_back(bank.pole(g));
-    }
+    else if (polesBehind)
+        movePoles();
     Contact contact{asked, gainRatio, cellIndex, sampleInCell, 0, 0};
     double& seconds = contact.strike.durationSeconds;
-    seconds = isPulse ? contactSecondsClearOfModes(seconds, audiblePoles) : 0;
+    seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
 
-    computeResidues(asked, gainRatio);
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        const ModalPole& pole = bank.pole(g);
-        Motion kick{groupResidues[g], 0};
-        if (isPulse) {
-            const Motion forced = ForcedResponse(pole, seconds, damping).motion(1);
-            kick = {-groupResidues[g] * forced.velocity, -groupResidues[g] * forced.displacement};
-        }
-        kicks[g] = stateOf(pole, kick);
+    if (isPulse) {
+        computeForced(contact, 1);
+        startKicks(-1, sampleInCell);
+    } else {
+        computeResidues(asked, gainRatio);
+        for (std::size_t g = 0; g < bank.size(); ++g)
+            forced.x[g] = 1;
+        bank.statesOfImpulse(forced);
+        startKicks(1, sampleInCell);
     }
     joinStruck(allowance);
+    if (isPulse && !contacts.empty())
+        computeForced(contact, 1); // joining took the arrays for the other contacts
 
-    double time = sampleInCell;
+    int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
-        computeResidues(asked, gainRatio);
         hold(contact, mixedModes);
         const double end = addForced(contact, cell);
-        addKicks(time, std::min(end, double(cellSamples)), cell);
         if (end < cellSamples) {
-            const double elapsed = (end - time) / sampleRate;
-            for (std::size_t g = 0; g < groupCount; ++g) {
-                const ModalPole& pole = bank.pole(g);
-                const Motion forced = ForcedResponse(pole, seconds, damping).motion(1);
-                const ModalState again = stateOf(pole, {groupResidues[g] * forced.velocity,
-                                                        groupResidues[g] * forced.displacement});
-                const ModalState left = propagator(pole, elapsed) * kicks[g];
-                const double factor = std::exp(-damping * elapsed);
-                kicks[g] = {factor * left.x + again.x, factor * left.y + again.y};
-            }
-            time = end;
-            addKicks(time, cellSamples, cell);
+            addKicks(from, firstSampleFrom(end), cell);
+            endContact(end, from);
+            from = firstSampleFrom(end);
         } else {
             contacts.push_back(contact);
         }
-    } else {
-        addKicks(time, cellSamples, cell);
     }
-    joinKicks(time);
+    addKicks(from, cellSamples, cell);
+    joinKicks(from);
     return true;
 }
 
-void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
-    candidates.clear();
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        amplitudes[g] = amplitudeBound(bank.pole(g), kicks[g]);
-        // A mode that the budget left out cannot join a contact under way: its forced part would
-        // step. One below τ can.
-        const bool free = contacts.empty() || !groups[g].rings;
-        if (groups[g].audible && !groups[g].mixed && free && amplitudes[g] > tauVelocity)
-            candidates.push_back(static_cast<std::int32_t>(g));
+/// Kicks of `factor` times the forced states, which hold at time `at`, as of the first whole sample
+/// from there.
+void SoundingObject::startKicks(double factor, double at) noexcept {
+    for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
+        kicks.x[g] = factor * groupResidues[g] * forced.x[g];
+        kicks.y[g] = factor * groupResidues[g] * forced.y[g];
     }
-    const auto mixed = static_cast<std::int32_t>(mixedModes.size());
-    const auto room = index(std::max(allowance - mixed, 0));
-    if (candidates.size() > room) {
-        const auto cut = candidates.begin() + static_cast<std::ptrdiff_t>(room);
-        std::nth_element(candidates.begin(), cut, candidates.end(),
-                         [&](std::int32_t a, std::int32_t b) {
-                             const double left = amplitudes[index(a)];
-                             const double right = amplitudes[index(b)];
-                             return left != right ? left > right : a < b;
-                         });
-        candidates.erase(cut, candidates.end());
-    }
-    if (candidates.empty())
-        return;
-    // What they still carry from before comes back under a fade from the next grid point on.
-    leaving.clear();
-    for (const std::int32_t g : candidates) {
-        groups[index(g)].mixed = true;
-        if (bank.amplitude(index(g)) > 0)
-            leaving.push_back(g);
-    }
-    fader.enter(bank, leaving);
-    for (Contact& contact : contacts) {
-        computeResidues(contact.strike, contact.gainRatio);
-        hold(contact, candidates);
-    }
-    mixedModes.clear();
-    for (std::size_t g = 0; g < groupCount; ++g)
-        if (groups[g].mixed)
-            mixedModes.push_back(static_cast<std::int32_t>(g));
+    const double wait = (firstSampleFrom(at) - at) / sampleRate;
+    if (wait > 0)
+        bank.rotate(kicks, wait, std::exp(-damping * wait));
 }
 
-void SoundingObject::hold(Contact& contact, std::span<const std::int32_t> modes) noexcept {
-    for (const std::int32_t g : modes) {
-        const ForcedResponse forced(bank.pole(index(g)), contact.strike.durationSeconds, damping);
-        contact.steadyVelocity += groupResidues[index(g)] * forced.steadyVelocity();
-        contact.swing += groupResidues[index(g)] * forced.swingVelocity();
+/// Takes kicks of a whole sample on to the end of their contact, where the forced part becomes
+/// free.
+void SoundingObject::endContact(double at, int kickSample) noexcept {
+    const double wait = (firstSampleFrom(at) - at) / sampleRate;
+    for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
+        forced.x[g] *= groupResidues[g];
+        forced.y[g] *= groupResidues[g];
+    }
+    if (wait > 0)
+        bank.rotate(forced, wait, std::exp(-damping * wait));
+    const int samples = firstSampleFrom(at) - kickSample;
+    const double factor = std::exp(-damping * samples / sampleRate);
+    for (std::size_t g = 0; g < bank.size(); ++g) {
+        const ModalState moved =
+            bank.advanced(g, {kicks.x[g], kicks.y[g]}, static_cast<std::size_t>(samples));
+        kicks.x[g] = factor * moved.x + forced.x[g];
+        kicks.y[g] = factor * moved.y + forced.y[g];
+    }
+}
+
+void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
+    bank.measureStates(kicks, kickEnergies.data());
+    EnergySurvey found;
+    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
+    std::size_t struck = 0;
+    for (std::size_t b = 0; b < bank.blockCount(); ++b) {
+        std::uint16_t loud = 0;
+        surveyEnergies(kickEnergies.data() + b * modeBlock, bank.audibleWeights() + b * modeBlock,
+                       tau, 0, loud, found);
+        // A mode that the budget left out cannot join a contact under way: its forced part would
+        // step. One below τ can.
+        const unsigned barred = blocks[b].mixed | (contacts.empty() ? 0u : blocks[b].rings);
+        wanted[b] = static_cast<std::uint16_t>(loud & ~barred);
+        struck += static_cast<std::size_t>(std::popcount(wanted[b]));
+    }
+    const auto mixed = static_cast<std::int32_t>(mixedModes.size());
+    const auto room = static_cast<std::size_t>(std::max(allowance - mixed, 0));
+    listWanted(room);
+    if (joining.empty())
+        return;
+    leaving.clear();
+    for (const std::int32_t mode : joining)
+        admit(static_cast<std::size_t>(mode));
+    // What the budget had left out comes back under a fade from the next grid point on.
+    fader.enter(bank, leaving);
+    for (Contact& contact : contacts) {
+        computeForced(contact, 1);
+        hold(contact, joining);
+    }
+    listMixed();
+    mixedIsRinging = false;
+}
+
+/// The wanted modes, the loudest `most` of them where they are more, in ascending order.
+void SoundingObject::listWanted(std::size_t most) noexcept {
+    joining.clear();
+    for (std::size_t b = 0; b < bank.blockCount(); ++b)
+        forEachMode(b, wanted[b], [&](std::int32_t g) { joining.push_back(g); });
+    if (joining.size() <= most)
+        return;
+    keepLoudest(joining, kickEnergies.data(), most);
+    std::sort(joining.begin(), joining.end());
+}
+
+/// Lets a struck mode sound. Of what it carried from before, what τ had cut stays cut.
+void SoundingObject::admit(std::size_t g) noexcept {
+    const std::size_t b = g / modeBlock;
+    const auto bit = static_cast<std::uint16_t>(1u << (g % modeBlock));
+    if (!blocks[b].active) {
+        bringUpToDate(b, cellIndex + 1);
+        activate(b);
+    }
+    if ((blocks[b].rings & bit) != 0)
+        leaving.push_back(static_cast<std::int32_t>(g));
+    else
+        bank.setState(g, {});
+    blocks[b].rings |= bit;
+    blocks[b].mixed |= bit;
+}
+
+void SoundingObject::hold(Contact& contact, std::span<const std::int32_t> modes) const noexcept {
+    for (const std::int32_t mode : modes) {
+        const auto g = static_cast<std::size_t>(mode);
+        contact.steadyVelocity += groupResidues[g] * steady[g];
+        contact.swing += groupResidues[g] * std::complex<double>(swingRe[g], swingIm[g]);
     }
 }
 
@@ -190,15 +223,14 @@ SoundingObject::phaseAt(const Contact& contact, std::int64_t cell, double sample
 }
 
 void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
-    computeResidues(contact.strike, contact.gainRatio);
-    const std::complex<double> phase = phaseAt(contact, cellIndex, 0);
-    for (const std::int32_t mode : ringingModes) {
-        const std::size_t g = index(mode);
-        const ModalPole& pole = bank.pole(g);
-        const Motion forced =
-            ForcedResponse(pole, contact.strike.durationSeconds, damping).motion(phase);
-        const double residue = sign * groupResidues[g];
-        bank.add(g, stateOf(pole, {residue * forced.velocity, residue * forced.displacement}));
+    computeForced(contact, phaseAt(contact, cellIndex, 0));
+    for (const std::int32_t number : activeBlocks) {
+        const auto b = static_cast<std::size_t>(number);
+        forEachMode(b, blocks[b].rings, [&](std::int32_t mode) {
+            const auto g = static_cast<std::size_t>(mode);
+            const double residue = sign * groupResidues[g];
+            bank.add(g, {residue * forced.x[g], residue * forced.y[g]});
+        });
     }
     contact.steadyVelocity = 0;
     contact.swing = 0;
@@ -216,48 +248,54 @@ double SoundingObject::addForced(const Contact& contact,
     const std::complex<double> turn =
         std::polar(1.0, 2 * std::numbers::pi / (sampleRate * contact.strike.durationSeconds));
     for (int k = from; k < until; ++k) {
-        cell[index(k)] += static_cast<float>(contact.steadyVelocity + swing.real());
+        cell[static_cast<std::size_t>(k)] +=
+            static_cast<float>(contact.steadyVelocity + swing.real());
         swing = {swing.real() * turn.real() - swing.imag() * turn.imag(),
                  swing.real() * turn.imag() + swing.imag() * turn.real()};
     }
     return end;
 }
 
-void SoundingObject::addKicks(double at,
-                              double until,
-                              std::span<float, cellSamples> cell) noexcept {
-    const int from = firstSampleFrom(at);
-    const int end = firstSampleFrom(until);
-    if (from >= end)
+/// Adds what the kicks, which stand at sample `from`, sound up to `until`.
+void SoundingObject::addKicks(int from, int until, std::span<float, cellSamples> cell) noexcept {
+    if (from >= until)
         return;
-    const double wait = (from - at) / sampleRate;
-    for (const std::int32_t mode : mixedModes) {
-        const std::size_t g = index(mode);
-        const ModalState state = wait > 0 ? propagator(bank.pole(g), wait) * kicks[g] : kicks[g];
-        kickedStates[2 * g] = state.x;
-        kickedStates[2 * g + 1] = state.y;
-    }
-    std::array<float, cellSamples> sound{};
-    bank.renderFrom(kickedStates, mixedModes, sound);
-    for (int k = from; k < end; ++k) {
-        const double factor = damping > 0 ? std::exp(-damping * (k - at) / sampleRate) : 1;
-        cell[index(k)] += static_cast<float>(factor) * sound[index(k - from)];
+    const auto samples = static_cast<std::size_t>(until - from);
+    std::copy(kicks.x.begin(), kicks.x.end(), rendered.x.begin());
+    std::copy(kicks.y.begin(), kicks.y.end(), rendered.y.begin());
+    alignas(64) std::array<float, cellSamples> sound{};
+    bank.renderFrom(rendered, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+                    sound.data());
+    const double fall = std::exp(-damping / sampleRate);
+    double factor = 1;
+    for (std::size_t k = 0; k < samples; ++k) {
+        cell[static_cast<std::size_t>(from) + k] += static_cast<float>(factor) * sound[k];
+        factor *= fall;
     }
 }
 
-void SoundingObject::joinKicks(double at) noexcept {
+/// Adds the kicks, which stand at sample `from`, to the states at the next grid point.
+void SoundingObject::joinKicks(int from) noexcept {
     const std::int64_t grid = cellIndex + 1;
-    const double wait = (cellSamples - at) / sampleRate;
-    const double factor = std::exp(-damping * wait);
-    for (std::size_t g = 0; g < groupCount; ++g) {
-        const ModalState state = propagator(bank.pole(g), wait) * kicks[g];
-        bank.add(g, {factor * state.x, factor * state.y});
-        updateEnd(g, grid);
-        groups[g].rings = groups[g].mixed || groups[g].endCell > grid;
-        if (!groups[g].rings)
-            noteFaint(g, grid);
+    for (std::size_t b = 0; b < bank.blockCount(); ++b)
+        if (!blocks[b].active && !bringUpToDate(b, grid)) {
+            blocks[b].restsSince = grid;
+            blocks[b].restsAtDampingLog = dampingLog(grid);
+        }
+    const int samples = cellSamples - from;
+    bank.addMoved(kicks, static_cast<std::size_t>(samples),
+                  std::exp(-damping * samples / sampleRate));
+    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
+    for (std::size_t b = 0; b < bank.blockCount(); ++b) {
+        EnergySurvey found;
+        std::uint16_t rings = 0;
+        surveyEnergies(bank.energies() + b * modeBlock, bank.audibleWeights() + b * modeBlock, tau,
+                       0, rings, found);
+        blocks[b].rings = rings | blocks[b].mixed;
+        if (blocks[b].rings != 0)
+            activate(b);
     }
-    listRinging();
+    mixedIsRinging = false;
 }
 
 void SoundingObject::soundContacts(std::span<float, cellSamples> cell) noexcept {
@@ -269,17 +307,10 @@ void SoundingObject::soundContacts(std::span<float, cellSamples> cell) noexcept 
             continue;
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
-        computeResidues(contact.strike, contact.gainRatio);
-        for (std::size_t g = 0; g < groupCount; ++g) {
-            bringUpToDate(g, cellIndex + 1);
-            const ModalPole& pole = bank.pole(g);
-            const Motion forced =
-                ForcedResponse(pole, contact.strike.durationSeconds, damping).motion(1);
-            kicks[g] = stateOf(
-                pole, {groupResidues[g] * forced.velocity, groupResidues[g] * forced.displacement});
-        }
-        addKicks(end, cellSamples, cell);
-        joinKicks(end);
+        computeForced(contact, 1);
+        startKicks(1, end);
+        addKicks(firstSampleFrom(end), cellSamples, cell);
+        joinKicks(firstSampleFrom(end));
     }
 }
 

@@ -13,9 +13,10 @@ TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing 
     constexpr double sampleRate = 44100;
     constexpr double omega = 2 * std::numbers::pi * 700;
     ModalBank bank(1, sampleRate);
-    bank.setPole(0, {omega * omega, 0});
+    const std::vector<double> eigenvalue{omega * omega};
+    bank.movePoles(eigenvalue, {}, 20, 20000);
     bank.setState(0, {1, 0});
-    ModeFader fader(1, sampleRate);
+    ModeFader fader(bank, sampleRate);
     const std::vector<std::int32_t> mode{0};
     fader.leave(bank, mode);
     std::size_t sample = 0;

@@ -1,0 +1,136 @@
+#include "Synth/PoleKernel.h"
+
+#include "Synth/ModalBankKernel.h"
+
+#include <numbers>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Synth/PoleKernel.cpp"
+#include <hwy/foreach_target.h> // compiles this file once for each target
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace idiophone {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, 8>;
+using Vector = hn::Vec<Doubles>;
+constexpr std::size_t lanes = hn::MaxLanes(Doubles());
+
+struct Complex {
+    Vector re, im;
+};
+
+HWY_INLINE Complex product(Complex a, Complex b) {
+    return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
+            hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
+}
+
+/// e^{(−α + iω)t}. The angle is first taken to within half a turn, beyond which the library's sine
+/// loses precision.
+HWY_INLINE Complex rotation(Vector decay, Vector frequency, double seconds) {
+    const Doubles d;
+    const auto t = hn::Set(d, seconds);
+    constexpr double turn = 2 * std::numbers::pi;
+    const auto angle = hn::Mul(frequency, t);
+    const auto turns = hn::Round(hn::Mul(angle, hn::Set(d, 1 / turn)));
+    const auto rest = hn::NegMulAdd(turns, hn::Set(d, turn), angle);
+    const auto size = hn::Exp(d, hn::Max(hn::Neg(hn::Mul(decay, t)), hn::Set(d, -700.0)));
+    return {hn::Mul(size, hn::Cos(d, rest)), hn::Mul(size, hn::Sin(d, rest))};
+}
+
+/// Table entries far below rounding become zero, so that no product is denormal.
+HWY_INLINE Vector cleared(Vector value) {
+    const Doubles d;
+    return hn::IfThenElseZero(hn::Gt(hn::Abs(value), hn::Set(d, 1e-15)), value);
+}
+
+void rotations(const PoleArrays& arrays, std::size_t count, double sampleSeconds) {
+    const Doubles d;
+    const hn::Rebind<float, Doubles> f;
+    alignas(64) double re[subBlockSamples][lanes];
+    alignas(64) double im[subBlockSamples][lanes];
+    for (std::size_t g = 0; g < count; g += lanes) {
+        const auto stiffness = hn::Load(d, arrays.stiffness + g);
+        const auto decay = hn::Mul(hn::Load(d, arrays.damping + g), hn::Set(d, 0.5));
+        const auto squared = hn::NegMulAdd(decay, decay, stiffness);
+        const auto frequency = hn::Sqrt(hn::Max(squared, hn::Zero(d)));
+        const auto perFrequency = hn::Div(hn::Set(d, 1.0), frequency);
+        hn::Store(decay, d, arrays.decay + g);
+        hn::Store(frequency, d, arrays.frequency + g);
+        hn::Store(hn::Mul(stiffness, perFrequency), d, arrays.displacementShare + g);
+        hn::Store(hn::Mul(decay, perFrequency), d, arrays.velocityShare + g);
+
+        const Complex sample = rotation(decay, frequency, sampleSeconds);
+        Complex power{hn::Set(d, 1.0), hn::Zero(d)};
+        for (std::size_t k = 0; k < subBlockSamples; ++k) {
+            hn::Store(cleared(power.re), d, re[k]);
+            hn::Store(hn::Neg(cleared(power.im)), d, im[k]);
+            power = product(power, sample);
+        }
+        hn::Store(hn::DemoteTo(f, power.re), f, arrays.turnRe + g);
+        hn::Store(hn::DemoteTo(f, power.im), f, arrays.turnIm + g);
+        const Complex two = product(power, power);
+        const Complex four = product(two, two);
+        hn::Store(four.re, d, arrays.cellRe + g);
+        hn::Store(four.im, d, arrays.cellIm + g);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            float* HWY_RESTRICT table = arrays.tables + 2 * subBlockSamples * (g + lane);
+            for (std::size_t k = 0; k < subBlockSamples; ++k) {
+                table[k] = static_cast<float>(re[k][lane]);
+                table[subBlockSamples + k] = static_cast<float>(im[k][lane]);
+            }
+        }
+    }
+}
+
+void rotate(const double* HWY_RESTRICT decay,
+            const double* HWY_RESTRICT frequency,
+            std::size_t count,
+            double seconds,
+            double factor,
+            double* HWY_RESTRICT x,
+            double* HWY_RESTRICT y) {
+    const Doubles d;
+    const auto gain = hn::Set(d, factor);
+    for (std::size_t g = 0; g < count; g += lanes) {
+        const Complex turn = rotation(hn::Load(d, decay + g), hn::Load(d, frequency + g), seconds);
+        const Complex state = product({hn::Mul(gain, turn.re), hn::Mul(gain, turn.im)},
+                                      {hn::Load(d, x + g), hn::Load(d, y + g)});
+        hn::Store(state.re, d, x + g);
+        hn::Store(state.im, d, y + g);
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace idiophone
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace idiophone {
+
+HWY_EXPORT(rotations);
+HWY_EXPORT(rotate);
+
+void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept {
+    HWY_DYNAMIC_DISPATCH(rotations)(arrays, count, sampleSeconds);
+}
+
+void rotateModes(const double* decay,
+                 const double* frequency,
+                 std::size_t count,
+                 double seconds,
+                 double factor,
+                 double* x,
+                 double* y) noexcept {
+    HWY_DYNAMIC_DISPATCH(rotate)(decay, frequency, count, seconds, factor, x, y);
+}
+
+} // namespace idiophone
+#endif

@@ -1,0 +1,118 @@
+#include "Synth/StrikeKernel.h"
+
+#include <numbers>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Synth/StrikeKernel.cpp"
+#include <hwy/foreach_target.h> // compiles this file once for each target
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace idiophone {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, 16>;
+using Doubles = hn::CappedTag<double, 8>;
+
+void project(const ShapePoint& point,
+             const std::array<float, 3>& direction,
+             std::size_t count,
+             float* HWY_RESTRICT gains) {
+    const Floats f;
+    constexpr std::size_t lanes = hn::MaxLanes(Floats());
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        auto gain = hn::Zero(f);
+        for (std::size_t k = 0; k < point.used; ++k) {
+            hn::Vec<Floats> x, y, z;
+            hn::LoadInterleaved3(f, point.rows[k] + 3 * i, x, y, z);
+            auto along = hn::Mul(x, hn::Set(f, direction[0]));
+            along = hn::MulAdd(y, hn::Set(f, direction[1]), along);
+            along = hn::MulAdd(z, hn::Set(f, direction[2]), along);
+            gain = hn::MulAdd(along, hn::Set(f, point.weights[k]), gain);
+        }
+        hn::StoreU(gain, f, gains + i);
+    }
+    for (; i < count; ++i) {
+        gains[i] = 0;
+        for (std::size_t k = 0; k < point.used; ++k) {
+            const float* shape = point.rows[k] + 3 * i;
+            gains[i] += point.weights[k] * (shape[0] * direction[0] + shape[1] * direction[1] +
+                                            shape[2] * direction[2]);
+        }
+    }
+}
+
+// The same closed form as ForcedResponse, which says why it is written so.
+void forced(const PulseInstant& pulse, const ForcedArrays& arrays, std::size_t count) {
+    const Doubles d;
+    const double rate = 1 / pulse.contactSeconds;
+    const double angular = 2 * std::numbers::pi * rate;
+    const double damper = pulse.dampingPerSecond;
+    const auto contactRate = hn::Set(d, rate);
+    const auto omega = hn::Set(d, angular);
+    const auto omegaSquared = hn::Set(d, angular * angular);
+    const auto delta = hn::Set(d, damper);
+    const auto phaseRe = hn::Set(d, pulse.phase.real());
+    const auto phaseIm = hn::Set(d, pulse.phase.imag());
+    const auto restRe = hn::Set(d, 1 - pulse.phase.real());
+    for (std::size_t g = 0; g < count; g += hn::MaxLanes(d)) {
+        const auto stiffness = hn::Load(d, arrays.stiffness + g);
+        const auto damping = hn::Load(d, arrays.damping + g);
+        const auto drag = hn::Mul(delta, hn::Add(delta, damping));
+        const auto constant = hn::Add(drag, stiffness); // P(δ)
+        const auto re = hn::Add(drag, hn::Sub(stiffness, omegaSquared));
+        const auto im = hn::Mul(omega, hn::Add(hn::Add(delta, delta), damping));
+        const auto inverse =
+            hn::Div(contactRate, hn::MulAdd(re, re, hn::Mul(im, im))); // 1/(T |P(δ + iΩ)|²)
+        const auto swingRe = hn::Neg(hn::Mul(inverse, hn::MulAdd(delta, re, hn::Mul(omega, im))));
+        const auto swingIm = hn::Mul(inverse, hn::MulSub(delta, im, hn::Mul(omega, re)));
+        const auto perConstant = hn::Div(hn::Set(d, 1.0), constant);
+        const auto steady = hn::Mul(hn::Mul(contactRate, delta), perConstant);
+        hn::Store(steady, d, arrays.steady + g);
+        hn::Store(swingRe, d, arrays.swingRe + g);
+        hn::Store(swingIm, d, arrays.swingIm + g);
+
+        const auto velocity =
+            hn::Add(steady, hn::NegMulAdd(swingIm, phaseIm, hn::Mul(swingRe, phaseRe)));
+        const auto numeratorRe = hn::MulSub(constant, restRe, omegaSquared);
+        const auto numeratorIm = hn::NegMulAdd(constant, phaseIm, im);
+        const auto displacement = hn::Mul(hn::Mul(inverse, perConstant),
+                                          hn::MulAdd(numeratorRe, re, hn::Mul(numeratorIm, im)));
+        hn::Store(velocity, d, arrays.x + g);
+        hn::Store(hn::MulAdd(hn::Load(d, arrays.displacementShare + g), displacement,
+                             hn::Mul(hn::Load(d, arrays.velocityShare + g), velocity)),
+                  d, arrays.y + g);
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace idiophone
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace idiophone {
+
+HWY_EXPORT(project);
+HWY_EXPORT(forced);
+
+void projectShapes(const ShapePoint& point,
+                   const std::array<float, 3>& direction,
+                   std::size_t count,
+                   float* gains) noexcept {
+    HWY_DYNAMIC_DISPATCH(project)(point, direction, count, gains);
+}
+
+void forcedStates(const PulseInstant& pulse,
+                  const ForcedArrays& arrays,
+                  std::size_t count) noexcept {
+    HWY_DYNAMIC_DISPATCH(forced)(pulse, arrays, count);
+}
+
+} // namespace idiophone
+#endif

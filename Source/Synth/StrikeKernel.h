@@ -1,0 +1,50 @@
+// What a contact does to many modes at once, with SIMD chosen at run time: residues from shapes,
+// and the closed form of the response to a raised cosine. Arrays in, arrays out.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+
+namespace idiophone {
+
+/// Up to three rows of shapes [M,3] with the weights of their mean, and two directions.
+struct ShapePoint {
+    std::array<const float*, 3> rows{};
+    std::array<float, 3> weights{};
+    std::size_t used = 0;
+};
+
+/// gains[i] = φ_i(p) · direction, for `count` modes (any number).
+void projectShapes(const ShapePoint& point,
+                   const std::array<float, 3>& direction,
+                   std::size_t count,
+                   float* gains) noexcept;
+
+/// A raised-cosine pulse at one instant, and the damper's δ.
+struct PulseInstant {
+    double contactSeconds = 0;        ///< T
+    double dampingPerSecond = 0;      ///< δ
+    std::complex<double> phase{1, 0}; ///< e^{iΩt}
+};
+
+/// Poles as in PoleArrays, and what comes out for a residue of 1: the state of the forced part
+/// (ContactPulse.h) at that instant, and its amplitudes.
+struct ForcedArrays {
+    const double* stiffness;
+    const double* damping;
+    const double* displacementShare;
+    const double* velocityShare;
+    double* x;
+    double* y;
+    double* steady;  ///< G0
+    double* swingRe; ///< H
+    double* swingIm;
+};
+
+/// `count` is in whole blocks. Modes that do not oscillate get y by their shares, too.
+void forcedStates(const PulseInstant& pulse,
+                  const ForcedArrays& arrays,
+                  std::size_t count) noexcept;
+
+} // namespace idiophone

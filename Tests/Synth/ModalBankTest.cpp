@@ -1,0 +1,192 @@
+// The bank on every SIMD target that this machine has.
+#include "Synth/ModalBank.h"
+
+#include <array>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/generators/catch_generators_range.hpp>
+#include <cmath>
+#include <complex>
+#include <hwy/highway.h>
+#include <hwy/targets.h>
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace idiophone;
+
+namespace {
+
+constexpr double sampleRate = 48000;
+constexpr std::size_t modes = 337;
+constexpr PoleLaw law{.fluidDampingPerSecond = 20, .viscoelasticDampingSeconds = 1e-7};
+
+struct Reference {
+    std::vector<double> eigenvalues;
+    std::vector<std::complex<double>> poles;
+
+    Reference() {
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> hz(20, 22000);
+        for (std::size_t g = 0; g < modes; ++g) {
+            const double omega = 2 * std::numbers::pi * hz(random);
+            const double alpha = (20 + 1e-7 * omega * omega) / 2;
+            eigenvalues.push_back(omega * omega);
+            poles.emplace_back(-alpha, std::sqrt(omega * omega - alpha * alpha));
+        }
+    }
+};
+
+/// Runs a test with each target in turn and leaves dispatch as it was.
+struct TargetInTurn {
+    explicit TargetInTurn(std::int64_t target) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    }
+    ~TargetInTurn() {
+        hwy::SetSupportedTargetsForTest(0);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    }
+};
+
+std::vector<std::int64_t> targetsHere() {
+    std::vector<std::int64_t> targets;
+    for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1)
+        targets.push_back(rest & -rest);
+    return targets;
+}
+
+ModalBank ringingBank(const Reference& reference) {
+    ModalBank bank(modes, sampleRate);
+    bank.movePoles(reference.eigenvalues, law, 20, 23000);
+    for (std::size_t g = 0; g < modes; ++g)
+        bank.setState(g, {1, -0.5});
+    return bank;
+}
+
+std::vector<std::int32_t> allBlocks(const ModalBank& bank) {
+    std::vector<std::int32_t> blocks(bank.blockCount());
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        blocks[b] = static_cast<std::int32_t>(b);
+    return blocks;
+}
+
+} // namespace
+
+TEST_CASE(
+    "On every SIMD target cells equal complex exponentials within -120 dB, mixed modes only") {
+    const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
+    const Reference reference;
+    ModalBank bank = ringingBank(reference);
+    std::vector<std::int32_t> mixed;
+    for (std::size_t g = 0; g < modes; ++g)
+        if (g % 7 != 1 && (g < 100 || g > 210))
+            mixed.push_back(static_cast<std::int32_t>(g));
+    std::vector<ModeRun> runs;
+    findRuns(mixed, runs);
+    const auto blocks = allBlocks(bank);
+    alignas(64) std::array<float, 64> output;
+    double worst = 0;
+    for (int cell = 0; cell < 60; ++cell) {
+        output.fill(0.25f);
+        bank.render(blocks, runs, 1, output.data());
+        for (std::size_t k = 0; k < output.size(); ++k) {
+            const double t = (64.0 * cell + static_cast<double>(k)) / sampleRate;
+            double expected = 0.25;
+            for (const std::int32_t g : mixed)
+                expected += (std::complex<double>(1, -0.5) *
+                             std::exp(reference.poles[static_cast<std::size_t>(g)] * t))
+                                .real();
+            worst = std::max(worst, std::abs(static_cast<double>(output[k]) - expected));
+        }
+    }
+    CHECK(worst < 1e-6 * static_cast<double>(mixed.size()));
+    // Modes that are not mixed move on, too.
+    const double t = 60 * 64 / sampleRate;
+    const auto expected = std::complex<double>(1, -0.5) * std::exp(reference.poles[150] * t);
+    CHECK(std::abs(bank.state(150).x - expected.real()) < 1e-11);
+    CHECK(std::abs(bank.state(150).y - expected.imag()) < 1e-11);
+    CHECK(std::abs(static_cast<double>(bank.energies()[150]) - std::norm(expected)) < 1e-6);
+}
+
+TEST_CASE("SIMD targets agree within -110 dB, and each with itself bit for bit") {
+    const Reference reference;
+    std::vector<std::vector<float>> renders;
+    for (const std::int64_t target : targetsHere())
+        for (int again = 0; again < 2; ++again) {
+            const TargetInTurn turn(target);
+            ModalBank bank = ringingBank(reference);
+            const auto blocks = allBlocks(bank);
+            const std::vector<ModeRun> runs{{0, static_cast<std::int32_t>(modes)}};
+            auto& render = renders.emplace_back();
+            alignas(64) std::array<float, 64> output;
+            for (int cell = 0; cell < 2000; ++cell) {
+                output.fill(0);
+                bank.render(blocks, runs, 1, output.data());
+                render.insert(render.end(), output.begin(), output.end());
+            }
+        }
+    double peak = 0;
+    for (const float sample : renders.front())
+        peak = std::max(peak, std::abs(static_cast<double>(sample)));
+    for (std::size_t r = 0; r < renders.size(); r += 2) {
+        CHECK(renders[r] == renders[r + 1]);
+        double worst = 0;
+        for (std::size_t k = 0; k < renders[r].size(); ++k)
+            worst = std::max(worst, std::abs(static_cast<double>(renders[r][k]) -
+                                             static_cast<double>(renders[0][k])));
+        CHECK(worst < peak * 3.16e-6);
+    }
+}
+
+TEST_CASE("Free motion is the same by cells, over any time and by samples within a cell") {
+    const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
+    const double damping = GENERATE(10.0, 5000.0, 30000.0);
+    ModalBank bank(40, 44100);
+    const std::vector<double> eigenvalues(40, 4e6);
+    bank.movePoles(eigenvalues, {.fluidDampingPerSecond = damping}, 20, 20000);
+    for (std::size_t g = 0; g < 40; ++g)
+        bank.setState(g, {1, 0.3});
+    const std::vector<std::int32_t> first{0};
+    alignas(64) std::array<float, 64> output{};
+    bank.render(first, {}, 1, output.data());
+    bank.advanceBlock(1, 64 / 44100.0, 1, 1e-18);
+    CHECK(std::abs(bank.state(0).x - bank.state(20).x) < 1e-12);
+    CHECK(std::abs(bank.state(0).y - bank.state(20).y) < 1e-12);
+    for (const std::size_t samples : {0u, 1u, 15u, 16u, 37u, 63u, 64u}) {
+        const ModalState moved = bank.advanced(38, {1, 0.3}, samples);
+        const ModalState expected =
+            propagator(bank.pole(38), static_cast<double>(samples) / 44100) * ModalState{1, 0.3};
+        CHECK(std::abs(moved.x - expected.x) < 1e-6);
+        CHECK(std::abs(moved.y - expected.y) < 1e-6);
+    }
+    ModeStates others = bank.emptyStates();
+    others.x[39] = 1;
+    others.y[39] = 0.3;
+    bank.rotate(others, 0.3 / 44100, 0.5);
+    const ModalState expected = propagator(bank.pole(39), 0.3 / 44100) * ModalState{0.5, 0.15};
+    CHECK(std::abs(others.x[39] - expected.x) < 1e-14);
+    CHECK(std::abs(others.y[39] - expected.y) < 1e-14);
+}
+
+TEST_CASE("A phase holds over hours of rest") {
+    ModalBank bank(1, 48000);
+    const double omega = 2 * std::numbers::pi * 15000.3;
+    bank.movePoles(std::vector<double>{omega * omega}, {}, 20, 20000);
+    bank.setState(0, {1, 0});
+    bank.advanceBlock(0, 7200, 1, 1e-18);
+    const double turns = 15000.3 * 7200;
+    const double angle = 2 * std::numbers::pi * (turns - std::floor(turns));
+    CHECK(std::abs(bank.state(0).x - std::cos(angle)) < 1e-5);
+    CHECK(std::abs(bank.state(0).y - std::sin(angle)) < 1e-5);
+}
+
+TEST_CASE("Lightly damped audible modes are resonances, others are not") {
+    ModalBank bank(3, 48000);
+    const auto squared = [](double hz) { return std::pow(2 * std::numbers::pi * hz, 2); };
+    bank.movePoles(std::vector<double>{squared(10), squared(1000), squared(20000)},
+                   {.viscoelasticDampingSeconds = 1e-6}, 20, 23000);
+    CHECK(bank.resonances()[0] == 0);
+    CHECK(std::abs(bank.resonances()[1] - 1000) < 1e-9);
+    CHECK(bank.resonances()[2] == 0); // falls by e within three periods
+}
