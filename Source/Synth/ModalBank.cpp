@@ -263,32 +263,44 @@ void ModalBank::renderStates(double* x,
     }
 }
 
-ModalState
-ModalBank::advanced(std::size_t g, const ModalState& state, std::size_t samples) const noexcept {
-    const bool heavy = !heavyModes.empty() && !isOscillating(pole(g));
-    if (heavy)
-        return propagator(pole(g), static_cast<double>(samples) * sampleSeconds) * state;
-    if (samples == cellSize)
-        return {cellRe[g] * state.x - cellIm[g] * state.y,
-                cellRe[g] * state.y + cellIm[g] * state.x};
-    ModalState moved = state;
-    for (std::size_t turns = samples / subBlockSamples; turns > 0; --turns) {
-        const double re = static_cast<double>(turnRe[g]);
-        const double im = static_cast<double>(turnIm[g]);
-        moved = {re * moved.x - im * moved.y, re * moved.y + im * moved.x};
+void ModalBank::addMoved(const ModeStates& others,
+                         std::size_t samples,
+                         double factor,
+                         ModeStates& sum) noexcept {
+    for (HeavyMode& heavy : heavyModes)
+        heavy.aside = {sum.x[index(heavy.mode)], sum.y[index(heavy.mode)]};
+    if (samples == cellSize) {
+        for (std::size_t g = 0; g < paddedSize(); ++g) {
+            sum.x[g] += factor * (cellRe[g] * others.x[g] - cellIm[g] * others.y[g]);
+            sum.y[g] += factor * (cellRe[g] * others.y[g] + cellIm[g] * others.x[g]);
+        }
+    } else {
+        const float* table = tables.data() + samples % subBlockSamples;
+        for (std::size_t g = 0; g < paddedSize(); ++g, table += 2 * subBlockSamples) {
+            float re = table[0];
+            float im = -table[subBlockSamples];
+            for (std::size_t turns = samples / subBlockSamples; turns > 0; --turns) {
+                const float turned = re * turnRe[g] - im * turnIm[g];
+                im = re * turnIm[g] + im * turnRe[g];
+                re = turned;
+            }
+            const double moveRe = factor * static_cast<double>(re);
+            const double moveIm = factor * static_cast<double>(im);
+            sum.x[g] += moveRe * others.x[g] - moveIm * others.y[g];
+            sum.y[g] += moveRe * others.y[g] + moveIm * others.x[g];
+        }
     }
-    const float* table = tables.data() + 2 * subBlockSamples * g + samples % subBlockSamples;
-    const double re = static_cast<double>(table[0]);
-    const double im = -static_cast<double>(table[subBlockSamples]);
-    return {re * moved.x - im * moved.y, re * moved.y + im * moved.x};
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const ModalState moved = propagator(pole(g), static_cast<double>(samples) * sampleSeconds) *
+                                 ModalState{others.x[g], others.y[g]};
+        sum.x[g] = heavy.aside.x + factor * moved.x;
+        sum.y[g] = heavy.aside.y + factor * moved.y;
+    }
 }
 
-void ModalBank::addMoved(const ModeStates& others, std::size_t samples, double factor) noexcept {
-    for (std::size_t g = 0; g < count; ++g) {
-        const ModalState moved = advanced(g, {others.x[g], others.y[g]}, samples);
-        states.x[g] += factor * moved.x;
-        states.y[g] += factor * moved.y;
-    }
+void ModalBank::join(const ModeStates& others, std::size_t samples, double factor) noexcept {
+    addMoved(others, samples, factor, states);
     measureStates(states, energy.data());
 }
 
@@ -310,8 +322,8 @@ void ModalBank::measureStates(const ModeStates& others, float* energies) const n
 void ModalBank::rotate(ModeStates& from, double seconds, double factor) noexcept {
     for (HeavyMode& heavy : heavyModes)
         heavy.aside = {from.x[index(heavy.mode)], from.y[index(heavy.mode)]};
-    rotateModes(decay.data(), frequency.data(), paddedSize(), seconds, factor, from.x.data(),
-                from.y.data());
+    turnModes(decay.data(), frequency.data(), paddedSize(), seconds, factor, from.x.data(),
+              from.y.data());
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
         const ModalState moved = propagator(pole(g), seconds) * heavy.aside;

@@ -85,11 +85,15 @@ public:
                     std::size_t subBlockCount,
                     float* output) noexcept;
 
-    /// `state` of mode g after `samples` (0 to 64) of free motion, to single precision.
-    ModalState advanced(std::size_t g, const ModalState& state, std::size_t samples) const noexcept;
+    /// Adds to `sum` the states `others` after `samples` (0 to 64) of free motion, to single
+    /// precision of theirs, times `factor`.
+    void addMoved(const ModeStates& others,
+                  std::size_t samples,
+                  double factor,
+                  ModeStates& sum) noexcept;
 
-    /// Adds to every state other ones after `samples` (0 to 64) of free motion, times `factor`.
-    void addMoved(const ModeStates& others, std::size_t samples, double factor) noexcept;
+    /// The same added to the bank's own states.
+    void join(const ModeStates& others, std::size_t samples, double factor) noexcept;
 
     /// Free motion from rest after impulses: y to each velocity x of oscillating modes.
     void statesOfImpulse(ModeStates& velocities) const noexcept;
@@ -97,7 +101,7 @@ public:
     /// |s|² of other states, or the square of their bound, into [paddedSize].
     void measureStates(const ModeStates& others, float* energies) const noexcept;
 
-    /// Takes other states on by less than a sample or any other time, times `factor`.
+    /// Takes other states on by less than a sample, to single precision of theirs, times `factor`.
     void rotate(ModeStates& from, double seconds, double factor) noexcept;
 
     /// The forced part of a contact, for residues of 1 (StrikeKernel.h), into arrays

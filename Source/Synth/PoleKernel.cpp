@@ -19,6 +19,8 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, 8>;
+using Floats = hn::CappedTag<float, 16>;
+using HalfFloats = hn::Half<Floats>;
 using Vector = hn::Vec<Doubles>;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 
@@ -107,6 +109,43 @@ void rotate(const double* HWY_RESTRICT decay,
     }
 }
 
+void turn(const double* HWY_RESTRICT decay,
+          const double* HWY_RESTRICT frequency,
+          std::size_t count,
+          double seconds,
+          double factor,
+          double* HWY_RESTRICT x,
+          double* HWY_RESTRICT y) {
+    const Floats f;
+    const HalfFloats half;
+    const hn::RepartitionToWide<Floats> d;
+    constexpr std::size_t wide = hn::MaxLanes(d);
+    const auto time = hn::Set(d, seconds);
+    const auto gain = hn::Set(f, static_cast<float>(factor));
+    for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
+        const auto scaled = [&](const double* values) HWY_ATTR {
+            return hn::Combine(f,
+                               hn::DemoteTo(half, hn::Mul(time, hn::Load(d, values + g + wide))),
+                               hn::DemoteTo(half, hn::Mul(time, hn::Load(d, values + g))));
+        };
+        const auto angle = scaled(frequency);
+        const auto fall = hn::Max(hn::Neg(scaled(decay)), hn::Set(f, -80.0f));
+        const auto size = hn::Mul(gain, hn::Exp(f, fall));
+        const auto re = hn::Mul(size, hn::Cos(f, angle));
+        const auto im = hn::Mul(size, hn::Sin(f, angle));
+        const auto moved = [&](auto reHalf, auto imHalf, std::size_t place) HWY_ATTR {
+            const auto turnRe = hn::PromoteTo(d, reHalf);
+            const auto turnIm = hn::PromoteTo(d, imHalf);
+            const auto xs = hn::Load(d, x + place);
+            const auto ys = hn::Load(d, y + place);
+            hn::Store(hn::NegMulAdd(turnIm, ys, hn::Mul(turnRe, xs)), d, x + place);
+            hn::Store(hn::MulAdd(turnIm, xs, hn::Mul(turnRe, ys)), d, y + place);
+        };
+        moved(hn::LowerHalf(half, re), hn::LowerHalf(half, im), g);
+        moved(hn::UpperHalf(half, re), hn::UpperHalf(half, im), g + wide);
+    }
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace idiophone
@@ -117,6 +156,7 @@ namespace idiophone {
 
 HWY_EXPORT(rotations);
 HWY_EXPORT(rotate);
+HWY_EXPORT(turn);
 
 void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept {
     HWY_DYNAMIC_DISPATCH(rotations)(arrays, count, sampleSeconds);
@@ -130,6 +170,16 @@ void rotateModes(const double* decay,
                  double* x,
                  double* y) noexcept {
     HWY_DYNAMIC_DISPATCH(rotate)(decay, frequency, count, seconds, factor, x, y);
+}
+
+void turnModes(const double* decay,
+               const double* frequency,
+               std::size_t count,
+               double seconds,
+               double factor,
+               double* x,
+               double* y) noexcept {
+    HWY_DYNAMIC_DISPATCH(turn)(decay, frequency, count, seconds, factor, x, y);
 }
 
 } // namespace idiophone

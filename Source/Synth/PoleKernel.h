@@ -26,7 +26,7 @@ struct PoleArrays {
 void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept;
 
 /// x + iy times `factor` e^{(−α + iω)t}: free motion of oscillating modes over `seconds`, which may
-/// be hours.
+/// be hours. `turnModes` does so for less than a sample, to single precision and in half the time.
 void rotateModes(const double* decay,
                  const double* frequency,
                  std::size_t count,
@@ -34,5 +34,13 @@ void rotateModes(const double* decay,
                  double factor,
                  double* x,
                  double* y) noexcept;
+
+void turnModes(const double* decay,
+               const double* frequency,
+               std::size_t count,
+               double seconds,
+               double factor,
+               double* x,
+               double* y) noexcept;
 
 } // namespace idiophone

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace idiophone {
 
@@ -137,13 +138,9 @@ void SoundingObject::endContact(double at, int kickSample) noexcept {
     if (wait > 0)
         bank.rotate(forced, wait, std::exp(-damping * wait));
     const int samples = firstSampleFrom(at) - kickSample;
-    const double factor = std::exp(-damping * samples / sampleRate);
-    for (std::size_t g = 0; g < bank.size(); ++g) {
-        const ModalState moved =
-            bank.advanced(g, {kicks.x[g], kicks.y[g]}, static_cast<std::size_t>(samples));
-        kicks.x[g] = factor * moved.x + forced.x[g];
-        kicks.y[g] = factor * moved.y + forced.y[g];
-    }
+    bank.addMoved(kicks, static_cast<std::size_t>(samples),
+                  std::exp(-damping * samples / sampleRate), forced);
+    std::swap(kicks, forced);
 }
 
 void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
@@ -283,8 +280,8 @@ void SoundingObject::joinKicks(int from) noexcept {
             blocks[b].restsAtDampingLog = dampingLog(grid);
         }
     const int samples = cellSamples - from;
-    bank.addMoved(kicks, static_cast<std::size_t>(samples),
-                  std::exp(-damping * samples / sampleRate));
+    bank.join(kicks, static_cast<std::size_t>(samples),
+              std::exp(-damping * samples / sampleRate));
     const auto tau = static_cast<float>(tauVelocity * tauVelocity);
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         EnergySurvey found;
