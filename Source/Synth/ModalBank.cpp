@@ -38,13 +38,18 @@ void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) n
             runs.push_back({mode, 1});
 }
 
-ModalBank::ModalBank(std::size_t capacity, double sampleRateHz) : sampleSeconds(1 / sampleRateHz) {
+ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double sampleRateHz)
+    : sampleSeconds(1 / sampleRateHz) {
     const std::size_t padded = (capacity + modeBlock - 1) / modeBlock * modeBlock;
     for (auto* array : {&stiffness, &damping, &decay, &frequency, &displacementShare,
-                        &velocityShare, &resonance, &cellRe, &cellIm, &states.x, &states.y})
+                        &velocityShare, &resonance, &cellRe, &cellIm})
         array->resize(padded);
     for (auto* array : {&audibles, &turnRe, &turnIm, &energy})
         array->resize(padded);
+    for (std::size_t c = 0; c < channelCapacity; ++c) {
+        states.x[c].resize(padded);
+        states.y[c].resize(padded);
+    }
     tables.resize(2 * subBlockSamples * padded);
     heavyModes.reserve(capacity);
     allBlocks.resize(padded / modeBlock);
@@ -54,9 +59,19 @@ ModalBank::ModalBank(std::size_t capacity, double sampleRateHz) : sampleSeconds(
 
 ModeStates ModalBank::emptyStates() const {
     ModeStates empty;
-    empty.x.resize(states.x.size());
-    empty.y.resize(states.y.size());
+    for (std::size_t c = 0; c < mostChannels; ++c) {
+        empty.x[c].resize(states.x[c].size());
+        empty.y[c].resize(states.y[c].size());
+    }
     return empty;
+}
+
+void ModalBank::setChannels(std::size_t wanted) noexcept {
+    for (; channelCount < wanted && !states.x[channelCount].empty(); ++channelCount) {
+        std::copy(states.x[0].begin(), states.x[0].end(), states.x[channelCount].begin());
+        std::copy(states.y[0].begin(), states.y[0].end(), states.y[channelCount].begin());
+    }
+    channelCount = std::min(channelCount, wanted);
 }
 
 void ModalBank::resize(std::size_t modes) noexcept {
@@ -71,8 +86,9 @@ void ModalBank::resize(std::size_t modes) noexcept {
 }
 
 void ModalBank::clear() noexcept {
-    std::fill(states.x.begin(), states.x.end(), 0.0);
-    std::fill(states.y.begin(), states.y.end(), 0.0);
+    for (auto* arrays : {&states.x, &states.y})
+        for (auto& array : *arrays)
+            std::fill(array.begin(), array.end(), 0.0);
     std::fill(energy.begin(), energy.end(), 0.0f);
 }
 
@@ -84,11 +100,12 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
     for (std::size_t g = 0; g < count; ++g) {
         const ModalPole moved = law.pole(referenceEigenvalues[g]);
         const bool oscillates = isOscillating(moved);
-        if (oscillates != isOscillating(pole(g)) && energy[g] > 0) {
-            const ModalState changed = stateOf(moved, motionOf(pole(g), state(g)));
-            states.x[g] = changed.x;
-            states.y[g] = changed.y;
-        }
+        if (oscillates != isOscillating(pole(g)) && energy[g] > 0)
+            for (std::size_t c = 0; c < channelCount; ++c) {
+                const ModalState changed = stateOf(moved, motionOf(pole(g), state(g, c)));
+                states.x[c][g] = changed.x;
+                states.y[c][g] = changed.y;
+            }
         stiffness[g] = moved.stiffness;
         damping[g] = moved.damping;
         const double hz = naturalFrequencyHz(moved);
@@ -129,21 +146,40 @@ void ModalBank::correctHeavy(std::size_t g) noexcept {
     }
 }
 
+double ModalBank::amplitude(const ModeStates& from, std::size_t g) const noexcept {
+    double largest = 0;
+    for (std::size_t c = 0; c < channelCount; ++c)
+        largest = std::max(largest, amplitudeBound(pole(g), {from.x[c][g], from.y[c][g]}));
+    return largest;
+}
+
 void ModalBank::measure(std::size_t g) noexcept {
-    const double size = amplitude(g);
+    const double size = amplitude(states, g);
     energy[g] = static_cast<float>(size * size);
 }
 
-void ModalBank::setState(std::size_t g, const ModalState& state) noexcept {
-    states.x[g] = state.x;
-    states.y[g] = state.y;
+void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
+    states.x[channel][g] = state.x;
+    states.y[channel][g] = state.y;
     measure(g);
 }
 
-void ModalBank::add(std::size_t g, const ModalState& state) noexcept {
-    states.x[g] += state.x;
-    states.y[g] += state.y;
+void ModalBank::add(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
+    states.x[channel][g] += state.x;
+    states.y[channel][g] += state.y;
     measure(g);
+}
+
+void ModalBank::silence(std::size_t g) noexcept {
+    for (std::size_t c = 0; c < channelCount; ++c)
+        states.x[c][g] = states.y[c][g] = 0;
+    energy[g] = 0;
+}
+
+void ModalBank::setAside(const ModeStates& from) noexcept {
+    for (HeavyMode& heavy : heavyModes)
+        for (std::size_t c = 0; c < channelCount; ++c)
+            heavy.aside[c] = {from.x[c][index(heavy.mode)], from.y[c][index(heavy.mode)]};
 }
 
 float ModalBank::energyOfLoudest(std::size_t block) const noexcept {
@@ -156,17 +192,18 @@ void ModalBank::advanceBlock(std::size_t block,
                              double factor,
                              double floor) noexcept {
     const std::size_t first = block * modeBlock;
-    for (HeavyMode& heavy : heavyModes)
-        heavy.aside = state(index(heavy.mode));
-    rotateModes(decay.data() + first, frequency.data() + first, modeBlock, seconds, factor,
-                states.x.data() + first, states.y.data() + first);
-    for (const HeavyMode& heavy : heavyModes) {
-        const std::size_t g = index(heavy.mode);
-        if (g / modeBlock != block)
-            continue;
-        const ModalState moved = propagator(pole(g), seconds) * heavy.aside;
-        states.x[g] = factor * moved.x;
-        states.y[g] = factor * moved.y;
+    setAside(states);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        rotateModes(decay.data() + first, frequency.data() + first, modeBlock, seconds, factor,
+                    states.x[c].data() + first, states.y[c].data() + first);
+        for (const HeavyMode& heavy : heavyModes) {
+            const std::size_t g = index(heavy.mode);
+            if (g / modeBlock != block)
+                continue;
+            const ModalState moved = propagator(pole(g), seconds) * heavy.aside[c];
+            states.x[c][g] = factor * moved.x;
+            states.y[c][g] = factor * moved.y;
+        }
     }
     for (std::size_t g = first; g < first + modeBlock; ++g)
         measure(g);
@@ -176,41 +213,38 @@ void ModalBank::advanceBlock(std::size_t block,
 void ModalBank::clearFaint(std::size_t block, double floor) noexcept {
     for (std::size_t g = block * modeBlock; g < (block + 1) * modeBlock; ++g)
         if (!(static_cast<double>(energy[g]) > floor * floor && energy[g] < largestEnergy))
-            states.x[g] = states.y[g] = energy[g] = 0;
+            silence(g);
 }
 
 void ModalBank::render(std::span<const std::int32_t> blocks,
                        std::span<const ModeRun> runs,
                        double scale,
-                       float* output) noexcept {
-    renderStates(states.x.data(), states.y.data(), energy.data(), blocks, runs, subBlocks, scale,
-                 output);
+                       const ChannelOutputs& outputs) noexcept {
+    renderStates(states, energy.data(), blocks, runs, subBlocks, scale, outputs);
 }
 
 void ModalBank::renderFrom(ModeStates& from,
                            std::span<const ModeRun> runs,
                            std::size_t subBlockCount,
-                           float* output) noexcept {
+                           const ChannelOutputs& outputs) noexcept {
     if (runs.empty())
         return;
     const std::size_t first = index(runs.front().first) / modeBlock;
     const std::size_t last = index(runs.back().first + runs.back().count - 1) / modeBlock;
-    renderStates(from.x.data(), from.y.data(), nullptr,
-                 std::span(allBlocks).subspan(first, last - first + 1), runs, subBlockCount, 1,
-                 output);
+    renderStates(from, nullptr, std::span(allBlocks).subspan(first, last - first + 1), runs,
+                 subBlockCount, 1, outputs);
 }
 
-void ModalBank::renderStates(double* x,
-                             double* y,
+void ModalBank::renderStates(ModeStates& from,
                              float* energies,
                              std::span<const std::int32_t> blocks,
                              std::span<const ModeRun> runs,
                              std::size_t subBlockCount,
                              double scale,
-                             float* output) noexcept {
+                             const ChannelOutputs& outputs) noexcept {
     SubBlockStates ahead;
-    alignas(64) std::array<float, batchModes> unused;
-    std::size_t run = 0;
+    setAside(from);
+    std::size_t firstRun = 0;
     for (std::size_t b = 0; b < blocks.size();) {
         // A batch is as many consecutive blocks as it holds.
         const std::size_t firstBlock = index(blocks[b]);
@@ -220,82 +254,98 @@ void ModalBank::renderStates(double* x,
             ++blocksHere;
         b += blocksHere;
         const std::size_t first = firstBlock * modeBlock;
-        const std::size_t modes = blocksHere * modeBlock;
-        const auto isHere = [&](const HeavyMode& heavy) {
-            return index(heavy.mode) >= first && index(heavy.mode) < first + modes;
-        };
-        const auto heavyBegin = std::find_if(heavyModes.begin(), heavyModes.end(), isHere);
-        auto heavyEnd = heavyBegin;
-        for (; heavyEnd != heavyModes.end() && isHere(*heavyEnd); ++heavyEnd) {
-            const std::size_t g = index(heavyEnd->mode);
-            heavyEnd->aside = {x[g], y[g]};
-        }
-
-        float* energyHere = energies != nullptr ? energies + first : unused.data();
-        advanceModes({turnRe.data() + first, turnIm.data() + first, cellRe.data() + first,
-                      cellIm.data() + first},
-                     modes, scale, x + first, y + first, energyHere, ahead);
-        for (auto heavy = heavyBegin; heavy != heavyEnd; ++heavy) {
-            const std::size_t g = index(heavy->mode);
-            ModalState moving = heavy->aside;
-            const ModalState next = heavy->cell * moving;
-            for (std::size_t k = 0; k < subBlocks; ++k) {
-                ahead.x[k][g - first] = static_cast<float>(moving.x);
-                ahead.y[k][g - first] = static_cast<float>(moving.y);
-                moving = heavy->turn * moving;
+        const std::size_t end = first + blocksHere * modeBlock;
+        while (firstRun < runs.size() &&
+               index(runs[firstRun].first + runs[firstRun].count) <= first)
+            ++firstRun;
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            advanceBatch(from, c, first, end - first, scale, energies, ahead);
+            for (std::size_t r = firstRun; r < runs.size() && index(runs[r].first) < end; ++r) {
+                const std::size_t runFirst = std::max(index(runs[r].first), first);
+                const std::size_t runEnd = std::min(index(runs[r].first + runs[r].count), end);
+                mixModes(tables.data() + 2 * subBlockSamples * runFirst, ahead, runFirst - first,
+                         runEnd - runFirst, subBlockCount, outputs[c]);
             }
-            x[g] = scale * next.x;
-            y[g] = scale * next.y;
-            const double size = amplitudeBound(pole(g), {x[g], y[g]});
-            energyHere[g - first] = static_cast<float>(size * size);
-        }
-
-        for (; run < runs.size() && index(runs[run].first) < first + modes; ++run) {
-            const std::size_t runFirst = index(runs[run].first);
-            const std::size_t runEnd = runFirst + index(runs[run].count);
-            const std::size_t from = std::max(runFirst, first);
-            const std::size_t end = std::min(runEnd, first + modes);
-            mixModes(tables.data() + 2 * subBlockSamples * from, ahead, from - first, end - from,
-                     subBlockCount, output);
-            if (runEnd > first + modes)
-                break;
         }
     }
+}
+
+void ModalBank::advanceBatch(ModeStates& from,
+                             std::size_t channel,
+                             std::size_t first,
+                             std::size_t modes,
+                             double scale,
+                             float* energies,
+                             SubBlockStates& ahead) noexcept {
+    alignas(64) std::array<float, batchModes> here;
+    double* x = from.x[channel].data() + first;
+    double* y = from.y[channel].data() + first;
+    advanceModes({turnRe.data() + first, turnIm.data() + first, cellRe.data() + first,
+                  cellIm.data() + first},
+                 modes, scale, x, y, here.data(), ahead);
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        if (g < first || g >= first + modes)
+            continue;
+        const std::size_t place = g - first;
+        ModalState moving = heavy.aside[channel];
+        const ModalState next = heavy.cell * moving;
+        for (std::size_t k = 0; k < subBlocks; ++k) {
+            ahead.x[k][place] = static_cast<float>(moving.x);
+            ahead.y[k][place] = static_cast<float>(moving.y);
+            moving = heavy.turn * moving;
+        }
+        x[place] = scale * next.x;
+        y[place] = scale * next.y;
+        const double size = amplitudeBound(pole(g), {x[place], y[place]});
+        here[place] = static_cast<float>(size * size);
+    }
+    if (energies == nullptr)
+        return;
+    float* energyHere = energies + first;
+    for (std::size_t k = 0; k < modes; ++k)
+        energyHere[k] = channel == 0 ? here[k] : std::max(energyHere[k], here[k]);
 }
 
 void ModalBank::addMoved(const ModeStates& others,
                          std::size_t samples,
                          double factor,
                          ModeStates& sum) noexcept {
-    for (HeavyMode& heavy : heavyModes)
-        heavy.aside = {sum.x[index(heavy.mode)], sum.y[index(heavy.mode)]};
-    if (samples == cellSize) {
-        for (std::size_t g = 0; g < paddedSize(); ++g) {
-            sum.x[g] += factor * (cellRe[g] * others.x[g] - cellIm[g] * others.y[g]);
-            sum.y[g] += factor * (cellRe[g] * others.y[g] + cellIm[g] * others.x[g]);
-        }
-    } else {
-        const float* table = tables.data() + samples % subBlockSamples;
-        for (std::size_t g = 0; g < paddedSize(); ++g, table += 2 * subBlockSamples) {
-            float re = table[0];
-            float im = -table[subBlockSamples];
-            for (std::size_t turns = samples / subBlockSamples; turns > 0; --turns) {
-                const float turned = re * turnRe[g] - im * turnIm[g];
-                im = re * turnIm[g] + im * turnRe[g];
-                re = turned;
+    setAside(sum);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        const double* x = others.x[c].data();
+        const double* y = others.y[c].data();
+        double* sumX = sum.x[c].data();
+        double* sumY = sum.y[c].data();
+        if (samples == cellSize) {
+            for (std::size_t g = 0; g < paddedSize(); ++g) {
+                sumX[g] += factor * (cellRe[g] * x[g] - cellIm[g] * y[g]);
+                sumY[g] += factor * (cellRe[g] * y[g] + cellIm[g] * x[g]);
             }
-            const double moveRe = factor * static_cast<double>(re);
-            const double moveIm = factor * static_cast<double>(im);
-            sum.x[g] += moveRe * others.x[g] - moveIm * others.y[g];
-            sum.y[g] += moveRe * others.y[g] + moveIm * others.x[g];
+        } else {
+            const float* table = tables.data() + samples % subBlockSamples;
+            for (std::size_t g = 0; g < paddedSize(); ++g, table += 2 * subBlockSamples) {
+                float re = table[0];
+                float im = -table[subBlockSamples];
+                for (std::size_t turns = samples / subBlockSamples; turns > 0; --turns) {
+                    const float turned = re * turnRe[g] - im * turnIm[g];
+                    im = re * turnIm[g] + im * turnRe[g];
+                    re = turned;
+                }
+                const double moveRe = factor * static_cast<double>(re);
+                const double moveIm = factor * static_cast<double>(im);
+                sumX[g] += moveRe * x[g] - moveIm * y[g];
+                sumY[g] += moveRe * y[g] + moveIm * x[g];
+            }
         }
-    }
-    for (const HeavyMode& heavy : heavyModes) {
-        const std::size_t g = index(heavy.mode);
-        const ModalState moved = propagator(pole(g), static_cast<double>(samples) * sampleSeconds) *
-                                 ModalState{others.x[g], others.y[g]};
-        sum.x[g] = heavy.aside.x + factor * moved.x;
-        sum.y[g] = heavy.aside.y + factor * moved.y;
+        for (const HeavyMode& heavy : heavyModes) {
+            const std::size_t g = index(heavy.mode);
+            const ModalState moved =
+                propagator(pole(g), static_cast<double>(samples) * sampleSeconds) *
+                ModalState{x[g], y[g]};
+            sumX[g] = heavy.aside[c].x + factor * moved.x;
+            sumY[g] = heavy.aside[c].y + factor * moved.y;
+        }
     }
 }
 
@@ -304,44 +354,50 @@ void ModalBank::join(const ModeStates& others, std::size_t samples, double facto
     measureStates(states, energy.data());
 }
 
-void ModalBank::statesOfImpulse(ModeStates& velocities) const noexcept {
-    for (std::size_t g = 0; g < paddedSize(); ++g)
-        velocities.y[g] = velocityShare[g] * velocities.x[g];
-}
-
 void ModalBank::measureStates(const ModeStates& others, float* energies) const noexcept {
-    for (std::size_t g = 0; g < paddedSize(); ++g)
-        energies[g] = static_cast<float>(others.x[g] * others.x[g] + others.y[g] * others.y[g]);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        const double* x = others.x[c].data();
+        const double* y = others.y[c].data();
+        for (std::size_t g = 0; g < paddedSize(); ++g) {
+            const auto size = static_cast<float>(x[g] * x[g] + y[g] * y[g]);
+            energies[g] = c == 0 ? size : std::max(energies[g], size);
+        }
+    }
     for (const HeavyMode& heavy : heavyModes) {
-        const std::size_t g = index(heavy.mode);
-        const double size = amplitudeBound(pole(g), {others.x[g], others.y[g]});
-        energies[g] = static_cast<float>(size * size);
+        const double size = amplitude(others, index(heavy.mode));
+        energies[index(heavy.mode)] = static_cast<float>(size * size);
     }
 }
 
 void ModalBank::rotate(ModeStates& from, double seconds, double factor) noexcept {
-    for (HeavyMode& heavy : heavyModes)
-        heavy.aside = {from.x[index(heavy.mode)], from.y[index(heavy.mode)]};
-    turnModes(decay.data(), frequency.data(), paddedSize(), seconds, factor, from.x.data(),
-              from.y.data());
-    for (const HeavyMode& heavy : heavyModes) {
-        const std::size_t g = index(heavy.mode);
-        const ModalState moved = propagator(pole(g), seconds) * heavy.aside;
-        from.x[g] = factor * moved.x;
-        from.y[g] = factor * moved.y;
+    setAside(from);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        turnModes(decay.data(), frequency.data(), paddedSize(), seconds, factor, from.x[c].data(),
+                  from.y[c].data());
+        for (const HeavyMode& heavy : heavyModes) {
+            const std::size_t g = index(heavy.mode);
+            const ModalState moved = propagator(pole(g), seconds) * heavy.aside[c];
+            from.x[c][g] = factor * moved.x;
+            from.y[c][g] = factor * moved.y;
+        }
     }
 }
 
 void ModalBank::forcedStates(const PulseInstant& pulse,
-                             ModeStates& forced,
+                             double* x,
+                             double* y,
                              double* steady,
                              double* swingRe,
                              double* swingIm) const noexcept {
     idiophone::forcedStates(pulse,
                             {stiffness.data(), damping.data(), displacementShare.data(),
-                             velocityShare.data(), forced.x.data(), forced.y.data(), steady,
-                             swingRe, swingIm},
+                             velocityShare.data(), x, y, steady, swingRe, swingIm},
                             paddedSize());
+}
+
+void ModalBank::impulseStates(double* x, double* y) const noexcept {
+    std::fill_n(x, paddedSize(), 1.0);
+    std::copy_n(velocityShare.data(), paddedSize(), y);
 }
 
 } // namespace idiophone

@@ -7,6 +7,7 @@
 #include "Synth/ModalPole.h"
 #include "Synth/StrikeKernel.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,22 +24,34 @@ struct ModeRun {
 /// Replaces `runs` by the runs of consecutive numbers in ascending `modes`.
 void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) noexcept;
 
-/// States of all modes of a bank, apart from its own: kicks under way, copies to fade.
+/// As many as there are listening directions: a merged group has a state for each, as its modes are
+/// heard in other proportions.
+inline constexpr std::size_t mostChannels = 2;
+
+/// States of all modes of a bank for each channel.
 struct ModeStates {
-    AlignedVector<double> x;
-    AlignedVector<double> y;
+    std::array<AlignedVector<double>, mostChannels> x;
+    std::array<AlignedVector<double>, mostChannels> y;
 };
+
+/// Where each channel is added to.
+using ChannelOutputs = std::array<float*, mostChannels>;
 
 /// Memory is reserved by the constructor; every other member is for the audio thread. Modes are
 /// held in blocks of `modeBlock`; those beyond `size` are silent.
 class ModalBank {
 public:
-    ModalBank(std::size_t capacity, double sampleRateHz);
+    ModalBank(std::size_t capacity, std::size_t channelCapacity, double sampleRateHz);
 
     std::size_t size() const noexcept { return count; }
     std::size_t blockCount() const noexcept { return (count + modeBlock - 1) / modeBlock; }
     std::size_t paddedSize() const noexcept { return blockCount() * modeBlock; }
     ModeStates emptyStates() const; ///< allocates
+
+    /// Channels in use, at most the capacity; those that join start as copies of the first. States
+    /// elsewhere are read and written for as many.
+    std::size_t channels() const noexcept { return channelCount; }
+    void setChannels(std::size_t wanted) noexcept;
 
     /// Starts anew with so many modes, all silent; `movePoles` gives them their poles.
     void resize(std::size_t modes) noexcept;
@@ -54,14 +67,15 @@ public:
 
     ModalPole pole(std::size_t g) const noexcept { return {stiffness[g], damping[g]}; }
     bool audible(std::size_t g) const noexcept { return audibles[g] != 0; }
-    ModalState state(std::size_t g) const noexcept { return {states.x[g], states.y[g]}; }
-    double amplitude(std::size_t g) const noexcept { return amplitudeBound(pole(g), state(g)); }
-
-    void setState(std::size_t g, const ModalState& state) noexcept;
-    void add(std::size_t g, const ModalState& state) noexcept;
+    ModalState state(std::size_t g, std::size_t channel = 0) const noexcept {
+        return {states.x[channel][g], states.y[channel][g]};
+    }
+    void setState(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
+    void add(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
+    void silence(std::size_t g) noexcept;
     void clear() noexcept;
 
-    /// |s|² as of the last cell or `setState` [paddedSize].
+    /// |s|² in the louder channel as of the last cell or `setState` [paddedSize].
     const float* energies() const noexcept { return energy.data(); }
     const float* audibleWeights() const noexcept { return audibles.data(); }
     float energyOfLoudest(std::size_t block) const noexcept;
@@ -76,14 +90,14 @@ public:
     void render(std::span<const std::int32_t> blocks,
                 std::span<const ModeRun> runs,
                 double scale,
-                float* output) noexcept;
+                const ChannelOutputs& outputs) noexcept;
 
     /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from other
     /// states, which are taken on by a cell.
     void renderFrom(ModeStates& from,
                     std::span<const ModeRun> runs,
                     std::size_t subBlockCount,
-                    float* output) noexcept;
+                    const ChannelOutputs& outputs) noexcept;
 
     /// Adds to `sum` the states `others` after `samples` (0 to 64) of free motion, to single
     /// precision of theirs, times `factor`.
@@ -95,8 +109,8 @@ public:
     /// The same added to the bank's own states.
     void join(const ModeStates& others, std::size_t samples, double factor) noexcept;
 
-    /// Free motion from rest after impulses: y to each velocity x of oscillating modes.
-    void statesOfImpulse(ModeStates& velocities) const noexcept;
+    /// The same for free motion after an impulse.
+    void impulseStates(double* x, double* y) const noexcept;
 
     /// |s|² of other states, or the square of their bound, into [paddedSize].
     void measureStates(const ModeStates& others, float* energies) const noexcept;
@@ -107,7 +121,8 @@ public:
     /// The forced part of a contact, for residues of 1 (StrikeKernel.h), into arrays
     /// [paddedSize].
     void forcedStates(const PulseInstant& pulse,
-                      ModeStates& forced,
+                      double* x,
+                      double* y,
                       double* steady,
                       double* swingRe,
                       double* swingIm) const noexcept;
@@ -117,19 +132,28 @@ public:
     std::span<const double> resonances() const noexcept { return {resonance.data(), count}; }
 
 private:
-    void renderStates(double* x,
-                      double* y,
+    void renderStates(ModeStates& from,
                       float* energies,
                       std::span<const std::int32_t> blocks,
                       std::span<const ModeRun> runs,
                       std::size_t subBlockCount,
                       double scale,
-                      float* output) noexcept;
+                      const ChannelOutputs& outputs) noexcept;
+    void advanceBatch(ModeStates& from,
+                      std::size_t channel,
+                      std::size_t first,
+                      std::size_t modes,
+                      double scale,
+                      float* energies,
+                      SubBlockStates& ahead) noexcept;
+    void setAside(const ModeStates& from) noexcept;
+    double amplitude(const ModeStates& from, std::size_t g) const noexcept;
     void correctHeavy(std::size_t g) noexcept;
     void measure(std::size_t g) noexcept;
 
     double sampleSeconds;
     std::size_t count = 0;
+    std::size_t channelCount = 1;
 
     AlignedVector<double> stiffness, damping, decay, frequency, displacementShare, velocityShare;
     AlignedVector<double> resonance;
@@ -145,7 +169,7 @@ private:
         std::int32_t mode = 0;
         Propagator turn;
         Propagator cell;
-        ModalState aside; ///< its state while SIMD passes over it
+        std::array<ModalState, mostChannels> aside; ///< its states while SIMD passes over them
     };
     std::vector<HeavyMode> heavyModes;   ///< ascending
     std::vector<std::int32_t> allBlocks; ///< 0, 1, 2, …

@@ -14,11 +14,12 @@ constexpr double fadeSeconds = 0.003;
 }
 
 ModeFader::ModeFader(const ModalBank& bank, double sampleRateHz) : states(bank.emptyStates()) {
-    runs.reserve(states.x.size());
+    runs.reserve(states.x[0].size());
     const double samples = std::max(1.0, fadeSeconds * sampleRateHz);
     const auto cells = static_cast<std::size_t>(std::ceil(samples / cellSamples));
     window.resize(cells * cellSamples);
-    tail.resize(window.size());
+    for (auto& tail : tails)
+        tail.resize(window.size());
     for (std::size_t k = 0; k < window.size(); ++k) {
         const double part = std::min(static_cast<double>(k) / samples, 1.0);
         window[k] = static_cast<float>(0.5 * (1 + std::cos(std::numbers::pi * part)));
@@ -36,42 +37,58 @@ void ModeFader::enter(ModalBank& bank, std::span<const std::int32_t> modes) noex
 void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes, float sign) noexcept {
     if (modes.empty())
         return;
-    for (const std::int32_t mode : modes) {
-        const auto g = static_cast<std::size_t>(mode);
-        states.x[g] = bank.state(g).x;
-        states.y[g] = bank.state(g).y;
-    }
+    channels = bank.channels();
+    for (std::size_t c = 0; c < channels; ++c)
+        for (const std::int32_t mode : modes) {
+            const auto g = static_cast<std::size_t>(mode);
+            states.x[c][g] = bank.state(g, c).x;
+            states.y[c][g] = bank.state(g, c).y;
+        }
     findRuns(modes, runs);
-    alignas(64) std::array<float, cellSamples> cell;
-    for (std::size_t start = 0; start < tail.size(); start += cellSamples) {
-        cell.fill(0);
-        bank.renderFrom(states, runs, subBlocks, cell.data());
-        for (std::size_t k = 0; k < cell.size(); ++k)
-            tail[start + k] += sign * window[start + k] * cell[k];
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> cell;
+    for (std::size_t start = 0; start < window.size(); start += cellSamples) {
+        cell = {};
+        bank.renderFrom(states, runs, subBlocks, {cell[0].data(), cell[1].data()});
+        for (std::size_t c = 0; c < channels; ++c)
+            for (std::size_t k = 0; k < cellSamples; ++k)
+                tails[c][start + k] += sign * window[start + k] * cell[c][k];
     }
     // The modes between them are carried along, and must not fade into denormals.
-    for (const std::int32_t mode : modes)
-        states.x[static_cast<std::size_t>(mode)] = states.y[static_cast<std::size_t>(mode)] = 0;
-    remaining = tail.size();
+    for (std::size_t c = 0; c < channels; ++c)
+        for (const std::int32_t mode : modes)
+            states.x[c][static_cast<std::size_t>(mode)] =
+                states.y[c][static_cast<std::size_t>(mode)] = 0;
+    remaining = window.size();
 }
 
-void ModeFader::addCell(std::span<float> cell) noexcept {
+void ModeFader::addCell(const ChannelOutputs& cell) noexcept {
     if (!active())
         return;
-    for (std::size_t k = 0; k < cell.size(); ++k)
-        cell[k] += tail[k];
-    std::copy(tail.begin() + cellSamples, tail.end(), tail.begin());
-    std::fill(tail.end() - cellSamples, tail.end(), 0.0f);
+    for (std::size_t c = 0; c < channels; ++c) {
+        auto& tail = tails[c];
+        for (std::size_t k = 0; k < cellSamples; ++k)
+            cell[c][k] += tail[k];
+        std::copy(tail.begin() + cellSamples, tail.end(), tail.begin());
+        std::fill(tail.end() - cellSamples, tail.end(), 0.0f);
+    }
     remaining -= cellSamples;
 }
 
 void ModeFader::scale(float factor) noexcept {
-    for (std::size_t k = 0; k < remaining; ++k)
-        tail[k] *= factor;
+    for (std::size_t c = 0; c < channels; ++c)
+        for (std::size_t k = 0; k < remaining; ++k)
+            tails[c][k] *= factor;
+}
+
+void ModeFader::widen() noexcept {
+    tails[1] = tails[0];
+    channels = 2;
 }
 
 void ModeFader::reset() noexcept {
-    std::fill(tail.begin(), tail.end(), 0.0f);
+    for (auto& tail : tails)
+        std::fill(tail.begin(), tail.end(), 0.0f);
+    channels = 1;
     remaining = 0;
 }
 

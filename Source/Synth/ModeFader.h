@@ -5,6 +5,7 @@
 
 #include "Synth/ModalBank.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,10 +27,13 @@ public:
     void enter(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
 
     /// Adds the next cell of the fades and moves on.
-    void addCell(std::span<float> cell) noexcept;
+    void addCell(const ChannelOutputs& cell) noexcept;
 
     /// Multiplies what is left to play.
     void scale(float factor) noexcept;
+
+    /// The second channel goes on as a copy of the first.
+    void widen() noexcept;
 
     bool active() const noexcept { return remaining > 0; }
     void reset() noexcept;
@@ -38,10 +42,12 @@ private:
     void fade(ModalBank& bank, std::span<const std::int32_t> modes, float sign) noexcept;
 
     std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
-    std::vector<float> tail;   ///< what is left to play, from its next sample
+    /// What is left to play in each channel, from its next sample.
+    std::array<std::vector<float>, mostChannels> tails;
     ModeStates states;
     std::vector<ModeRun> runs;
-    std::size_t remaining = 0; ///< samples of `tail` that may not be zero
+    std::size_t channels = 1;
+    std::size_t remaining = 0; ///< samples of the tails that may not be zero
 };
 
 } // namespace idiophone

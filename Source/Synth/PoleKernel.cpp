@@ -124,8 +124,7 @@ void turn(const double* HWY_RESTRICT decay,
     const auto gain = hn::Set(f, static_cast<float>(factor));
     for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
         const auto scaled = [&](const double* values) HWY_ATTR {
-            return hn::Combine(f,
-                               hn::DemoteTo(half, hn::Mul(time, hn::Load(d, values + g + wide))),
+            return hn::Combine(f, hn::DemoteTo(half, hn::Mul(time, hn::Load(d, values + g + wide))),
                                hn::DemoteTo(half, hn::Mul(time, hn::Load(d, values + g))));
         };
         const auto angle = scaled(frequency);

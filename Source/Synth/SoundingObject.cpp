@@ -28,11 +28,13 @@ std::vector<double> meanSquareShapes(const ModalObject& object) {
 
 SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
                                double sizeRatio,
+                               std::size_t channels,
                                double sampleRateHz)
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
-      slotSizeRatio(sizeRatio), sampleRate(sampleRateHz), cellSeconds(cellSamples / sampleRateHz),
-      modeWeights(meanSquareShapes(*object)), bank(object->modeCount(), sampleRateHz),
-      fader(bank, sampleRateHz), kicks(bank.emptyStates()), forced(bank.emptyStates()),
+      slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
+      cellSeconds(cellSamples / sampleRateHz), modeWeights(meanSquareShapes(*object)),
+      bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
+      fader(bank, sampleRateHz), kicks(bank.emptyStates()), ended(bank.emptyStates()),
       rendered(bank.emptyStates()) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
@@ -40,7 +42,11 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     modeResidues.resize(modes);
     struckGains.resize(modes);
     heardGains.resize(modes);
-    for (auto* array : {&groupResidues, &steady, &swingRe, &swingIm})
+    if (!object->radiation.empty())
+        for (auto& weights : radiationWeights)
+            weights.resize(modes);
+    for (auto* array :
+         {&groupResidues[0], &groupResidues[1], &forcedX, &forcedY, &steady, &swingRe, &swingIm})
         array->resize(bank.paddedSize());
     kickEnergies.resize(bank.paddedSize());
     blocks.resize(bank.blockCount());
@@ -209,31 +215,43 @@ void SoundingObject::activate(std::size_t b) noexcept {
     activeBlocks.insert(std::lower_bound(activeBlocks.begin(), activeBlocks.end(), number), number);
 }
 
-void SoundingObject::mix(std::int32_t share, std::span<float, cellSamples> cell) noexcept {
+void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
     if (contacts.empty())
         chooseModes(share);
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
 
-    alignas(64) std::array<float, cellSamples> sound{};
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+    const ChannelOutputs outputs{sound[0].data(), sound[1].data()};
     const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
-    bank.render(activeBlocks, mixedRuns, fallen, sound.data());
-    fader.addCell(sound);
+    bank.render(activeBlocks, mixedRuns, fallen, outputs);
+    fader.addCell(outputs);
     if (damping > 0) {
         const double fall = std::exp(-damping / sampleRate);
         double factor = 1;
-        for (float& sample : sound) {
-            sample *= static_cast<float>(factor);
+        for (std::size_t k = 0; k < cellSamples; ++k) {
+            for (std::size_t c = 0; c < bank.channels(); ++c)
+                sound[c][k] *= static_cast<float>(factor);
             factor *= fall;
         }
         fader.scale(static_cast<float>(fallen));
     }
-    for (std::size_t k = 0; k < cell.size(); ++k)
-        cell[k] += sound[k];
+    addToCell(outputs, cell);
     soundContacts(cell);
+}
+
+/// What sounds in one channel is heard in both.
+void SoundingObject::addToCell(const ChannelOutputs& sound, const CellOutput& cell) const noexcept {
+    for (std::size_t c = 0; c < cell.channels(); ++c) {
+        const float* heard = sound[std::min(c, bank.channels() - 1)];
+        const auto output = cell[c];
+        for (std::size_t k = 0; k < output.size(); ++k)
+            output[k] += heard[k];
+    }
 }
 
 void SoundingObject::reset() noexcept {
     bank.clear();
+    bank.setChannels(1);
     std::fill(blocks.begin(), blocks.end(), Block{});
     activeBlocks.clear();
     mixedModes.clear();

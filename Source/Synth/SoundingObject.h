@@ -3,12 +3,14 @@
 #pragma once
 
 #include "Object/ModalObject.h"
+#include "Synth/CellOutput.h"
 #include "Synth/ModalBank.h"
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
 
+#include <array>
 #include <bit>
 #include <complex>
 #include <cstdint>
@@ -26,8 +28,11 @@ public:
     /// At most this many contacts are under way at a time.
     static constexpr std::size_t contactCapacity = 64;
 
+    /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
+    /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
     SoundingObject(std::shared_ptr<const ModalObject> object,
                    double sizeRatio,
+                   std::size_t channels,
                    double sampleRateHz);
 
     void setDamping(double dampingPerSecond) noexcept;
@@ -43,7 +48,7 @@ public:
 
     /// Mixes the strongest `share` modes into the cell. While a contact is under way its modes
     /// stay, whatever the share: its forced part was summed over them.
-    void mix(std::int32_t share, std::span<float, cellSamples> cell) noexcept;
+    void mix(std::int32_t share, const CellOutput& cell) noexcept;
 
     /// Adds a strike to the rest of the cell begun last; `allowance` bounds the modes mixed after
     /// it. A contact shorter than a thousandth of a sample is an impulse. False, and nothing done,
@@ -51,7 +56,7 @@ public:
     bool strike(const Strike& strike,
                 double sampleInCell,
                 std::int32_t allowance,
-                std::span<float, cellSamples> cell) noexcept;
+                const CellOutput& cell) noexcept;
 
     void reset() noexcept;
 
@@ -67,8 +72,10 @@ private:
         double gainRatio = 1; ///< as of its start
         std::int64_t startCell = 0;
         double startSample = 0;
-        double steadyVelocity = 0;  ///< G0 over the modes mixed
-        std::complex<double> swing; ///< H over the modes mixed
+        double listening = 0; ///< how much of it is heard from afar
+        /// G0 and H over the modes mixed, for each channel.
+        std::array<double, mostChannels> steadyVelocity{};
+        std::array<std::complex<double>, mostChannels> swing{};
     };
 
     /// One block of the bank's modes, a bit each. A block of which nothing rings is not active: its
@@ -100,24 +107,29 @@ private:
 
     // SoundingObjectStrike.cpp: residues, contacts.
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
-    void computeResidues(const Strike& strike, double gain) noexcept;
+    void computeResidues(const Contact& contact) noexcept;
+    void mergeResidues(std::size_t channel) noexcept;
+    void widen(double listening) noexcept;
+    void findRadiation() noexcept;
     void computeForced(const Contact& contact, std::complex<double> phase) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
     void listWanted(std::size_t most) noexcept;
     void admit(std::size_t g) noexcept;
     void hold(Contact& contact, std::span<const std::int32_t> modes) const noexcept;
     void moveContact(Contact& contact, double sign) noexcept;
-    void soundContacts(std::span<float, cellSamples> cell) noexcept;
-    double addForced(const Contact& contact, std::span<float, cellSamples> cell) const noexcept;
-    void startKicks(double factor, double at) noexcept;
+    void soundContacts(const CellOutput& cell) noexcept;
+    double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
+    void startKicks(double factor, double at, ModeStates& started) noexcept;
     void endContact(double at, int kickSample) noexcept;
-    void addKicks(int from, int until, std::span<float, cellSamples> cell) noexcept;
+    void addKicks(int from, int until, const CellOutput& cell) noexcept;
+    void addToCell(const ChannelOutputs& sound, const CellOutput& cell) const noexcept;
     void joinKicks(int from) noexcept;
     std::complex<double>
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
     std::shared_ptr<const ModalObject> object;
     double slotSizeRatio;
+    std::size_t outputChannels;
     double sampleRate;
     double cellSeconds;
 
@@ -128,6 +140,11 @@ private:
     PoleLaw law;
     bool polesBehind = false; ///< the bank's poles are not yet those of `law`
     double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
+    double radiation = 0;     ///< 0 heard where struck, 1 from afar
+    /// Frequency times size over the reference's: where the radiation table is to be read, and
+    /// where it was.
+    double wantedRadiationRatio = 1;
+    double radiationRatio = 0;
     double compression = 1;
     double tauVelocity = 0; ///< τ in m/s, at least the floor where states are flushed
     double damping = 0;     ///< δ
@@ -165,12 +182,14 @@ private:
     keepLoudest(std::vector<std::int32_t>& modes, const float* energies, std::size_t most) noexcept;
 
     // Scratch.
-    std::vector<float> struckGains;         ///< [M] φ·J
-    std::vector<float> heardGains;          ///< [M] φ·ℓ
-    std::vector<double> modeResidues;       ///< [M]
-    AlignedVector<double> groupResidues;    ///< [G], padded with zeros
+    std::vector<float> struckGains;                                ///< [M] φ·J
+    std::vector<float> heardGains;                                 ///< [M] φ·ℓ
+    std::array<std::vector<float>, mostChannels> radiationWeights; ///< [M]
+    std::vector<double> modeResidues;                              ///< [M]
+    std::array<AlignedVector<double>, mostChannels> groupResidues; ///< [G], padded with zeros
     ModeStates kicks;                       ///< states to add, at a whole sample of the cell
-    ModeStates forced;                      ///< of a contact, for residues of 1
+    ModeStates ended;                       ///< what a contact's end adds to them
+    AlignedVector<double> forcedX, forcedY; ///< [G] of a contact, for residues of 1
     ModeStates rendered;                    ///< a copy that rendering may take on
     AlignedVector<double> steady;           ///< [G]
     AlignedVector<double> swingRe, swingIm; ///< [G]

@@ -35,7 +35,9 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
                          material.viscoelasticDampingSeconds};
     const double newTau = std::max(settings.tau * metresPerSecondPerTau, smallestTauVelocity);
     gainRatio = 1 / (density * size * size * size);
+    wantedRadiationRatio = std::sqrt(newLaw.eigenvalueRatio) * size;
     compression = settings.compression;
+    radiation = settings.radiation;
 
     const bool polesMove = newLaw != law;
     const bool dampingMoves = requestedDamping != damping;
@@ -106,7 +108,9 @@ void SoundingObject::regroup() noexcept {
                              std::span(modeWeights).subspan(first, count));
     }
     bank.resize(groups);
-    std::fill(groupResidues.begin(), groupResidues.end(), 0.0);
+    bank.setChannels(1);
+    for (auto& residues : groupResidues)
+        std::fill(residues.begin(), residues.end(), 0.0);
     std::fill(blocks.begin(), blocks.end(), Block{});
     movePoles();
 }

@@ -38,41 +38,87 @@ bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noex
            strike.durationSeconds >= 0 && sampleInCell >= 0 && sampleInCell < cellSamples;
 }
 
-void SoundingObject::computeResidues(const Strike& strike, double gain) noexcept {
+/// Residues of all groups in each channel. What is heard is a mean of the velocity at the struck
+/// point, along the listening direction there, and of what the whole surface radiates.
+void SoundingObject::computeResidues(const Contact& contact) noexcept {
+    const StrikePoint& struck = contact.strike.point;
     ShapePoint point;
-    for (std::size_t k = 0; k < strike.point.weights.size(); ++k)
-        if (strike.point.weights[k] != 0) {
-            const auto row = static_cast<std::size_t>(strike.point.shapeRows[k]);
+    for (std::size_t k = 0; k < struck.weights.size(); ++k)
+        if (struck.weights[k] != 0) {
+            const auto row = static_cast<std::size_t>(struck.shapeRows[k]);
             point.rows[point.used] = object->shapesAt(row).data();
-            point.weights[point.used++] = strike.point.weights[k];
+            point.weights[point.used++] = struck.weights[k];
         }
-    projectShapes(point, strike.impulseNewtonSeconds, object->modeCount(), struckGains.data());
-    projectShapes(point, listeningDirection(strike.point), object->modeCount(), heardGains.data());
-    for (std::size_t i = 0; i < modeResidues.size(); ++i)
-        modeResidues[i] =
-            gain * static_cast<double>(struckGains[i]) * static_cast<double>(heardGains[i]);
+    projectShapes(point, contact.strike.impulseNewtonSeconds, object->modeCount(),
+                  struckGains.data());
+    projectShapes(point, listeningDirection(struck), object->modeCount(), heardGains.data());
+    const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
+    const auto far = static_cast<float>(contact.gainRatio * contact.listening);
+    if (far > 0)
+        findRadiation();
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        if (far > 0)
+            for (std::size_t i = 0; i < modeResidues.size(); ++i)
+                modeResidues[i] = static_cast<double>(
+                    struckGains[i] * (near * heardGains[i] + far * radiationWeights[c][i]));
+        else
+            for (std::size_t i = 0; i < modeResidues.size(); ++i)
+                modeResidues[i] = static_cast<double>(near * struckGains[i] * heardGains[i]);
+        mergeResidues(c);
+    }
+}
+
+void SoundingObject::mergeResidues(std::size_t channel) noexcept {
+    auto& residues = groupResidues[channel];
     for (std::size_t g = 0; g < bank.size(); ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        groupResidues[g] =
+        residues[g] =
             count == 1 ? modeResidues[first]
                        : mergedResidue(std::span(modeResidues).subspan(first, count),
                                        std::span(object->eigenvalues).subspan(first, count), law);
     }
 }
 
+/// Reads the table where frequencies or size moved. One channel hears the mean of the directions.
+void SoundingObject::findRadiation() noexcept {
+    if (radiationRatio == wantedRadiationRatio)
+        return;
+    radiationRatio = wantedRadiationRatio;
+    const std::size_t directions = std::min(object->radiation.directions.size(), mostChannels);
+    for (std::size_t c = 0; c < mostChannels; ++c)
+        object->radiation.weightsAt(std::min(c, directions - 1), radiationRatio,
+                                    radiationWeights[c]);
+    if (outputChannels == 1)
+        for (std::size_t i = 0; i < radiationWeights[0].size(); ++i)
+            radiationWeights[0][i] = (radiationWeights[0][i] + radiationWeights[1][i]) / 2;
+}
+
+/// From the first strike that is heard from afar on, an object needs its second channel.
+void SoundingObject::widen(double listening) noexcept {
+    if (!(listening > 0) || outputChannels == 1 || bank.channels() == mostChannels)
+        return;
+    bank.setChannels(mostChannels);
+    fader.widen();
+    for (Contact& contact : contacts) {
+        contact.steadyVelocity[1] = contact.steadyVelocity[0];
+        contact.swing[1] = contact.swing[0];
+    }
+}
+
 void SoundingObject::computeForced(const Contact& contact, std::complex<double> phase) noexcept {
-    computeResidues(contact.strike, contact.gainRatio);
+    computeResidues(contact);
     bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
                        .dampingPerSecond = damping,
                        .phase = phase},
-                      forced, steady.data(), swingRe.data(), swingIm.data());
+                      forcedX.data(), forcedY.data(), steady.data(), swingRe.data(),
+                      swingIm.data());
 }
 
 bool SoundingObject::strike(const Strike& asked,
                             double sampleInCell,
                             std::int32_t allowance,
-                            std::span<float, cellSamples> cell) noexcept {
+                            const CellOutput& cell) noexcept {
     const bool isPulse = asked.durationSeconds * sampleRate >= shortestContactSamples;
     if (!valid(asked, sampleInCell) || (isPulse && contacts.size() == contactCapacity))
         return false;
@@ -80,19 +126,22 @@ bool SoundingObject::strike(const Strike& asked,
         regroup();
     else if (polesBehind)
         movePoles();
-    Contact contact{asked, gainRatio, cellIndex, sampleInCell, 0, 0};
+    Contact contact{.strike = asked,
+                    .gainRatio = gainRatio,
+                    .startCell = cellIndex,
+                    .startSample = sampleInCell,
+                    .listening = object->radiation.empty() ? 0 : radiation};
+    widen(contact.listening);
     double& seconds = contact.strike.durationSeconds;
     seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
 
     if (isPulse) {
         computeForced(contact, 1);
-        startKicks(-1, sampleInCell);
+        startKicks(-1, sampleInCell, kicks);
     } else {
-        computeResidues(asked, gainRatio);
-        for (std::size_t g = 0; g < bank.size(); ++g)
-            forced.x[g] = 1;
-        bank.statesOfImpulse(forced);
-        startKicks(1, sampleInCell);
+        computeResidues(contact);
+        bank.impulseStates(forcedX.data(), forcedY.data());
+        startKicks(1, sampleInCell, kicks);
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
@@ -117,30 +166,26 @@ bool SoundingObject::strike(const Strike& asked,
 
 /// Kicks of `factor` times the forced states, which hold at time `at`, as of the first whole sample
 /// from there.
-void SoundingObject::startKicks(double factor, double at) noexcept {
-    for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-        kicks.x[g] = factor * groupResidues[g] * forced.x[g];
-        kicks.y[g] = factor * groupResidues[g] * forced.y[g];
-    }
+void SoundingObject::startKicks(double factor, double at, ModeStates& started) noexcept {
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
+            const double residue = factor * groupResidues[c][g];
+            started.x[c][g] = residue * forcedX[g];
+            started.y[c][g] = residue * forcedY[g];
+        }
     const double wait = (firstSampleFrom(at) - at) / sampleRate;
     if (wait > 0)
-        bank.rotate(kicks, wait, std::exp(-damping * wait));
+        bank.rotate(started, wait, std::exp(-damping * wait));
 }
 
 /// Takes kicks of a whole sample on to the end of their contact, where the forced part becomes
 /// free.
 void SoundingObject::endContact(double at, int kickSample) noexcept {
-    const double wait = (firstSampleFrom(at) - at) / sampleRate;
-    for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-        forced.x[g] *= groupResidues[g];
-        forced.y[g] *= groupResidues[g];
-    }
-    if (wait > 0)
-        bank.rotate(forced, wait, std::exp(-damping * wait));
+    startKicks(1, at, ended);
     const int samples = firstSampleFrom(at) - kickSample;
     bank.addMoved(kicks, static_cast<std::size_t>(samples),
-                  std::exp(-damping * samples / sampleRate), forced);
-    std::swap(kicks, forced);
+                  std::exp(-damping * samples / sampleRate), ended);
+    std::swap(kicks, ended);
 }
 
 void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
@@ -198,17 +243,18 @@ void SoundingObject::admit(std::size_t g) noexcept {
     if ((blocks[b].rings & bit) != 0)
         leaving.push_back(static_cast<std::int32_t>(g));
     else
-        bank.setState(g, {});
+        bank.silence(g);
     blocks[b].rings |= bit;
     blocks[b].mixed |= bit;
 }
 
 void SoundingObject::hold(Contact& contact, std::span<const std::int32_t> modes) const noexcept {
-    for (const std::int32_t mode : modes) {
-        const auto g = static_cast<std::size_t>(mode);
-        contact.steadyVelocity += groupResidues[g] * steady[g];
-        contact.swing += groupResidues[g] * std::complex<double>(swingRe[g], swingIm[g]);
-    }
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        for (const std::int32_t mode : modes) {
+            const auto g = static_cast<std::size_t>(mode);
+            contact.steadyVelocity[c] += groupResidues[c][g] * steady[g];
+            contact.swing[c] += groupResidues[c][g] * std::complex<double>(swingRe[g], swingIm[g]);
+        }
 }
 
 std::complex<double>
@@ -225,50 +271,61 @@ void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
         const auto b = static_cast<std::size_t>(number);
         forEachMode(b, blocks[b].rings, [&](std::int32_t mode) {
             const auto g = static_cast<std::size_t>(mode);
-            const double residue = sign * groupResidues[g];
-            bank.add(g, {residue * forced.x[g], residue * forced.y[g]});
+            for (std::size_t c = 0; c < bank.channels(); ++c) {
+                const double residue = sign * groupResidues[c][g];
+                bank.add(g, {residue * forcedX[g], residue * forcedY[g]}, c);
+            }
         });
     }
-    contact.steadyVelocity = 0;
-    contact.swing = 0;
+    contact.steadyVelocity = {};
+    contact.swing = {};
     hold(contact, mixedModes);
 }
 
-double SoundingObject::addForced(const Contact& contact,
-                                 std::span<float, cellSamples> cell) const noexcept {
+double SoundingObject::addForced(const Contact& contact, const CellOutput& cell) const noexcept {
     const double cells = static_cast<double>(cellIndex - contact.startCell);
     const double end =
         contact.startSample + contact.strike.durationSeconds * sampleRate - cells * cellSamples;
     const int from = cells > 0 ? 0 : firstSampleFrom(contact.startSample);
     const int until = firstSampleFrom(std::min(end, double(cellSamples)));
-    std::complex<double> swing = contact.swing * phaseAt(contact, cellIndex, from);
+    const std::complex<double> phase = phaseAt(contact, cellIndex, from);
     const std::complex<double> turn =
         std::polar(1.0, 2 * std::numbers::pi / (sampleRate * contact.strike.durationSeconds));
-    for (int k = from; k < until; ++k) {
-        cell[static_cast<std::size_t>(k)] +=
-            static_cast<float>(contact.steadyVelocity + swing.real());
-        swing = {swing.real() * turn.real() - swing.imag() * turn.imag(),
-                 swing.real() * turn.imag() + swing.imag() * turn.real()};
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        std::complex<double> swing = contact.swing[c] * phase;
+        for (int k = from; k < until; ++k) {
+            sound[c][static_cast<std::size_t>(k)] =
+                static_cast<float>(contact.steadyVelocity[c] + swing.real());
+            swing = {swing.real() * turn.real() - swing.imag() * turn.imag(),
+                     swing.real() * turn.imag() + swing.imag() * turn.real()};
+        }
     }
+    addToCell({sound[0].data(), sound[1].data()}, cell);
     return end;
 }
 
 /// Adds what the kicks, which stand at sample `from`, sound up to `until`.
-void SoundingObject::addKicks(int from, int until, std::span<float, cellSamples> cell) noexcept {
+void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexcept {
     if (from >= until)
         return;
     const auto samples = static_cast<std::size_t>(until - from);
-    std::copy(kicks.x.begin(), kicks.x.end(), rendered.x.begin());
-    std::copy(kicks.y.begin(), kicks.y.end(), rendered.y.begin());
-    alignas(64) std::array<float, cellSamples> sound{};
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> rest{};
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        std::copy_n(kicks.x[c].begin(), bank.paddedSize(), rendered.x[c].begin());
+        std::copy_n(kicks.y[c].begin(), bank.paddedSize(), rendered.y[c].begin());
+    }
     bank.renderFrom(rendered, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
-                    sound.data());
+                    {rest[0].data(), rest[1].data()});
     const double fall = std::exp(-damping / sampleRate);
     double factor = 1;
     for (std::size_t k = 0; k < samples; ++k) {
-        cell[static_cast<std::size_t>(from) + k] += static_cast<float>(factor) * sound[k];
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            sound[c][static_cast<std::size_t>(from) + k] = static_cast<float>(factor) * rest[c][k];
         factor *= fall;
     }
+    addToCell({sound[0].data(), sound[1].data()}, cell);
 }
 
 /// Adds the kicks, which stand at sample `from`, to the states at the next grid point.
@@ -280,8 +337,7 @@ void SoundingObject::joinKicks(int from) noexcept {
             blocks[b].restsAtDampingLog = dampingLog(grid);
         }
     const int samples = cellSamples - from;
-    bank.join(kicks, static_cast<std::size_t>(samples),
-              std::exp(-damping * samples / sampleRate));
+    bank.join(kicks, static_cast<std::size_t>(samples), std::exp(-damping * samples / sampleRate));
     const auto tau = static_cast<float>(tauVelocity * tauVelocity);
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         EnergySurvey found;
@@ -295,7 +351,7 @@ void SoundingObject::joinKicks(int from) noexcept {
     mixedIsRinging = false;
 }
 
-void SoundingObject::soundContacts(std::span<float, cellSamples> cell) noexcept {
+void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
     for (std::size_t c = 0; c < contacts.size();) {
         const Contact contact = contacts[c];
         const double end = addForced(contact, cell);
@@ -305,7 +361,7 @@ void SoundingObject::soundContacts(std::span<float, cellSamples> cell) noexcept 
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
         computeForced(contact, 1);
-        startKicks(1, end);
+        startKicks(1, end, kicks);
         addKicks(firstSampleFrom(end), cellSamples, cell);
         joinKicks(firstSampleFrom(end));
     }

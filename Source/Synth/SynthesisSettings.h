@@ -34,6 +34,9 @@ struct SynthesisSettings {
     double compression = 1;    ///< ≥ 0, times the discrimination curve; 0 merges equal poles only
     double sizeRatio = 1;      ///< > 0: every object scaled by this
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
+    /// 0 to 1: from what is heard at the point struck to what the whole surface radiates to
+    /// the listener, where the object knows; for strikes from now on.
+    double radiation = 0;
     std::optional<LiveMaterial> material; ///< nothing: each object keeps its reference material
 
     bool operator==(const SynthesisSettings&) const = default;

@@ -32,6 +32,8 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
     keepUnless(wanted.modeBudget >= 0, wanted.modeBudget, previous.modeBudget);
     keepUnless(wanted.compression >= 0, wanted.compression, previous.compression);
     keepUnless(positive(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
+    keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
+               previous.radiation);
     keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
     if (wanted.material && !valid(*wanted.material))
         wanted.material = previous.material;
@@ -60,13 +62,15 @@ struct Synthesiser::Implementation {
     std::int32_t allowance(std::size_t slot) const;
 };
 
-Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots, double sampleRateHz)
+Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
+                         double sampleRateHz,
+                         std::size_t channels)
     : implementation(std::make_unique<Implementation>()) {
     auto& all = *implementation;
     all.sampleRate = sampleRateHz;
     all.objects.reserve(slots.size());
     for (SynthesiserSlot& slot : slots)
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, sampleRateHz);
+        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, channels, sampleRateHz);
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());
     all.sounding.reserve(slots.size());
@@ -94,9 +98,10 @@ void Synthesiser::setFrequencyRatio(std::size_t slot, double ratio) noexcept {
         implementation->objects[slot].setFrequencyRatio(ratio);
 }
 
-void Synthesiser::beginCell(std::span<float, cellSamples> cell) noexcept {
+void Synthesiser::beginCell(const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    std::fill(cell.begin(), cell.end(), 0.0f);
+    for (std::size_t c = 0; c < cell.channels(); ++c)
+        std::fill_n(cell[c].data(), cellSamples, 0.0f);
     all.listSounding();
     shareModeBudget(all.demands, all.settings.modeBudget, all.settings.qualitySlope, all.ranking,
                     all.shares);
@@ -144,7 +149,7 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
 bool Synthesiser::strike(std::size_t slot,
                          const Strike& strike,
                          double sampleInCell,
-                         std::span<float, cellSamples> cell) noexcept {
+                         const CellOutput& cell) noexcept {
     auto& all = *implementation;
     return slot < slotCount() &&
            all.objects[slot].strike(strike, sampleInCell, all.allowance(slot), cell);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Object/ModalObject.h"
+#include "Synth/CellOutput.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
 
@@ -22,10 +23,11 @@ struct SynthesiserSlot {
 };
 
 /// Constructed and destroyed off the audio thread; every other member is for the audio thread, and
-/// neither allocates, locks nor throws. Output is surface velocity in m/s (full scale 1), mono.
+/// neither allocates, locks nor throws. Output is surface velocity in m/s (full scale 1).
 class Synthesiser {
 public:
-    Synthesiser(std::vector<SynthesiserSlot> slots, double sampleRateHz);
+    /// Cells handed over have `channels`, 1 or 2.
+    Synthesiser(std::vector<SynthesiserSlot> slots, double sampleRateHz, std::size_t channels = 1);
     ~Synthesiser();
     Synthesiser(const Synthesiser&) = delete;
     Synthesiser& operator=(const Synthesiser&) = delete;
@@ -41,7 +43,7 @@ public:
     void setFrequencyRatio(std::size_t slot, double ratio) noexcept;
 
     /// Advances by one cell and writes what rings into `cell`.
-    void beginCell(std::span<float, cellSamples> cell) noexcept;
+    void beginCell(const CellOutput& cell) noexcept;
 
     /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the cell begun last and
     /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, within
@@ -53,7 +55,7 @@ public:
     bool strike(std::size_t slot,
                 const Strike& strike,
                 double sampleInCell,
-                std::span<float, cellSamples> cell) noexcept;
+                const CellOutput& cell) noexcept;
 
     /// Forgets all that rings, at once. The caller fades the output.
     void reset() noexcept;

@@ -12,7 +12,7 @@ using namespace idiophone;
 TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing is left") {
     constexpr double sampleRate = 44100;
     constexpr double omega = 2 * std::numbers::pi * 700;
-    ModalBank bank(1, sampleRate);
+    ModalBank bank(1, 1, sampleRate);
     const std::vector<double> eigenvalue{omega * omega};
     bank.movePoles(eigenvalue, {}, 20, 20000);
     bank.setState(0, {1, 0});
@@ -22,7 +22,7 @@ TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing 
     std::size_t sample = 0;
     while (fader.active()) {
         std::array<float, cellSamples> cell{};
-        fader.addCell(cell);
+        fader.addCell({cell.data(), nullptr});
         for (const float value : cell) {
             const double t = static_cast<double>(sample++) / sampleRate;
             const double part = std::min(t / 0.003, 1.0);
@@ -37,7 +37,7 @@ TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing 
     fader.leave(bank, mode);
     fader.enter(bank, mode);
     std::array<float, cellSamples> cell{};
-    fader.addCell(cell);
+    fader.addCell({cell.data(), nullptr});
     for (const float value : cell)
         CHECK(value == 0.0f);
 }

@@ -1,0 +1,30 @@
+// Where a cell of sound goes: 64 samples of one channel, or of two.
+#pragma once
+
+#include "Synth/SynthesisSettings.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace idiophone {
+
+class CellOutput {
+public:
+    CellOutput(std::span<float, cellSamples> mono) noexcept
+        : samples{mono.data(), nullptr}, count(1) {}
+    CellOutput(std::array<float, cellSamples>& mono) noexcept : CellOutput(std::span(mono)) {}
+    CellOutput(std::span<float, cellSamples> left, std::span<float, cellSamples> right) noexcept
+        : samples{left.data(), right.data()}, count(2) {}
+
+    std::size_t channels() const noexcept { return count; }
+    std::span<float, cellSamples> operator[](std::size_t channel) const noexcept {
+        return std::span<float, cellSamples>(samples[channel], cellSamples);
+    }
+
+private:
+    std::array<float*, 2> samples;
+    std::size_t count;
+};
+
+} // namespace idiophone
