@@ -1,6 +1,7 @@
 #include "Analysis/ModalAnalysis.h"
 
 #include "Analysis/Eigensolver.h"
+#include "Analysis/Radiation.h"
 #include "Analysis/SpringMassModel.h"
 #include "Analysis/TwoLayerShell.h"
 #include "Geometry/MeshRepair.h"
@@ -124,12 +125,11 @@ notesOn(const RepairedMesh& repaired, const AnalysisSettings& settings, const Mo
     return notes;
 }
 
-void storeShapes(const Modes& modes,
-                 AnalysisMethod method,
-                 const std::vector<int>& vertices,
-                 ModalObject& object) {
-    const Eigen::MatrixXd shapes =
-        method == AnalysisMethod::twoLayer ? midSurfaceShapes(modes.shapes) : modes.shapes;
+/// `shapes` [3N×M] are those of all vertices, of which `vertices` keep theirs.
+void storeModes(const Eigen::VectorXd& eigenvalues,
+                const Eigen::MatrixXd& shapes,
+                const std::vector<int>& vertices,
+                ModalObject& object) {
     object.shapes.reserve(vertices.size() * static_cast<std::size_t>(shapes.cols()) * 3);
     for (const int vertex : vertices)
         for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode)
@@ -137,7 +137,7 @@ void storeShapes(const Modes& modes,
                 object.shapes.push_back(
                     static_cast<float>(shapes(3 * Eigen::Index{vertex} + axis, mode)));
     object.shapeVertices.assign(vertices.begin(), vertices.end());
-    object.eigenvalues.assign(modes.eigenvalues.begin(), modes.eigenvalues.end());
+    object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
 }
 
 void storeMesh(const Mesh& mesh, ModalObject& object) {
@@ -205,9 +205,22 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisContro
     object.thicknessMetres = settings.thicknessMetres;
     object.method = methodName(settings.method);
     object.bandHz = settings.maxFrequencyHz;
-    storeShapes(*modes, settings.method, *vertices, object);
+    const Eigen::MatrixXd shapes = settings.method == AnalysisMethod::twoLayer
+                                       ? midSurfaceShapes(modes->shapes)
+                                       : modes->shapes;
+    storeModes(modes->eigenvalues, shapes, *vertices, object);
     storeMesh(repaired->mesh, object);
     object.mass = massProperties(repaired->mesh, settings);
+    control.report(0.99, "Computing radiation");
+    auto radiation = radiationOf({.mesh = repaired->mesh,
+                                  .shapes = shapes,
+                                  .eigenvalues = modes->eigenvalues,
+                                  .thicknessMetres = settings.thicknessMetres,
+                                  .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
+                                 {}, control);
+    if (!radiation)
+        return failure(radiation.error().message);
+    object.radiation = std::move(*radiation);
     object.provenance = {
         .source = settings.source,
         .software = "Idiophone " IDIOPHONE_VERSION,

@@ -19,6 +19,7 @@ void addStrike(CLI::App& program, Action& chosen);
 void addRender(CLI::App& program, Action& chosen);
 void addMesh(CLI::App& program, Action& chosen);
 void addFactory(CLI::App& program, Action& chosen);
+void addSurface(CLI::App& program, Action& chosen);
 void addLists(CLI::App& program, Action& chosen); ///< presets, materials, parameters
 
 } // namespace idiophone

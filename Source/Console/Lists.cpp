@@ -82,11 +82,15 @@ void printParameters() {
         std::cout << std::left << std::setw(16) << info.id << std::setw(30) << rangeOf(info)
                   << std::setw(14) << formatParameter(info, info.defaultValue) << info.description
                   << '\n';
-    std::cout << "material is one of";
-    const char* separator = " ";
-    for (const auto name : choiceNames(ParameterId::material))
-        std::cout << std::exchange(separator, ", ") << name;
-    std::cout << '\n';
+    for (const auto& info : parameterTable()) {
+        if (info.scale != ParameterScale::choice)
+            continue;
+        std::cout << info.id << " is one of";
+        const char* separator = " ";
+        for (const auto name : choiceNames(info.parameter))
+            std::cout << std::exchange(separator, ", ") << name;
+        std::cout << '\n';
+    }
 }
 
 void addList(CLI::App& program,

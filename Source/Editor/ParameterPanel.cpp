@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-constexpr int columnCount = 3, gap = 8, padding = 10, headingHeight = 21;
+constexpr int columnCount = 4, gap = 8, padding = 10, headingHeight = 21;
 
 struct Layout {
     const char* title;
@@ -18,11 +18,15 @@ struct Layout {
 using enum ParameterId;
 const Layout layouts[] = {
     {"Material", 0, {material, youngsModulus, density, fluidDamping, viscoelasticDamping, size}},
-    {"Output", 0, {level, bypass}},
-    {"Mallet", 1, {malletHardness, malletMass, malletSpeed, velocityCurve}},
-    {"Strike", 1, {strikeAlong, strikeAcross, strikeSpread}},
-    {"Playing", 2, {letRing, releaseTime, tune, bendRange}},
-    {"Quality", 2, {tau, qualitySlope, modeBudget, compression}},
+    {"Playing", 0, {letRing, releaseTime, tune, bendRange}},
+    {"Mallet",
+     1,
+     {mallet, malletHardness, malletMass, malletRadius, malletSpeed, velocityCurve, chatter,
+      modalPulse}},
+    {"Strike", 2, {strikeAlong, strikeAcross, strikeSpread}},
+    {"Scrape and roll", 2, {contact, contactForce, contactSpeed, roughness}},
+    {"Output", 3, {level, radiation, width, matchLoudness, bypass}},
+    {"Quality", 3, {tau, qualitySlope, modeBudget, compression}},
 };
 
 } // namespace
@@ -56,9 +60,9 @@ void ParameterPanel::paint(juce::Graphics& g) {
 }
 
 void ParameterPanel::resized() {
-    constexpr int mostRows = 8, mostHeadings = 2;
+    constexpr int mostRows = 10, mostHeadings = 2;
     const int rowHeight =
-        juce::jlimit(33, 52, (getHeight() - 2 * padding - mostHeadings * headingHeight) / mostRows);
+        juce::jlimit(30, 52, (getHeight() - 2 * padding - mostHeadings * headingHeight) / mostRows);
     columns.clear();
     const int width = (getWidth() - (columnCount - 1) * gap) / columnCount;
     for (int column = 0; column < columnCount; ++column) {

@@ -1,5 +1,9 @@
 #include "Instrument/MalletStrike.h"
 
+#include "Instrument/Mallet.h"
+#include "Instrument/Scatter.h"
+#include "Instrument/SettingsOfParameters.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +12,13 @@ namespace {
 
 using enum ParameterId;
 
-constexpr double headRadiusMetres = 0.0125; // of the hard mallets in use
-
-/// −1 to 1, evenly spread, from an integer (the finaliser of MurmurHash3).
-double scatter(std::uint32_t number) {
-    number ^= number >> 16;
-    number *= 0x85ebca6bu;
-    number ^= number >> 13;
-    number *= 0xc2b2ae35u;
-    number ^= number >> 16;
-    return number / 2147483647.5 - 1;
+/// The mallet of the rack that is chosen, or nullptr where the custom one is.
+const Mallet* chosenMallet(const ParameterValues& parameters) {
+    const auto index = static_cast<int>(parameters[mallet]) - firstRackMallet;
+    const auto rack = malletRack();
+    return index >= 0 && index < static_cast<int>(rack.size())
+               ? &rack[static_cast<std::size_t>(index)]
+               : nullptr;
 }
 
 } // namespace
@@ -32,16 +33,31 @@ strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t st
     return {.along = keyAlong + along * (along > 0 ? 1 - keyAlong : keyAlong), .across = across};
 }
 
+double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters) {
+    const auto compliance = [](double modulusPa, double poissonRatio) {
+        return (1 - poissonRatio * poissonRatio) / modulusPa;
+    };
+    if (const auto* chosen = chosenLibraryMaterial(parameters))
+        return compliance(chosen->youngsModulusPa, chosen->poissonRatio);
+    if (static_cast<int>(parameters[material]) == customMaterial)
+        return compliance(parameters[youngsModulus] * 1e9, own.poissonRatio);
+    return compliance(own.youngsModulusPa, own.poissonRatio);
+}
+
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
                     double malletScale,
-                    const ParameterValues& parameters) {
+                    const ParameterValues& parameters,
+                    double surfaceCompliance) {
     const double speed =
         parameters[malletSpeed] * std::pow(velocity / 127.0, parameters[velocityCurve]);
-    const double massKg = parameters[malletMass] * 1e-3;
-    const double modulusPa = parameters[malletHardness] * 1e6;
-    const double contactSeconds =
-        2.87 * std::pow(massKg * massKg / (headRadiusMetres * modulusPa * modulusPa * speed), 0.2);
+    const auto* racked = chosenMallet(parameters);
+    const double massKg = racked != nullptr ? racked->massKg : parameters[malletMass] * 1e-3;
+    const double radiusMetres =
+        racked != nullptr ? racked->headRadiusMetres : parameters[malletRadius] * 1e-3;
+    const double modulusPa = racked != nullptr ? contactModulusPa(*racked, surfaceCompliance)
+                                               : parameters[malletHardness] * 1e6;
+    const double contactSeconds = hertzContactSeconds(massKg, radiusMetres, modulusPa, speed);
     const auto impulse = static_cast<float>(massKg * speed * std::pow(malletScale, 3));
     return {.point = point,
             .impulseNewtonSeconds = {-impulse * point.normal[0], -impulse * point.normal[1],

@@ -1,6 +1,7 @@
 // From a key's velocity and the mallet's parameters to a contact: where, how hard, how long.
 #pragma once
 
+#include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Strike.h"
 
@@ -18,12 +19,18 @@ struct StrikePlace {
 StrikePlace
 strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t strikeNumber);
 
-/// The strike of a mallet at MIDI velocity 1 to 127: impulse m v, contact time after Hertz,
-/// T = 2.87 (m² / (R E*² v))^(1/5) with a head of radius 12.5 mm. A mallet scaled by s has s³ its
-/// mass and s times its contact time at the same speed. Any thread.
+/// (1 − ν²)/E [1/Pa] of what is struck: of the live material where one is chosen, else of the
+/// object's own. The custom material has the object's Poisson ratio. Any thread.
+double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters);
+
+/// The strike of the chosen mallet at MIDI velocity 1 to 127: impulse m v, contact time after Hertz
+/// (Mallet.h). A mallet of the rack meets a surface of that compliance, 0 being rigid; the custom
+/// mallet's hardness is the modulus of the whole contact, whatever it meets. A mallet scaled by s
+/// has s³ its mass and s times its contact time at the same speed. Any thread.
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
                     double malletScale,
-                    const ParameterValues& parameters);
+                    const ParameterValues& parameters,
+                    double surfaceCompliance = 0);
 
 } // namespace idiophone

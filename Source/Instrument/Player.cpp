@@ -1,5 +1,6 @@
 #include "Instrument/Player.h"
 
+#include "Instrument/ContactTrain.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 
@@ -14,6 +15,7 @@ using enum ParameterId;
 
 constexpr double decibels60 = 6.907755278982137; // ln(1000)
 constexpr double silencingSeconds = 0.02;        // T60 of "all sound off"
+constexpr std::size_t pendingCapacity = 1024;    // 113 chattering blows with modal pulses in 15 ms
 
 enum ControllerNumber {
     sustainController = 64,
@@ -26,10 +28,18 @@ std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
     return {instrument.slots().begin(), instrument.slots().end()};
 }
 
+std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
+    std::vector<LowestModes> modes;
+    for (const auto& slot : instrument.slots())
+        modes.emplace_back(*slot.object, slot.sizeRatio);
+    return modes;
+}
+
 } // namespace
 
 Player::Player(std::shared_ptr<const Instrument> instrument, double sampleRateHz)
     : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz),
+      pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
       slotHeld(playedInstrument->slots().size(), false),
       slotSilenced(playedInstrument->slots().size(), false) {}
 
@@ -51,6 +61,7 @@ void Player::process(std::span<float> output,
         int until = std::min(count, position + cellSamples - cellPosition);
         if (next < events.size())
             until = std::min(until, events[next].sampleOffset);
+        strikePendingBefore(cellPosition + until - position);
         std::copy_n(cell.begin() + cellPosition, until - position, output.begin() + position);
         cellPosition += until - position;
         position = until;
@@ -100,6 +111,7 @@ void Player::controller(int number, int value) {
         break;
     case allSoundOff:
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
+        pending.clear();
         [[fallthrough]];
     case allNotesOff:
         keysDown.reset();
@@ -122,16 +134,52 @@ void Player::strikeFor(const MidiEvent& event) {
     const auto& key = playedInstrument->key(event.bytes[1]);
     if (key.slot < 0)
         return;
-    const auto place = strikePlace(key.along, current, strikeCount++);
-    const auto strike = malletStrike(playedInstrument->strip(key).at(place.along, place.across),
-                                     velocity, key.malletScale, current);
-    synth.strike(static_cast<std::size_t>(key.slot), strike, cellPosition, cell);
+    const auto slot = static_cast<std::size_t>(key.slot);
+    const auto& own = playedInstrument->slots()[slot].object->material;
+    const auto number = strikeCount++;
+    const auto place = strikePlace(key.along, current, number);
+    const auto strike =
+        malletStrike(playedInstrument->strip(key).at(place.along, place.across), velocity,
+                     key.malletScale, current, surfaceCompliancePerPa(own, current));
+    auto train = contactTrain(strike, key.malletScale, current[chatter], number);
+    if (current[modalPulse] != 0) {
+        const auto settings = synthesisSettings(current, bend * current[bendRange]);
+        train = withModalPulses(train,
+                                lowestModes[slot].moved(liveFrequencyRatio(own, settings)).span());
+    }
+    if (train.size() > pending.room()) {
+        synth.strike(slot, strike, cellPosition, cell);
+        return;
+    }
+    for (const auto& contact : train)
+        schedule(slot, contact.delaySeconds, contact.strike);
+}
+
+void Player::schedule(std::size_t slot, double delaySeconds, const Strike& strike) {
+    const double sample = cellPosition + delaySeconds * synth.sampleRateHz();
+    const double cells = std::floor(sample / cellSamples);
+    pending.add({.cell = cellIndex + static_cast<std::int64_t>(cells),
+                 .sampleInCell = sample - cells * cellSamples,
+                 .slot = slot,
+                 .strike = strike});
+}
+
+// In order of time and before their samples are played: so the order of strikes, and with it every
+// bit, is the same for all block sizes.
+void Player::strikePendingBefore(double sampleInCell) {
+    for (const auto* next = pending.next();
+         next != nullptr && next->cell == cellIndex && next->sampleInCell < sampleInCell;
+         next = pending.next()) {
+        synth.strike(next->slot, next->strike, next->sampleInCell, cell);
+        pending.pop();
+    }
 }
 
 void Player::beginCell() {
     synth.setSettings(synthesisSettings(current, bend * current[bendRange]));
     updateDampers();
     synth.beginCell(cell);
+    ++cellIndex;
     cellPosition = 0;
 }
 
@@ -152,7 +200,9 @@ void Player::reset() {
     synth.reset();
     cell.fill(0);
     cellPosition = cellSamples;
+    cellIndex = -1;
     strikeCount = 0;
+    pending.clear();
     keysDown.reset();
     keysSustained.reset();
     sustainPedal = false;
@@ -162,7 +212,7 @@ void Player::reset() {
 }
 
 bool Player::silent() const {
-    return synth.silent() &&
+    return synth.silent() && pending.empty() &&
            std::all_of(cell.begin() + cellPosition, cell.end(), [](float x) { return x == 0; });
 }
 

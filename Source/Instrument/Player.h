@@ -3,6 +3,8 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
+#include "Instrument/LowestModes.h"
+#include "Instrument/PendingStrikes.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Synthesiser.h"
 
@@ -52,6 +54,8 @@ private:
     void keyDown(int note);
     void keyUp(int note);
     void controller(int number, int value);
+    void schedule(std::size_t slot, double delaySeconds, const Strike& strike);
+    void strikePendingBefore(double sampleInCell);
     void beginCell();
     void updateDampers();
 
@@ -60,7 +64,10 @@ private:
     ParameterValues current;
     alignas(64) std::array<float, cellSamples> cell{};
     int cellPosition = cellSamples;
+    std::int64_t cellIndex = -1; ///< of the cell begun last
     std::uint32_t strikeCount = 0;
+    PendingStrikes pending;
+    std::vector<LowestModes> lowestModes; ///< of each slot
 
     std::bitset<128> keysDown;
     std::bitset<128> keysSustained;

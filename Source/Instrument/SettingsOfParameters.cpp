@@ -1,7 +1,5 @@
 #include "Instrument/SettingsOfParameters.h"
 
-#include "Object/Material.h"
-
 #include <cmath>
 
 namespace idiophone {
@@ -10,20 +8,18 @@ namespace {
 using enum ParameterId;
 
 std::optional<LiveMaterial> liveMaterial(const ParameterValues& values) {
-    const int choice = static_cast<int>(values[material]);
-    if (choice == customMaterial)
+    if (static_cast<int>(values[material]) == customMaterial)
         return LiveMaterial{.youngsModulusPa = values[youngsModulus] * 1e9,
                             .densityKgPerM3 = values[density],
                             .fluidDampingPerSecond = values[fluidDamping],
                             .viscoelasticDampingSeconds = values[viscoelasticDamping] * 1e-6};
-    const auto library = materialLibrary();
-    const auto index = static_cast<std::size_t>(choice - firstLibraryMaterial);
-    if (choice < firstLibraryMaterial || index >= library.size())
+    const auto* chosen = chosenLibraryMaterial(values);
+    if (chosen == nullptr)
         return std::nullopt;
-    return LiveMaterial{.youngsModulusPa = library[index].youngsModulusPa,
-                        .densityKgPerM3 = library[index].densityKgPerM3,
-                        .fluidDampingPerSecond = library[index].fluidDampingPerSecond,
-                        .viscoelasticDampingSeconds = library[index].viscoelasticDampingSeconds};
+    return LiveMaterial{.youngsModulusPa = chosen->youngsModulusPa,
+                        .densityKgPerM3 = chosen->densityKgPerM3,
+                        .fluidDampingPerSecond = chosen->fluidDampingPerSecond,
+                        .viscoelasticDampingSeconds = chosen->viscoelasticDampingSeconds};
 }
 
 } // namespace
@@ -37,6 +33,13 @@ SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSe
             .sizeRatio = values[size],
             .frequencyRatio = std::exp2((values[tune] / 100 + bendSemitones) / 12),
             .material = liveMaterial(values)};
+}
+
+const Material* chosenLibraryMaterial(const ParameterValues& values) {
+    const int choice = static_cast<int>(values[material]);
+    const auto library = materialLibrary();
+    const auto index = static_cast<std::size_t>(choice - firstLibraryMaterial);
+    return choice >= firstLibraryMaterial && index < library.size() ? &library[index] : nullptr;
 }
 
 } // namespace idiophone

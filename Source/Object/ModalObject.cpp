@@ -61,6 +61,10 @@ std::string geometryFault(const ModalObject& object) {
     return {};
 }
 
+std::string radiationFault(const ModalObject& object) {
+    return faultOf(object.radiation, object.modeCount());
+}
+
 std::string scalarsFault(const ModalObject& object) {
     if (!std::isfinite(object.thicknessMetres) || object.thicknessMetres < 0 ||
         (object.body == BodyKind::shell && object.thicknessMetres == 0))
@@ -81,7 +85,8 @@ std::string scalarsFault(const ModalObject& object) {
 Result<ModalObject> validated(ModalObject object) {
     if (auto material = validated(object.material); !material)
         return failure(material.error().message);
-    for (const auto fault : {sizesFault, eigenvaluesFault, geometryFault, scalarsFault})
+    for (const auto fault :
+         {sizesFault, eigenvaluesFault, geometryFault, radiationFault, scalarsFault})
         if (const auto sentence = fault(object); !sentence.empty())
             return failure(sentence);
     return object;

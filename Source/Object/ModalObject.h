@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Object/Material.h"
+#include "Object/RadiationTable.h"
 
 #include <array>
 #include <cstddef>
@@ -47,6 +48,7 @@ struct ModalObject {
     std::vector<float> vertices;             ///< [N,3] in metres
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
     std::vector<double> bending;             ///< empty, or [M] bending part of λ (0 ≤ b ≤ λ)
+    RadiationTable radiation;                ///< of the whole surface, or empty
 
     MassProperties mass;
     Provenance provenance;

@@ -46,6 +46,7 @@ public:
         object.faces = values<std::int32_t>("faces", "I32", 2);
         if (container.tensors.contains("bending"))
             object.bending = values<double>("bending", "F64", 1);
+        object.radiation = radiation();
         return object;
     }
 
@@ -139,22 +140,29 @@ private:
         const auto found = container.tensors.find(name);
         if (found == container.tensors.end())
             throw Fault{"it lacks the tensor '" + std::string(name) + "'"};
-        const auto& shape = found->second.shape;
-        if (shape.size() != rank || (rank > 1 && shape.back() != 3))
+        if (found->second.shape.size() != rank)
             throw Fault{"tensor '" + std::string(name) + "' does not have the right shape"};
         return found->second;
     }
 
+    /// [..., 3]
+    const Tensor& vectors(const char* name, std::size_t rank) const {
+        const auto& found = tensor(name, rank);
+        if (found.shape.back() != 3)
+            throw Fault{"tensor '" + std::string(name) + "' does not have the right shape"};
+        return found;
+    }
+
     template <class Value>
     std::vector<Value> values(const char* name, const char* type, std::size_t rank) const {
-        const auto& found = tensor(name, rank);
+        const auto& found = rank == 2 ? vectors(name, rank) : tensor(name, rank);
         if (found.type != type)
             throw Fault{"tensor '" + std::string(name) + "' is not of type " + type};
         return found.copy<Value>();
     }
 
     std::vector<float> shapes() const {
-        const auto& found = tensor("shapes", 3);
+        const auto& found = vectors("shapes", 3);
         // The counts of the other tensors are compared with the product only.
         if (found.shape[0] != tensor("shape_vertices", 1).shape[0] ||
             found.shape[1] != tensor("eigenvalues", 1).shape[0])
@@ -167,6 +175,24 @@ private:
         std::vector<float> result(halves.size());
         std::ranges::transform(halves, result.begin(), halfToFloat);
         return result;
+    }
+
+    RadiationTable radiation() const {
+        const auto has = [&](const char* name) { return container.tensors.contains(name); };
+        if (!has("radiation") && !has("radiation_directions") && !has("radiation_ratios"))
+            return {};
+        RadiationTable table;
+        table.weights = values<float>("radiation", "F32", 3);
+        const auto directions = values<float>("radiation_directions", "F32", 2);
+        table.frequencyRatios = values<double>("radiation_ratios", "F64", 1);
+        for (std::size_t d = 0; d < directions.size(); d += 3)
+            table.directions.push_back({directions[d], directions[d + 1], directions[d + 2]});
+        const auto& shape = tensor("radiation", 3).shape;
+        if (table.weights.empty() || shape[0] != table.directions.size() ||
+            shape[1] != table.frequencyRatios.size() ||
+            shape[2] != tensor("eigenvalues", 1).shape[0])
+            throw Fault{"the size of the radiation is not directions x ratios x modes"};
+        return table;
     }
 
     Container container;
@@ -257,7 +283,15 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
     writer.add("eigenvalues", "F64", {modes}, object.eigenvalues);
     if (!object.bending.empty())
         writer.add("bending", "F64", {modes}, object.bending);
+    const auto& radiation = object.radiation;
+    const auto directions = radiation.directions.size(), ratios = radiation.frequencyRatios.size();
+    if (!radiation.empty())
+        writer.add("radiation_ratios", "F64", {ratios}, radiation.frequencyRatios);
     writer.add("vertices", "F32", {object.vertexCount(), 3}, object.vertices);
+    if (!radiation.empty()) {
+        writer.add("radiation_directions", "F32", {directions, 3}, radiation.directions);
+        writer.add("radiation", "F32", {directions, ratios, modes}, radiation.weights);
+    }
     writer.add("faces", "I32", {object.faceCount(), 3}, object.faces);
     writer.add("shape_vertices", "I32", {shapeVertices}, object.shapeVertices);
     if (precision == ShapePrecision::single) {

@@ -42,9 +42,9 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
     {strikeSpread, "spread", "Strike spread", "%", linear, 0, 100, 2, 1, 1,
      "How far strikes stray from the position, as a player's do", nullptr},
     {malletHardness, "hardness", "Mallet hardness", "MPa", logarithmic, 1, 100000, 1000, 3, 1,
-     "Elastic modulus of the contact: 2 is wound yarn, 100 hard rubber, 1000 wood, 60000 brass", nullptr},
+     "Modulus of the custom mallet's contact: 2 is wound yarn, 100 hard rubber, 1000 wood, 60000 brass", nullptr},
     {malletMass, "mallet_mass", "Mallet mass", "g", logarithmic, 1, 500, 20, 3, 1,
-     "Heavier mallets strike louder, longer and darker", nullptr},
+     "Mass of the custom mallet: heavier ones strike louder, longer and darker", nullptr},
     {malletSpeed, "mallet_speed", "Mallet speed", "m/s", logarithmic, 0.1, 10, 3, 3, 1,
      "Speed of the mallet at velocity 127", nullptr},
     {velocityCurve, "velocity_curve", "Velocity curve", "", logarithmic, 0.25, 4, 1.5, 3, 1,
@@ -61,12 +61,41 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "Output level", nullptr},
     {bypass, "bypass", "Bypass", "", onOff, 0, 1, 0, 0, 1,
      "Silences the instrument", nullptr},
+    {mallet, "mallet", "Mallet", "", choice, 0, 31, customMallet, 0, 2,
+     "What strikes; Custom takes mallet hardness, mass and radius", nullptr},
+    {malletRadius, "mallet_radius", "Mallet radius", "mm", logarithmic, 1, 100, 12.5, 3, 2,
+     "Radius of the custom mallet's head: larger heads strike a little shorter and brighter", nullptr},
+    {chatter, "chatter", "Chatter", "%", linear, 0, 100, 0, 1, 2,
+     "How much of a hard blow comes as further collisions within 15 ms", nullptr},
+    {modalPulse, "modal_pulse", "Modal pulse", "", onOff, 0, 1, 0, 0, 2,
+     "On: blows last as long as periods of the object's lowest modes, as of something small and hard",
+     nullptr},
+    {radiation, "radiation", "Radiation", "%", linear, 0, 100, 0, 1, 2,
+     "From what is heard where an object is struck to what its whole surface radiates", nullptr},
+    {width, "width", "Stereo width", "%", linear, 0, 200, 100, 1, 2,
+     "How far apart the two listening directions are heard", nullptr},
+    {matchLoudness, "match_loudness", "Match loudness", "", onOff, 0, 1, 0, 0, 2,
+     "On: another material or mallet is as loud as the preset's own", nullptr},
+    {contact, "contact", "Contact", "", choice, 0, 7, strikeContact, 0, 2,
+     "What a held key does: strike once, or scrape or roll while pressure presses it", nullptr},
+    {contactForce, "force", "Contact force", "N", logarithmic, 0.01, 100, 5, 3, 2,
+     "How hard full pressure presses a scrape or roll", nullptr},
+    {contactSpeed, "speed", "Contact speed", "m/s", logarithmic, 0.01, 10, 1, 3, 2,
+     "How fast the full modulation wheel moves a scrape or roll", nullptr},
+    {roughness, "roughness", "Roughness", "x", logarithmic, 0.01, 10, 1, 3, 2,
+     "How rough the surface is that scrapes or rolls", nullptr},
 }};
 
 // Appended to only: automation stores the number. Library names in the order of materialLibrary().
 constexpr std::array<std::string_view, 13> materialNames{
     "Own", "Custom", "Rosewood", "Padauk", "Wood", "Ceramic", "Glass", "Plastic", "Iron",
     "Polycarbonate", "Steel", "Tin", "Aluminium"};
+
+// Appended to only, in the order of malletRack().
+constexpr std::array<std::string_view, 8> malletNames{
+    "Custom", "Yarn", "Soft rubber", "Medium rubber", "Hard rubber", "Wood", "Hard plastic", "Brass"};
+
+constexpr std::array<std::string_view, 3> contactNames{"Strike", "Scrape", "Roll"};
 // clang-format on
 
 constexpr bool tableIsInOrder() {
@@ -151,6 +180,10 @@ const ParameterInfo* findParameter(std::string_view id) {
 std::span<const std::string_view> choiceNames(ParameterId parameter) {
     if (parameter == material)
         return materialNames;
+    if (parameter == mallet)
+        return malletNames;
+    if (parameter == contact)
+        return contactNames;
     return {};
 }
 

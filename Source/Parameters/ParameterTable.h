@@ -36,6 +36,17 @@ enum class ParameterId : std::size_t {
     bendRange,
     level,
     bypass,
+    mallet,
+    malletRadius,
+    chatter,
+    modalPulse,
+    radiation,
+    width,
+    matchLoudness,
+    contact,
+    contactForce,
+    contactSpeed,
+    roughness,
     count
 };
 
@@ -98,5 +109,11 @@ private:
 
 /// Choices of ParameterId::material with a meaning of their own; library materials follow.
 enum MaterialChoice { ownMaterial = 0, customMaterial = 1, firstLibraryMaterial = 2 };
+
+/// Choices of ParameterId::mallet: the custom one, then those of the rack.
+enum MalletChoice { customMallet = 0, firstRackMallet = 1 };
+
+/// Choices of ParameterId::contact: what a held key does.
+enum ContactChoice { strikeContact = 0, scrapeContact = 1, rollContact = 2 };
 
 } // namespace idiophone

@@ -1,5 +1,6 @@
 #include "Analysis/ModalAnalysis.h"
 
+#include "Analysis/Radiation.h"
 #include "Analysis/TwoLayerShell.h"
 #include "Geometry/ParametricMesh.h"
 #include "TestMaterials.h"
@@ -45,6 +46,8 @@ TEST_CASE("An analysed object is complete and says where it comes from") {
     CHECK(object->shapeVertexCount() == static_cast<std::size_t>(mesh.vertexCount()));
     CHECK(object->vertexCount() == static_cast<std::size_t>(mesh.vertexCount()));
     CHECK(object->faceCount() == static_cast<std::size_t>(mesh.faceCount()));
+    CHECK(object->radiation.directions.size() == 2);
+    CHECK(object->radiation.frequencyRatios == halfOctaveRatios());
     CHECK(object->provenance.zeroModes == 6);
     CHECK(object->provenance.analysedVertices == mesh.vertexCount());
     CHECK(object->provenance.analysisSeconds > 0);
@@ -134,6 +137,7 @@ TEST_CASE("The same input gives the same object bit for bit") {
         REQUIRE(second);
         CHECK(first->eigenvalues == second->eigenvalues);
         CHECK(first->shapes == second->shapes);
+        CHECK(first->radiation == second->radiation);
     }
 }
 
@@ -190,6 +194,7 @@ TEST_CASE("Chosen vertices alone carry shapes, the same as when all do") {
     for (std::size_t row = 0; row < 3; ++row)
         CHECK(std::ranges::equal(some->shapesAt(row), all->shapesAt(static_cast<std::size_t>(
                                                           some->shapeVertices[row]))));
+    CHECK(some->radiation == all->radiation); // of the whole surface all the same
     settings.shapeVertices = {-1};
     CHECK_THAT(errorOf(mesh, settings), ContainsSubstring("does not exist"));
 }

@@ -27,6 +27,49 @@ TEST_CASE("Contact times agree with Hertz for a hard mallet of 20 g on wood") {
     CHECK(contactMilliseconds(100, 25, 1) == Approx(0.99).margin(0.01));
 }
 
+TEST_CASE("The custom mallet's contact time falls with its radius and ignores what is struck") {
+    ParameterValues values;
+    const double own = malletStrike({}, 100, 1, values).durationSeconds;
+    CHECK(malletStrike({}, 100, 1, values, 1e-9).durationSeconds == own);
+    CHECK(own ==
+          2.87 * std::pow(0.02 * 0.02 / (0.0125 * 1e9 * 1e9 * 3 * std::pow(100 / 127.0, 1.5)),
+                          0.2)); // to the last bit, as before there was a rack
+    values.set(malletRadius, 25);
+    CHECK(malletStrike({}, 100, 1, values).durationSeconds == Approx(own * std::pow(2, -0.2)));
+}
+
+TEST_CASE("A mallet of the rack brings its own mass, radius and modulus, and meets the surface") {
+    ParameterValues values;
+    values.set(mallet, 5); // wood
+    values.set(velocityCurve, 1);
+    values.set(malletSpeed, 3);
+    const StrikePoint point{.shapeRows = {0, 0, 0}, .weights = {1, 0, 0}, .normal = {0, 0, 1}};
+    const auto rigid = malletStrike(point, 127, 1, values);
+    CHECK(rigid.impulseNewtonSeconds[2] == Approx(-0.016 * 3));
+    values.set(malletHardness, 5);
+    values.set(malletMass, 300);
+    values.set(malletRadius, 50);
+    CHECK(malletStrike(point, 127, 1, values).durationSeconds == rigid.durationSeconds);
+    // A surface as compliant as the head: half the modulus.
+    CHECK(malletStrike(point, 127, 1, values, 1 / 8.5e8).durationSeconds ==
+          Approx(rigid.durationSeconds * std::pow(2, 0.4)));
+    values.set(mallet, parameterInfo(mallet).maximum); // kept free: as custom
+    CHECK(malletStrike(point, 127, 1, values).impulseNewtonSeconds[2] == Approx(-0.9));
+}
+
+TEST_CASE("The live material is what the mallet meets where one is chosen, else the object's own") {
+    const auto& own = *findMaterial("Plastic");
+    const auto& glass = *findMaterial("Glass");
+    ParameterValues values;
+    CHECK(surfaceCompliancePerPa(own, values) == Approx((1 - 0.35 * 0.35) / 1.4e9));
+    values.set(material, *parseParameter(parameterInfo(material), "Glass"));
+    CHECK(surfaceCompliancePerPa(own, values) ==
+          Approx((1 - glass.poissonRatio * glass.poissonRatio) / glass.youngsModulusPa));
+    values.set(material, customMaterial);
+    values.set(youngsModulus, 5);
+    CHECK(surfaceCompliancePerPa(own, values) == Approx((1 - 0.35 * 0.35) / 5e9));
+}
+
 TEST_CASE("The impulse is mass times speed, into the surface, and grows with velocity") {
     ParameterValues values;
     values.set(malletMass, 20);

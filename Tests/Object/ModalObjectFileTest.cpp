@@ -28,9 +28,19 @@ std::vector<std::byte> withHeader(const std::string& header,
     return file;
 }
 
+/// Three modes heard in two directions at two ratios.
+ModalObject radiatingObject() {
+    auto object = syntheticObject({100, 200, 300});
+    object.radiation = {.directions = {{0.6f, -0.8f, 0}, {0, 0, 1}},
+                        .frequencyRatios = {0.1, 3},
+                        .weights = {1, -2, 3e-9f, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
+    return object;
+}
+
 /// A valid file whose header went through `change`.
-std::vector<std::byte> changed(const std::function<void(json&)>& change) {
-    const auto file = encodeModalObject(syntheticObject({100, 200, 300}));
+std::vector<std::byte> changed(const std::function<void(json&)>& change,
+                               const ModalObject& object = syntheticObject({100, 200, 300})) {
+    const auto file = encodeModalObject(object);
     std::uint64_t length = 0;
     std::memcpy(&length, file.data(), 8);
     auto header = json::parse(reinterpret_cast<const char*>(file.data()) + 8,
@@ -52,6 +62,7 @@ void checkRefused(std::span<const std::byte> file, const char* sentence) {
 TEST_CASE("An object read back is the object written, to the last bit") {
     auto object = syntheticObject({100, 200.125, 44000}, {0.3f, -1.7f, 3e-9f});
     object.bending = {1, 2, 3};
+    object.radiation = radiatingObject().radiation;
     object.provenance = {.source = "a \"mesh\" – ü.obj",
                          .software = "Idiophone",
                          .notes = "line\nline",
@@ -66,6 +77,7 @@ TEST_CASE("An object read back is the object written, to the last bit") {
     CHECK(back->eigenvalues == object.eigenvalues);
     CHECK(back->shapes == object.shapes);
     CHECK(back->bending == object.bending);
+    CHECK(back->radiation == object.radiation);
     CHECK(back->vertices == object.vertices);
     CHECK(back->faces == object.faces);
     CHECK(back->provenance.source == object.provenance.source);
@@ -141,6 +153,54 @@ TEST_CASE("A hostile tensor is refused with its fault") {
     checkRefused(changed(change), sentence);
 }
 
+TEST_CASE("A hostile radiation table is refused with its fault") {
+    using Change = std::function<void(json&)>;
+    const auto rename = [](const char* name) {
+        return [name](json& h) {
+            h["other"] = h[name];
+            h.erase(name);
+        };
+    };
+    const auto reshape = [](const char* name, const json& shape) {
+        return [name, shape](json& h) { h[name]["shape"] = shape; };
+    };
+    const auto [change, sentence] = GENERATE_COPY(table<Change, const char*>({
+        {rename("radiation"), "lacks the tensor 'radiation'"},
+        {rename("radiation_directions"), "lacks the tensor 'radiation_directions'"},
+        {rename("radiation_ratios"), "lacks the tensor 'radiation_ratios'"},
+        {[](json& h) { h["radiation"]["dtype"] = "I32"; }, "not of type F32"},
+        {[](json& h) { h["radiation_directions"]["dtype"] = "I32"; }, "not of type F32"},
+        {[](json& h) { h["radiation_ratios"]["dtype"] = "I64"; }, "not of type F64"},
+        {reshape("radiation", {12}), "right shape"},
+        {reshape("radiation_directions", {3, 2}), "right shape"},
+        {reshape("radiation_ratios", {1, 2}), "right shape"},
+        {reshape("radiation", {2, 3, 2}), "directions x ratios x modes"},
+        {reshape("radiation", {1, 4, 3}), "directions x ratios x modes"},
+        {reshape("radiation", {4, 1, 3}), "directions x ratios x modes"},
+        {reshape("radiation", {2, 2, 1ull << 62}), "more data than"},
+    }));
+    checkRefused(changed(change, radiatingObject()), sentence);
+
+    auto object = radiatingObject();
+    object.radiation.directions[1] = {0, 0, 0.9f};
+    checkRefused(encodeModalObject(object), "not a unit vector");
+    object = radiatingObject();
+    object.radiation.frequencyRatios = {3, 0.1};
+    checkRefused(encodeModalObject(object), "not in ascending order");
+    object = radiatingObject();
+    object.radiation.weights[5] = std::numeric_limits<float>::infinity();
+    checkRefused(encodeModalObject(object), "not a finite number");
+}
+
+TEST_CASE("A radiation table of no size is refused") {
+    const auto file = changed([](json& h) {
+        h["radiation"] = {{"dtype", "F32"}, {"shape", {0, 0, 3}}, {"data_offsets", {0, 0}}};
+        h["radiation_directions"] = {{"dtype", "F32"}, {"shape", {0, 3}}, {"data_offsets", {0, 0}}};
+        h["radiation_ratios"] = {{"dtype", "F64"}, {"shape", {0}}, {"data_offsets", {0, 0}}};
+    });
+    checkRefused(file, "directions x ratios x modes");
+}
+
 TEST_CASE("Values that make no sense are refused as by validation") {
     auto object = syntheticObject({100, 200});
     object.eigenvalues[1] = std::numeric_limits<double>::quiet_NaN();
@@ -148,7 +208,7 @@ TEST_CASE("Values that make no sense are refused as by validation") {
 }
 
 TEST_CASE("No truncation and no flipped byte crashes the reader") {
-    const auto file = encodeModalObject(syntheticObject({100, 200, 300}));
+    const auto file = encodeModalObject(radiatingObject());
     for (std::size_t size = 0; size < file.size(); ++size)
         CHECK_FALSE(readModalObject(std::span(file).first(size), "cut.modal"));
     std::mt19937 random(1);

@@ -53,6 +53,13 @@ TEST_CASE("Each malformed field is named") {
     refuse([](auto& o) { o.faces[0] = -1; }, "face");
     refuse([](auto& o) { o.shapeVertices[3] = 7; }, "does not exist");
     refuse([](auto& o) { std::swap(o.shapeVertices[0], o.shapeVertices[1]); }, "ascending order");
+    refuse([](auto& o) { o.radiation.frequencyRatios = {1}; }, "radiation is not directions");
+    refuse(
+        [](auto& o) {
+            o.radiation = {{{1, 0, 0}}, {1}, {1, 2}};
+        },
+        "radiation is not directions");
+    refuse([](auto& o) { o.radiation = {{{1, 1, 0}}, {1}, {1, 2, 3}}; }, "unit vector");
     refuse([](auto& o) { o.thicknessMetres = 0; }, "thickness");
     refuse([](auto& o) { o.bandHz = 0; }, "band");
     refuse([](auto& o) { o.mass.massKg = -1; }, "mass");

@@ -25,14 +25,18 @@ HostParameter& parameterOf(Processor& processor, const char* id) {
 TEST_CASE("Parameter ids and version hints are those that were published") {
     // Append only: what stands here is in people's projects.
     const std::vector<std::pair<juce::String, int>> published{
-        {"tau", 1},          {"slope", 1},          {"budget", 1},
-        {"compression", 1},  {"material", 1},       {"young", 1},
-        {"density", 1},      {"gamma", 1},          {"eta", 1},
-        {"size", 1},         {"strike_along", 1},   {"strike_across", 1},
-        {"spread", 1},       {"hardness", 1},       {"mallet_mass", 1},
-        {"mallet_speed", 1}, {"velocity_curve", 1}, {"let_ring", 1},
-        {"release", 1},      {"tune", 1},           {"bend_range", 1},
-        {"level", 1},        {"bypass", 1}};
+        {"tau", 1},           {"slope", 1},          {"budget", 1},
+        {"compression", 1},   {"material", 1},       {"young", 1},
+        {"density", 1},       {"gamma", 1},          {"eta", 1},
+        {"size", 1},          {"strike_along", 1},   {"strike_across", 1},
+        {"spread", 1},        {"hardness", 1},       {"mallet_mass", 1},
+        {"mallet_speed", 1},  {"velocity_curve", 1}, {"let_ring", 1},
+        {"release", 1},       {"tune", 1},           {"bend_range", 1},
+        {"level", 1},         {"bypass", 1},         {"mallet", 2},
+        {"mallet_radius", 2}, {"chatter", 2},        {"modal_pulse", 2},
+        {"radiation", 2},     {"width", 2},          {"match_loudness", 2},
+        {"contact", 2},       {"force", 2},          {"speed", 2},
+        {"roughness", 2}};
     Processor processor;
     std::vector<std::pair<juce::String, int>> present;
     for (auto* parameter : processor.getParameters()) {

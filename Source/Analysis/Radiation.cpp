@@ -1,0 +1,292 @@
+#include "Analysis/Radiation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double soundSpeedMetresPerSecond = 343;
+constexpr double lowestAudibleHz = 20, highestAudibleHz = 22000;
+constexpr double samePole = 1e-9;
+/// Rounding leaves this much of the mean |A n·φ| in a sum that ought to vanish.
+constexpr double roundingShare = 1e-13;
+
+/// P points with the area and the normal of their share of the surface.
+struct RadiatingSurface {
+    Eigen::MatrixXd pointsMetres;       ///< [P×3] from the centre of mass
+    Eigen::MatrixXd vectorAreasM2;      ///< [P×3] A n
+    std::vector<Eigen::Index> vertices; ///< [P] whose motion each point shares
+    double areaM2 = 0;
+};
+
+/// [N] whether the component that a vertex belongs to has an edge without exactly two faces.
+std::vector<bool> openVertices(const Mesh& mesh) {
+    const auto components = connectedComponents(mesh);
+    const auto componentOf = [&](Eigen::Index vertex) {
+        return static_cast<std::size_t>(
+            components.componentOfVertex[static_cast<std::size_t>(vertex)]);
+    };
+    std::vector<bool> isOpen(static_cast<std::size_t>(components.count), false);
+    for (const auto& edge : uniqueEdges(mesh))
+        if (edge.faceCount != 2)
+            isOpen[componentOf(edge.a)] = true;
+    std::vector<bool> result;
+    for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+        result.push_back(isOpen[componentOf(vertex)]);
+    return result;
+}
+
+/// [N×3] a third of A n of the faces at each vertex: exact for a closed surface, where it sums to
+/// zero, and at edges, where a vertex has no one normal.
+Eigen::MatrixXd vertexVectorAreas(const Mesh& mesh) {
+    Eigen::MatrixXd areas = Eigen::MatrixXd::Zero(mesh.vertexCount(), 3);
+    for (const auto& face : mesh.faces.rowwise()) {
+        const Eigen::RowVector3d a = mesh.vertices.row(face(0)), b = mesh.vertices.row(face(1)),
+                                 c = mesh.vertices.row(face(2));
+        const Eigen::RowVector3d third = (b - a).cross(c - a) / 6;
+        for (const int corner : face)
+            areas.row(corner) += third;
+    }
+    return areas;
+}
+
+RadiatingSurface radiatingSurface(const RadiatingBody& body) {
+    const Mesh& mesh = body.mesh;
+    const auto areas = vertexAreas(mesh);
+    const auto vectorAreas = vertexVectorAreas(mesh), normals = vertexNormals(mesh);
+    const auto isOpen = openVertices(mesh);
+    const Eigen::Index points =
+        mesh.vertexCount() +
+        (body.thicknessMetres > 0 ? std::ranges::count(isOpen, true) : Eigen::Index{0});
+    RadiatingSurface surface{Eigen::MatrixXd(points, 3), Eigen::MatrixXd(points, 3), {}, 0};
+    const auto add = [&](Eigen::Index vertex, double side, double offsetMetres) {
+        const auto point = static_cast<Eigen::Index>(surface.vertices.size());
+        surface.pointsMetres.row(point) = mesh.vertices.row(vertex) -
+                                          body.centreMetres.transpose() +
+                                          side * offsetMetres * normals.row(vertex);
+        surface.vectorAreasM2.row(point) = side * vectorAreas.row(vertex);
+        surface.vertices.push_back(vertex);
+        surface.areaM2 += areas(vertex);
+    };
+    for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+        const bool isSheet = body.thicknessMetres > 0 && isOpen[static_cast<std::size_t>(vertex)];
+        add(vertex, 1, isSheet ? body.thicknessMetres / 2 : 0);
+        if (isSheet)
+            add(vertex, -1, body.thicknessMetres / 2);
+    }
+    return surface;
+}
+
+/// A n·φ of each point [P×n] as a share of the whole area, for `count` modes from `first`.
+Eigen::MatrixXd normalFlows(const RadiatingBody& body,
+                            const RadiatingSurface& surface,
+                            Eigen::Index first,
+                            Eigen::Index count) {
+    Eigen::MatrixXd flows(surface.vectorAreasM2.rows(), count);
+    for (Eigen::Index point = 0; point < flows.rows(); ++point)
+        flows.row(point) = surface.vectorAreasM2.row(point) / surface.areaM2 *
+                           body.shapes.block(3 * surface.vertices[static_cast<std::size_t>(point)],
+                                             first, 3, count);
+    return flows;
+}
+
+/// What the modes of one pole [n] send in one direction at one wave number.
+struct FarField {
+    double waveNumber = 0;    ///< k in rad/m
+    Eigen::VectorXcd weights; ///< w
+    Eigen::VectorXcd slopes;  ///< dw/dk
+};
+
+/// A plane wave from one direction at the surface's points.
+struct PlaneWave {
+    double waveNumber = 0;   ///< k in rad/m
+    Eigen::ArrayXcd phasors; ///< [P] e^{−ik d·x}
+};
+
+/// By squaring the wave an octave below where `lower` holds it: sines take most of the time.
+PlaneWave planeWave(double waveNumber,
+                    const Eigen::VectorXd& distancesMetres,
+                    const std::vector<PlaneWave>& lower) {
+    PlaneWave wave{waveNumber, Eigen::ArrayXcd(distancesMetres.size())};
+    const auto octaveBelow = std::ranges::find_if(lower, [&](const PlaneWave& other) {
+        return std::abs(2 * other.waveNumber - waveNumber) <= 1e-12 * waveNumber;
+    });
+    if (octaveBelow != lower.end()) {
+        wave.phasors = octaveBelow->phasors.square();
+        return wave;
+    }
+    const Eigen::ArrayXd phases = waveNumber * distancesMetres.array();
+    wave.phasors.real() = phases.cos();
+    wave.phasors.imag() = -phases.sin();
+    return wave;
+}
+
+/// `distancesMetres` [P] is d·x.
+FarField farField(const Eigen::MatrixXd& flows,
+                  const Eigen::VectorXd& distancesMetres,
+                  const PlaneWave& wave) {
+    const Eigen::VectorXd real = wave.phasors.real(), imaginary = wave.phasors.imag();
+    FarField field{wave.waveNumber, Eigen::VectorXcd(flows.cols()), Eigen::VectorXcd(flows.cols())};
+    field.weights.real() = flows.transpose() * real;
+    field.weights.imag() = flows.transpose() * imaginary;
+    field.slopes.real() = flows.transpose() * imaginary.cwiseProduct(distancesMetres);
+    field.slopes.imag() = -flows.transpose() * real.cwiseProduct(distancesMetres);
+    return field;
+}
+
+/// One for each ratio.
+std::vector<FarField> farFields(const Eigen::MatrixXd& flows,
+                                const Eigen::VectorXd& distancesMetres,
+                                double eigenvalue,
+                                const std::vector<double>& ratios) {
+    std::vector<FarField> fields;
+    std::vector<PlaneWave> waves;
+    for (const double ratio : ratios) {
+        const double waveNumber =
+            std::clamp(ratio * std::sqrt(eigenvalue), 2 * std::numbers::pi * lowestAudibleHz,
+                       2 * std::numbers::pi * highestAudibleHz) /
+            soundSpeedMetresPerSecond;
+        if (!fields.empty() && fields.back().waveNumber == waveNumber) {
+            fields.push_back(fields.back());
+            continue;
+        }
+        waves.push_back(planeWave(waveNumber, distancesMetres, waves));
+        fields.push_back(farField(flows, distancesMetres, waves.back()));
+    }
+    return fields;
+}
+
+/// The axis e^{iψ} along which the weights of one pole lie, and how fast it turns.
+struct Axis {
+    double waveNumber = 0;
+    Complex direction = std::polar(1.0, std::numbers::pi / 4);
+    double radiansPerWaveNumber = 0; ///< dψ/dk
+};
+
+/// Of the two axes ±e^{iψ} the one nearer to where `previous` has turned to; `previous` itself
+/// where the weights are nothing but rounding.
+Axis followed(const FarField& field, const Axis& previous, double rounding) {
+    // Not Eigen's dot(), which conjugates: Σ w² is what a change of basis leaves alone.
+    const Complex squares = field.weights.cwiseProduct(field.weights).sum();
+    if (std::abs(squares) <= rounding * rounding)
+        return {field.waveNumber, previous.direction, previous.radiansPerWaveNumber};
+    Axis axis{field.waveNumber, std::sqrt(squares / std::abs(squares)),
+              (field.weights.cwiseProduct(field.slopes).sum() / squares).imag()};
+    const double turn = (axis.radiansPerWaveNumber + previous.radiansPerWaveNumber) / 2 *
+                        (axis.waveNumber - previous.waveNumber);
+    if (std::real(axis.direction * std::conj(previous.direction * std::polar(1.0, turn))) < 0)
+        axis.direction = -axis.direction;
+    return axis;
+}
+
+/// The axes at all ratios, followed both ways from the one at `start`, which is nearest `towards`.
+std::vector<Axis> followedAxes(const std::vector<FarField>& fields,
+                               std::size_t start,
+                               const Complex& towards,
+                               double rounding) {
+    std::vector<Axis> axes(fields.size());
+    axes[start] = followed(fields[start], {fields[start].waveNumber, towards}, rounding);
+    for (std::size_t ratio = start + 1; ratio < fields.size(); ++ratio)
+        axes[ratio] = followed(fields[ratio], axes[ratio - 1], rounding);
+    for (std::size_t ratio = start; ratio-- > 0;)
+        axes[ratio] = followed(fields[ratio], axes[ratio + 1], rounding);
+    return axes;
+}
+
+std::size_t nearestToOne(const std::vector<double>& ratios) {
+    const auto octaves = [](double ratio) { return std::abs(std::log2(ratio)); };
+    return static_cast<std::size_t>(std::ranges::min_element(ratios, {}, octaves) - ratios.begin());
+}
+
+/// Fills the table's weights of the modes of one pole; `distancesMetres` [P×D].
+void addPole(const Eigen::MatrixXd& flows,
+             const Eigen::MatrixXd& distancesMetres,
+             double eigenvalue,
+             Eigen::Index firstMode,
+             Eigen::Index modeCount,
+             RadiationTable& table) {
+    const double rounding = roundingShare * flows.cwiseAbs().sum();
+    const std::size_t start = nearestToOne(table.frequencyRatios);
+    Complex towards = Axis{}.direction;
+    float* row = table.weights.data() + firstMode;
+    for (Eigen::Index direction = 0; direction < distancesMetres.cols(); ++direction) {
+        const auto fields =
+            farFields(flows, distancesMetres.col(direction), eigenvalue, table.frequencyRatios);
+        const auto axes = followedAxes(fields, start, towards, rounding);
+        if (direction == 0)
+            towards = axes[start].direction;
+        for (std::size_t ratio = 0; ratio < fields.size(); ++ratio, row += modeCount)
+            Eigen::Map<Eigen::VectorXf>(row, flows.cols()) =
+                (fields[ratio].weights * std::conj(axes[ratio].direction)).real().cast<float>();
+    }
+}
+
+std::string
+faultOf(const RadiatingBody& body, const RadiationSettings& settings, double surfaceAreaM2) {
+    if (body.shapes.rows() != 3 * body.mesh.vertexCount() ||
+        body.shapes.cols() != body.eigenvalues.size() || body.shapes.cols() == 0)
+        return "The mode shapes to be heard do not belong to the mesh.";
+    if (settings.directions.empty() || settings.frequencyRatios.empty())
+        return "Radiation needs a direction and a frequency ratio.";
+    if (!(surfaceAreaM2 > 0))
+        return "The surface has no area to radiate from.";
+    return {};
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3d> stereoDirections() {
+    constexpr double degree = std::numbers::pi / 180, elevation = 40 * degree;
+    std::vector<Eigen::Vector3d> directions;
+    for (const double azimuth : {-25 * degree, 25 * degree})
+        directions.emplace_back(std::cos(elevation) * std::cos(azimuth),
+                                std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    return directions;
+}
+
+std::vector<double> halfOctaveRatios() {
+    std::vector<double> ratios;
+    for (int step = -8; step <= 8; ++step)
+        ratios.push_back(std::exp2(step / 2.0));
+    return ratios;
+}
+
+Result<RadiationTable> radiationOf(const RadiatingBody& body,
+                                   const RadiationSettings& settings,
+                                   const AnalysisControl& control) {
+    const auto surface = radiatingSurface(body);
+    if (const auto fault = faultOf(body, settings, surface.areaM2); !fault.empty())
+        return failure(fault);
+    RadiationTable table{
+        .directions = {}, .frequencyRatios = settings.frequencyRatios, .weights = {}};
+    Eigen::MatrixXd distancesMetres(surface.pointsMetres.rows(),
+                                    static_cast<Eigen::Index>(settings.directions.size()));
+    for (const auto& direction : settings.directions) {
+        const Eigen::Vector3d unit = direction.normalized();
+        distancesMetres.col(static_cast<Eigen::Index>(table.directions.size())) =
+            surface.pointsMetres * unit;
+        const Eigen::Vector3f single = unit.cast<float>();
+        table.directions.push_back({single.x(), single.y(), single.z()});
+    }
+    const Eigen::Index modeCount = body.eigenvalues.size();
+    table.weights.resize(settings.directions.size() * settings.frequencyRatios.size() *
+                         static_cast<std::size_t>(modeCount));
+    for (Eigen::Index first = 0, next = 0; first < modeCount; first = next) {
+        if (control.isCancelled())
+            return failure(std::string(cancelledMessage));
+        const double eigenvalue = body.eigenvalues(first);
+        while (next < modeCount && body.eigenvalues(next) <= eigenvalue * (1 + samePole))
+            ++next;
+        addPole(normalFlows(body, surface, first, next - first), distancesMetres, eigenvalue, first,
+                modeCount, table);
+    }
+    return table;
+}
+
+} // namespace idiophone

@@ -1,0 +1,232 @@
+#include "Analysis/SurfaceFit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t longestFit = std::size_t{1} << 19;
+constexpr double steepestExponent = -4, shallowestExponent = 1;
+
+/// The greatest even number up to `length` without prime factors above 5, of which transforms are
+/// fast.
+std::size_t transformLength(std::size_t length) {
+    const auto isSmooth = [](std::size_t n) {
+        for (const std::size_t prime : {2u, 3u, 5u})
+            while (n % prime == 0)
+                n /= prime;
+        return n == 1;
+    };
+    length -= length % 2;
+    while (!isSmooth(length))
+        length -= 2;
+    return length;
+}
+
+/// The middle of the recording without its mean, faded in and out: a transform joins its ends.
+std::vector<double> middleOf(std::span<const float> samples) {
+    const std::size_t length = transformLength(std::min(samples.size(), longestFit));
+    const auto middle = samples.subspan((samples.size() - length) / 2, length);
+    std::vector<double> result(middle.begin(), middle.end());
+    Eigen::Map<Eigen::ArrayXd> values(result.data(), static_cast<Eigen::Index>(length));
+    values -= values.mean();
+    const std::size_t fade = length / 32;
+    for (std::size_t i = 0; i < fade; ++i) {
+        const double gain =
+            0.5 - 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(fade));
+        result[i] *= gain;
+        result[length - 1 - i] *= gain;
+    }
+    return result;
+}
+
+/// The bin below which the recording has its whole spectrum: above may be nothing but what a steep
+/// cut leaves (a lower sample rate before, a lossy codec). From one 64th of the band to the next a
+/// power law falls by a few decibels once past the lowest; a reson's peak, which is narrow and may
+/// fall faster, does not stand out from the least of four.
+std::size_t cutBin(const std::vector<std::complex<double>>& spectrum) {
+    constexpr std::size_t bandCount = 64, compared = 4, lowestBand = 8;
+    constexpr double steepFall = 0.1;
+    const std::size_t bins = spectrum.size() - 1;
+    std::array<double, bandCount> power{};
+    for (std::size_t band = 0; band < bandCount; ++band) {
+        const std::size_t begin = band * bins / bandCount, end = (band + 1) * bins / bandCount;
+        for (std::size_t k = begin; k < end; ++k)
+            power[band] += std::norm(spectrum[k]) / static_cast<double>(end - begin);
+        const auto* before = power.data() + band;
+        if (band >= lowestBand &&
+            power[band] < steepFall * *std::min_element(before - compared, before))
+            return (band - 1) * bins / bandCount; // the cut may lie in the band before
+    }
+    return bins;
+}
+
+/// An autoregressive model of order 2 that oscillates and decays, and how likely it makes the
+/// recording.
+struct ResonFit {
+    std::complex<double> pole; ///< in the upper half plane, inside the unit circle
+    double cost = 0;           ///< minus twice the log-likelihood a sample, but for a constant
+};
+
+/// A recording's spectrum, to be whitened and fitted for one β after another.
+class WhitenedScrape {
+public:
+    /// `bins` of the `given` spectrum, which reaches to the Nyquist frequency, are fitted.
+    WhitenedScrape(std::vector<std::complex<double>> given, std::size_t lowest, std::size_t bins)
+        : spectrum(std::move(given)), lowestBin(lowest),
+          bandRatio(static_cast<double>(bins) / static_cast<double>(spectrum.size() - 1)) {
+        spectrum.resize(bins + 1);
+        transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+        logFrequencies.resize(bins + 1);
+        for (std::size_t k = 1; k <= bins; ++k)
+            logFrequencies[k] = std::log(static_cast<double>(k) / static_cast<double>(bins));
+        for (const double value : logFrequencies)
+            meanLogFrequency += value / static_cast<double>(bins);
+    }
+
+    /// Nothing where the best A has no resonance. Its pole is that at the rate of twice the bins.
+    std::optional<ResonFit> fit(double exponent) {
+        std::vector<std::complex<double>> whitened(spectrum.size());
+        for (std::size_t k = lowestBin; k < spectrum.size(); ++k)
+            whitened[k] = spectrum[k] * std::exp(-exponent / 2 * logFrequencies[k]);
+        auto found = covarianceFit(whitened);
+        // Within a part of the band the model is still that of the recording's own rate: what is
+        // left between the two is taken out with the pole found before.
+        constexpr int rounds = 3;
+        double correction = 0;
+        for (int round = 0; round < rounds && found && bandRatio < 1; ++round) {
+            auto corrected = whitened;
+            correction = bringToRecordingRate(corrected, found->pole);
+            found = covarianceFit(corrected);
+        }
+        if (found)
+            found->cost += exponent * meanLogFrequency - correction;
+        return found;
+    }
+
+private:
+    /// |A|² of a pole and its conjugate at an angle per sample.
+    static double denominator(std::complex<double> pole, double angle) {
+        const auto turn = std::polar(1.0, -angle);
+        return std::norm((1.0 - pole * turn) * (1.0 - std::conj(pole) * turn));
+    }
+
+    /// Multiplies by |A| at the recording's rate over |A| at the fit's; the mean of ln |A|² at the
+    /// recording's rate, which over the whole band would be 0.
+    double bringToRecordingRate(std::vector<std::complex<double>>& values,
+                                std::complex<double> pole) const {
+        const auto poleOfRecording = std::exp(std::log(pole) * bandRatio);
+        const double step = pi / static_cast<double>(values.size() - 1);
+        double meanLog = 0;
+        for (std::size_t k = 1; k < values.size(); ++k) {
+            const double angle = step * static_cast<double>(k);
+            const double wanted = denominator(poleOfRecording, angle * bandRatio);
+            values[k] *= std::sqrt(wanted / denominator(pole, angle));
+            meanLog += std::log(wanted) / static_cast<double>(values.size() - 1);
+        }
+        return meanLog;
+    }
+
+    std::optional<ResonFit> covarianceFit(const std::vector<std::complex<double>>& whitened) {
+        transform.inv(samples, whitened, static_cast<Eigen::Index>(2 * (whitened.size() - 1)));
+        const Eigen::Map<const Eigen::VectorXd> x(samples.data(),
+                                                  static_cast<Eigen::Index>(samples.size()));
+        // Without the faded ends, which the whitening spreads a little.
+        const Eigen::Index first = x.size() / 16, count = x.size() - 2 * first;
+        const auto product = [&](Eigen::Index i, Eigen::Index j) {
+            return x.segment(first - i, count).dot(x.segment(first - j, count));
+        };
+        Eigen::Matrix2d normal;
+        normal << product(1, 1), product(1, 2), product(2, 1), product(2, 2);
+        const Eigen::Vector2d right(product(0, 1), product(0, 2));
+        const Eigen::Vector2d a = normal.ldlt().solve(right);
+        const double residual = (product(0, 0) - a.dot(right)) / static_cast<double>(count);
+        const double realPart = a[0] / 2;
+        const double imaginarySquared = -a[1] - realPart * realPart;
+        if (!(imaginarySquared > 0 && -a[1] < 1 && residual > 0))
+            return {};
+        return ResonFit{{realPart, std::sqrt(imaginarySquared)}, std::log(residual)};
+    }
+
+    Eigen::FFT<double> transform;
+    std::vector<std::complex<double>> spectrum;
+    std::vector<double> samples;
+    std::vector<double> logFrequencies; ///< relative to the highest; 0 at 0
+    double meanLogFrequency = 0;
+    std::size_t lowestBin;
+    double bandRatio; ///< of the fitted band to the recording's
+};
+
+struct BestFit {
+    double exponent = 0;
+    ResonFit reson;
+};
+
+/// A scan that finds the right valley, then halving steps down to its floor.
+std::optional<BestFit> mostLikely(WhitenedScrape& scrape) {
+    std::optional<BestFit> best;
+    const auto tryExponent = [&](double exponent) {
+        const auto found = scrape.fit(exponent);
+        if (found && (!best || found->cost < best->reson.cost))
+            best = BestFit{exponent, *found};
+    };
+    double step = 0.25;
+    for (double exponent = steepestExponent; exponent <= shallowestExponent; exponent += step)
+        tryExponent(exponent);
+    while (best && step > 0.002) {
+        step /= 2;
+        const double centre = best->exponent;
+        tryExponent(centre - step);
+        tryExponent(centre + step);
+    }
+    return best;
+}
+
+} // namespace
+
+Result<SurfaceFit> fitSurface(std::span<const float> samples, double sampleRateHz) {
+    if (static_cast<double>(samples.size()) < shortestScrapeSeconds * sampleRateHz ||
+        samples.size() < 1024)
+        return failure("it is shorter than a quarter of a second");
+    if (!std::ranges::all_of(samples, [](float value) { return std::isfinite(value); }))
+        return failure("it holds samples that are not numbers");
+    const auto recording = middleOf(samples);
+    constexpr double silentRms = 1e-5;
+    double power = 0;
+    for (const double value : recording)
+        power += value * value / static_cast<double>(recording.size());
+    if (!(power > silentRms * silentRms))
+        return failure("it is silent");
+
+    Eigen::FFT<double> transform;
+    transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+    std::vector<std::complex<double>> spectrum;
+    transform.fwd(spectrum, recording);
+    const std::size_t bins = transformLength(2 * cutBin(spectrum)) / 2;
+    const double binHz = sampleRateHz / static_cast<double>(recording.size());
+    // Handling noise and rumble are not the scrape's.
+    constexpr double lowestHz = 20;
+    const auto lowestBin = static_cast<std::size_t>(std::ceil(lowestHz / binHz));
+    WhitenedScrape scrape(std::move(spectrum), lowestBin, bins);
+    const auto best = mostLikely(scrape);
+    if (!best)
+        return failure("its spectrum shows no resonance of a surface");
+    const double fittedRateHz = 2 * static_cast<double>(bins) * binHz;
+    const auto& pole = best->reson.pole;
+    return SurfaceFit{.spectrumExponent = best->exponent,
+                      .resonFrequencyHz = std::arg(pole) * fittedRateHz / (2 * pi),
+                      .resonDampingPerSecond = -std::log(std::abs(pole)) * fittedRateHz,
+                      .highestFrequencyHz = fittedRateHz / 2};
+}
+
+} // namespace idiophone

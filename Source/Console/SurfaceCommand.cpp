@@ -1,0 +1,86 @@
+#include "Analysis/SurfaceFit.h"
+#include "Console/Command.h"
+#include "Console/JsonText.h"
+#include "Console/OptionChecks.h"
+#include "Console/TextFile.h"
+#include "Console/WavReader.h"
+#include "Instrument/SurfaceFile.h"
+
+#include <iomanip>
+#include <iostream>
+
+namespace idiophone {
+namespace {
+
+struct Options {
+    std::filesystem::path recording;
+    std::filesystem::path output;
+    double speedMetresPerSecond = 1;
+    bool json = false;
+};
+
+/// The recording's speed is the surface's reference speed: at it the profile is what was recorded.
+Result<Surface> surfaceOf(const SurfaceFit& fit, const Options& options) {
+    const auto& named = options.output.empty() ? options.recording : options.output;
+    return validated(Surface{.name = named.stem().string(),
+                             .spectrumExponent = fit.spectrumExponent,
+                             .resonFrequencyHz = fit.resonFrequencyHz,
+                             .resonDampingPerSecond = fit.resonDampingPerSecond,
+                             .referenceSpeedMetresPerSecond = options.speedMetresPerSecond,
+                             .slowestSpeedMetresPerSecond = options.speedMetresPerSecond / 10});
+}
+
+void report(const Surface& surface, const SurfaceFit& fit, const Options& options) {
+    if (options.json) {
+        auto result = nlohmann::ordered_json::parse(encodeSurface(surface));
+        result["fractal_dimension"] = surface.fractalDimension();
+        result["fitted_up_to_hz"] = fit.highestFrequencyHz;
+        std::cout << jsonText(result);
+        return;
+    }
+    std::cout << std::fixed << std::setprecision(2) << options.recording.string()
+              << ": spectrum exponent " << surface.spectrumExponent << " (fractal dimension "
+              << surface.fractalDimension() << "), reson " << std::setprecision(1)
+              << surface.resonFrequencyHz << " Hz, damping " << surface.resonDampingPerSecond
+              << " 1/s, fitted up to " << std::setprecision(0) << fit.highestFrequencyHz << " Hz\n"
+              << std::flush;
+}
+
+Result<void> fitRecording(const Options& options) {
+    const auto recording = readWav(options.recording);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    const auto refuse = [&](const Error& error) {
+        return failure(options.recording.string() + ": " + error.message);
+    };
+    const auto fit = fitSurface(recording->samples, recording->sampleRateHz);
+    if (!fit)
+        return refuse(fit.error());
+    const auto surface = surfaceOf(*fit, options);
+    if (!surface)
+        return refuse(surface.error());
+    if (!options.output.empty())
+        if (auto written = writeTextFile(options.output, encodeSurface(*surface)); !written)
+            return written;
+    report(*surface, *fit, options);
+    return {};
+}
+
+} // namespace
+
+void addSurface(CLI::App& program, Action& chosen) {
+    auto* command =
+        program.add_subcommand("surface", "Fits a surface to the recording of a steady scrape");
+    auto options = std::make_shared<Options>();
+    command->add_option("RECORDING", options->recording, "A WAV file, a quarter second or longer")
+        ->required();
+    command->add_option("-o,--output", options->output, "The surface file (.json) to write");
+    command->add_option("--speed", options->speedMetresPerSecond, "Of the recorded contact, in m/s")
+        ->check(numberBetween(0.001, 100))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Reports as JSON");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return fitRecording(*options); }; });
+}
+
+} // namespace idiophone

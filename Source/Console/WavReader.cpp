@@ -1,0 +1,68 @@
+#include "Console/WavReader.h"
+
+#include <algorithm>
+#include <juce_audio_formats/juce_audio_formats.h>
+#include <memory>
+
+namespace idiophone {
+namespace {
+
+constexpr double longestSeconds = 600;
+constexpr unsigned mostChannels = 64;
+constexpr double lowestRateHz = 1000, highestRateHz = 1e6;
+
+/// What is wrong with the header; empty where all is well.
+std::string faultOf(const juce::AudioFormatReader& reader, std::uintmax_t fileBytes) {
+    if (reader.numChannels < 1 || reader.numChannels > mostChannels)
+        return "it has " + std::to_string(reader.numChannels) + " channels";
+    if (!(reader.sampleRate >= lowestRateHz && reader.sampleRate <= highestRateHz))
+        return "its sample rate is not 1 kHz to 1 MHz";
+    const auto frameBytes = std::uintmax_t{reader.numChannels} * (reader.bitsPerSample / 8);
+    const auto frames = static_cast<std::uintmax_t>(reader.lengthInSamples);
+    if (reader.lengthInSamples < 0 || frameBytes == 0 || frames > fileBytes / frameBytes)
+        return "it is shorter than its header says";
+    if (static_cast<double>(reader.lengthInSamples) > longestSeconds * reader.sampleRate)
+        return "it is longer than ten minutes";
+    return {};
+}
+
+} // namespace
+
+Result<MonoRecording> readWav(const std::filesystem::path& file) {
+    const auto refuse = [&](const std::string& sentence) {
+        return failure(file.string() + ": " + sentence);
+    };
+    std::error_code fault;
+    if (std::filesystem::is_directory(file, fault))
+        return refuse("it is a directory");
+    const auto path = std::filesystem::absolute(file, fault).string();
+    auto stream =
+        std::make_unique<juce::FileInputStream>(juce::File(juce::String::fromUTF8(path.c_str())));
+    if (!stream->openedOk())
+        return refuse("the file cannot be opened");
+    const auto fileBytes = static_cast<std::uintmax_t>(stream->getTotalLength());
+    const std::unique_ptr<juce::AudioFormatReader> reader(
+        juce::WavAudioFormat().createReaderFor(stream.release(), true));
+    if (reader == nullptr)
+        return refuse("it is not a WAV file");
+    if (const auto sentence = faultOf(*reader, fileBytes); !sentence.empty())
+        return refuse(sentence);
+
+    const auto channelCount = static_cast<int>(reader->numChannels);
+    const auto length = static_cast<int>(reader->lengthInSamples);
+    constexpr int pieceLength = 1 << 14;
+    juce::AudioBuffer<float> piece(channelCount, pieceLength);
+    MonoRecording result{std::vector<float>(static_cast<std::size_t>(length)), reader->sampleRate};
+    for (int begin = 0; begin < length; begin += pieceLength) {
+        const int count = std::min(pieceLength, length - begin);
+        if (!reader->read(piece.getArrayOfWritePointers(), channelCount, begin, count))
+            return refuse("the file cannot be read");
+        for (int channel = 0; channel < channelCount; ++channel)
+            for (int i = 0; i < count; ++i)
+                result.samples[static_cast<std::size_t>(begin + i)] +=
+                    piece.getSample(channel, i) / static_cast<float>(channelCount);
+    }
+    return result;
+}
+
+} // namespace idiophone

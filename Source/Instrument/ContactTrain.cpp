@@ -1,0 +1,94 @@
+#include "Instrument/ContactTrain.h"
+
+#include "Instrument/Scatter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+constexpr double trainSeconds = 0.015; // FoleyAutomatic, impacts
+// By ear: rubber does not chatter, and at most half of the blow may come late.
+constexpr double softContactSeconds = 0.001;
+constexpr double largestLateShare = 0.5;
+
+/// Draws one after the other for one strike.
+class Draws {
+public:
+    /// Far from the numbers that place the strikes.
+    explicit Draws(std::uint32_t strikeNumber) : number(strikeNumber * 0x9e3779b1u + 0x5bd1e995u) {}
+
+    double between(double lowest, double highest) {
+        return lowest + (highest - lowest) * (scatter(number++) + 1) / 2;
+    }
+
+private:
+    std::uint32_t number;
+};
+
+Strike scaled(const Strike& strike, double impulseShare, double durationSeconds) {
+    Strike result = strike;
+    for (float& component : result.impulseNewtonSeconds)
+        component *= static_cast<float>(impulseShare);
+    result.durationSeconds = durationSeconds;
+    return result;
+}
+
+} // namespace
+
+ContactTrain contactTrain(const Strike& strike,
+                          double malletScale,
+                          double chatterPercent,
+                          std::uint32_t strikeNumber) {
+    const double scale = std::min(malletScale, 1.0);
+    const double softness = strike.durationSeconds / (scale * softContactSeconds);
+    const double lateShare =
+        largestLateShare * chatterPercent / 100 * std::clamp(1 - softness, 0.0, 1.0);
+    ContactTrain train;
+    if (!(lateShare > 0)) {
+        train.add({.delaySeconds = 0, .strike = strike});
+        return train;
+    }
+
+    Draws draws(strikeNumber);
+    constexpr std::size_t mostFurther = ContactTrain::mostCollisions - 1;
+    const auto further = std::min(mostFurther, static_cast<std::size_t>(draws.between(2, 6)));
+    std::array<double, mostFurther> speeds{}; // relative to the blow's
+    std::array<double, mostFurther> times{};  // from 0 at the blow, in no unit yet
+    double speed = 1, gap = 1, time = 0, speedSum = 0;
+    for (std::size_t k = 0; k < further; ++k) {
+        speedSum += speeds[k] = speed *= draws.between(0.4, 0.8);
+        times[k] = time += gap;
+        gap *= draws.between(0.5, 0.9);
+    }
+
+    const auto durationAt = [&](double relativeSpeed) { // T ∝ v^(−1/5)
+        return strike.durationSeconds * std::pow(relativeSpeed, -0.2);
+    };
+    const double room = scale * trainSeconds - durationAt(speed);
+    const double lastDelay = room * draws.between(0.4, 1);
+    train.add({.delaySeconds = 0, .strike = scaled(strike, 1 - lateShare, strike.durationSeconds)});
+    for (std::size_t k = 0; k < further; ++k)
+        train.add(
+            {.delaySeconds = lastDelay * times[k] / time,
+             .strike = scaled(strike, lateShare * speeds[k] / speedSum, durationAt(speeds[k]))});
+    return train;
+}
+
+ContactTrain withModalPulses(const ContactTrain& train, std::span<const double> frequenciesHz) {
+    if (frequenciesHz.empty())
+        return train;
+    const auto count = std::min(frequenciesHz.size(), ContactTrain::mostModalPulses);
+    const auto& first = *train.begin();
+    ContactTrain result;
+    for (const double frequencyHz : frequenciesHz.first(count))
+        result.add(
+            {.delaySeconds = first.delaySeconds,
+             .strike = scaled(first.strike, 1 / static_cast<double>(count), 1 / frequencyHz)});
+    for (const auto* further = train.begin() + 1; further != train.end(); ++further)
+        result.add(*further);
+    return result;
+}
+
+} // namespace idiophone

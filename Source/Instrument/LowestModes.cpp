@@ -1,0 +1,35 @@
+#include "Instrument/LowestModes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+
+LowestModes::LowestModes(const ModalObject& object, double sizeRatio) {
+    for (const double eigenvalue : object.eigenvalues) {
+        const double hz = std::sqrt(eigenvalue) / (2 * std::numbers::pi) / sizeRatio;
+        if (count > 0 && hz < 1.01 * frequenciesHz[count - 1])
+            continue;
+        frequenciesHz[count++] = hz;
+        if (count == frequenciesHz.size())
+            break;
+    }
+}
+
+LowestModes LowestModes::moved(double ratio) const {
+    LowestModes result = *this;
+    for (double& hz : result.frequenciesHz)
+        hz = std::max(20.0, hz * ratio);
+    return result;
+}
+
+double liveFrequencyRatio(const Material& own, const SynthesisSettings& settings) {
+    double ratio = settings.frequencyRatio / settings.sizeRatio;
+    if (settings.material)
+        ratio *= std::sqrt(settings.material->youngsModulusPa / own.youngsModulusPa *
+                           own.densityKgPerM3 / settings.material->densityKgPerM3);
+    return ratio;
+}
+
+} // namespace idiophone

@@ -1,0 +1,63 @@
+#include "Object/RadiationTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace idiophone {
+namespace {
+
+bool isUnit(const std::array<float, 3>& direction) {
+    // Written so that what is not a number is no unit vector either.
+    return std::abs(std::hypot(direction[0], direction[1], direction[2]) - 1) <= 1e-4f;
+}
+
+} // namespace
+
+void RadiationTable::weightsAt(std::size_t direction,
+                               double frequencyRatio,
+                               std::span<float> modeWeights) const noexcept {
+    const std::size_t ratios = frequencyRatios.size();
+    const float* const rows = weights.data() + direction * ratios * modeWeights.size();
+    const auto row = [&](std::size_t ratio) { return rows + ratio * modeWeights.size(); };
+    if (!(frequencyRatio > frequencyRatios.front())) {
+        std::copy_n(row(0), modeWeights.size(), modeWeights.begin());
+        return;
+    }
+    const auto above = std::ranges::upper_bound(frequencyRatios, frequencyRatio);
+    if (above == frequencyRatios.end()) {
+        std::copy_n(row(ratios - 1), modeWeights.size(), modeWeights.begin());
+        return;
+    }
+    const auto upper = static_cast<std::size_t>(above - frequencyRatios.begin());
+    const double below = frequencyRatios[upper - 1];
+    const auto share =
+        static_cast<float>(std::log(frequencyRatio / below) / std::log(*above / below));
+    const float *const from = row(upper - 1), *const to = row(upper);
+    for (std::size_t mode = 0; mode < modeWeights.size(); ++mode)
+        modeWeights[mode] = from[mode] + share * (to[mode] - from[mode]);
+}
+
+std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
+    const auto directions = table.directions.size(), ratios = table.frequencyRatios.size();
+    if (directions == 0 && ratios == 0 && table.weights.empty())
+        return {};
+    // Divisions, not products: a hostile size must not wrap around.
+    if (directions == 0 || ratios == 0 || modeCount == 0 || table.weights.empty() ||
+        table.weights.size() % modeCount != 0 || table.weights.size() / modeCount % ratios != 0 ||
+        table.weights.size() / modeCount / ratios != directions)
+        return "the size of the radiation is not directions x ratios x modes";
+    if (!std::ranges::all_of(table.directions, isUnit))
+        return "a direction of the radiation is not a unit vector";
+    const auto isPositive = [](double ratio) { return std::isfinite(ratio) && ratio > 0; };
+    if (!std::ranges::all_of(table.frequencyRatios, isPositive))
+        return "a frequency ratio of the radiation is not a positive number";
+    if (std::ranges::adjacent_find(table.frequencyRatios, std::greater_equal{}) !=
+        table.frequencyRatios.end())
+        return "the frequency ratios of the radiation are not in ascending order";
+    if (!std::ranges::all_of(table.weights, [](float w) { return std::isfinite(w); }))
+        return "a weight of the radiation is not a finite number";
+    return {};
+}
+
+} // namespace idiophone

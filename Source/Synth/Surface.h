@@ -1,0 +1,36 @@
+// How a surface sounds when something is dragged or rolled over it: plain data, after van den Doel,
+// Kry & Pai 2001, section 5. Its file format is Instrument/SurfaceFile.h.
+#pragma once
+
+#include "Object/Result.h"
+
+#include <string>
+
+namespace idiophone {
+
+/// A rough profile, whose power spectrum follows ω^β, felt through a resonance (the paper's reson)
+/// whose frequency and damping are proportional to the contact's speed.
+struct Surface {
+    std::string name = {};
+    /// β, −4 to 1; a profile of fractal dimension D has β = 2 (D − 2). Machined surfaces have −1.66
+    /// to −1.22.
+    double spectrumExponent = -1.4;
+    double resonFrequencyHz = 500;       ///< at the reference speed, 10 to 20000
+    double resonDampingPerSecond = 1000; ///< d of e^{−dt} at the reference speed, 1 to 100000
+    /// v_max, 0.001 to 100: the speed at which the profile is read sample by sample. Faster
+    /// contacts grow louder but not higher.
+    double referenceSpeedMetresPerSecond = 1;
+    /// 0 to v_max: a slower contact is silent.
+    double slowestSpeedMetresPerSecond = 0.1;
+    /// 0 to 100: the rms force in newtons at the reference speed under a normal force of 1 N.
+    double roughness = 0.5;
+
+    double fractalDimension() const { return spectrumExponent / 2 + 2; }
+
+    bool operator==(const Surface&) const = default;
+};
+
+/// The surface unchanged, or which figure is out of its range.
+Result<Surface> validated(Surface surface);
+
+} // namespace idiophone

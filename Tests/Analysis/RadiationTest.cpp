@@ -1,0 +1,322 @@
+#include "Analysis/Radiation.h"
+
+#include "Analysis/Eigensolver.h"
+#include "Analysis/TwoLayerShell.h"
+#include "Geometry/ParametricMesh.h"
+#include "TestMaterials.h"
+
+#include <Eigen/QR>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double soundSpeed = 343;
+
+/// A body that owns what it is made of, to be turned and shifted.
+struct Body {
+    Mesh mesh;
+    Eigen::MatrixXd shapes; ///< [3N×M]
+    Eigen::VectorXd eigenvalues;
+    double thicknessMetres = 0;
+    Eigen::Vector3d centreMetres = Eigen::Vector3d::Zero();
+
+    RadiationTable radiation(const RadiationSettings& settings = {}) const {
+        const auto table =
+            radiationOf({mesh, shapes, eigenvalues, thicknessMetres, centreMetres}, settings);
+        REQUIRE(table);
+        CHECK(faultOf(*table, static_cast<std::size_t>(eigenvalues.size())).empty());
+        return *table;
+    }
+};
+
+Body analysed(const Mesh& mesh, double thicknessMetres, double highestHz) {
+    const auto modes = solveModes(twoLayerShell(mesh, referenceWood(1.0 / 3), thicknessMetres),
+                                  {.highestHz = highestHz});
+    REQUIRE(modes);
+    return {mesh, midSurfaceShapes(modes->shapes), modes->eigenvalues, thicknessMetres};
+}
+
+double weight(const RadiationTable& table, std::size_t direction, std::size_t ratio, int mode) {
+    const auto ratios = table.frequencyRatios.size();
+    const auto modes = table.weights.size() / ratios / table.directions.size();
+    return static_cast<double>(
+        table.weights[(direction * ratios + ratio) * modes + static_cast<std::size_t>(mode)]);
+}
+
+/// A solid sphere with one mode whose frequency at ratio 1 makes ka = 1, and whose surface moves
+/// along the normal or, `isRigid`, along z.
+constexpr double radiusMetres = 0.01;
+
+Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>& motion) {
+    Body body{icosphereMesh(radiusMetres, 5), {}, Eigen::VectorXd(1)};
+    body.shapes.resize(3 * body.mesh.vertexCount(), 1);
+    for (Eigen::Index v = 0; v < body.mesh.vertexCount(); ++v)
+        body.shapes.block<3, 1>(3 * v, 0) =
+            motion(body.mesh.vertices.row(v).transpose().normalized());
+    body.eigenvalues(0) = std::pow(soundSpeed / radiusMetres, 2);
+    return body;
+}
+
+/// From below the audible band's end at 20 Hz (ka = 0.0037) to the upper one at 22 kHz (4.03).
+const std::vector<double> sphereRatios{0.004, 0.02, 0.1, 0.5, 1, 1.5, 1.9, 2.5, 3.9};
+const std::vector<Eigen::Vector3d> alongZ{Eigen::Vector3d::UnitZ()};
+
+double sphericalBessel0(double x) {
+    return std::sin(x) / x;
+}
+double sphericalBessel1(double x) {
+    return std::sin(x) / (x * x) - std::cos(x) / x;
+}
+double sphericalBessel2(double x) {
+    return 3 / x * sphericalBessel1(x) - sphericalBessel0(x);
+}
+
+/// Σ_i w_i φ_i(v) over the modes of one pole: what a strike is heard as.
+Eigen::MatrixXd residues(const Body& body, const RadiationTable& table) {
+    const auto rows =
+        static_cast<Eigen::Index>(table.directions.size() * table.frequencyRatios.size());
+    const Eigen::Index modes = body.eigenvalues.size();
+    const Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
+        weights(table.weights.data(), rows, modes);
+    std::vector<Eigen::VectorXd> all;
+    for (Eigen::Index first = 0, next = 0; first < modes; first = next) {
+        while (next < modes && body.eigenvalues(next) <= body.eigenvalues(first) * (1 + 1e-9))
+            ++next;
+        const Eigen::MatrixXd shapes = body.shapes.middleCols(first, next - first);
+        const Eigen::MatrixXd own = weights.middleCols(first, next - first).cast<double>();
+        all.emplace_back((shapes * own.transpose()).reshaped());
+    }
+    Eigen::MatrixXd result(all.front().size(), all.size());
+    for (std::size_t pole = 0; pole < all.size(); ++pole)
+        result.col(static_cast<Eigen::Index>(pole)) = all[pole];
+    return result;
+}
+
+struct TurnedBody {
+    Body body;
+    Eigen::Index turned = 0; ///< modes that share a pole
+};
+
+/// The same body with a random orthogonal basis for each set of equal poles.
+TurnedBody withTurnedBases(const Body& body) {
+    TurnedBody result{body};
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    for (Eigen::Index first = 0, next = 0; first < body.eigenvalues.size(); first = next) {
+        while (next < body.eigenvalues.size() && body.eigenvalues(next) == body.eigenvalues(first))
+            ++next;
+        const Eigen::MatrixXd drawn = Eigen::MatrixXd::NullaryExpr(next - first, next - first,
+                                                                   [&] { return normal(random); });
+        const Eigen::MatrixXd rotation = drawn.householderQr().householderQ();
+        result.body.shapes.middleCols(first, next - first) *= rotation;
+        result.turned += next - first > 1 ? next - first : 0;
+    }
+    return result;
+}
+
+void checkSameResidues(const Body& body, const Body& other) {
+    const Eigen::MatrixXd expected = residues(body, body.radiation());
+    const Eigen::MatrixXd actual = residues(other, other.radiation());
+    const double scale = expected.cwiseAbs().maxCoeff();
+    CHECK(scale > 1e-2);
+    CHECK((actual - expected).cwiseAbs().maxCoeff() < 1e-5 * scale);
+    CHECK((other.shapes - body.shapes).cwiseAbs().maxCoeff() > 0.1);
+}
+
+/// Over the surface, of the displacement along an axis.
+double meanSquare(const Body& body, int mode, Eigen::Index axis) {
+    const Eigen::VectorXd areas = vertexAreas(body.mesh);
+    double sum = 0;
+    for (Eigen::Index v = 0; v < body.mesh.vertexCount(); ++v)
+        sum += areas(v) * std::pow(body.shapes(3 * v + axis, mode), 2);
+    return sum / areas.sum();
+}
+
+/// The modes of a flat sheet that move it up and down alike on both long edges: no twist, nothing
+/// sideways.
+std::vector<int> bendingModes(const Body& sheet) {
+    std::vector<int> modes;
+    for (int mode = 0; mode < sheet.eigenvalues.size(); ++mode) {
+        double twist = 0, size = 0;
+        for (Eigen::Index v = 0; v < sheet.mesh.vertexCount(); ++v) {
+            const double along = sheet.mesh.vertices(v, 0), across = sheet.mesh.vertices(v, 1);
+            const double up = sheet.shapes(3 * v + 2, mode);
+            twist += along * across * up;
+            size += std::abs(along * across * up);
+        }
+        if (meanSquare(sheet, mode, 2) > 10 * meanSquare(sheet, mode, 1) &&
+            std::abs(twist) < 0.1 * size)
+            modes.push_back(mode);
+    }
+    return modes;
+}
+
+double decibels(double ratio) {
+    return 20 * std::log10(std::abs(ratio));
+}
+
+} // namespace
+
+TEST_CASE("A breathing sphere is heard as the mean of the plane wave over it, sin(ka)/ka") {
+    const auto table =
+        sphere([](const Eigen::Vector3d& n) { return n; }).radiation({alongZ, sphereRatios});
+    for (std::size_t ratio = 0; ratio < sphereRatios.size(); ++ratio)
+        CHECK_THAT(std::abs(weight(table, 0, ratio, 0)),
+                   WithinAbs(std::abs(sphericalBessel0(sphereRatios[ratio])), 5e-4));
+    // Through the null at ka = π the weight changes its sign, and nowhere else.
+    for (std::size_t ratio = 1; ratio < sphereRatios.size(); ++ratio)
+        CHECK((weight(table, 0, ratio, 0) * weight(table, 0, ratio - 1, 0) < 0) ==
+              (sphereRatios[ratio] > std::numbers::pi));
+}
+
+TEST_CASE("A breathing sphere is louder than its l = 2 mode of equal amplitude while ka < 2") {
+    const auto breathing = sphere([](const Eigen::Vector3d& n) { return n; });
+    // √5 P₂: the same mean square, and its loudest direction.
+    const auto oblate = sphere([](const Eigen::Vector3d& n) -> Eigen::Vector3d {
+        return std::sqrt(5.0) * (3 * n.z() * n.z() - 1) / 2 * n;
+    });
+    CHECK_THAT(oblate.shapes.squaredNorm(), WithinRel(breathing.shapes.squaredNorm(), 1e-3));
+    const auto loud = breathing.radiation({alongZ, sphereRatios});
+    const auto soft = oblate.radiation({alongZ, sphereRatios});
+    for (std::size_t ratio = 0; ratio < sphereRatios.size(); ++ratio) {
+        const double ka = sphereRatios[ratio];
+        CHECK_THAT(std::abs(weight(soft, 0, ratio, 0)),
+                   WithinAbs(std::sqrt(5.0) * std::abs(sphericalBessel2(ka)), 1e-3));
+        if (ka < 2)
+            CHECK(std::abs(weight(loud, 0, ratio, 0)) > std::abs(weight(soft, 0, ratio, 0)));
+    }
+}
+
+TEST_CASE("A rigid translation vanishes in proportion to ka, as j1(ka)") {
+    const Eigen::Vector3d motion = Eigen::Vector3d(0.3, -0.5, 0.8).normalized();
+    const auto table =
+        sphere([&](const Eigen::Vector3d&) { return motion; }).radiation({alongZ, sphereRatios});
+    for (std::size_t ratio = 0; ratio < sphereRatios.size(); ++ratio)
+        CHECK_THAT(std::abs(weight(table, 0, ratio, 0)),
+                   WithinRel(motion.z() * std::abs(sphericalBessel1(sphereRatios[ratio])), 5e-3));
+    const double slope = std::abs(weight(table, 0, 0, 0)) / sphereRatios[0];
+    CHECK_THAT(std::abs(weight(table, 0, 1, 0)) / sphereRatios[1], WithinRel(slope, 1e-3));
+    CHECK_THAT(slope, WithinRel(motion.z() / 3, 5e-3));
+}
+
+TEST_CASE("Beyond the audible band the weights stay as at its ends") {
+    auto body = sphere([](const Eigen::Vector3d& n) { return n; });
+    const double highest = 2 * std::numbers::pi * 22000 / soundSpeed * radiusMetres;
+    const double lowest = highest * 20 / 22000;
+    const auto table = body.radiation({alongZ, {lowest / 9, lowest, highest, 16, 32}});
+    CHECK(weight(table, 0, 0, 0) == weight(table, 0, 1, 0));
+    CHECK_THAT(weight(table, 0, 2, 0), WithinRel(weight(table, 0, 3, 0), 1e-6));
+    CHECK(weight(table, 0, 3, 0) == weight(table, 0, 4, 0));
+}
+
+TEST_CASE("Listening from elsewhere than the centre changes no weight but all signs at once") {
+    // A pure delay, and one that turns w by more than half a circle between neighbouring ratios.
+    const std::vector<double> ratios{0.25, 0.35, 0.5, 0.71, 1, 1.4, 2, 2.8};
+    auto body = sphere([](const Eigen::Vector3d& n) -> Eigen::Vector3d {
+        return (1 + n.x() + 2 * n.z() * n.z() * n.z() + n.x() * n.y()) * n;
+    });
+    const auto here = body.radiation({stereoDirections(), ratios});
+    body.centreMetres = {0.06, -0.02, 0.05};
+    const auto there = body.radiation({stereoDirections(), ratios});
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+        const double sign = weight(here, direction, 0, 0) / weight(there, direction, 0, 0);
+        CHECK_THAT(std::abs(sign), WithinAbs(1, 1e-5));
+        for (std::size_t ratio = 0; ratio < ratios.size(); ++ratio)
+            CHECK_THAT(sign * weight(there, direction, ratio, 0),
+                       WithinAbs(weight(here, direction, ratio, 0), 1e-5));
+    }
+}
+
+TEST_CASE("A bar's fundamental is audible though its two faces displace no volume between them") {
+    const auto bar = analysed(sheetMesh(0.385, 0.04, 929), 0.02, 3000);
+    const auto bending = bendingModes(bar);
+    REQUIRE(bending.size() >= 2);
+    const auto table = bar.radiation();
+    constexpr std::size_t asAnalysed = 8;
+    REQUIRE(table.frequencyRatios[asAnalysed] == 1);
+    const double rms = std::sqrt(meanSquare(bar, bending[0], 2));
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+        const double first = weight(table, direction, asAnalysed, bending[0]),
+                     second = weight(table, direction, asAnalysed, bending[1]);
+        INFO("fundamental " << decibels(first / rms) << " dB re its r.m.s. shape, second mode "
+                            << decibels(second / first) << " dB above it");
+        CHECK(decibels(first / rms) > -50);
+        CHECK(decibels(second / first) > 0);
+        CHECK(decibels(second / first) < 25);
+        CHECK(std::abs(weight(table, direction, 0, bending[0])) < 1e-3 * std::abs(first));
+    }
+}
+
+TEST_CASE("A mirror-symmetric bar is as loud on the left as on the right in every mode") {
+    const auto bar = analysed(sheetMesh(0.3, 0.04, 400), 0.02, 12000);
+    const auto table = bar.radiation();
+    const auto modes = static_cast<std::size_t>(bar.eigenvalues.size());
+    REQUIRE(modes >= 8);
+    int heard = 0;
+    for (std::size_t ratio = 0; ratio < table.frequencyRatios.size(); ++ratio)
+        for (std::size_t mode = 0; mode < modes; ++mode) {
+            const double left = weight(table, 0, ratio, static_cast<int>(mode)),
+                         right = weight(table, 1, ratio, static_cast<int>(mode));
+            CHECK_THAT(std::abs(left), WithinAbs(std::abs(right), 1e-6));
+            heard += std::abs(left) > 1e-3 ? 1 : 0;
+        }
+    CHECK(heard > 60);
+}
+
+TEST_CASE("A strike is heard the same whatever the signs of the shapes") {
+    auto body = analysed(sheetMesh(0.3, 0.1, 300), 0.01, 8000);
+    const auto before = residues(body, body.radiation());
+    for (Eigen::Index mode = 0; mode < body.eigenvalues.size(); mode += 2)
+        body.shapes.col(mode) *= -1;
+    const auto after = residues(body, body.radiation());
+    CHECK(before == after);
+    CHECK(before.cwiseAbs().maxCoeff() > 1e-2);
+}
+
+TEST_CASE("A strike is heard the same whatever the basis of equal poles") {
+    const auto mesh = GENERATE(hoopMesh(0.07, 0.015, 48, 4), icosphereMesh(0.05, 2));
+    auto body = analysed(mesh, 0.004, 30000);
+    // Twins that the mesh and the solver leave a rounding apart are made one.
+    for (Eigen::Index mode = 1; mode < body.eigenvalues.size(); ++mode)
+        if (body.eigenvalues(mode) < body.eigenvalues(mode - 1) * (1 + 1e-7))
+            body.eigenvalues(mode) = body.eigenvalues(mode - 1);
+    REQUIRE(withTurnedBases(body).turned >= 8);
+    checkSameResidues(body, withTurnedBases(body).body);
+}
+
+TEST_CASE("So it is where members of one pole are heard in quadrature") {
+    // Modes even and odd along a sheet have imaginary and real weights: put three to a pole.
+    auto body = analysed(sheetMesh(0.3, 0.1, 300), 0.01, 8000);
+    body.centreMetres = {0.02, 0.01, 0.03};
+    for (Eigen::Index mode = 0; mode < body.eigenvalues.size(); ++mode)
+        body.eigenvalues(mode) = body.eigenvalues(mode / 3 * 3);
+    checkSameResidues(body, withTurnedBases(body).body);
+}
+
+TEST_CASE("Radiation that makes no sense is refused with one sentence") {
+    auto body = sphere([](const Eigen::Vector3d& n) { return n; });
+    const auto errorOf = [](const Body& b, const RadiationSettings& settings = {}) {
+        const auto table = radiationOf({b.mesh, b.shapes, b.eigenvalues}, settings);
+        return table ? "" : table.error().message;
+    };
+    CHECK(errorOf(body).empty());
+    CHECK_THAT(errorOf(body, {{}, {1}}), ContainsSubstring("direction"));
+    CHECK_THAT(errorOf(body, {alongZ, {}}), ContainsSubstring("ratio"));
+    auto flat = body;
+    flat.mesh.vertices.setZero();
+    CHECK_THAT(errorOf(flat), ContainsSubstring("no area"));
+    body.shapes.conservativeResize(30, 1);
+    CHECK_THAT(errorOf(body), ContainsSubstring("do not belong"));
+}

@@ -1,0 +1,31 @@
+#include "Instrument/LowestModes.h"
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+TEST_CASE("The lowest four frequencies count pairs once and follow size and ratio") {
+    const LowestModes modes(syntheticObject({100, 100.2, 270, 271, 520, 860, 1300}), 2);
+    REQUIRE(modes.count == 4);
+    const double expected[] = {50, 135, 260, 430};
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(modes.span()[k] == Approx(expected[k]));
+    CHECK(modes.moved(1.5).span()[1] == Approx(202.5));
+    CHECK(modes.moved(0.1).span()[0] == 20);
+    CHECK(LowestModes(syntheticObject({100, 300}), 1).span().size() == 2);
+}
+
+TEST_CASE("Frequencies rise with the root of stiffness over density and fall with size") {
+    const auto own = syntheticObject({100}).material;
+    SynthesisSettings settings;
+    CHECK(liveFrequencyRatio(own, settings) == 1);
+    settings.material = LiveMaterial{.youngsModulusPa = 4 * own.youngsModulusPa,
+                                     .densityKgPerM3 = own.densityKgPerM3 / 4};
+    settings.sizeRatio = 2;
+    settings.frequencyRatio = 1.5;
+    CHECK(liveFrequencyRatio(own, settings) == Approx(3));
+}

@@ -1,0 +1,104 @@
+#include "Instrument/Mallet.h"
+#include "Instrument/MalletStrike.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <set>
+#include <string>
+
+using namespace idiophone;
+using Catch::Approx;
+
+namespace {
+
+double compliance(const char* material) {
+    return surfaceCompliancePerPa(*findMaterial(material), {});
+}
+
+double contactMilliseconds(const Mallet& mallet, const char* struck, double speed) {
+    return 1000 * hertzContactSeconds(mallet.massKg, mallet.headRadiusMetres,
+                                      contactModulusPa(mallet, compliance(struck)), speed);
+}
+
+const Mallet& rackMallet(std::string_view name) {
+    for (const auto& mallet : malletRack())
+        if (mallet.name == name)
+            return mallet;
+    FAIL("no mallet " << name);
+    throw 0;
+}
+
+} // namespace
+
+TEST_CASE("The contact times of the rack are those of the Hertz table at 0.3, 1 and 3 m/s") {
+    struct Row {
+        const char* mallet;
+        const char* struck;
+        double milliseconds[3];
+    };
+    const Row table[] = {
+        {"Yarn", "Rosewood", {6.44, 5.06, 4.06}},
+        {"Soft rubber", "Rosewood", {6.44, 5.06, 4.06}},
+        {"Medium rubber", "Rosewood", {2.47, 1.94, 1.56}},
+        {"Hard rubber", "Rosewood", {1.27, 0.99, 0.80}},
+        {"Wood", "Rosewood", {0.46, 0.36, 0.29}},
+        {"Hard plastic", "Rosewood", {0.46, 0.36, 0.29}},
+        {"Brass", "Steel", {0.11, 0.09, 0.07}},
+    };
+    CHECK(std::size(table) == malletRack().size());
+    const double speeds[] = {0.3, 1, 3};
+    for (const auto& row : table)
+        for (int i = 0; i < 3; ++i) {
+            INFO(row.mallet << " at " << speeds[i] << " m/s");
+            // The table's last digit, or a hundredth where that is more.
+            CHECK(contactMilliseconds(rackMallet(row.mallet), row.struck, speeds[i]) ==
+                  Approx(row.milliseconds[i]).margin(0.005).epsilon(0.01));
+        }
+}
+
+TEST_CASE("Contact times go as speed to the minus one fifth, exactly") {
+    for (const auto& mallet : malletRack()) {
+        INFO(mallet.name);
+        const double slow = contactMilliseconds(mallet, "Wood", 0.1);
+        for (const double speed : {0.3, 1.0, 3.0, 10.0})
+            CHECK(std::log(contactMilliseconds(mallet, "Wood", speed) / slow) /
+                      std::log(speed / 0.1) ==
+                  Approx(-0.2).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("The softer of head and surface decides: brass on plastic touches longer than on steel") {
+    const auto& brass = rackMallet("Brass");
+    const double onSteel = contactMilliseconds(brass, "Steel", 1);
+    const double onPlastic = contactMilliseconds(brass, "Plastic", 1);
+    // 1/E* by hand: 1/82.7 + (1 − 0.29²)/200 and 1/82.7 + (1 − 0.35²)/1.4, in 1/GPa.
+    CHECK(onPlastic / onSteel ==
+          Approx(std::pow((1 / 82.7 + 0.8775 / 1.4) / (1 / 82.7 + 0.9159 / 200), 0.4)));
+    const auto& yarn = rackMallet("Yarn");
+    CHECK(contactMilliseconds(yarn, "Plastic", 1) ==
+          Approx(contactMilliseconds(yarn, "Steel", 1)).epsilon(0.002));
+}
+
+TEST_CASE("The rack goes from soft to hard, each with a name of its own and a source") {
+    std::set<std::string_view> names;
+    double softest = 1e9;
+    for (const auto& mallet : malletRack()) {
+        INFO(mallet.name);
+        CHECK(names.insert(mallet.name).second);
+        CHECK_FALSE(mallet.source.empty());
+        CHECK(mallet.massKg > 0);
+        CHECK(mallet.headRadiusMetres > 0);
+        const double milliseconds = contactMilliseconds(mallet, "Steel", 1);
+        CHECK(milliseconds <= 1.01 * softest);
+        softest = milliseconds;
+    }
+}
+
+TEST_CASE("The mallet choice names the rack's mallets in the rack's order") {
+    const auto names = choiceNames(ParameterId::mallet);
+    const auto rack = malletRack();
+    REQUIRE(names.size() == rack.size() + firstRackMallet);
+    for (std::size_t i = 0; i < rack.size(); ++i)
+        CHECK(names[i + firstRackMallet] == rack[i].name);
+}

@@ -1,0 +1,96 @@
+#include "Object/RadiationTable.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <limits>
+
+using namespace idiophone;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Two directions, three ratios, two modes.
+RadiationTable table() {
+    return {.directions = {{0, 0, 1}, {0.6f, -0.8f, 0}},
+            .frequencyRatios = {0.5, 1, 4},
+            .weights = {1, 2, 3, 4, 5, 6, -1, -2, -3, -4, 5, 60}};
+}
+
+std::vector<float> at(std::size_t direction, double ratio) {
+    std::vector<float> weights(2);
+    table().weightsAt(direction, ratio, weights);
+    return weights;
+}
+
+} // namespace
+
+TEST_CASE("At a tabulated ratio the weights are the tabulated ones") {
+    CHECK(at(0, 0.5) == std::vector<float>{1, 2});
+    CHECK(at(0, 1) == std::vector<float>{3, 4});
+    CHECK(at(0, 4) == std::vector<float>{5, 6});
+    CHECK(at(1, 1) == std::vector<float>{-3, -4});
+}
+
+TEST_CASE("Between tabulated ratios the weights are linear in the logarithm of the ratio") {
+    CHECK(at(0, 2) == std::vector<float>{4, 5});
+    CHECK_THAT(at(0, std::sqrt(0.5))[1], WithinRel(3.0f, 1e-6f));
+    // Through zero where the sign changes.
+    CHECK(at(1, 2) == std::vector<float>{1, 28});
+    CHECK_THAT(at(1, std::exp2(0.75))[0], WithinAbs(0.0, 1e-6));
+}
+
+TEST_CASE("Beyond the table's ends, and for no number, the weights are held") {
+    for (const double ratio : {0.4, 1e-300, 0.0, -1.0, -infinity, notANumber})
+        CHECK(at(1, ratio) == std::vector<float>{-1, -2});
+    for (const double ratio : {4.5, 1e300, infinity})
+        CHECK(at(1, ratio) == std::vector<float>{5, 60});
+}
+
+TEST_CASE("A table of one ratio gives its weights at every ratio") {
+    const RadiationTable one{
+        .directions = {{1, 0, 0}}, .frequencyRatios = {1}, .weights = {7, 8, 9}};
+    CHECK(faultOf(one, 3).empty());
+    for (const double ratio : {0.1, 1.0, 10.0}) {
+        std::vector<float> weights(3);
+        one.weightsAt(0, ratio, weights);
+        CHECK(weights == one.weights);
+    }
+}
+
+TEST_CASE("Each malformed part of a radiation table is named") {
+    CHECK(faultOf({}, 2).empty());
+    CHECK(faultOf(table(), 2).empty());
+    const auto refuse = [](auto change, const char* sentence) {
+        auto changed = table();
+        change(changed);
+        CHECK_THAT(faultOf(changed, 2), ContainsSubstring(sentence));
+    };
+    const char* const size = "directions x ratios x modes";
+    refuse([](auto& t) { t.directions.clear(); }, size);
+    refuse([](auto& t) { t.frequencyRatios.clear(); }, size);
+    refuse([](auto& t) { t.weights.clear(); }, size);
+    refuse([](auto& t) { t.weights.pop_back(); }, size);
+    refuse([](auto& t) { t.weights.resize(24); }, size);
+    refuse([](auto& t) { t.directions.pop_back(); }, size);
+    refuse([](auto& t) { t.directions[1] = {0.6f, 0.8f, 0.1f}; }, "unit vector");
+    refuse([](auto& t) { t.directions[0] = {0, 0, 0}; }, "unit vector");
+    refuse([](auto& t) { t.directions[0][1] = static_cast<float>(notANumber); }, "unit vector");
+    refuse([](auto& t) { t.directions[0][1] = static_cast<float>(infinity); }, "unit vector");
+    refuse([](auto& t) { t.frequencyRatios[0] = 0; }, "positive number");
+    refuse([](auto& t) { t.frequencyRatios[1] = notANumber; }, "positive number");
+    refuse([](auto& t) { t.frequencyRatios[2] = infinity; }, "positive number");
+    refuse([](auto& t) { t.frequencyRatios[1] = 0.5; }, "ascending order");
+    refuse([](auto& t) { std::swap(t.frequencyRatios[1], t.frequencyRatios[2]); },
+           "ascending order");
+    refuse([](auto& t) { t.weights[7] = static_cast<float>(notANumber); }, "weight");
+    refuse([](auto& t) { t.weights[7] = static_cast<float>(-infinity); }, "weight");
+    CHECK_THAT(faultOf(table(), 3), ContainsSubstring("directions x ratios"));
+    CHECK_THAT(faultOf(table(), 0), ContainsSubstring("directions x ratios"));
+}
