@@ -1,5 +1,6 @@
 #include "Synth/ModalBank.h"
 
+#include "Synth/ForceKernel.h"
 #include "Synth/PoleKernel.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
     for (auto* array : {&stiffness, &damping, &decay, &frequency, &displacementShare,
                         &velocityShare, &resonance, &cellRe, &cellIm})
         array->resize(padded);
-    for (auto* array : {&audibles, &turnRe, &turnIm, &energy})
+    for (auto* array : {&audibles, &sampleRe, &sampleIm, &turnRe, &turnIm, &energy})
         array->resize(padded);
     for (std::size_t c = 0; c < channelCapacity; ++c) {
         states.x[c].resize(padded);
@@ -97,6 +98,7 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           double lowestHz,
                           double highestHz) noexcept {
     heavyModes.clear();
+    audibleModes = 0;
     for (std::size_t g = 0; g < count; ++g) {
         const ModalPole moved = law.pole(referenceEigenvalues[g]);
         const bool oscillates = isOscillating(moved);
@@ -112,13 +114,15 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         const bool inBand = hz >= lowestHz && hz < highestHz;
         const bool light = moved.damping * moved.damping < 4e-4 * moved.stiffness;
         audibles[g] = inBand ? 1.0f : 0.0f;
+        audibleModes += inBand ? 1 : 0;
         resonance[g] = inBand && light ? hz : 0;
         if (!oscillates)
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }
     rotationsOfPoles({stiffness.data(), damping.data(), decay.data(), frequency.data(),
-                      displacementShare.data(), velocityShare.data(), turnRe.data(), turnIm.data(),
-                      cellRe.data(), cellIm.data(), tables.data()},
+                      displacementShare.data(), velocityShare.data(), sampleRe.data(),
+                      sampleIm.data(), turnRe.data(), turnIm.data(), cellRe.data(), cellIm.data(),
+                      tables.data()},
                      paddedSize(), sampleSeconds);
     for (HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
@@ -132,6 +136,8 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
 void ModalBank::correctHeavy(std::size_t g) noexcept {
     displacementShare[g] = std::sqrt(stiffness[g]);
     velocityShare[g] = 0;
+    sampleRe[g] = 0;
+    sampleIm[g] = 0;
     turnRe[g] = 0;
     turnIm[g] = 0;
     cellRe[g] = 0;
@@ -398,6 +404,34 @@ void ModalBank::forcedStates(const PulseInstant& pulse,
 void ModalBank::impulseStates(double* x, double* y) const noexcept {
     std::fill_n(x, paddedSize(), 1.0);
     std::copy_n(velocityShare.data(), paddedSize(), y);
+}
+
+void ModalBank::force(std::span<const float, cellSize> impulses,
+                      const float* startResidues,
+                      const float* endResidues,
+                      double dampingPerSecond,
+                      std::size_t channel) noexcept {
+    const double fall = std::exp(-dampingPerSecond * sampleSeconds);
+    forceModes({sampleRe.data(), sampleIm.data(), velocityShare.data(), startResidues, endResidues},
+               impulses.data(), static_cast<float>(fall), paddedSize(), states.x[channel].data(),
+               states.y[channel].data());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const Propagator sample = propagator(pole(g), sampleSeconds);
+        const auto start = static_cast<double>(startResidues[g]);
+        const auto way = static_cast<double>(endResidues[g]) - start;
+        ModalState moving;
+        for (std::size_t k = 0; k < cellSize; ++k) {
+            const double residue =
+                start + way * static_cast<double>(shareOfWay(k / subBlockSamples));
+            moving.x += residue * static_cast<double>(impulses[k]);
+            moving = sample * moving;
+            moving = {fall * moving.x, fall * moving.y};
+        }
+        // SIMD, with ρ = 0, left these states alone.
+        states.x[channel][g] += moving.x;
+        states.y[channel][g] += moving.y;
+    }
 }
 
 } // namespace idiophone

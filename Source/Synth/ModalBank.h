@@ -67,6 +67,7 @@ public:
 
     ModalPole pole(std::size_t g) const noexcept { return {stiffness[g], damping[g]}; }
     bool audible(std::size_t g) const noexcept { return audibles[g] != 0; }
+    std::size_t audibleCount() const noexcept { return audibleModes; }
     ModalState state(std::size_t g, std::size_t channel = 0) const noexcept {
         return {states.x[channel][g], states.y[channel][g]};
     }
@@ -127,6 +128,16 @@ public:
                       double* swingRe,
                       double* swingIm) const noexcept;
 
+    /// Adds to the states of one channel, at the end of a cell, what 64 impulses did to them, one
+    /// at each sample, with residues [paddedSize] that go from start to end (ForceKernel.h).
+    void force(std::span<const float, subBlocks * subBlockSamples> impulses,
+               const float* startResidues,
+               const float* endResidues,
+               double dampingPerSecond,
+               std::size_t channel) noexcept;
+    /// After `force`: the energies as they are now.
+    void measureAll() noexcept { measureStates(states, energy.data()); }
+
     /// Frequencies of lightly damped audible modes in Hz, 0 for the others: those that a contact
     /// time must keep clear of.
     std::span<const double> resonances() const noexcept { return {resonance.data(), count}; }
@@ -154,12 +165,13 @@ private:
     double sampleSeconds;
     std::size_t count = 0;
     std::size_t channelCount = 1;
+    std::size_t audibleModes = 0;
 
     AlignedVector<double> stiffness, damping, decay, frequency, displacementShare, velocityShare;
     AlignedVector<double> resonance;
     AlignedVector<float> audibles;
     AlignedVector<float> tables; ///< [G,2,16]
-    AlignedVector<float> turnRe, turnIm;
+    AlignedVector<float> sampleRe, sampleIm, turnRe, turnIm;
     AlignedVector<double> cellRe, cellIm;
     ModeStates states;
     AlignedVector<float> energy;

@@ -69,6 +69,8 @@ void rotations(const PoleArrays& arrays, std::size_t count, double sampleSeconds
         hn::Store(hn::Mul(decay, perFrequency), d, arrays.velocityShare + g);
 
         const Complex sample = rotation(decay, frequency, sampleSeconds);
+        hn::Store(hn::DemoteTo(f, sample.re), f, arrays.sampleRe + g);
+        hn::Store(hn::DemoteTo(f, sample.im), f, arrays.sampleIm + g);
         Complex power{hn::Set(d, 1.0), hn::Zero(d)};
         for (std::size_t k = 0; k < subBlockSamples; ++k) {
             hn::Store(cleared(power.re), d, re[k]);

@@ -15,6 +15,8 @@ struct PoleArrays {
     /// y of the state from motion: displacementShare z + velocityShare z'.
     double* displacementShare; ///< λ/ω_d
     double* velocityShare;     ///< α/ω_d
+    float* sampleRe;           ///< ρ
+    float* sampleIm;
     float* turnRe;
     float* turnIm;
     double* cellRe;

@@ -56,6 +56,9 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
         list->reserve(modes);
     mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
+    for (Response& response : responses)
+        for (std::size_t c = 0; c < (object->radiation.empty() ? 1 : channels); ++c)
+            response.residues[c].resize(bank.paddedSize());
     applySettings({});
     regroup();
 }
@@ -93,21 +96,24 @@ void SoundingObject::survey() noexcept {
     EnergySurvey found;
     const auto tau = static_cast<float>(tauVelocity * tauVelocity);
     const auto faint = static_cast<float>(floorVelocity * floorVelocity);
-    std::int32_t held = 0;
+    // Under a contact nothing comes or goes; under a continuous force nothing goes.
+    const bool held = !contacts.empty();
+    const bool forced = forcedCell == cellIndex - 1;
+    std::int32_t ringing = 0;
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
         std::uint16_t rings = blocks[b].rings;
         surveyEnergies(bank.energies() + b * modeBlock, bank.audibleWeights() + b * modeBlock, tau,
                        faint, rings, found);
-        held += std::popcount(blocks[b].rings);
-        if (contacts.empty())
-            blocks[b].rings = rings;
+        if (!held)
+            blocks[b].rings = forced ? rings | blocks[b].rings : rings;
+        ringing += std::popcount(blocks[b].rings);
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks)
             bank.clearFaint(static_cast<std::size_t>(b), floorVelocity);
     mixedIsRinging = mixedIsRinging && !found.changed;
-    demanded = {found.amplitudes, contacts.empty() ? found.modes : held};
+    demanded = {found.amplitudes, ringing};
 }
 
 void SoundingObject::chooseModes(std::int32_t share) noexcept {
@@ -172,6 +178,7 @@ void SoundingObject::listMixed() noexcept {
         forEachMode(b, blocks[b].mixed, [&](std::int32_t g) { mixedModes.push_back(g); });
     }
     findRuns(mixedModes, mixedRuns);
+    ++responseVersion;
 }
 
 void SoundingObject::retireBlocks(std::int64_t grid) noexcept {
@@ -258,6 +265,8 @@ void SoundingObject::reset() noexcept {
     mixedRuns.clear();
     mixedIsRinging = true;
     contacts.clear();
+    forcedCell = -1;
+    ++responseVersion;
     fader.reset();
     demanded = {};
     mixedLastCell = 0;

@@ -4,6 +4,7 @@
 
 #include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
+#include "Synth/ForceCell.h"
 #include "Synth/ModalBank.h"
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
@@ -58,6 +59,11 @@ public:
                 std::int32_t allowance,
                 const CellOutput& cell) noexcept;
 
+    /// Applies a cell of continuous force, after `mix` of the same cell and any number of times.
+    /// While it lasts all its modes are mixed that `allowance` has room for, and none is dropped.
+    bool
+    applyForce(const ForceCell& force, std::int32_t allowance, const CellOutput& cell) noexcept;
+
     void reset() noexcept;
 
     bool ringing() const noexcept { return !activeBlocks.empty() || !contacts.empty(); }
@@ -106,13 +112,16 @@ private:
     double dampingLog(std::int64_t grid) const noexcept;
 
     // SoundingObjectStrike.cpp: residues, contacts.
+    bool valid(const StrikePoint& point) const noexcept;
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
+    void prepareBank() noexcept;
     void computeResidues(const Contact& contact) noexcept;
     void mergeResidues(std::size_t channel) noexcept;
     void widen(double listening) noexcept;
     void findRadiation() noexcept;
     void computeForced(const Contact& contact, std::complex<double> phase) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
+    void admitWanted(std::int32_t allowance) noexcept;
     void listWanted(std::size_t most) noexcept;
     void admit(std::size_t g) noexcept;
     void hold(Contact& contact, std::span<const std::int32_t> modes) const noexcept;
@@ -124,8 +133,18 @@ private:
     void addKicks(int from, int until, const CellOutput& cell) noexcept;
     void addToCell(const ChannelOutputs& sound, const CellOutput& cell) const noexcept;
     void joinKicks(int from) noexcept;
+    void bringRestingUpToDate() noexcept;
+    void listWhatRings() noexcept;
     std::complex<double>
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
+
+    // SoundingObjectForce.cpp: continuous contact.
+    void admitForced(std::int32_t allowance) noexcept;
+    void findResponse(const StrikePoint& point,
+                      const std::array<float, 3>& direction,
+                      std::size_t which) noexcept;
+    void soundForce(std::span<const float, cellSamples> impulses,
+                    const CellOutput& cell) const noexcept;
 
     std::shared_ptr<const ModalObject> object;
     double slotSizeRatio;
@@ -170,6 +189,20 @@ private:
     std::int32_t mixedLastCell = 0;
 
     std::vector<Contact> contacts;
+
+    /// What the object answers to an impulse of 1 N s at one place within the rest of a cell. The
+    /// end of one cell is the start of the next, and a contact that stays in its place needs no new
+    /// response.
+    struct Response {
+        StrikePoint point;
+        std::array<float, 3> direction{};
+        std::uint64_t version = 0; ///< of what it depends on besides; 0 is none
+        std::array<AlignedVector<float>, mostChannels> residues; ///< [G], padded with zeros
+        alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+    };
+    std::array<Response, 2> responses; ///< at the start and at the end of the cell
+    std::uint64_t responseVersion = 1;
+    std::int64_t forcedCell = -1; ///< the last cell that was forced
 
     /// Calls `visit` with the mode of each bit of a block.
     template <class Visit>

@@ -34,7 +34,10 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     const PoleLaw newLaw{stiffness / density * tuning * tuning, material.fluidDampingPerSecond,
                          material.viscoelasticDampingSeconds};
     const double newTau = std::max(settings.tau * metresPerSecondPerTau, smallestTauVelocity);
-    gainRatio = 1 / (density * size * size * size);
+    const double newGainRatio = 1 / (density * size * size * size);
+    if (newGainRatio != gainRatio || settings.radiation != radiation)
+        ++responseVersion;
+    gainRatio = newGainRatio;
     wantedRadiationRatio = std::sqrt(newLaw.eigenvalueRatio) * size;
     compression = settings.compression;
     radiation = settings.radiation;
@@ -49,6 +52,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     if (polesMove || dampingMoves)
         for (Contact& contact : contacts)
             moveContact(contact, 1);
+    ++responseVersion;
     dampingLogBase = dampingLog(cellIndex);
     dampingSince = cellIndex;
     damping = requestedDamping;
@@ -66,6 +70,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
 
 void SoundingObject::movePoles() noexcept {
     polesBehind = false;
+    ++responseVersion;
     // Resting states move with the poles they had up to here.
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active)

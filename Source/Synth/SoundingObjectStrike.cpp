@@ -16,6 +16,10 @@ namespace {
 
 constexpr double shortestContactSamples = 1e-3;
 
+// By measurement: makes the whole surface about as loud as the point struck, over the factory
+// objects. A mean over the surface is small where its parts cancel.
+constexpr double radiationGain = 10;
+
 bool finite(std::span<const float> values) noexcept {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
@@ -26,16 +30,28 @@ int firstSampleFrom(double time) noexcept {
 
 } // namespace
 
-bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noexcept {
+bool SoundingObject::valid(const StrikePoint& point) const noexcept {
     const auto rows = static_cast<std::int64_t>(object->shapeVertexCount());
-    for (std::size_t k = 0; k < strike.point.weights.size(); ++k) {
-        const std::int64_t row = strike.point.shapeRows[k];
-        if (strike.point.weights[k] != 0 && (row < 0 || row >= rows))
+    for (std::size_t k = 0; k < point.weights.size(); ++k) {
+        const std::int64_t row = point.shapeRows[k];
+        if (point.weights[k] != 0 && (row < 0 || row >= rows))
             return false;
     }
-    return object->modeCount() > 0 && finite(strike.point.weights) && finite(strike.point.normal) &&
-           finite(strike.impulseNewtonSeconds) && std::isfinite(strike.durationSeconds) &&
-           strike.durationSeconds >= 0 && sampleInCell >= 0 && sampleInCell < cellSamples;
+    return object->modeCount() > 0 && finite(point.weights) && finite(point.normal);
+}
+
+bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noexcept {
+    return valid(strike.point) && finite(strike.impulseNewtonSeconds) &&
+           std::isfinite(strike.durationSeconds) && strike.durationSeconds >= 0 &&
+           sampleInCell >= 0 && sampleInCell < cellSamples;
+}
+
+/// Groups are formed anew where nothing rings, and poles are those of the settings.
+void SoundingObject::prepareBank() noexcept {
+    if (!ringing() && (groupedLaw != law || groupedCompression != compression))
+        regroup();
+    else if (polesBehind)
+        movePoles();
 }
 
 /// Residues of all groups in each channel. What is heard is a mean of the velocity at the struck
@@ -53,7 +69,7 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
                   struckGains.data());
     projectShapes(point, listeningDirection(struck), object->modeCount(), heardGains.data());
     const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
-    const auto far = static_cast<float>(contact.gainRatio * contact.listening);
+    const auto far = static_cast<float>(radiationGain * contact.gainRatio * contact.listening);
     if (far > 0)
         findRadiation();
     for (std::size_t c = 0; c < bank.channels(); ++c) {
@@ -99,6 +115,7 @@ void SoundingObject::widen(double listening) noexcept {
     if (!(listening > 0) || outputChannels == 1 || bank.channels() == mostChannels)
         return;
     bank.setChannels(mostChannels);
+    ++responseVersion;
     fader.widen();
     for (Contact& contact : contacts) {
         contact.steadyVelocity[1] = contact.steadyVelocity[0];
@@ -122,10 +139,7 @@ bool SoundingObject::strike(const Strike& asked,
     const bool isPulse = asked.durationSeconds * sampleRate >= shortestContactSamples;
     if (!valid(asked, sampleInCell) || (isPulse && contacts.size() == contactCapacity))
         return false;
-    if (!ringing() && (groupedLaw != law || groupedCompression != compression))
-        regroup();
-    else if (polesBehind)
-        movePoles();
+    prepareBank();
     Contact contact{.strike = asked,
                     .gainRatio = gainRatio,
                     .startCell = cellIndex,
@@ -192,20 +206,24 @@ void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
     bank.measureStates(kicks, kickEnergies.data());
     EnergySurvey found;
     const auto tau = static_cast<float>(tauVelocity * tauVelocity);
-    std::size_t struck = 0;
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
-        std::uint16_t loud = 0;
+        wanted[b] = 0;
         surveyEnergies(kickEnergies.data() + b * modeBlock, bank.audibleWeights() + b * modeBlock,
-                       tau, 0, loud, found);
-        // A mode that the budget left out cannot join a contact under way: its forced part would
-        // step. One below τ can.
+                       tau, 0, wanted[b], found);
+    }
+    admitWanted(allowance);
+}
+
+/// Lets the wanted modes sound, the loudest by `kickEnergies` where there is no room for all.
+void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
+    // A mode that the budget left out cannot join a contact under way: its forced part would step.
+    // One below τ can.
+    for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         const unsigned barred = blocks[b].mixed | (contacts.empty() ? 0u : blocks[b].rings);
-        wanted[b] = static_cast<std::uint16_t>(loud & ~barred);
-        struck += static_cast<std::size_t>(std::popcount(wanted[b]));
+        wanted[b] = static_cast<std::uint16_t>(wanted[b] & ~barred);
     }
     const auto mixed = static_cast<std::int32_t>(mixedModes.size());
-    const auto room = static_cast<std::size_t>(std::max(allowance - mixed, 0));
-    listWanted(room);
+    listWanted(static_cast<std::size_t>(std::max(allowance - mixed, 0)));
     if (joining.empty())
         return;
     leaving.clear();
@@ -330,14 +348,24 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
 
 /// Adds the kicks, which stand at sample `from`, to the states at the next grid point.
 void SoundingObject::joinKicks(int from) noexcept {
+    bringRestingUpToDate();
+    const int samples = cellSamples - from;
+    bank.join(kicks, static_cast<std::size_t>(samples), std::exp(-damping * samples / sampleRate));
+    listWhatRings();
+}
+
+/// Before something is added to the states at the next grid point.
+void SoundingObject::bringRestingUpToDate() noexcept {
     const std::int64_t grid = cellIndex + 1;
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active && !bringUpToDate(b, grid)) {
             blocks[b].restsSince = grid;
             blocks[b].restsAtDampingLog = dampingLog(grid);
         }
-    const int samples = cellSamples - from;
-    bank.join(kicks, static_cast<std::size_t>(samples), std::exp(-damping * samples / sampleRate));
+}
+
+/// After something was added.
+void SoundingObject::listWhatRings() noexcept {
     const auto tau = static_cast<float>(tauVelocity * tauVelocity);
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         EnergySurvey found;

@@ -155,6 +155,13 @@ bool Synthesiser::strike(std::size_t slot,
            all.objects[slot].strike(strike, sampleInCell, all.allowance(slot), cell);
 }
 
+bool Synthesiser::applyForce(std::size_t slot,
+                             const ForceCell& force,
+                             const CellOutput& cell) noexcept {
+    auto& all = *implementation;
+    return slot < slotCount() && all.objects[slot].applyForce(force, all.allowance(slot), cell);
+}
+
 void Synthesiser::reset() noexcept {
     auto& all = *implementation;
     for (SoundingObject& object : all.objects)

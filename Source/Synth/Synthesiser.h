@@ -4,6 +4,7 @@
 
 #include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
+#include "Synth/ForceCell.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
 
@@ -56,6 +57,12 @@ public:
                 const Strike& strike,
                 double sampleInCell,
                 const CellOutput& cell) noexcept;
+
+    /// Presses on a slot throughout the cell begun last, in addition to whatever else does, and
+    /// adds the sound to it. While a force lasts the modes that the budget allows stay mixed,
+    /// however faint. Returns false, and does nothing, where the slot or a shape row does not exist
+    /// or a figure is not finite.
+    bool applyForce(std::size_t slot, const ForceCell& force, const CellOutput& cell) noexcept;
 
     /// Forgets all that rings, at once. The caller fades the output.
     void reset() noexcept;

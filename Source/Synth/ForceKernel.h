@@ -1,0 +1,37 @@
+// What a cell of continuous force does to many modes at once, with SIMD chosen at run time. Arrays
+// in, arrays out; counts are whole blocks.
+#pragma once
+
+#include "Synth/ModalBankKernel.h"
+
+#include <cstddef>
+
+namespace idiophone {
+
+/// Arrays over oscillating modes.
+struct ForcedModes {
+    const float* sampleRe; ///< ρ
+    const float* sampleIm;
+    const double* velocityShare; ///< α/ω_d
+    /// Residues for the point and direction at the start and at the end of the cell.
+    const float* startResidues;
+    const float* endResidues;
+};
+
+/// Adds to the states x, y at the end of the cell what a force did to them: for impulses f[k] at
+/// sample k, b Σ_k r ρ^(64 − k) f[k] with b = 1 + iα/ω_d (DESIGN 5, Continuous contact). The
+/// residue r goes from start to end in steps of a sub-block. `fall` is e^(−δ/fs), the damper's
+/// share.
+void forceModes(const ForcedModes& modes,
+                const float* impulses,
+                float fall,
+                std::size_t count,
+                double* x,
+                double* y) noexcept;
+
+/// How far on the way from start to end the middle of sub-block b is.
+constexpr float shareOfWay(std::size_t block) noexcept {
+    return (static_cast<float>(block) + 0.5f) / static_cast<float>(subBlocks);
+}
+
+} // namespace idiophone

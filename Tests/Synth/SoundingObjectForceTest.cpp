@@ -1,0 +1,199 @@
+// Continuous force on a sounding object.
+#include "ModalReference.h"
+#include "Synth/ForceKernel.h"
+#include "Synth/ModalPole.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <random>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double sampleRate = 48000;
+
+/// Two vertices whose shapes differ.
+ModalObject twoPlaces(const std::vector<double>& frequencies) {
+    ModalObject object = syntheticObject(frequencies);
+    const std::size_t modes = frequencies.size();
+    object.vertices = {0, 0, 0, 0.1f, 0, 0, 0, 0.1f, 0};
+    object.faces = {0, 1, 2};
+    object.shapeVertices = {0, 1};
+    object.shapes.assign(2 * modes * 3, 0);
+    for (std::size_t i = 0; i < modes; ++i) {
+        object.shapes[3 * i + 2] = 1 + 0.01f * static_cast<float>(i);
+        object.shapes[3 * (modes + i) + 2] = 0.4f - 0.02f * static_cast<float>(i);
+    }
+    return object;
+}
+
+StrikePoint place(int row) {
+    return {.shapeRows = {row, 0, 0}, .weights = {1, 0, 0}, .normal = {0, 0, 1}};
+}
+
+struct Scraped {
+    std::vector<float> forces;
+    std::vector<float> output;
+};
+
+/// A random force for `cells` cells, then as many of silence. The contact goes from one place to
+/// the other and back, or stays.
+Scraped scrape(const ModalObject& object, int cells, bool moving, double damping, double tau) {
+    Synthesiser synthesiser({slotOf(object)}, sampleRate);
+    SynthesisSettings settings = exactSettings();
+    settings.tau = tau;
+    synthesiser.setSettings(settings);
+    synthesiser.setDamping(0, damping);
+    std::mt19937 random(3);
+    Scraped result;
+    for (int c = 0; c < 2 * cells; ++c) {
+        std::array<float, cellSamples> cell{};
+        std::array<float, cellSamples> newtons{};
+        synthesiser.beginCell(cell);
+        if (c < cells) {
+            for (float& newton : newtons)
+                newton = static_cast<float>(random()) / 2147483648.0f - 1;
+            const int from = moving ? c % 2 : 0;
+            const int to = moving ? (c + 1) % 2 : 0;
+            REQUIRE(synthesiser.applyForce(
+                0, {.start = place(from), .end = place(to), .newtons = newtons}, cell));
+        }
+        result.forces.insert(result.forces.end(), newtons.begin(), newtons.end());
+        result.output.insert(result.output.end(), cell.begin(), cell.end());
+    }
+    return result;
+}
+
+/// The same in double: an impulse at each sample, residues in steps of a sub-block.
+std::vector<double>
+reference(const ModalObject& object, const Scraped& scraped, bool moving, double damping) {
+    const std::size_t modes = object.modeCount();
+    std::vector<double> output(scraped.output.size());
+    for (std::size_t i = 0; i < modes; ++i) {
+        const ModalPole pole = PoleLaw{1, object.material.fluidDampingPerSecond,
+                                       object.material.viscoelasticDampingSeconds}
+                                   .pole(object.eigenvalues[i]);
+        const Propagator sample = propagator(pole, 1 / sampleRate);
+        const double fall = std::exp(-damping / sampleRate);
+        const auto residueAt = [&](std::size_t row) {
+            const auto shape = static_cast<double>(object.shapesAt(row)[3 * i + 2]);
+            return shape * shape;
+        };
+        ModalState state;
+        for (std::size_t n = 0; n < output.size(); ++n) {
+            const std::size_t cell = n / cellSamples;
+            const double share =
+                moving ? static_cast<double>(shareOfWay(n % cellSamples / subBlockSamples)) : 0;
+            const double residue = residueAt(moving ? cell % 2 : 0) * (1 - share) +
+                                   residueAt(moving ? (cell + 1) % 2 : 0) * share;
+            const ModalState kick =
+                stateOf(pole, {residue * static_cast<double>(scraped.forces[n]) / sampleRate, 0});
+            state = {state.x + kick.x, state.y + kick.y};
+            output[n] += state.x;
+            state = sample * state;
+            state = {fall * state.x, fall * state.y};
+        }
+    }
+    return output;
+}
+
+double differenceDb(const std::vector<float>& output, const std::vector<double>& expected) {
+    double peak = 0, worst = 0;
+    for (std::size_t n = 0; n < output.size(); ++n) {
+        peak = std::max(peak, std::abs(expected[n]));
+        worst = std::max(worst, std::abs(static_cast<double>(output[n]) - expected[n]));
+    }
+    return 20 * std::log10(worst / peak);
+}
+
+} // namespace
+
+TEST_CASE("A continuous force equals an impulse at every sample within -100 dB") {
+    const bool moving = GENERATE(false, true);
+    const double damping = GENERATE(0.0, 40.0);
+    const double viscoelastic = GENERATE(1e-8, 2e-5); // the second over-damps what is above 16 kHz
+    std::vector<double> frequencies;
+    for (int i = 0; i < 30; ++i)
+        frequencies.push_back(60 + 23.0 * i * i);
+    ModalObject object = twoPlaces(frequencies);
+    object.material.viscoelasticDampingSeconds = viscoelastic;
+    const Scraped scraped = scrape(object, 150, moving, damping, 0);
+    CAPTURE(moving, damping, viscoelastic);
+    CHECK(differenceDb(scraped.output, reference(object, scraped, moving, damping)) < -100);
+}
+
+TEST_CASE("Modes under a force are not dropped, and are once it ends") {
+    const ModalObject object = twoPlaces({300, 700, 1500});
+    Synthesiser synthesiser({slotOf(object)}, sampleRate);
+    SynthesisSettings settings = exactSettings();
+    settings.tau = 500;
+    synthesiser.setSettings(settings);
+    std::array<float, cellSamples> newtons;
+    newtons.fill(1e-4f);
+    std::array<float, cellSamples> cell{};
+    for (int c = 0; c < 20; ++c) {
+        synthesiser.beginCell(cell);
+        CHECK(synthesiser.applyForce(0, {.start = place(0), .end = place(0), .newtons = newtons},
+                                     cell));
+        if (c > 0)
+            CHECK(synthesiser.status()[0].modesMixed == 3);
+    }
+    for (int c = 0; c < 2; ++c)
+        synthesiser.beginCell(cell);
+    CHECK(synthesiser.status()[0].modesMixed == 0);
+}
+
+TEST_CASE("A force and strikes on the same object add up") {
+    const ModalObject object = twoPlaces({300, 700, 1500, 4100});
+    const auto play = [&](bool strikes, bool presses) {
+        Synthesiser synthesiser({slotOf(object)}, sampleRate);
+        synthesiser.setSettings(exactSettings());
+        std::vector<float> output;
+        std::mt19937 random(5);
+        for (int c = 0; c < 60; ++c) {
+            std::array<float, cellSamples> cell{};
+            std::array<float, cellSamples> newtons;
+            for (float& newton : newtons)
+                newton = static_cast<float>(random()) / 2147483648.0f - 1;
+            synthesiser.beginCell(cell);
+            if (presses)
+                synthesiser.applyForce(0, {.start = place(1), .end = place(1), .newtons = newtons},
+                                       cell);
+            if (strikes && c % 7 == 3) {
+                Strike strike{.point = place(0),
+                              .impulseNewtonSeconds = {0, 0, -1e-3f},
+                              .durationSeconds = 0.0011};
+                synthesiser.strike(0, strike, 11.25, cell);
+            }
+            output.insert(output.end(), cell.begin(), cell.end());
+        }
+        return output;
+    };
+    const auto both = play(true, true);
+    const auto struck = play(true, false);
+    const auto pressed = play(false, true);
+    double peak = 0, worst = 0;
+    for (std::size_t n = 0; n < both.size(); ++n) {
+        peak = std::max(peak, std::abs(double(both[n])));
+        worst = std::max(worst, std::abs(double(both[n]) - double(struck[n]) - double(pressed[n])));
+    }
+    CHECK(worst < 1e-5 * peak);
+}
+
+TEST_CASE("A force that makes no sense is refused and does no harm") {
+    const ModalObject object = twoPlaces({300});
+    Synthesiser synthesiser({slotOf(object)}, sampleRate);
+    std::array<float, cellSamples> cell{};
+    std::array<float, cellSamples> newtons{};
+    synthesiser.beginCell(cell);
+    CHECK_FALSE(
+        synthesiser.applyForce(1, {.start = place(0), .end = place(0), .newtons = newtons}, cell));
+    CHECK_FALSE(
+        synthesiser.applyForce(0, {.start = place(0), .end = place(2), .newtons = newtons}, cell));
+    newtons[7] = std::numeric_limits<float>::quiet_NaN();
+    CHECK_FALSE(
+        synthesiser.applyForce(0, {.start = place(0), .end = place(0), .newtons = newtons}, cell));
+    CHECK(synthesiser.silent());
+}
