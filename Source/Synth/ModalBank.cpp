@@ -53,8 +53,8 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
     }
     tables.resize(2 * subBlockSamples * padded);
     heavyModes.reserve(capacity);
-    allBlocks.resize(padded / modeBlock);
-    std::iota(allBlocks.begin(), allBlocks.end(), 0);
+    blockNumbers.resize(padded / modeBlock);
+    std::iota(blockNumbers.begin(), blockNumbers.end(), 0);
     count = capacity;
 }
 
@@ -237,7 +237,7 @@ void ModalBank::renderFrom(ModeStates& from,
         return;
     const std::size_t first = index(runs.front().first) / modeBlock;
     const std::size_t last = index(runs.back().first + runs.back().count - 1) / modeBlock;
-    renderStates(from, nullptr, std::span(allBlocks).subspan(first, last - first + 1), runs,
+    renderStates(from, nullptr, std::span(blockNumbers).subspan(first, last - first + 1), runs,
                  subBlockCount, 1, outputs);
 }
 
@@ -329,20 +329,8 @@ void ModalBank::addMoved(const ModeStates& others,
                 sumY[g] += factor * (cellRe[g] * y[g] + cellIm[g] * x[g]);
             }
         } else {
-            const float* table = tables.data() + samples % subBlockSamples;
-            for (std::size_t g = 0; g < paddedSize(); ++g, table += 2 * subBlockSamples) {
-                float re = table[0];
-                float im = -table[subBlockSamples];
-                for (std::size_t turns = samples / subBlockSamples; turns > 0; --turns) {
-                    const float turned = re * turnRe[g] - im * turnIm[g];
-                    im = re * turnIm[g] + im * turnRe[g];
-                    re = turned;
-                }
-                const double moveRe = factor * static_cast<double>(re);
-                const double moveIm = factor * static_cast<double>(im);
-                sumX[g] += moveRe * x[g] - moveIm * y[g];
-                sumY[g] += moveRe * y[g] + moveIm * x[g];
-            }
+            addMovedModes({sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data()},
+                          paddedSize(), samples, factor, x, y, sumX, sumY);
         }
         for (const HeavyMode& heavy : heavyModes) {
             const std::size_t g = index(heavy.mode);

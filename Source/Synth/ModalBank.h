@@ -45,6 +45,10 @@ public:
 
     std::size_t size() const noexcept { return count; }
     std::size_t blockCount() const noexcept { return (count + modeBlock - 1) / modeBlock; }
+    /// 0 to blockCount − 1.
+    std::span<const std::int32_t> allBlocks() const noexcept {
+        return std::span(blockNumbers).first(blockCount());
+    }
     std::size_t paddedSize() const noexcept { return blockCount() * modeBlock; }
     ModeStates emptyStates() const; ///< allocates
 
@@ -183,8 +187,8 @@ private:
         Propagator cell;
         std::array<ModalState, mostChannels> aside; ///< its states while SIMD passes over them
     };
-    std::vector<HeavyMode> heavyModes;   ///< ascending
-    std::vector<std::int32_t> allBlocks; ///< 0, 1, 2, …
+    std::vector<HeavyMode> heavyModes;      ///< ascending
+    std::vector<std::int32_t> blockNumbers; ///< 0, 1, 2, …
 };
 
 } // namespace idiophone

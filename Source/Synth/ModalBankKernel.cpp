@@ -162,34 +162,42 @@ void mix(const float* tables,
     }
 }
 
-void survey(const float* energies,
-            const float* audible,
-            float tauSquared,
-            float faintSquared,
-            std::uint16_t& mask,
-            EnergySurvey& result) {
+EnergySurvey survey(const float* HWY_RESTRICT energies,
+                    const float* HWY_RESTRICT audible,
+                    float tauSquared,
+                    float faintSquared,
+                    std::span<const std::int32_t> blocks,
+                    std::uint16_t* masks) {
     const Floats f;
     const auto tau = hn::Set(f, tauSquared);
     const auto faint = hn::Set(f, faintSquared);
+    const auto largest = hn::Set(f, 1e36f);
     auto amplitudes = hn::Zero(f);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < modeBlock; k += floatLanes) {
-        const auto energy = hn::Load(f, energies + k);
-        const auto heard = hn::Mul(energy, hn::Load(f, audible + k));
-        const auto rings = hn::Gt(heard, tau);
-        amplitudes = hn::Add(amplitudes, hn::IfThenElseZero(rings, hn::Sqrt(heard)));
-        std::uint8_t lanes[8] = {};
-        hn::StoreMaskBits(f, rings, lanes);
-        bits |= (lanes[0] | (std::uint32_t{lanes[1]} << 8)) << k;
-        // Also what is not finite.
-        const auto fading = hn::Or(hn::And(hn::Lt(energy, faint), hn::Gt(energy, hn::Zero(f))),
-                                   hn::Not(hn::Lt(energy, hn::Set(f, 1e36f))));
-        result.faint = result.faint || !hn::AllFalse(f, fading);
+    auto outside = hn::Gt(hn::Zero(f), hn::Zero(f));
+    EnergySurvey result;
+    for (const std::int32_t number : blocks) {
+        const auto block = static_cast<std::size_t>(number);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < modeBlock; k += floatLanes) {
+            const std::size_t g = block * modeBlock + k;
+            const auto energy = hn::Load(f, energies + g);
+            const auto heard = hn::Mul(energy, hn::Load(f, audible + g));
+            const auto rings = hn::Gt(heard, tau);
+            amplitudes = hn::Add(amplitudes, hn::IfThenElseZero(rings, hn::Sqrt(heard)));
+            std::uint8_t lanes[8] = {};
+            hn::StoreMaskBits(f, rings, lanes);
+            bits |= (lanes[0] | (std::uint32_t{lanes[1]} << 8)) << k;
+            // Fading into denormals, or not finite.
+            const auto fading = hn::And(hn::Lt(energy, faint), hn::Gt(energy, hn::Zero(f)));
+            outside = hn::Or(outside, hn::Or(fading, hn::Not(hn::Lt(energy, largest))));
+        }
+        result.modes += static_cast<std::int32_t>(hwy::PopCount(bits));
+        result.changed = result.changed || masks[block] != bits;
+        masks[block] = static_cast<std::uint16_t>(bits);
     }
-    result.amplitudes += static_cast<double>(hn::GetLane(hn::SumOfLanes(f, amplitudes)));
-    result.modes += static_cast<std::int32_t>(hwy::PopCount(bits));
-    result.changed = result.changed || mask != bits;
-    mask = static_cast<std::uint16_t>(bits);
+    result.amplitudes = static_cast<double>(hn::GetLane(hn::SumOfLanes(f, amplitudes)));
+    result.faint = !hn::AllFalse(f, outside);
+    return result;
 }
 
 } // namespace
@@ -223,13 +231,13 @@ void mixModes(const float* tables,
     HWY_DYNAMIC_DISPATCH(mix)(tables, ahead, from, count, blocks, output);
 }
 
-void surveyEnergies(const float* energies,
-                    const float* audible,
-                    float tauSquared,
-                    float faintSquared,
-                    std::uint16_t& mask,
-                    EnergySurvey& survey) noexcept {
-    HWY_DYNAMIC_DISPATCH(survey)(energies, audible, tauSquared, faintSquared, mask, survey);
+EnergySurvey surveyEnergies(const float* energies,
+                            const float* audible,
+                            float tauSquared,
+                            float faintSquared,
+                            std::span<const std::int32_t> blocks,
+                            std::uint16_t* masks) noexcept {
+    return HWY_DYNAMIC_DISPATCH(survey)(energies, audible, tauSquared, faintSquared, blocks, masks);
 }
 
 } // namespace idiophone

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace idiophone {
 
@@ -51,20 +52,21 @@ void mixModes(const float* tables,
               std::size_t blocks,
               float* output) noexcept;
 
-/// A block's part of a survey: which of its modes are above τ.
+/// What a survey of some blocks found.
 struct EnergySurvey {
-    double amplitudes = 0;  ///< Σ |s| over these
+    double amplitudes = 0;  ///< Σ |s| over the modes above τ
     std::int32_t modes = 0; ///< their number
     bool changed = false;   ///< they are not the modes of the last survey
     bool faint = false;     ///< some state should become zero
 };
 
-/// Surveys block `block`: bit k of `mask` is updated to whether energies[k] · audible[k] > τ².
-void surveyEnergies(const float* energies,
-                    const float* audible,
-                    float tauSquared,
-                    float faintSquared,
-                    std::uint16_t& mask,
-                    EnergySurvey& survey) noexcept;
+/// Which modes of `blocks` are above τ: bit k of masks[b] becomes whether energies[g] audible[g] >
+/// τ² for mode g = 16 b + k.
+EnergySurvey surveyEnergies(const float* energies,
+                            const float* audible,
+                            float tauSquared,
+                            float faintSquared,
+                            std::span<const std::int32_t> blocks,
+                            std::uint16_t* masks) noexcept;
 
 } // namespace idiophone

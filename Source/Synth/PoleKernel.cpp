@@ -147,6 +147,56 @@ void turn(const double* HWY_RESTRICT decay,
     }
 }
 
+struct FloatComplex {
+    hn::Vec<Floats> re, im;
+};
+
+HWY_INLINE FloatComplex product(FloatComplex a, FloatComplex b) {
+    return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
+            hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
+}
+
+void addMoved(const SampleRotations& rotations,
+              std::size_t count,
+              std::size_t samples,
+              double factor,
+              const double* HWY_RESTRICT x,
+              const double* HWY_RESTRICT y,
+              double* HWY_RESTRICT sumX,
+              double* HWY_RESTRICT sumY) {
+    const Floats f;
+    const HalfFloats half;
+    const hn::RepartitionToWide<Floats> d;
+    for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
+        FloatComplex move{hn::Set(f, static_cast<float>(factor)), hn::Zero(f)};
+        const FloatComplex turn{hn::Load(f, rotations.turnRe + g),
+                                hn::Load(f, rotations.turnIm + g)};
+        for (std::size_t turns = samples / subBlockSamples; turns > 0; --turns)
+            move = product(move, turn);
+        FloatComplex power{hn::Load(f, rotations.sampleRe + g),
+                           hn::Load(f, rotations.sampleIm + g)};
+        for (std::size_t rest = samples % subBlockSamples; rest > 0; rest /= 2) {
+            if (rest % 2 == 1)
+                move = product(move, power);
+            power = product(power, power);
+        }
+        const auto add = [&](auto re, auto im, std::size_t place) HWY_ATTR {
+            const auto moveRe = hn::PromoteTo(d, re);
+            const auto moveIm = hn::PromoteTo(d, im);
+            const auto xs = hn::Load(d, x + place);
+            const auto ys = hn::Load(d, y + place);
+            const auto toX =
+                hn::NegMulAdd(moveIm, ys, hn::MulAdd(moveRe, xs, hn::Load(d, sumX + place)));
+            const auto toY =
+                hn::MulAdd(moveIm, xs, hn::MulAdd(moveRe, ys, hn::Load(d, sumY + place)));
+            hn::Store(toX, d, sumX + place);
+            hn::Store(toY, d, sumY + place);
+        };
+        add(hn::LowerHalf(half, move.re), hn::LowerHalf(half, move.im), g);
+        add(hn::UpperHalf(half, move.re), hn::UpperHalf(half, move.im), g + hn::MaxLanes(d));
+    }
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace idiophone
@@ -158,6 +208,7 @@ namespace idiophone {
 HWY_EXPORT(rotations);
 HWY_EXPORT(rotate);
 HWY_EXPORT(turn);
+HWY_EXPORT(addMoved);
 
 void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept {
     HWY_DYNAMIC_DISPATCH(rotations)(arrays, count, sampleSeconds);
@@ -181,6 +232,17 @@ void turnModes(const double* decay,
                double* x,
                double* y) noexcept {
     HWY_DYNAMIC_DISPATCH(turn)(decay, frequency, count, seconds, factor, x, y);
+}
+
+void addMovedModes(const SampleRotations& rotations,
+                   std::size_t count,
+                   std::size_t samples,
+                   double factor,
+                   const double* x,
+                   const double* y,
+                   double* sumX,
+                   double* sumY) noexcept {
+    HWY_DYNAMIC_DISPATCH(addMoved)(rotations, count, samples, factor, x, y, sumX, sumY);
 }
 
 } // namespace idiophone

@@ -37,6 +37,23 @@ void rotateModes(const double* decay,
                  double* x,
                  double* y) noexcept;
 
+/// Adds to sumX, sumY the states x, y after `samples` (below 64) of free motion, to single
+/// precision, times `factor`. Takes ρ and ρ¹⁶.
+struct SampleRotations {
+    const float* sampleRe;
+    const float* sampleIm;
+    const float* turnRe;
+    const float* turnIm;
+};
+void addMovedModes(const SampleRotations& rotations,
+                   std::size_t count,
+                   std::size_t samples,
+                   double factor,
+                   const double* x,
+                   const double* y,
+                   double* sumX,
+                   double* sumY) noexcept;
+
 void turnModes(const double* decay,
                const double* frequency,
                std::size_t count,

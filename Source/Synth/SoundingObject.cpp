@@ -12,6 +12,7 @@ namespace {
 
 // −360 dB of full scale, where a state becomes zero: 1e-18 is far above single-precision denormals.
 constexpr double floorVelocity = 1e-18;
+constexpr float faintEnergy = 1e-36f;
 
 /// [M] mean over the vertices of |φ_i|².
 std::vector<double> meanSquareShapes(const ModalObject& object) {
@@ -51,10 +52,12 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     kickEnergies.resize(bank.paddedSize());
     blocks.resize(bank.blockCount());
     wanted.resize(blocks.size());
+    aboveTau.resize(blocks.size());
     activeBlocks.reserve(blocks.size());
     for (auto* list : {&mixedModes, &candidates, &joining, &leaving})
         list->reserve(modes);
     mixedRuns.reserve(modes);
+    joiningRuns.reserve(modes);
     contacts.reserve(contactCapacity);
     for (Response& response : responses)
         for (std::size_t c = 0; c < (object->radiation.empty() ? 1 : channels); ++c)
@@ -93,26 +96,24 @@ bool SoundingObject::beginCell(std::int64_t cell,
 // t_c of eq. 14 is where the amplitude, which falls as e^{−αt}, meets τ: found here by comparing
 // the two at every grid point, which needs no logarithm when the mode is struck.
 void SoundingObject::survey() noexcept {
-    EnergySurvey found;
-    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
-    const auto faint = static_cast<float>(floorVelocity * floorVelocity);
+    const EnergySurvey found = surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(),
+                                              faintEnergy, activeBlocks, aboveTau.data());
     // Under a contact nothing comes or goes; under a continuous force nothing goes.
-    const bool held = !contacts.empty();
     const bool forced = forcedCell == cellIndex - 1;
     std::int32_t ringing = 0;
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
-        std::uint16_t rings = blocks[b].rings;
-        surveyEnergies(bank.energies() + b * modeBlock, bank.audibleWeights() + b * modeBlock, tau,
-                       faint, rings, found);
-        if (!held)
-            blocks[b].rings = forced ? rings | blocks[b].rings : rings;
+        if (forced)
+            aboveTau[b] |= blocks[b].rings;
+        if (contacts.empty() && blocks[b].rings != aboveTau[b]) {
+            blocks[b].rings = aboveTau[b];
+            mixedIsRinging = false;
+        }
         ringing += std::popcount(blocks[b].rings);
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks)
             bank.clearFaint(static_cast<std::size_t>(b), floorVelocity);
-    mixedIsRinging = mixedIsRinging && !found.changed;
     demanded = {found.amplitudes, ringing};
 }
 
@@ -207,7 +208,7 @@ bool SoundingObject::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
 
 /// Makes all blocks active that hold something above τ; the next survey says what of it rings.
 void SoundingObject::wakeBlocks() noexcept {
-    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
+    const float tau = tauEnergy();
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active && bank.energyOfLoudest(b) > tau && bringUpToDate(b, cellIndex) &&
             bank.energyOfLoudest(b) > tau)
@@ -242,16 +243,20 @@ void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
         }
         fader.scale(static_cast<float>(fallen));
     }
-    addToCell(outputs, cell);
+    addToCell(outputs, 0, cellSamples, cell);
     soundContacts(cell);
 }
 
-/// What sounds in one channel is heard in both.
-void SoundingObject::addToCell(const ChannelOutputs& sound, const CellOutput& cell) const noexcept {
+/// Adds `count` samples from sample `from` of the cell on. What sounds in one channel is heard in
+/// both.
+void SoundingObject::addToCell(const ChannelOutputs& sound,
+                               std::size_t from,
+                               std::size_t count,
+                               const CellOutput& cell) const noexcept {
     for (std::size_t c = 0; c < cell.channels(); ++c) {
         const float* heard = sound[std::min(c, bank.channels() - 1)];
-        const auto output = cell[c];
-        for (std::size_t k = 0; k < output.size(); ++k)
+        float* output = cell[c].data() + from;
+        for (std::size_t k = 0; k < count; ++k)
             output[k] += heard[k];
     }
 }

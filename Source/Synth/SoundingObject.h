@@ -110,6 +110,7 @@ private:
     void fadeOutOfBand() noexcept;
     void regroup() noexcept;
     double dampingLog(std::int64_t grid) const noexcept;
+    float tauEnergy() const noexcept { return static_cast<float>(tauVelocity * tauVelocity); }
 
     // SoundingObjectStrike.cpp: residues, contacts.
     bool valid(const StrikePoint& point) const noexcept;
@@ -124,14 +125,17 @@ private:
     void admitWanted(std::int32_t allowance) noexcept;
     void listWanted(std::size_t most) noexcept;
     void admit(std::size_t g) noexcept;
-    void hold(Contact& contact, std::span<const std::int32_t> modes) const noexcept;
+    void hold(Contact& contact, std::span<const ModeRun> modes) noexcept;
     void moveContact(Contact& contact, double sign) noexcept;
     void soundContacts(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
     void startKicks(double factor, double at, ModeStates& started) noexcept;
     void endContact(double at, int kickSample) noexcept;
     void addKicks(int from, int until, const CellOutput& cell) noexcept;
-    void addToCell(const ChannelOutputs& sound, const CellOutput& cell) const noexcept;
+    void addToCell(const ChannelOutputs& sound,
+                   std::size_t from,
+                   std::size_t count,
+                   const CellOutput& cell) const noexcept;
     void joinKicks(int from) noexcept;
     void bringRestingUpToDate() noexcept;
     void listWhatRings() noexcept;
@@ -184,7 +188,8 @@ private:
     std::vector<std::int32_t> activeBlocks; ///< ascending
     std::vector<std::int32_t> mixedModes;   ///< ascending
     std::vector<ModeRun> mixedRuns;
-    bool mixedIsRinging = true; ///< the modes mixed are those that ring
+    std::vector<ModeRun> joiningRuns; ///< scratch
+    bool mixedIsRinging = true;       ///< the modes mixed are those that ring
     ModeDemand demanded;
     std::int32_t mixedLastCell = 0;
 
@@ -227,6 +232,7 @@ private:
     AlignedVector<double> steady;           ///< [G]
     AlignedVector<double> swingRe, swingIm; ///< [G]
     AlignedVector<float> kickEnergies;      ///< [G]
+    std::vector<std::uint16_t> aboveTau;    ///< per block: modes above τ
     std::vector<std::uint16_t> wanted;      ///< per block: modes to mix
     std::vector<std::int32_t> candidates;
     std::vector<std::int32_t> joining;

@@ -34,7 +34,8 @@ bool SoundingObject::applyForce(const ForceCell& force,
         bank.force(impulses, responses[0].residues[c].data(), responses[1].residues[c].data(),
                    damping, c);
     bank.measureAll();
-    listWhatRings();
+    if (mixedModes.size() < bank.audibleCount())
+        listWhatRings();
     return true;
 }
 
@@ -111,7 +112,7 @@ void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
                     output[n] += impulses[k] * response[n - k];
         }
     }
-    addToCell({sound[0].data(), sound[1].data()}, cell);
+    addToCell({sound[0].data(), sound[1].data()}, 0, cellSamples, cell);
 }
 
 } // namespace idiophone

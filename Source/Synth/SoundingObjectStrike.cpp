@@ -163,7 +163,7 @@ bool SoundingObject::strike(const Strike& asked,
 
     int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
-        hold(contact, mixedModes);
+        hold(contact, mixedRuns);
         const double end = addForced(contact, cell);
         if (end < cellSamples) {
             addKicks(from, firstSampleFrom(end), cell);
@@ -204,13 +204,8 @@ void SoundingObject::endContact(double at, int kickSample) noexcept {
 
 void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
     bank.measureStates(kicks, kickEnergies.data());
-    EnergySurvey found;
-    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
-    for (std::size_t b = 0; b < bank.blockCount(); ++b) {
-        wanted[b] = 0;
-        surveyEnergies(kickEnergies.data() + b * modeBlock, bank.audibleWeights() + b * modeBlock,
-                       tau, 0, wanted[b], found);
-    }
+    surveyEnergies(kickEnergies.data(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
+                   wanted.data());
     admitWanted(allowance);
 }
 
@@ -231,9 +226,10 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
         admit(static_cast<std::size_t>(mode));
     // What the budget had left out comes back under a fade from the next grid point on.
     fader.enter(bank, leaving);
+    findRuns(joining, joiningRuns);
     for (Contact& contact : contacts) {
         computeForced(contact, 1);
-        hold(contact, joining);
+        hold(contact, joiningRuns);
     }
     listMixed();
     mixedIsRinging = false;
@@ -266,13 +262,16 @@ void SoundingObject::admit(std::size_t g) noexcept {
     blocks[b].mixed |= bit;
 }
 
-void SoundingObject::hold(Contact& contact, std::span<const std::int32_t> modes) const noexcept {
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        for (const std::int32_t mode : modes) {
-            const auto g = static_cast<std::size_t>(mode);
-            contact.steadyVelocity[c] += groupResidues[c][g] * steady[g];
-            contact.swing[c] += groupResidues[c][g] * std::complex<double>(swingRe[g], swingIm[g]);
-        }
+void SoundingObject::hold(Contact& contact, std::span<const ModeRun> modes) noexcept {
+    const ForcedAmplitudes parts{steady.data(), swingRe.data(), swingIm.data()};
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        ForcedSum sum;
+        for (const ModeRun& run : modes)
+            sumForced(groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
+                      static_cast<std::size_t>(run.count), sum);
+        contact.steadyVelocity[c] += sum.steady;
+        contact.swing[c] += sum.swing;
+    }
 }
 
 std::complex<double>
@@ -297,7 +296,7 @@ void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
     }
     contact.steadyVelocity = {};
     contact.swing = {};
-    hold(contact, mixedModes);
+    hold(contact, mixedRuns);
 }
 
 double SoundingObject::addForced(const Contact& contact, const CellOutput& cell) const noexcept {
@@ -306,20 +305,16 @@ double SoundingObject::addForced(const Contact& contact, const CellOutput& cell)
         contact.startSample + contact.strike.durationSeconds * sampleRate - cells * cellSamples;
     const int from = cells > 0 ? 0 : firstSampleFrom(contact.startSample);
     const int until = firstSampleFrom(std::min(end, double(cellSamples)));
+    if (from >= until)
+        return end;
     const std::complex<double> phase = phaseAt(contact, cellIndex, from);
-    const std::complex<double> turn =
-        std::polar(1.0, 2 * std::numbers::pi / (sampleRate * contact.strike.durationSeconds));
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        std::complex<double> swing = contact.swing[c] * phase;
-        for (int k = from; k < until; ++k) {
-            sound[c][static_cast<std::size_t>(k)] =
-                static_cast<float>(contact.steadyVelocity[c] + swing.real());
-            swing = {swing.real() * turn.real() - swing.imag() * turn.imag(),
-                     swing.real() * turn.imag() + swing.imag() * turn.real()};
-        }
-    }
-    addToCell({sound[0].data(), sound[1].data()}, cell);
+    const double radians = 2 * std::numbers::pi / (sampleRate * contact.strike.durationSeconds);
+    const auto samples = static_cast<std::size_t>(until - from);
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound;
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        raisedCosine(contact.steadyVelocity[c], contact.swing[c] * phase, radians, samples,
+                     sound[c].data());
+    addToCell({sound[0].data(), sound[1].data()}, static_cast<std::size_t>(from), samples, cell);
     return end;
 }
 
@@ -328,22 +323,23 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
     if (from >= until)
         return;
     const auto samples = static_cast<std::size_t>(until - from);
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> rest{};
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         std::copy_n(kicks.x[c].begin(), bank.paddedSize(), rendered.x[c].begin());
         std::copy_n(kicks.y[c].begin(), bank.paddedSize(), rendered.y[c].begin());
     }
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
     bank.renderFrom(rendered, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
-                    {rest[0].data(), rest[1].data()});
-    const double fall = std::exp(-damping / sampleRate);
-    double factor = 1;
-    for (std::size_t k = 0; k < samples; ++k) {
-        for (std::size_t c = 0; c < bank.channels(); ++c)
-            sound[c][static_cast<std::size_t>(from) + k] = static_cast<float>(factor) * rest[c][k];
-        factor *= fall;
+                    {sound[0].data(), sound[1].data()});
+    if (damping > 0) {
+        const double fall = std::exp(-damping / sampleRate);
+        double factor = 1;
+        for (std::size_t k = 0; k < samples; ++k) {
+            for (std::size_t c = 0; c < bank.channels(); ++c)
+                sound[c][k] *= static_cast<float>(factor);
+            factor *= fall;
+        }
     }
-    addToCell({sound[0].data(), sound[1].data()}, cell);
+    addToCell({sound[0].data(), sound[1].data()}, static_cast<std::size_t>(from), samples, cell);
 }
 
 /// Adds the kicks, which stand at sample `from`, to the states at the next grid point.
@@ -366,13 +362,10 @@ void SoundingObject::bringRestingUpToDate() noexcept {
 
 /// After something was added.
 void SoundingObject::listWhatRings() noexcept {
-    const auto tau = static_cast<float>(tauVelocity * tauVelocity);
+    surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
+                   aboveTau.data());
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
-        EnergySurvey found;
-        std::uint16_t rings = 0;
-        surveyEnergies(bank.energies() + b * modeBlock, bank.audibleWeights() + b * modeBlock, tau,
-                       0, rings, found);
-        blocks[b].rings = rings | blocks[b].mixed;
+        blocks[b].rings = aboveTau[b] | blocks[b].mixed;
         if (blocks[b].rings != 0)
             activate(b);
     }

@@ -1,5 +1,6 @@
 #include "Synth/StrikeKernel.h"
 
+#include <complex>
 #include <numbers>
 
 #undef HWY_TARGET_INCLUDE
@@ -90,6 +91,67 @@ void forced(const PulseInstant& pulse, const ForcedArrays& arrays, std::size_t c
     }
 }
 
+void sum(const double* HWY_RESTRICT residues,
+         const ForcedAmplitudes& arrays,
+         std::size_t first,
+         std::size_t count,
+         ForcedSum& total) {
+    const Doubles d;
+    auto steady = hn::Zero(d);
+    auto swingRe = hn::Zero(d);
+    auto swingIm = hn::Zero(d);
+    const std::size_t end = first + count;
+    std::size_t g = first;
+    for (; g + hn::MaxLanes(d) <= end; g += hn::MaxLanes(d)) {
+        const auto residue = hn::LoadU(d, residues + g);
+        steady = hn::MulAdd(residue, hn::LoadU(d, arrays.steady + g), steady);
+        swingRe = hn::MulAdd(residue, hn::LoadU(d, arrays.swingRe + g), swingRe);
+        swingIm = hn::MulAdd(residue, hn::LoadU(d, arrays.swingIm + g), swingIm);
+    }
+    total.steady += hn::GetLane(hn::SumOfLanes(d, steady));
+    total.swing += std::complex<double>(hn::GetLane(hn::SumOfLanes(d, swingRe)),
+                                        hn::GetLane(hn::SumOfLanes(d, swingIm)));
+    for (; g < end; ++g) {
+        total.steady += residues[g] * arrays.steady[g];
+        total.swing += residues[g] * std::complex<double>(arrays.swingRe[g], arrays.swingIm[g]);
+    }
+}
+
+void cosine(double steady,
+            std::complex<double> swing,
+            double radiansPerSample,
+            std::size_t count,
+            float* HWY_RESTRICT output) {
+    const Doubles d;
+    const hn::Rebind<float, Doubles> f;
+    constexpr std::size_t lanes = hn::MaxLanes(d);
+    alignas(64) double startRe[lanes];
+    alignas(64) double startIm[lanes];
+    const auto product = [](std::complex<double> a, std::complex<double> b) {
+        return std::complex<double>(a.real() * b.real() - a.imag() * b.imag(),
+                                    a.real() * b.imag() + a.imag() * b.real());
+    };
+    const std::complex<double> sample = std::polar(1.0, radiansPerSample);
+    std::complex<double> turn = 1;
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const auto start = product(swing, turn);
+        startRe[k] = start.real();
+        startIm[k] = start.imag();
+        turn = product(turn, sample);
+    }
+    auto re = hn::Load(d, startRe);
+    auto im = hn::Load(d, startIm);
+    const auto turnRe = hn::Set(d, turn.real());
+    const auto turnIm = hn::Set(d, turn.imag());
+    const auto middle = hn::Set(d, steady);
+    for (std::size_t k = 0; k < count; k += lanes) {
+        hn::StoreU(hn::DemoteTo(f, hn::Add(middle, re)), f, output + k);
+        const auto next = hn::NegMulAdd(im, turnIm, hn::Mul(re, turnRe));
+        im = hn::MulAdd(im, turnRe, hn::Mul(re, turnIm));
+        re = next;
+    }
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace idiophone
@@ -100,6 +162,8 @@ namespace idiophone {
 
 HWY_EXPORT(project);
 HWY_EXPORT(forced);
+HWY_EXPORT(sum);
+HWY_EXPORT(cosine);
 
 void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& direction,
@@ -112,6 +176,22 @@ void forcedStates(const PulseInstant& pulse,
                   const ForcedArrays& arrays,
                   std::size_t count) noexcept {
     HWY_DYNAMIC_DISPATCH(forced)(pulse, arrays, count);
+}
+
+void sumForced(const double* residues,
+               const ForcedAmplitudes& arrays,
+               std::size_t first,
+               std::size_t count,
+               ForcedSum& total) noexcept {
+    HWY_DYNAMIC_DISPATCH(sum)(residues, arrays, first, count, total);
+}
+
+void raisedCosine(double steady,
+                  std::complex<double> swing,
+                  double radiansPerSample,
+                  std::size_t count,
+                  float* output) noexcept {
+    HWY_DYNAMIC_DISPATCH(cosine)(steady, swing, radiansPerSample, count, output);
 }
 
 } // namespace idiophone

@@ -47,4 +47,29 @@ void forcedStates(const PulseInstant& pulse,
                   const ForcedArrays& arrays,
                   std::size_t count) noexcept;
 
+/// The amplitudes of ForcedArrays, as they came out.
+struct ForcedAmplitudes {
+    const double* steady;
+    const double* swingRe;
+    const double* swingIm;
+};
+
+/// What of a forced part is heard: Σ r G0 and Σ r H over modes `first` to `first + count − 1`.
+struct ForcedSum {
+    double steady = 0;
+    std::complex<double> swing;
+};
+void sumForced(const double* residues,
+               const ForcedAmplitudes& arrays,
+               std::size_t first,
+               std::size_t count,
+               ForcedSum& sum) noexcept;
+
+/// output[k] = steady + Re(swing e^{iθk}) for k < `count` ≤ 64; `output` has room for 64.
+void raisedCosine(double steady,
+                  std::complex<double> swing,
+                  double radiansPerSample,
+                  std::size_t count,
+                  float* output) noexcept;
+
 } // namespace idiophone
