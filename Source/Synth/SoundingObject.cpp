@@ -30,34 +30,23 @@ std::vector<double> meanSquareShapes(const ModalObject& object) {
 SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
                                double sizeRatio,
                                std::size_t channels,
-                               double sampleRateHz)
+                               double sampleRateHz,
+                               SynthesisScratch& sharedScratch)
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
       slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
       cellSeconds(cellSamples / sampleRateHz), modeWeights(meanSquareShapes(*object)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
-      fader(bank, sampleRateHz), kicks(bank.emptyStates()), ended(bank.emptyStates()),
-      rendered(bank.emptyStates()) {
+      fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
     referenceEigenvalues.resize(modes);
-    modeResidues.resize(modes);
-    struckGains.resize(modes);
-    heardGains.resize(modes);
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
             weights.resize(modes);
-    for (auto* array :
-         {&groupResidues[0], &groupResidues[1], &forcedX, &forcedY, &steady, &swingRe, &swingIm})
-        array->resize(bank.paddedSize());
-    kickEnergies.resize(bank.paddedSize());
     blocks.resize(bank.blockCount());
-    wanted.resize(blocks.size());
-    aboveTau.resize(blocks.size());
     activeBlocks.reserve(blocks.size());
-    for (auto* list : {&mixedModes, &candidates, &joining, &leaving})
-        list->reserve(modes);
+    mixedModes.reserve(modes);
     mixedRuns.reserve(modes);
-    joiningRuns.reserve(modes);
     contacts.reserve(contactCapacity);
     for (Response& response : responses)
         for (std::size_t c = 0; c < (object->radiation.empty() ? 1 : channels); ++c)
@@ -97,16 +86,16 @@ bool SoundingObject::beginCell(std::int64_t cell,
 // the two at every grid point, which needs no logarithm when the mode is struck.
 void SoundingObject::survey() noexcept {
     const EnergySurvey found = surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(),
-                                              faintEnergy, activeBlocks, aboveTau.data());
+                                              faintEnergy, activeBlocks, scratch.aboveTau.data());
     // Under a contact nothing comes or goes; under a continuous force nothing goes.
     const bool forced = forcedCell == cellIndex - 1;
     std::int32_t ringing = 0;
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
         if (forced)
-            aboveTau[b] |= blocks[b].rings;
-        if (contacts.empty() && blocks[b].rings != aboveTau[b]) {
-            blocks[b].rings = aboveTau[b];
+            scratch.aboveTau[b] |= blocks[b].rings;
+        if (contacts.empty() && blocks[b].rings != scratch.aboveTau[b]) {
+            blocks[b].rings = scratch.aboveTau[b];
             mixedIsRinging = false;
         }
         ringing += std::popcount(blocks[b].rings);
@@ -123,40 +112,40 @@ void SoundingObject::chooseModes(std::int32_t share) noexcept {
         return;
     if (all)
         for (const std::int32_t b : activeBlocks)
-            wanted[static_cast<std::size_t>(b)] = blocks[static_cast<std::size_t>(b)].rings;
+            scratch.wanted[static_cast<std::size_t>(b)] = blocks[static_cast<std::size_t>(b)].rings;
     else
         selectStrongest(static_cast<std::size_t>(std::max(share, 0)));
-    leaving.clear();
-    joining.clear();
+    scratch.leaving.clear();
+    scratch.joining.clear();
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
         const unsigned before = blocks[b].mixed;
-        const unsigned now = wanted[b];
+        const unsigned now = scratch.wanted[b];
         forEachMode(b, static_cast<std::uint16_t>(before & ~now),
-                    [&](std::int32_t g) { leaving.push_back(g); });
+                    [&](std::int32_t g) { scratch.leaving.push_back(g); });
         forEachMode(b, static_cast<std::uint16_t>(now & ~before),
-                    [&](std::int32_t g) { joining.push_back(g); });
-        blocks[b].mixed = wanted[b];
+                    [&](std::int32_t g) { scratch.joining.push_back(g); });
+        blocks[b].mixed = scratch.wanted[b];
     }
     mixedIsRinging = all;
-    if (!leaving.empty() || !joining.empty()) {
-        fader.leave(bank, leaving);
-        fader.enter(bank, joining);
+    if (!scratch.leaving.empty() || !scratch.joining.empty()) {
+        fader.leave(bank, scratch.leaving);
+        fader.enter(bank, scratch.joining);
         listMixed();
     }
     retireBlocks(cellIndex);
 }
 
 void SoundingObject::selectStrongest(std::size_t most) noexcept {
-    candidates.clear();
+    scratch.candidates.clear();
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
-        wanted[b] = 0;
-        forEachMode(b, blocks[b].rings, [&](std::int32_t g) { candidates.push_back(g); });
+        scratch.wanted[b] = 0;
+        forEachMode(b, blocks[b].rings, [&](std::int32_t g) { scratch.candidates.push_back(g); });
     }
-    keepLoudest(candidates, bank.energies(), most);
-    for (const std::int32_t g : candidates)
-        wanted[static_cast<std::size_t>(g) / modeBlock] |=
+    keepLoudest(scratch.candidates, bank.energies(), most);
+    for (const std::int32_t g : scratch.candidates)
+        scratch.wanted[static_cast<std::size_t>(g) / modeBlock] |=
             static_cast<std::uint16_t>(1u << (static_cast<std::size_t>(g) % modeBlock));
 }
 

@@ -9,6 +9,7 @@
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
 #include "Synth/Strike.h"
+#include "Synth/SynthesisScratch.h"
 #include "Synth/SynthesisSettings.h"
 
 #include <array>
@@ -31,10 +32,12 @@ public:
 
     /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
     /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
+    /// `scratch` has room for this object and outlives it; objects on one thread share it.
     SoundingObject(std::shared_ptr<const ModalObject> object,
                    double sizeRatio,
                    std::size_t channels,
-                   double sampleRateHz);
+                   double sampleRateHz,
+                   SynthesisScratch& scratch);
 
     void setDamping(double dampingPerSecond) noexcept;
     void setFrequencyRatio(double ratio) noexcept;
@@ -188,8 +191,8 @@ private:
     std::vector<std::int32_t> activeBlocks; ///< ascending
     std::vector<std::int32_t> mixedModes;   ///< ascending
     std::vector<ModeRun> mixedRuns;
-    std::vector<ModeRun> joiningRuns; ///< scratch
-    bool mixedIsRinging = true;       ///< the modes mixed are those that ring
+    std::array<std::vector<float>, mostChannels> radiationWeights; ///< [M]
+    bool mixedIsRinging = true; ///< the modes mixed are those that ring
     ModeDemand demanded;
     std::int32_t mixedLastCell = 0;
 
@@ -219,24 +222,7 @@ private:
     static void
     keepLoudest(std::vector<std::int32_t>& modes, const float* energies, std::size_t most) noexcept;
 
-    // Scratch.
-    std::vector<float> struckGains;                                ///< [M] φ·J
-    std::vector<float> heardGains;                                 ///< [M] φ·ℓ
-    std::array<std::vector<float>, mostChannels> radiationWeights; ///< [M]
-    std::vector<double> modeResidues;                              ///< [M]
-    std::array<AlignedVector<double>, mostChannels> groupResidues; ///< [G], padded with zeros
-    ModeStates kicks;                       ///< states to add, at a whole sample of the cell
-    ModeStates ended;                       ///< what a contact's end adds to them
-    AlignedVector<double> forcedX, forcedY; ///< [G] of a contact, for residues of 1
-    ModeStates rendered;                    ///< a copy that rendering may take on
-    AlignedVector<double> steady;           ///< [G]
-    AlignedVector<double> swingRe, swingIm; ///< [G]
-    AlignedVector<float> kickEnergies;      ///< [G]
-    std::vector<std::uint16_t> aboveTau;    ///< per block: modes above τ
-    std::vector<std::uint16_t> wanted;      ///< per block: modes to mix
-    std::vector<std::int32_t> candidates;
-    std::vector<std::int32_t> joining;
-    std::vector<std::int32_t> leaving;
+    SynthesisScratch& scratch;
 };
 
 } // namespace idiophone

@@ -82,21 +82,21 @@ void SoundingObject::movePoles() noexcept {
 
 /// What leaves the band fades with the pole it had: the new one would alias.
 void SoundingObject::fadeOutOfBand() noexcept {
-    leaving.clear();
+    scratch.leaving.clear();
     for (const std::int32_t g : mixedModes) {
         const auto mode = static_cast<std::size_t>(g);
         const double hz = naturalFrequencyHz(law.pole(referenceEigenvalues[mode]));
         if (hz >= lowestHz && hz < highestShareOfSampleRate * sampleRate)
             continue;
-        leaving.push_back(g);
+        scratch.leaving.push_back(g);
         Block& block = blocks[mode / modeBlock];
         const unsigned others = ~(1u << (mode % modeBlock));
         block.mixed = static_cast<std::uint16_t>(block.mixed & others);
         block.rings = static_cast<std::uint16_t>(block.rings & others);
     }
-    if (leaving.empty())
+    if (scratch.leaving.empty())
         return;
-    fader.leave(bank, leaving);
+    fader.leave(bank, scratch.leaving);
     listMixed();
     retireBlocks(cellIndex);
 }
@@ -114,8 +114,6 @@ void SoundingObject::regroup() noexcept {
     }
     bank.resize(groups);
     bank.setChannels(1);
-    for (auto& residues : groupResidues)
-        std::fill(residues.begin(), residues.end(), 0.0);
     std::fill(blocks.begin(), blocks.end(), Block{});
     movePoles();
 }

@@ -46,9 +46,9 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
         unsigned audible = 0;
         for (std::size_t k = 0; k < modeBlock; ++k)
             audible |= (bank.audible(b * modeBlock + k) ? 1u : 0u) << k;
-        wanted[b] = static_cast<std::uint16_t>(audible);
+        scratch.wanted[b] = static_cast<std::uint16_t>(audible);
     }
-    std::copy_n(bank.energies(), kickEnergies.size(), kickEnergies.begin());
+    std::copy_n(bank.energies(), bank.paddedSize(), scratch.kickEnergies.begin());
     admitWanted(allowance);
 }
 
@@ -77,16 +77,16 @@ void SoundingObject::findResponse(const StrikePoint& point,
     computeResidues({.strike = {.point = point, .impulseNewtonSeconds = direction},
                      .gainRatio = gainRatio,
                      .listening = object->radiation.empty() ? 0 : radiation});
-    bank.impulseStates(forcedX.data(), forcedY.data());
+    bank.impulseStates(scratch.forcedX.data(), scratch.forcedY.data());
     for (std::size_t c = 0; c < bank.channels(); ++c)
         for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-            const double residue = groupResidues[c][g];
+            const double residue = scratch.groupResidues[c][g];
             response.residues[c][g] = static_cast<float>(residue);
-            rendered.x[c][g] = residue * forcedX[g];
-            rendered.y[c][g] = residue * forcedY[g];
+            scratch.rendered.x[c][g] = residue * scratch.forcedX[g];
+            scratch.rendered.y[c][g] = residue * scratch.forcedY[g];
         }
     response.sound = {};
-    bank.renderFrom(rendered, mixedRuns, subBlocks,
+    bank.renderFrom(scratch.rendered, mixedRuns, subBlocks,
                     {response.sound[0].data(), response.sound[1].data()});
     const double fall = std::exp(-damping / sampleRate);
     double factor = 1;

@@ -66,34 +66,39 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
             point.weights[point.used++] = struck.weights[k];
         }
     projectShapes(point, contact.strike.impulseNewtonSeconds, object->modeCount(),
-                  struckGains.data());
-    projectShapes(point, listeningDirection(struck), object->modeCount(), heardGains.data());
+                  scratch.struckGains.data());
+    projectShapes(point, listeningDirection(struck), object->modeCount(),
+                  scratch.heardGains.data());
     const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
     const auto far = static_cast<float>(radiationGain * contact.gainRatio * contact.listening);
     if (far > 0)
         findRadiation();
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         if (far > 0)
-            for (std::size_t i = 0; i < modeResidues.size(); ++i)
-                modeResidues[i] = static_cast<double>(
-                    struckGains[i] * (near * heardGains[i] + far * radiationWeights[c][i]));
+            for (std::size_t i = 0; i < object->modeCount(); ++i)
+                scratch.modeResidues[i] =
+                    static_cast<double>(scratch.struckGains[i] * (near * scratch.heardGains[i] +
+                                                                  far * radiationWeights[c][i]));
         else
-            for (std::size_t i = 0; i < modeResidues.size(); ++i)
-                modeResidues[i] = static_cast<double>(near * struckGains[i] * heardGains[i]);
+            for (std::size_t i = 0; i < object->modeCount(); ++i)
+                scratch.modeResidues[i] =
+                    static_cast<double>(near * scratch.struckGains[i] * scratch.heardGains[i]);
         mergeResidues(c);
     }
 }
 
 void SoundingObject::mergeResidues(std::size_t channel) noexcept {
-    auto& residues = groupResidues[channel];
+    auto& residues = scratch.groupResidues[channel];
     for (std::size_t g = 0; g < bank.size(); ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         residues[g] =
-            count == 1 ? modeResidues[first]
-                       : mergedResidue(std::span(modeResidues).subspan(first, count),
+            count == 1 ? scratch.modeResidues[first]
+                       : mergedResidue(std::span(scratch.modeResidues).subspan(first, count),
                                        std::span(object->eigenvalues).subspan(first, count), law);
     }
+    std::fill(residues.begin() + static_cast<std::ptrdiff_t>(bank.size()),
+              residues.begin() + static_cast<std::ptrdiff_t>(bank.paddedSize()), 0.0);
 }
 
 /// Reads the table where frequencies or size moved. One channel hears the mean of the directions.
@@ -128,8 +133,8 @@ void SoundingObject::computeForced(const Contact& contact, std::complex<double> 
     bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
                        .dampingPerSecond = damping,
                        .phase = phase},
-                      forcedX.data(), forcedY.data(), steady.data(), swingRe.data(),
-                      swingIm.data());
+                      scratch.forcedX.data(), scratch.forcedY.data(), scratch.steady.data(),
+                      scratch.swingRe.data(), scratch.swingIm.data());
 }
 
 bool SoundingObject::strike(const Strike& asked,
@@ -151,11 +156,11 @@ bool SoundingObject::strike(const Strike& asked,
 
     if (isPulse) {
         computeForced(contact, 1);
-        startKicks(-1, sampleInCell, kicks);
+        startKicks(-1, sampleInCell, scratch.kicks);
     } else {
         computeResidues(contact);
-        bank.impulseStates(forcedX.data(), forcedY.data());
-        startKicks(1, sampleInCell, kicks);
+        bank.impulseStates(scratch.forcedX.data(), scratch.forcedY.data());
+        startKicks(1, sampleInCell, scratch.kicks);
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
@@ -183,9 +188,9 @@ bool SoundingObject::strike(const Strike& asked,
 void SoundingObject::startKicks(double factor, double at, ModeStates& started) noexcept {
     for (std::size_t c = 0; c < bank.channels(); ++c)
         for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-            const double residue = factor * groupResidues[c][g];
-            started.x[c][g] = residue * forcedX[g];
-            started.y[c][g] = residue * forcedY[g];
+            const double residue = factor * scratch.groupResidues[c][g];
+            started.x[c][g] = residue * scratch.forcedX[g];
+            started.y[c][g] = residue * scratch.forcedY[g];
         }
     const double wait = (firstSampleFrom(at) - at) / sampleRate;
     if (wait > 0)
@@ -195,17 +200,17 @@ void SoundingObject::startKicks(double factor, double at, ModeStates& started) n
 /// Takes kicks of a whole sample on to the end of their contact, where the forced part becomes
 /// free.
 void SoundingObject::endContact(double at, int kickSample) noexcept {
-    startKicks(1, at, ended);
+    startKicks(1, at, scratch.ended);
     const int samples = firstSampleFrom(at) - kickSample;
-    bank.addMoved(kicks, static_cast<std::size_t>(samples),
-                  std::exp(-damping * samples / sampleRate), ended);
-    std::swap(kicks, ended);
+    bank.addMoved(scratch.kicks, static_cast<std::size_t>(samples),
+                  std::exp(-damping * samples / sampleRate), scratch.ended);
+    std::swap(scratch.kicks, scratch.ended);
 }
 
 void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
-    bank.measureStates(kicks, kickEnergies.data());
-    surveyEnergies(kickEnergies.data(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
-                   wanted.data());
+    bank.measureStates(scratch.kicks, scratch.kickEnergies.data());
+    surveyEnergies(scratch.kickEnergies.data(), bank.audibleWeights(), tauEnergy(), 0,
+                   bank.allBlocks(), scratch.wanted.data());
     admitWanted(allowance);
 }
 
@@ -215,21 +220,21 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     // One below τ can.
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         const unsigned barred = blocks[b].mixed | (contacts.empty() ? 0u : blocks[b].rings);
-        wanted[b] = static_cast<std::uint16_t>(wanted[b] & ~barred);
+        scratch.wanted[b] = static_cast<std::uint16_t>(scratch.wanted[b] & ~barred);
     }
     const auto mixed = static_cast<std::int32_t>(mixedModes.size());
     listWanted(static_cast<std::size_t>(std::max(allowance - mixed, 0)));
-    if (joining.empty())
+    if (scratch.joining.empty())
         return;
-    leaving.clear();
-    for (const std::int32_t mode : joining)
+    scratch.leaving.clear();
+    for (const std::int32_t mode : scratch.joining)
         admit(static_cast<std::size_t>(mode));
     // What the budget had left out comes back under a fade from the next grid point on.
-    fader.enter(bank, leaving);
-    findRuns(joining, joiningRuns);
+    fader.enter(bank, scratch.leaving);
+    findRuns(scratch.joining, scratch.joiningRuns);
     for (Contact& contact : contacts) {
         computeForced(contact, 1);
-        hold(contact, joiningRuns);
+        hold(contact, scratch.joiningRuns);
     }
     listMixed();
     mixedIsRinging = false;
@@ -237,13 +242,13 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
 
 /// The wanted modes, the loudest `most` of them where they are more, in ascending order.
 void SoundingObject::listWanted(std::size_t most) noexcept {
-    joining.clear();
+    scratch.joining.clear();
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
-        forEachMode(b, wanted[b], [&](std::int32_t g) { joining.push_back(g); });
-    if (joining.size() <= most)
+        forEachMode(b, scratch.wanted[b], [&](std::int32_t g) { scratch.joining.push_back(g); });
+    if (scratch.joining.size() <= most)
         return;
-    keepLoudest(joining, kickEnergies.data(), most);
-    std::sort(joining.begin(), joining.end());
+    keepLoudest(scratch.joining, scratch.kickEnergies.data(), most);
+    std::sort(scratch.joining.begin(), scratch.joining.end());
 }
 
 /// Lets a struck mode sound. Of what it carried from before, what τ had cut stays cut.
@@ -255,7 +260,7 @@ void SoundingObject::admit(std::size_t g) noexcept {
         activate(b);
     }
     if ((blocks[b].rings & bit) != 0)
-        leaving.push_back(static_cast<std::int32_t>(g));
+        scratch.leaving.push_back(static_cast<std::int32_t>(g));
     else
         bank.silence(g);
     blocks[b].rings |= bit;
@@ -263,11 +268,12 @@ void SoundingObject::admit(std::size_t g) noexcept {
 }
 
 void SoundingObject::hold(Contact& contact, std::span<const ModeRun> modes) noexcept {
-    const ForcedAmplitudes parts{steady.data(), swingRe.data(), swingIm.data()};
+    const ForcedAmplitudes parts{scratch.steady.data(), scratch.swingRe.data(),
+                                 scratch.swingIm.data()};
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         ForcedSum sum;
         for (const ModeRun& run : modes)
-            sumForced(groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
+            sumForced(scratch.groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
                       static_cast<std::size_t>(run.count), sum);
         contact.steadyVelocity[c] += sum.steady;
         contact.swing[c] += sum.swing;
@@ -289,8 +295,8 @@ void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
         forEachMode(b, blocks[b].rings, [&](std::int32_t mode) {
             const auto g = static_cast<std::size_t>(mode);
             for (std::size_t c = 0; c < bank.channels(); ++c) {
-                const double residue = sign * groupResidues[c][g];
-                bank.add(g, {residue * forcedX[g], residue * forcedY[g]}, c);
+                const double residue = sign * scratch.groupResidues[c][g];
+                bank.add(g, {residue * scratch.forcedX[g], residue * scratch.forcedY[g]}, c);
             }
         });
     }
@@ -324,11 +330,11 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
         return;
     const auto samples = static_cast<std::size_t>(until - from);
     for (std::size_t c = 0; c < bank.channels(); ++c) {
-        std::copy_n(kicks.x[c].begin(), bank.paddedSize(), rendered.x[c].begin());
-        std::copy_n(kicks.y[c].begin(), bank.paddedSize(), rendered.y[c].begin());
+        std::copy_n(scratch.kicks.x[c].begin(), bank.paddedSize(), scratch.rendered.x[c].begin());
+        std::copy_n(scratch.kicks.y[c].begin(), bank.paddedSize(), scratch.rendered.y[c].begin());
     }
     alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    bank.renderFrom(rendered, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+    bank.renderFrom(scratch.rendered, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
                     {sound[0].data(), sound[1].data()});
     if (damping > 0) {
         const double fall = std::exp(-damping / sampleRate);
@@ -346,7 +352,8 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
 void SoundingObject::joinKicks(int from) noexcept {
     bringRestingUpToDate();
     const int samples = cellSamples - from;
-    bank.join(kicks, static_cast<std::size_t>(samples), std::exp(-damping * samples / sampleRate));
+    bank.join(scratch.kicks, static_cast<std::size_t>(samples),
+              std::exp(-damping * samples / sampleRate));
     listWhatRings();
 }
 
@@ -363,9 +370,9 @@ void SoundingObject::bringRestingUpToDate() noexcept {
 /// After something was added.
 void SoundingObject::listWhatRings() noexcept {
     surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
-                   aboveTau.data());
+                   scratch.aboveTau.data());
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
-        blocks[b].rings = aboveTau[b] | blocks[b].mixed;
+        blocks[b].rings = scratch.aboveTau[b] | blocks[b].mixed;
         if (blocks[b].rings != 0)
             activate(b);
     }
@@ -382,7 +389,7 @@ void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
         computeForced(contact, 1);
-        startKicks(1, end, kicks);
+        startKicks(1, end, scratch.kicks);
         addKicks(firstSampleFrom(end), cellSamples, cell);
         joinKicks(firstSampleFrom(end));
     }

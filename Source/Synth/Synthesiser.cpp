@@ -44,6 +44,7 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
 
 struct Synthesiser::Implementation {
     double sampleRate;
+    std::unique_ptr<SynthesisScratch> scratch;
     std::vector<SoundingObject> objects;
     SynthesisSettings settings;
     bool settingsChanged = false;
@@ -68,9 +69,14 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
     : implementation(std::make_unique<Implementation>()) {
     auto& all = *implementation;
     all.sampleRate = sampleRateHz;
+    std::size_t mostModes = 0;
+    for (const SynthesiserSlot& slot : slots)
+        mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
+    all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
     all.objects.reserve(slots.size());
     for (SynthesiserSlot& slot : slots)
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, channels, sampleRateHz);
+        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, channels, sampleRateHz,
+                                 *all.scratch);
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());
     all.sounding.reserve(slots.size());
