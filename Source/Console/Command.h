@@ -20,6 +20,7 @@ void addRender(CLI::App& program, Action& chosen);
 void addMesh(CLI::App& program, Action& chosen);
 void addFactory(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
+void addBench(CLI::App& program, Action& chosen);
 void addLists(CLI::App& program, Action& chosen); ///< presets, materials, parameters
 
 } // namespace idiophone

@@ -73,6 +73,10 @@ public:
     bool silent() const noexcept { return !ringing() && !fader.active(); }
     std::int32_t modesRinging() const noexcept { return demanded.modes; }
     std::int32_t modesMixed() const noexcept { return mixedLastCell; }
+    /// The same with those that strikes have added since.
+    std::int32_t modesMixedNow() const noexcept {
+        return static_cast<std::int32_t>(mixedModes.size());
+    }
 
 private:
     /// One contact under way; its free part is in the states of the modes.

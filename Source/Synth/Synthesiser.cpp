@@ -148,8 +148,13 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
     const bool counted = std::find(sounding.begin(), sounding.end(),
                                    static_cast<std::int32_t>(slot)) != sounding.end();
     const double objectsThen = static_cast<double>(sounding.size() + (counted ? 0 : 1));
-    const double equalShare = std::min(settings.modeBudget / objectsThen, 1e9);
-    return std::max(slotShares[slot], static_cast<std::int32_t>(equalShare));
+    const double budget = std::min(settings.modeBudget, 1e9);
+    std::int64_t used = 0;
+    for (const SoundingObject& object : objects)
+        used += object.modesMixedNow();
+    const double unused = std::max(0.0, budget - static_cast<double>(used));
+    return std::max({slotShares[slot], static_cast<std::int32_t>(budget / objectsThen),
+                     objects[slot].modesMixedNow() + static_cast<std::int32_t>(unused)});
 }
 
 bool Synthesiser::strike(std::size_t slot,

@@ -48,11 +48,11 @@ public:
 
     /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the cell begun last and
     /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, within
-    /// what the slot's share or an equal share of the budget allows; while a contact lasts the
-    /// modes it found stay mixed. A contact time within 1 % of a lightly damped mode's period moves
-    /// by 1 % (ContactPulse.h). Returns false, and does nothing, where 64 contacts are already
-    /// under way in this slot, where the slot or a shape row does not exist, or where a figure is
-    /// not finite.
+    /// what the slot's share, an equal share or the unused rest of the budget allows; while a
+    /// contact lasts the modes it found stay mixed. A contact time within 1 % of a lightly damped
+    /// mode's period moves by 1 % (ContactPulse.h). Returns false, and does nothing, where 64
+    /// contacts are already under way in this slot, where the slot or a shape row does not exist,
+    /// or where a figure is not finite.
     bool strike(std::size_t slot,
                 const Strike& strike,
                 double sampleInCell,

@@ -31,7 +31,7 @@ ROOMS = {
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
                "juce_ nlohmann/ moodycamel/ readerwriterqueue/"),
     "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
-                "juce_ CLI/ nlohmann/ ebur128.h"),
+                "juce_ CLI/ benchmark/ hwy/ nlohmann/ ebur128.h"),
 }
 
 # Headers that the build generates, each for the one room that embeds them.

@@ -1,0 +1,144 @@
+#include "Console/BenchTimer.h"
+#include "Console/Benchmarks.h"
+
+#include <algorithm>
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+constexpr std::size_t objectCount = 37;
+constexpr std::size_t struckTogether = 16;
+constexpr std::size_t struckCell = 48;
+constexpr std::size_t lastCell = 72;
+constexpr int replays = 20;
+
+// 20 g of hard plastic at 1 m/s.
+constexpr double malletNewtonSeconds = 0.02;
+constexpr double malletSeconds = 0.36e-3;
+
+/// A hundred modes that ring for a minute, no two of which merge; every object has its own.
+std::shared_ptr<const ModalObject> longRingingObject(const ModalObject& bar, std::size_t number) {
+    constexpr std::size_t modes = 100;
+    ModalObject object = bar;
+    object.name = "long " + std::to_string(number);
+    object.material.fluidDampingPerSecond = 0.2;
+    object.material.viscoelasticDampingSeconds = 0;
+    object.bending.clear();
+    object.radiation = {};
+    object.eigenvalues.clear();
+    object.shapes.clear();
+    for (std::size_t i = 0; i < modes; ++i) {
+        const double hz = 180.0 * static_cast<double>(i + 1) + static_cast<double>(number);
+        object.eigenvalues.push_back(std::pow(2 * std::numbers::pi * hz, 2));
+    }
+    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row)
+        for (std::size_t i = 0; i < modes; ++i)
+            object.shapes.insert(object.shapes.end(), {0, 0, 1});
+    return std::make_shared<const ModalObject>(std::move(object));
+}
+
+/// Each object struck once, one a cell, and then 16 of them again in one cell.
+std::vector<SceneStrike> strikesOf(std::span<const SynthesiserSlot> slots) {
+    constexpr double cellSeconds = cellSamples / benchSampleRateHz;
+    std::vector<SceneStrike> strikes;
+    const auto strikeAt = [&](std::size_t slot, double cells) {
+        strikes.push_back({cells * cellSeconds, slot,
+                           strikeInto(strikePointAt(*slots[slot].object, {0.2, 0.3, 1}),
+                                      malletNewtonSeconds, malletSeconds)});
+    };
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+        strikeAt(slot, static_cast<double>(slot) + 0.3);
+    for (std::size_t k = 0; k < struckTogether; ++k)
+        strikeAt(2 * k, struckCell + (static_cast<double>(k) + 0.4) / struckTogether);
+    return strikes;
+}
+
+struct CallbackFigures {
+    double struckSeconds = 0;
+    double worstSeconds = 0;
+    double meanSeconds = 0;
+    std::vector<double> seconds;
+};
+
+CallbackFigures figuresOf(const LeastStepTimes& times) {
+    CallbackFigures found;
+    found.seconds.assign(times.seconds().begin(), times.seconds().end());
+    const auto ringing = times.seconds().subspan(objectCount);
+    found.struckSeconds = times.seconds()[struckCell];
+    found.worstSeconds = *std::max_element(ringing.begin(), ringing.end());
+    found.meanSeconds = times.sum(found.seconds.size() - ringing.size(), found.seconds.size()) /
+                        static_cast<double>(ringing.size());
+    return found;
+}
+
+void report(BenchSection& section, const std::string& name, const CallbackFigures& found) {
+    const double ratio = found.worstSeconds / found.meanSeconds;
+    section.row(name, "worst " + figure(found.worstSeconds * 1e6) + " us, with 16 strikes " +
+                          figure(found.struckSeconds * 1e6) + " us, mean " +
+                          figure(found.meanSeconds * 1e6) + " us: " + figure(ratio) +
+                          " times the mean");
+    section.figures["scenes"].push_back({{"name", name},
+                                         {"worst_s", found.worstSeconds},
+                                         {"struck_s", found.struckSeconds},
+                                         {"mean_s", found.meanSeconds},
+                                         {"worst_over_mean", ratio},
+                                         {"seconds", found.seconds}});
+    section.goals.push_back(
+        {"callback: worst over mean, " + name, ratio, BenchGoal::Kind::atMost, 2});
+}
+
+/// The cost of a cell in which every mode is below τ, over that of a ringing one.
+double silenceOverSound(const std::vector<SynthesiserSlot>& slots) {
+    BenchScene ringing(slots, strikesOf(slots), {});
+    BenchScene silent(slots, strikesOf(slots), {});
+    const std::size_t cells = cellsIn(0.1);
+    ringing.render(cells);
+    silent.render(cells);
+    silent.synthesiser().setSettings({.tau = 1e9, .material = {}});
+    for (std::size_t k = 0; k < 8; ++k) // cells: those that truncate still fade
+        silent.nextCell();
+    const std::vector<Contestant> contestants{[&] { benchmark::DoNotOptimize(ringing.nextCell()); },
+                                              [&] { benchmark::DoNotOptimize(silent.nextCell()); }};
+    const auto seconds = leastSeconds(contestants, {.count = 20, .seconds = 1e-3});
+    return seconds[1] / seconds[0];
+}
+
+} // namespace
+
+Result<BenchSection> benchCallback(const BenchContent& content) {
+    const auto bars = objectsNamed(content, "xylophone-");
+    if (bars.size() < objectCount)
+        return failure("The callback benchmark needs the factory's 37 xylophone bars.");
+    std::vector<SynthesiserSlot> asTheyAre, longRinging;
+    for (std::size_t k = 0; k < objectCount; ++k) {
+        asTheyAre.push_back({bars[k]});
+        longRinging.push_back({longRingingObject(*bars[36], k)});
+    }
+    BenchScene longScene(longRinging, strikesOf(longRinging), {});
+    BenchScene barScene(asTheyAre, strikesOf(asTheyAre), {});
+    LeastStepTimes longTimes, barTimes;
+    const auto replay = [](BenchScene& scene, LeastStepTimes& times) {
+        scene.restart();
+        times.replay(lastCell, [&](std::size_t) { benchmark::DoNotOptimize(scene.nextCell()); });
+    };
+    const std::vector<Contestant> contestants{[&] { replay(longScene, longTimes); },
+                                              [&] { replay(barScene, barTimes); }};
+    callInTurn(contestants, replays);
+
+    BenchSection section{.name = "callback",
+                         .title = "37 objects ringing, 16 of them struck in one callback of 64 "
+                                  "samples; each callback the least of 20 replays"};
+    report(section, "37 objects of 100 long modes", figuresOf(longTimes));
+    report(section, "37 factory xylophone bars", figuresOf(barTimes));
+    const double silence = silenceOverSound(longRinging);
+    section.row("every mode below tau", figure(100 * silence) + " % of a ringing callback");
+    section.figures["silence_over_sound"] = silence;
+    section.goals.push_back(
+        {"callback: every mode below tau, over ringing", silence, BenchGoal::Kind::atMost, 0.01});
+    return section;
+}
+
+} // namespace idiophone

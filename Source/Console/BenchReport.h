@@ -1,0 +1,48 @@
+// What a benchmark says: figures for machines, rows for people, and the goals it met or missed.
+// Knows nothing of what is measured.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace idiophone {
+
+/// A ratio measured against the bound that the project has set itself.
+struct BenchGoal {
+    enum class Kind { atLeast, atMost };
+
+    std::string name;
+    double measured = 0;
+    Kind kind = Kind::atLeast;
+    double bound = 0;
+
+    bool met() const { return kind == Kind::atLeast ? measured >= bound : measured <= bound; }
+};
+
+struct BenchSection {
+    std::string name;  ///< as on the command line
+    std::string title; ///< what was measured, in plain words
+    /// What, and how much with its unit.
+    std::vector<std::pair<std::string, std::string>> rows = {};
+    nlohmann::ordered_json figures = nlohmann::ordered_json::object();
+    std::vector<BenchGoal> goals = {};
+
+    void row(std::string what, std::string howMuch) {
+        rows.emplace_back(std::move(what), std::move(howMuch));
+    }
+};
+
+/// A number with so many digits that count, never in powers of ten below a million.
+std::string figure(double value, int digits = 3);
+
+/// Titles, aligned rows and goals.
+std::string benchText(const std::vector<BenchSection>& sections);
+
+/// `goals` at the top level (name, measured, relation "at least" or "at most", bound, met), the
+/// SIMD target and the compiler under `build`, and the figures of each benchmark under
+/// `benchmarks`.
+nlohmann::ordered_json benchDocument(const std::vector<BenchSection>& sections);
+
+} // namespace idiophone

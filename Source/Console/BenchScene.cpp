@@ -1,0 +1,80 @@
+#include "Console/BenchScene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+
+BenchScene::BenchScene(std::vector<SynthesiserSlot> slots,
+                       std::vector<SceneStrike> timedStrikes,
+                       const SynthesisSettings& settings)
+    : synth(std::move(slots), benchSampleRateHz), strikes(std::move(timedStrikes)) {
+    synth.setSettings(settings);
+}
+
+void BenchScene::restart() {
+    synth.reset();
+    next = 0;
+    cellIndex = 0;
+}
+
+std::span<const float, cellSamples> BenchScene::nextCell() {
+    synth.beginCell(cell);
+    const double start = static_cast<double>(cellIndex++) * cellSamples;
+    for (; next < strikes.size(); ++next) {
+        const double within = strikes[next].seconds * benchSampleRateHz - start;
+        if (within >= cellSamples)
+            break;
+        synth.strike(strikes[next].slot, strikes[next].strike, std::max(within, 0.0), cell);
+    }
+    return cell;
+}
+
+std::vector<float> BenchScene::render(std::size_t cells) {
+    restart();
+    std::vector<float> output;
+    output.reserve(cells * cellSamples);
+    for (std::size_t k = 0; k < cells; ++k) {
+        const auto rendered = nextCell();
+        output.insert(output.end(), rendered.begin(), rendered.end());
+    }
+    return output;
+}
+
+std::size_t cellsIn(double seconds) {
+    return static_cast<std::size_t>(std::ceil(seconds * benchSampleRateHz / cellSamples));
+}
+
+StrikePoint strikePointAt(const ModalObject& object, const std::array<double, 3>& place) {
+    std::array<double, 3> point{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double low = object.vertices[axis];
+        double high = low;
+        for (std::size_t k = axis; k < object.vertices.size(); k += 3) {
+            low = std::min<double>(low, object.vertices[k]);
+            high = std::max<double>(high, object.vertices[k]);
+        }
+        point[axis] = std::lerp(low, high, (place[axis] + 1) / 2);
+    }
+    const std::size_t row = nearestShapeRow(object, point);
+    const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
+    const auto normals = vertexNormals(object);
+    return {.shapeRows = {static_cast<std::int32_t>(row), 0, 0},
+            .weights = {1, 0, 0},
+            .normal = {normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]}};
+}
+
+Strike strikeInto(const StrikePoint& point, double newtonSeconds, double contactSeconds) {
+    Strike strike{.point = point, .durationSeconds = contactSeconds};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        strike.impulseNewtonSeconds[axis] = static_cast<float>(-newtonSeconds) * point.normal[axis];
+    return strike;
+}
+
+PoleLaw benchPoleLaw(const Material& material) {
+    return {.eigenvalueRatio = 1,
+            .fluidDampingPerSecond = material.fluidDampingPerSecond,
+            .viscoelasticDampingSeconds = material.viscoelasticDampingSeconds};
+}
+
+} // namespace idiophone

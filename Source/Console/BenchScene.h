@@ -1,0 +1,61 @@
+// Objects struck at stated times and rendered cell by cell: what most benchmarks measure. No keys,
+// no mallets, no parameters.
+#pragma once
+
+#include "Synth/ModalPole.h"
+#include "Synth/Synthesiser.h"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+inline constexpr double benchSampleRateHz = 44100;
+
+struct SceneStrike {
+    double seconds = 0;
+    std::size_t slot = 0;
+    Strike strike;
+};
+
+class BenchScene {
+public:
+    /// `strikes` in ascending order of time.
+    BenchScene(std::vector<SynthesiserSlot> slots,
+               std::vector<SceneStrike> strikes,
+               const SynthesisSettings& settings);
+
+    /// Silence, and the first strike is the next.
+    void restart();
+
+    /// Renders the next cell with the strikes that fall into it.
+    std::span<const float, cellSamples> nextCell();
+
+    /// Everything from the start, [cells · 64].
+    std::vector<float> render(std::size_t cells);
+
+    Synthesiser& synthesiser() { return synth; }
+
+private:
+    Synthesiser synth;
+    std::vector<SceneStrike> strikes; ///< seconds counted in samples
+    std::size_t next = 0;
+    std::int64_t cellIndex = 0;
+    alignas(64) std::array<float, cellSamples> cell{};
+};
+
+/// So many cells fill the time.
+std::size_t cellsIn(double seconds);
+
+/// The vertex nearest to a point of the bounding box (−1 to 1 along x, y and z).
+StrikePoint strikePointAt(const ModalObject& object, const std::array<double, 3>& place);
+
+/// Straight into the surface; a contact time of 0 is an impulse.
+Strike strikeInto(const StrikePoint& point, double newtonSeconds, double contactSeconds);
+
+/// The object's own pole law at size 1.
+PoleLaw benchPoleLaw(const Material& material);
+
+} // namespace idiophone

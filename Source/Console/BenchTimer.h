@@ -1,0 +1,43 @@
+// Times contestants side by side on a noisy machine: many short windows of each in random order,
+// of which the least counts. Google Benchmark does the timing.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+using Contestant = std::function<void()>;
+
+struct TimingWindows {
+    int count = 50;        ///< windows of each contestant
+    double seconds = 2e-3; ///< length of a window, shorter than a scheduler's slice
+};
+
+/// Processor seconds of one call of each contestant: the least over its windows, within which it is
+/// called again and again. A first call is not counted.
+std::vector<double> leastSeconds(std::span<const Contestant> contestants,
+                                 const TimingWindows& windows = {});
+
+/// Calls each contestant so many times, one call at a time in random order.
+void callInTurn(std::span<const Contestant> contestants, int times);
+
+/// The least time that each step of a repeated sequence took: replays of the same work, noise taken
+/// away step by step.
+class LeastStepTimes {
+public:
+    /// Runs and times steps 0 to count − 1.
+    void replay(std::size_t count, const std::function<void(std::size_t step)>& run);
+
+    std::span<const double> seconds() const { return least; }
+    /// Over steps `from` to `until` − 1.
+    double sum(std::size_t from, std::size_t until) const;
+    double sum() const { return sum(0, least.size()); }
+
+private:
+    std::vector<double> least;
+};
+
+} // namespace idiophone

@@ -1,0 +1,30 @@
+#include "Console/Benchmarks.h"
+
+#include <array>
+
+namespace idiophone {
+
+std::vector<std::shared_ptr<const ModalObject>> objectsNamed(const BenchContent& content,
+                                                             std::string_view beginning) {
+    std::vector<std::shared_ptr<const ModalObject>> found;
+    for (const auto& object : content.factoryObjects)
+        if (object->name.starts_with(beginning))
+            found.push_back(object);
+    return found;
+}
+
+std::span<const NamedBenchmark> namedBenchmarks() {
+    static constexpr std::array all{
+        NamedBenchmark{"kernel", "Modal banks against the FMA peak and the paper's loop",
+                       benchKernel},
+        NamedBenchmark{"callback", "The worst 64-sample callback against the mean", benchCallback},
+        NamedBenchmark{"memory", "The gain matrix before and after compression", benchMemory},
+        NamedBenchmark{"tau", "Modes over time at two truncation thresholds", benchTau},
+        NamedBenchmark{"rings", "A hundred rings on a table: audio frames per second", benchRings},
+        NamedBenchmark{"xylophone", "A song as a share of one core", benchXylophone},
+        NamedBenchmark{"compression", "Modes and level error of the factory objects",
+                       benchCompression}};
+    return all;
+}
+
+} // namespace idiophone

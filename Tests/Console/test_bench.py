@@ -1,0 +1,73 @@
+import json
+
+from console import OBJECTS, ConsoleTest
+
+SONG = OBJECTS.parent / "Songs" / "TheEntertainer.mid"
+
+
+class Bench(ConsoleTest):
+    """What is said of times is not judged here: they are the machine's."""
+
+    def bench(self, *arguments):
+        document = self.json("bench", *arguments)
+        for goal in document["goals"]:
+            self.assertIn(goal["relation"], ("at least", "at most"))
+            above = goal["measured"] >= goal["bound"]
+            below = goal["measured"] <= goal["bound"]
+            self.assertEqual(goal["met"], above if goal["relation"] == "at least" else below)
+            self.assertIn(goal["name"].split(":")[0], document["benchmarks"])
+        return document
+
+    def test_truncation_ends_where_eq_14_says(self):
+        document = self.bench("tau")
+        self.assertEqual([goal["met"] for goal in document["goals"]], [True] * 3)
+        fine, coarse = document["benchmarks"]["tau"]["runs"]
+        self.assertGreater(fine["modes"][2], 3)
+        for mixed, fewer in zip(fine["modes"], coarse["modes"]):
+            self.assertGreaterEqual(mixed, fewer)
+        for run in fine, coarse:
+            seconds = sum(run["modes"]) * document["benchmarks"]["tau"]["cell_s"]
+            self.assertAlmostEqual(seconds, run["mode_seconds"], places=6)
+
+    def test_compression_moves_the_level_by_less_than_half_a_decibel(self):
+        figures = self.bench("compression")["benchmarks"]["compression"]
+        self.assertEqual({o["name"] for o in figures["objects"]},
+                         {path.stem for path in OBJECTS.glob("*.modal")})
+        for entry in figures["objects"]:
+            self.assertLessEqual(entry["groups"], entry["modes"])
+            self.assertLessEqual(entry["mean_error_db"], entry["largest_error_db"])
+            self.assertLess(entry["largest_error_db"], 0.5, entry["name"])
+        self.assertLess(sum(o["groups"] for o in figures["objects"]),
+                        sum(o["modes"] for o in figures["objects"]))
+
+    def test_the_kernel_is_below_its_peak_and_exact_after_ten_seconds(self):
+        document = self.bench("kernel")
+        figures = document["benchmarks"]["kernel"]
+        self.assertEqual([size["modes"] for size in figures["sizes"]],
+                         ["64", "500", "1000", "10000", "37x100"])
+        for size in figures["sizes"]:
+            self.assertGreater(size["share_of_peak"], size["naive_share_of_peak"])
+            self.assertLess(size["share_of_peak"], 1)
+        self.assertEqual(set(figures["error_after_10_s_db"]), {"500", "1000"})
+        for error in figures["error_after_10_s_db"].values():
+            self.assertLess(error, -110)
+        self.assertTrue(document["build"]["simd_target"])
+
+    def test_a_song_is_played_on_the_xylophone(self):
+        figures = self.bench("xylophone", "--song", SONG)["benchmarks"]["xylophone"]
+        self.assertGreater(figures["strikes"], 100)
+        self.assertGreater(figures["modes_mixed_most"], figures["modes_mixed_mean"])
+        self.assertGreater(figures["share_of_core"], 0)
+
+    def test_the_text_and_the_file_say_the_same_goals(self):
+        text = self.succeed("bench", "tau").stdout
+        path = self.folder / "tau.json"
+        self.succeed("bench", "tau", "--json", "-o", path)
+        for goal in json.loads(path.read_text())["goals"]:
+            self.assertIn(goal["name"], text)
+
+    def test_bad_requests_are_refused_in_one_sentence(self):
+        self.refuse("bench", "speed", naming="speed")
+        self.refuse("bench", "xylophone", naming="--song")
+        self.refuse("bench", "xylophone", "--song", self.folder / "none.mid", naming="none.mid")
+        self.refuse("bench", "tau", "-o", self.folder, naming=self.folder)
