@@ -28,7 +28,7 @@ struct PoleArrays {
 void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept;
 
 /// x + iy times `factor` e^{(−α + iω)t}: free motion of oscillating modes over `seconds`, which may
-/// be hours. `turnModes` does so for less than a sample, to single precision and in half the time.
+/// be hours.
 void rotateModes(const double* decay,
                  const double* frequency,
                  std::size_t count,
@@ -37,14 +37,25 @@ void rotateModes(const double* decay,
                  double* x,
                  double* y) noexcept;
 
-/// Adds to sumX, sumY the states x, y after `samples` (below 64) of free motion, to single
-/// precision, times `factor`. Takes ρ and ρ¹⁶.
+/// The same for less than a sample, to single precision and in half the time.
+void turnModes(const double* decay,
+               const double* frequency,
+               std::size_t count,
+               double seconds,
+               double factor,
+               double* x,
+               double* y) noexcept;
+
+/// ρ and ρ¹⁶.
 struct SampleRotations {
     const float* sampleRe;
     const float* sampleIm;
     const float* turnRe;
     const float* turnIm;
 };
+
+/// Adds to sumX, sumY the states x, y after `samples` (below 64) of free motion, to single
+/// precision, times `factor`.
 void addMovedModes(const SampleRotations& rotations,
                    std::size_t count,
                    std::size_t samples,
@@ -53,13 +64,5 @@ void addMovedModes(const SampleRotations& rotations,
                    const double* y,
                    double* sumX,
                    double* sumY) noexcept;
-
-void turnModes(const double* decay,
-               const double* frequency,
-               std::size_t count,
-               double seconds,
-               double factor,
-               double* x,
-               double* y) noexcept;
 
 } // namespace idiophone

@@ -1,7 +1,5 @@
 // Strikes and contacts of a sounding object.
 #include "Synth/ContactPulse.h"
-#include "Synth/Listening.h"
-#include "Synth/ModeCompression.h"
 #include "Synth/SoundingObject.h"
 
 #include <algorithm>
@@ -15,10 +13,6 @@ namespace idiophone {
 namespace {
 
 constexpr double shortestContactSamples = 1e-3;
-
-// By measurement: makes the whole surface about as loud as the point struck, over the factory
-// objects. A mean over the surface is small where its parts cancel.
-constexpr double radiationGain = 10;
 
 bool finite(std::span<const float> values) noexcept {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
@@ -52,67 +46,6 @@ void SoundingObject::prepareBank() noexcept {
         regroup();
     else if (polesBehind)
         movePoles();
-}
-
-/// Residues of all groups in each channel. What is heard is a mean of the velocity at the struck
-/// point, along the listening direction there, and of what the whole surface radiates.
-void SoundingObject::computeResidues(const Contact& contact) noexcept {
-    const StrikePoint& struck = contact.strike.point;
-    ShapePoint point;
-    for (std::size_t k = 0; k < struck.weights.size(); ++k)
-        if (struck.weights[k] != 0) {
-            const auto row = static_cast<std::size_t>(struck.shapeRows[k]);
-            point.rows[point.used] = object->shapesAt(row).data();
-            point.weights[point.used++] = struck.weights[k];
-        }
-    projectShapes(point, contact.strike.impulseNewtonSeconds, object->modeCount(),
-                  scratch.struckGains.data());
-    projectShapes(point, listeningDirection(struck), object->modeCount(),
-                  scratch.heardGains.data());
-    const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
-    const auto far = static_cast<float>(radiationGain * contact.gainRatio * contact.listening);
-    if (far > 0)
-        findRadiation();
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        if (far > 0)
-            for (std::size_t i = 0; i < object->modeCount(); ++i)
-                scratch.modeResidues[i] =
-                    static_cast<double>(scratch.struckGains[i] * (near * scratch.heardGains[i] +
-                                                                  far * radiationWeights[c][i]));
-        else
-            for (std::size_t i = 0; i < object->modeCount(); ++i)
-                scratch.modeResidues[i] =
-                    static_cast<double>(near * scratch.struckGains[i] * scratch.heardGains[i]);
-        mergeResidues(c);
-    }
-}
-
-void SoundingObject::mergeResidues(std::size_t channel) noexcept {
-    auto& residues = scratch.groupResidues[channel];
-    for (std::size_t g = 0; g < bank.size(); ++g) {
-        const auto first = static_cast<std::size_t>(groupStarts[g]);
-        const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        residues[g] =
-            count == 1 ? scratch.modeResidues[first]
-                       : mergedResidue(std::span(scratch.modeResidues).subspan(first, count),
-                                       std::span(object->eigenvalues).subspan(first, count), law);
-    }
-    std::fill(residues.begin() + static_cast<std::ptrdiff_t>(bank.size()),
-              residues.begin() + static_cast<std::ptrdiff_t>(bank.paddedSize()), 0.0);
-}
-
-/// Reads the table where frequencies or size moved. One channel hears the mean of the directions.
-void SoundingObject::findRadiation() noexcept {
-    if (radiationRatio == wantedRadiationRatio)
-        return;
-    radiationRatio = wantedRadiationRatio;
-    const std::size_t directions = std::min(object->radiation.directions.size(), mostChannels);
-    for (std::size_t c = 0; c < mostChannels; ++c)
-        object->radiation.weightsAt(std::min(c, directions - 1), radiationRatio,
-                                    radiationWeights[c]);
-    if (outputChannels == 1)
-        for (std::size_t i = 0; i < radiationWeights[0].size(); ++i)
-            radiationWeights[0][i] = (radiationWeights[0][i] + radiationWeights[1][i]) / 2;
 }
 
 /// From the first strike that is heard from afar on, an object needs its second channel.

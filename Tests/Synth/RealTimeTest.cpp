@@ -25,13 +25,18 @@ void operator delete(void* memory, std::size_t) noexcept {
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Strikes, cells, contacts, regrouping and every setting allocate nothing") {
+TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting allocate nothing") {
     std::vector<double> frequencies;
     for (int k = 0; k < 200; ++k)
         frequencies.push_back(100 + 60 * (k / 2) + 0.2 * (k % 2));
-    Synthesiser synthesiser(
-        {slotOf(syntheticObject(frequencies)), slotOf(syntheticObject(frequencies), 0.7)}, 48000);
-    std::array<float, cellSamples> cell{};
+    ModalObject object = syntheticObject(frequencies);
+    object.radiation.directions = {{1, 0, 0}, {0, 1, 0}};
+    object.radiation.frequencyRatios = {1};
+    object.radiation.weights.assign(400, 0.1f);
+    Synthesiser synthesiser({slotOf(object), slotOf(syntheticObject(frequencies), 0.7)}, 48000, 2);
+    std::array<float, cellSamples> left{}, right{}, newtons;
+    newtons.fill(0.1f);
+    const CellOutput cell(left, right);
     SynthesisSettings settings;
     settings.material = LiveMaterial{1e10, 1000, 30, 1e-7};
     const long before = allocations.load();
@@ -40,6 +45,7 @@ TEST_CASE("Strikes, cells, contacts, regrouping and every setting allocate nothi
         settings.tau = step % 300 < 150 ? 0.01 : 5;
         settings.modeBudget = step % 90 < 45 ? 300 : 40;
         settings.compression = step % 1000 < 500 ? 1 : 0;
+        settings.radiation = step % 700 < 350 ? 0 : 0.5;
         settings.material->youngsModulusPa = 1e10 * (1 + 0.2 * std::sin(c * 0.02));
         if (step % 2000 < 1500)
             synthesiser.setSettings(settings);
@@ -50,6 +56,8 @@ TEST_CASE("Strikes, cells, contacts, regrouping and every setting allocate nothi
         synthesiser.beginCell(cell);
         if (step % 17 == 0 && step % 2000 < 1000)
             synthesiser.strike(step % 2, unitStrike(step % 34 == 0 ? 0.004 : 0), 13.25, cell);
+        if (step % 500 > 400)
+            synthesiser.applyForce(step % 2, {.start = {}, .end = {}, .newtons = newtons}, cell);
         if (step == 3900)
             synthesiser.reset();
     }

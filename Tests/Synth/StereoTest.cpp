@@ -1,0 +1,110 @@
+// Radiation: what the whole surface sounds in two directions.
+#include "ModalReference.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double sampleRate = 44100;
+
+ModalObject radiatingObject() {
+    ModalObject object = ringingObject({300, 700, 1900}, 10);
+    object.radiation.directions = {{0.8f, -0.6f, 0}, {0.8f, 0.6f, 0}};
+    object.radiation.frequencyRatios = {0.5, 1, 2};
+    object.radiation.weights = {0, 0, 0, 0.02f, 0.05f, -0.01f, 0.3f, 0.3f, 0.3f,
+                                0, 0, 0, 0.06f, 0.01f, 0.04f,  0.3f, 0.3f, 0.3f};
+    return object;
+}
+
+struct Stereo {
+    std::vector<float> left, right;
+};
+
+Stereo play(const ModalObject& object, int cells, const std::function<double(int)>& radiationAt) {
+    Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
+    SynthesisSettings settings = exactSettings();
+    Stereo sound;
+    for (int c = 0; c < cells; ++c) {
+        std::array<float, cellSamples> left{}, right{};
+        const CellOutput cell(left, right);
+        settings.radiation = radiationAt(c);
+        synthesiser.setSettings(settings);
+        synthesiser.beginCell(cell);
+        if (c == 0 || c == 40)
+            synthesiser.strike(0, unitStrike(c == 0 ? 0 : 0.003), 0, cell);
+        sound.left.insert(sound.left.end(), left.begin(), left.end());
+        sound.right.insert(sound.right.end(), right.begin(), right.end());
+    }
+    return sound;
+}
+
+double reference(const ModalObject& object, std::size_t direction, double share, double sample) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double weight =
+            -10 * static_cast<double>(object.radiation.weights[9 * direction + 3 + i]);
+        const double residue = (1 - share) + share * weight;
+        const double hz = std::sqrt(object.eigenvalues[i]) / (2 * std::numbers::pi);
+        sum += impulseVelocity(referenceMode(object.material, hz, residue), sample / sampleRate);
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("Each channel hears the weights of its own direction, in the share that is asked for") {
+    const ModalObject object = radiatingObject();
+    for (const double share : {1.0, 0.4}) {
+        const Stereo sound = play(object, 40, [&](int) { return share; });
+        CHECK(errorDb(sound.left, [&](double n) { return reference(object, 0, share, n); }) < -110);
+        CHECK(errorDb(sound.right, [&](double n) { return reference(object, 1, share, n); }) <
+              -110);
+    }
+}
+
+TEST_CASE("Heard where it is struck, an object sounds the same in both channels as in one") {
+    const ModalObject object = radiatingObject();
+    const Stereo sound = play(object, 60, [](int) { return 0.0; });
+    CHECK(sound.left == sound.right);
+    Synthesiser mono({slotOf(object)}, sampleRate);
+    mono.setSettings(exactSettings());
+    CHECK(sound.left == render(mono, {{0, unitStrike()}, {40 * 64, unitStrike(0.003)}}, 60));
+}
+
+TEST_CASE("A second strike that is heard from afar leaves what rings as it was") {
+    const ModalObject object = radiatingObject();
+    const auto later = [](int cell) { return cell < 20 ? 0.0 : 1.0; };
+    const Stereo sound = play(object, 80, later);
+    const Stereo near = play(object, 80, [](int) { return 0.0; });
+    const Stereo alone = play(object, 80, [](int) { return 1.0; });
+    for (std::size_t n = 0; n < 40 * 64; ++n)
+        REQUIRE(sound.left[n] == near.left[n]);
+    // From the second strike on: the first as heard near, the second from afar.
+    double worst = 0, peak = 0;
+    for (std::size_t n = 40 * 64; n < sound.left.size(); ++n) {
+        const double first = reference(object, 0, 0, double(n));
+        const double firstFar = reference(object, 0, 1, double(n));
+        const double expected = first + double(alone.left[n]) - firstFar;
+        worst = std::max(worst, std::abs(double(sound.left[n]) - expected));
+        peak = std::max(peak, std::abs(expected));
+    }
+    CHECK(worst < 1e-5 * peak);
+    CHECK(sound.left != sound.right);
+}
+
+TEST_CASE("Weights are read where frequency times size now is") {
+    const ModalObject object = radiatingObject();
+    Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
+    SynthesisSettings settings = exactSettings();
+    settings.radiation = 1;
+    settings.frequencyRatio = 2;
+    synthesiser.setSettings(settings);
+    std::array<float, cellSamples> left{}, right{};
+    synthesiser.beginCell(CellOutput(left, right));
+    synthesiser.strike(0, unitStrike(), 0, CellOutput(left, right));
+    CHECK(std::abs(double(left[0]) + 3 * 10 * 0.3) < 1e-5);
+    CHECK(left == right);
+}
