@@ -78,11 +78,13 @@ Result<Scene> arrange(std::span<const Impulse> impulses, const std::filesystem::
 class CellPlayer {
 public:
     CellPlayer(const Scene& scene, const SynthesisSettings& settings, double sampleRateHz)
-        : contacts(scene.contacts), synth(scene.slots, sampleRateHz) {
+        : contacts(scene.contacts), synth(scene.slots, sampleRateHz, 2) {
         synth.setSettings(settings);
     }
 
-    std::span<const float, cellSamples> next(RenderTally& tally) {
+    /// Advances by a cell and returns it; it is there until the next.
+    CellOutput next(RenderTally& tally) {
+        const CellOutput cell(left, right);
         const auto start = std::chrono::steady_clock::now();
         synth.beginCell(cell);
         for (; due < contacts.size(); ++due) {
@@ -106,7 +108,7 @@ public:
 private:
     std::span<const Contact> contacts;
     Synthesiser synth;
-    alignas(64) std::array<float, cellSamples> cell{};
+    alignas(64) std::array<float, cellSamples> left{}, right{};
     double cellStart = 0;
     std::size_t due = 0;
     std::int64_t dropped = 0;
@@ -139,10 +141,13 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
         const auto wanted =
             static_cast<std::size_t>(std::min<std::int64_t>(cellSamples, end - position));
         const auto blockSize = static_cast<std::size_t>(format.blockSize);
-        for (std::size_t done = 0; done < wanted; done += blockSize)
-            if (auto added = recording.add(cell.subspan(done, std::min(blockSize, wanted - done)));
+        for (std::size_t done = 0; done < wanted; done += blockSize) {
+            const auto count = std::min(blockSize, wanted - done);
+            if (auto added =
+                    recording.add(cell[0].subspan(done, count), cell[1].subspan(done, count));
                 !added)
                 return tl::unexpected(added.error());
+        }
         if (interrupted)
             return failure(std::string(interruptedMessage));
         if (!format.seconds && player.finished())

@@ -39,8 +39,8 @@ Recording::Recording(RecordingFormat wanted, const ParameterValues& values)
     : format(std::move(wanted)), parameters(values),
       meter(ebur128_init(2, static_cast<unsigned long>(format.sampleRateHz), EBUR128_MODE_I)) {
     const auto size = static_cast<std::size_t>(format.blockSize);
-    left.resize(size);
-    right.resize(size);
+    writtenLeft.resize(size);
+    writtenRight.resize(size);
     interleaved.resize(2 * size);
     output.prepare(format.sampleRateHz, format.blockSize);
 }
@@ -57,14 +57,13 @@ Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& forma
     return result;
 }
 
-Result<void> Recording::add(std::span<const float> mono) {
-    float* channels[] = {left.data(), right.data()};
-    output.process(mono, channels, parameters);
-    const auto isSound = [](float sample) { return sample != 0; };
-    const auto end = left.begin() + static_cast<std::ptrdiff_t>(mono.size());
-    const auto lastSound =
-        std::find_if(std::make_reverse_iterator(end), left.rend(), isSound).base();
-    const auto sounding = static_cast<int>(lastSound - left.begin());
+Result<void> Recording::add(std::span<const float> left, std::span<const float> right) {
+    float* channels[] = {writtenLeft.data(), writtenRight.data()};
+    output.process(left, right, channels, parameters);
+    auto sounding = static_cast<int>(left.size());
+    while (sounding > 0 && writtenLeft[static_cast<std::size_t>(sounding - 1)] == 0 &&
+           writtenRight[static_cast<std::size_t>(sounding - 1)] == 0)
+        --sounding;
     if (sounding > 0) {
         // The output stage's block is still needed: silence is written from the meter's buffer.
         if (auto done = writeSilence(heldBack); !done)
@@ -73,7 +72,7 @@ Result<void> Recording::add(std::span<const float> mono) {
         if (auto done = write(sounding); !done)
             return done;
     }
-    heldBack += static_cast<std::int64_t>(mono.size()) - sounding;
+    heldBack += static_cast<std::int64_t>(left.size()) - sounding;
     return {};
 }
 
@@ -92,13 +91,14 @@ Result<void> Recording::writeSilence(std::int64_t samples) {
 }
 
 Result<void> Recording::write(int samples) {
-    const float* channels[] = {left.data(), right.data()};
+    const float* channels[] = {writtenLeft.data(), writtenRight.data()};
     if (auto done = writer->write(channels, samples); !done)
         return done;
     for (std::size_t i = 0; i < static_cast<std::size_t>(samples); ++i) {
-        interleaved[2 * i] = left[i];
-        interleaved[2 * i + 1] = right[i];
-        highest = std::max<double>({highest, std::abs(left[i]), std::abs(right[i])});
+        interleaved[2 * i] = writtenLeft[i];
+        interleaved[2 * i + 1] = writtenRight[i];
+        highest = std::max<double>(
+            {highest, std::abs(interleaved[2 * i]), std::abs(interleaved[2 * i + 1])});
     }
     ebur128_add_frames_float(meter.get(), interleaved.data(), static_cast<std::size_t>(samples));
     written += samples;

@@ -35,8 +35,8 @@ public:
                                                     const ParameterValues& parameters);
     ~Recording();
 
-    /// Appends a mono block of at most the block size.
-    Result<void> add(std::span<const float> mono);
+    /// Appends a block of at most the block size, both channels of one length.
+    Result<void> add(std::span<const float> left, std::span<const float> right);
 
     /// Ends the file at its last sound, but not before `leastSamples`: what was added beyond is
     /// silence, and how much of it there is depends on the block size.
@@ -65,7 +65,7 @@ private:
     ParameterValues parameters;
     std::unique_ptr<WavWriter> writer;
     OutputStage output;
-    std::vector<float> left, right, interleaved;
+    std::vector<float> writtenLeft, writtenRight, interleaved;
     std::unique_ptr<ebur128_state, FreeMeter> meter;
     std::int64_t written = 0;
     std::int64_t heldBack = 0; ///< zeros not written yet

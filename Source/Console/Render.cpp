@@ -57,8 +57,9 @@ Result<RenderTally> playSong(const Preset& preset,
     const auto song = readMidiSong(options.midi);
     if (!song)
         return tl::unexpected(song.error());
-    auto tally = renderSong(std::move(*instrument), *song, values, options.format, to,
-                            options.midi.filename().string());
+    Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed);
+    auto tally =
+        renderSong(player, *song, values, options.format, to, options.midi.filename().string());
     if (tally && tally->strikes == 0)
         std::cerr << "warning: " << options.midi.string() << ": none of its notes is a key of '"
                   << preset.name << "', which has " << preset.keyMap.lowestNote << " to "

@@ -2,7 +2,6 @@
 
 #include "Console/Interrupt.h"
 #include "Console/ProgressLine.h"
-#include "Instrument/Player.h"
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +24,7 @@ void RenderTally::count(std::int64_t modesMixed) {
     modesMixedMost = std::max(modesMixedMost, modesMixed);
 }
 
-Result<RenderTally> renderSong(std::shared_ptr<const Instrument> instrument,
+Result<RenderTally> renderSong(Player& player,
                                std::span<const SongEvent> events,
                                const ParameterValues& parameters,
                                const RecordingFormat& format,
@@ -38,15 +37,15 @@ Result<RenderTally> renderSong(std::shared_ptr<const Instrument> instrument,
     const std::int64_t end = format.seconds ? std::llround(*format.seconds * rate)
                                             : lastEvent + std::llround(longestTailSeconds * rate);
     const auto sounds = [&](const SongEvent& event) {
-        return event.isNoteOn() && instrument->key(event.bytes[1]).slot >= 0 &&
+        return event.isNoteOn() && player.instrument().key(event.bytes[1]).slot >= 0 &&
                sampleOf(event, rate) < end;
     };
     RenderTally tally;
     tally.strikes = std::ranges::count_if(events, sounds);
 
-    Player player(instrument, rate);
     ProgressLine progress(task);
-    std::vector<float> block(static_cast<std::size_t>(format.blockSize));
+    const auto blockSize = static_cast<std::size_t>(format.blockSize);
+    std::vector<float> left(blockSize), right(blockSize);
     std::vector<MidiEvent> due;
     std::size_t next = 0;
     std::int64_t lastCell = -1;
@@ -57,10 +56,10 @@ Result<RenderTally> renderSong(std::shared_ptr<const Instrument> instrument,
             due.push_back(
                 {.sampleOffset = static_cast<int>(sampleOf(events[next], rate) - position),
                  .bytes = events[next].bytes});
-        const std::span samples(block.data(), static_cast<std::size_t>(count));
+        const auto block = StereoSpan{left, right}.subspan(0, static_cast<std::size_t>(count));
 
         const auto start = std::chrono::steady_clock::now();
-        player.process(samples, due, parameters);
+        player.process(block, due, parameters);
         tally.renderSeconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
@@ -68,7 +67,7 @@ Result<RenderTally> renderSong(std::shared_ptr<const Instrument> instrument,
             tally.count(player.synthesiser().modesMixed());
             lastCell = cell;
         }
-        if (auto done = recording.add(samples); !done)
+        if (auto done = recording.add(block.left, block.right); !done)
             return tl::unexpected(done.error());
         if (interrupted)
             return failure(std::string(interruptedMessage));

@@ -1,11 +1,10 @@
-// Plays events on an instrument into a recording, block by block, as a host would.
+// Plays events on a player into a recording, block by block, as a host would.
 #pragma once
 
 #include "Console/MidiSong.h"
 #include "Console/Recording.h"
-#include "Instrument/Instrument.h"
+#include "Instrument/Player.h"
 
-#include <memory>
 #include <span>
 
 namespace idiophone {
@@ -26,7 +25,7 @@ inline constexpr double longestTailSeconds = 30;
 
 /// Renders up to the length of the format, or else to silence after the last event. Every event
 /// acts at round(seconds × rate). `task` is what the progress line says; Ctrl-C ends in an error.
-Result<RenderTally> renderSong(std::shared_ptr<const Instrument> instrument,
+Result<RenderTally> renderSong(Player& player,
                                std::span<const SongEvent> events,
                                const ParameterValues& parameters,
                                const RecordingFormat& format,

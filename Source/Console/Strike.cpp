@@ -162,7 +162,8 @@ Result<void> strikeObject(const Options& options) {
         return tl::unexpected(recording.error());
     const SongEvent noteOn{.seconds = 0,
                            .bytes = {0x90, struckKey, static_cast<std::uint8_t>(options.velocity)}};
-    const auto tally = renderSong(*instrument, {&noteOn, 1}, values, options.format, **recording,
+    Player player(*instrument, options.format.sampleRateHz);
+    const auto tally = renderSong(player, {&noteOn, 1}, values, options.format, **recording,
                                   options.format.file.filename().string());
     if (!tally)
         return tl::unexpected(tally.error());

@@ -63,12 +63,16 @@ struct PathPlace {
     Point direction; ///< unit, or zero where the path has no length
 };
 
-/// The place at a fraction of the path's length.
-PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
+double pathLength(const std::vector<Point>& path) {
     double total = 0;
     for (std::size_t i = 1; i < path.size(); ++i)
         total += length(path[i] - path[i - 1]);
-    double left = fraction * total;
+    return total;
+}
+
+/// The place at a fraction of the path's length.
+PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
+    double left = fraction * pathLength(path);
     for (std::size_t i = 1; i < path.size(); ++i) {
         const auto step = path[i] - path[i - 1];
         const double stepLength = length(step);
@@ -77,6 +81,31 @@ PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
         left -= stepLength;
     }
     return {path.back(), {}};
+}
+
+using Vector = std::array<float, 3>;
+
+/// To unit length; zero where it is too short to have a direction.
+Vector normalised(const Point& a) {
+    const double norm = length(a);
+    if (norm < 1e-6)
+        return {};
+    return {static_cast<float>(a[0] / norm), static_cast<float>(a[1] / norm),
+            static_cast<float>(a[2] / norm)};
+}
+
+/// What of a direction lies in the surface.
+Vector tangent(const Vector& normal, const Point& direction) {
+    const Point unit{normal[0], normal[1], normal[2]};
+    const double rise = direction[0] * unit[0] + direction[1] * unit[1] + direction[2] * unit[2];
+    return normalised(direction - unit * rise);
+}
+
+/// Of unit length between two unit vectors; the first where they point apart.
+Vector between(const Vector& a, const Vector& b, double way) {
+    const Point first{a[0], a[1], a[2]}, second{b[0], b[1], b[2]};
+    const auto mean = normalised(first * (1 - way) + second * way);
+    return mean == Vector{} ? a : mean;
 }
 
 StrikeStrip buildStrip(const ModalObject& object, const KeyMap& map) {
@@ -92,7 +121,10 @@ StrikeStrip buildStrip(const ModalObject& object, const KeyMap& map) {
                            .normal = {normal[0], normal[1], normal[2]}};
     };
 
-    StrikeStrip strip{.alongCount = stripAlong, .acrossCount = stripAcross, .points = {}};
+    StrikeStrip strip;
+    strip.alongCount = stripAlong;
+    strip.acrossCount = stripAcross;
+    strip.lengthMetres = pathLength(path);
     for (int along = 0; along < stripAlong; ++along) {
         const auto place = placeOnPath(path, along / (stripAlong - 1.0));
         const auto middle = pointAt(nearestShapeRow(object, place.point));
@@ -104,6 +136,7 @@ StrikeStrip buildStrip(const ModalObject& object, const KeyMap& map) {
             const double offset = 2 * across / (stripAcross - 1.0) - 1;
             strip.points.push_back(
                 pointAt(nearestShapeRow(object, place.point + sideways * offset)));
+            strip.directions.push_back(tangent(strip.points.back().normal, place.direction));
         }
     }
     return strip;
@@ -124,12 +157,30 @@ double lowestModeHz(const ModalObject& object) {
 
 } // namespace
 
+std::size_t StrikeStrip::index(int alongIndex, double across) const {
+    const double place = std::clamp((across + 1) / 2, 0.0, 1.0) * (acrossCount - 1);
+    return static_cast<std::size_t>(alongIndex) * static_cast<std::size_t>(acrossCount) +
+           static_cast<std::size_t>(std::lround(place));
+}
+
 const StrikePoint& StrikeStrip::at(double along, double across) const {
-    const auto index = [](double place, int count) {
-        return static_cast<std::size_t>(std::lround(std::clamp(place, 0.0, 1.0) * (count - 1)));
-    };
-    return points[index(along, alongCount) * static_cast<std::size_t>(acrossCount) +
-                  index((across + 1) / 2, acrossCount)];
+    const double place = std::clamp(along, 0.0, 1.0) * (alongCount - 1);
+    return points[index(static_cast<int>(std::lround(place)), across)];
+}
+
+StripPlace StrikeStrip::between(double along, double across) const {
+    const double place = std::clamp(along, 0.0, 1.0) * (alongCount - 1);
+    const int before = std::min(static_cast<int>(place), alongCount - 2);
+    const double way = place - before;
+    const auto first = index(before, across), second = index(before + 1, across);
+    StripPlace result{.point = points[first],
+                      .direction = idiophone::between(directions[first], directions[second], way)};
+    if (points[second].shapeRows == points[first].shapeRows)
+        return result;
+    result.point.shapeRows[1] = points[second].shapeRows[0];
+    result.point.weights = {static_cast<float>(1 - way), static_cast<float>(way), 0};
+    result.point.normal = idiophone::between(points[first].normal, points[second].normal, way);
+    return result;
 }
 
 Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap,

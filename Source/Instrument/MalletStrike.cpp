@@ -21,16 +21,23 @@ const Mallet* chosenMallet(const ParameterValues& parameters) {
                : nullptr;
 }
 
+StrikePlace placeBeside(double keyAlong, double along, double across) {
+    along = std::clamp(along, -1.0, 1.0);
+    return {.along = keyAlong + along * (along > 0 ? 1 - keyAlong : keyAlong),
+            .across = std::clamp(across, -1.0, 1.0)};
+}
+
 } // namespace
+
+StrikePlace aimedPlace(double keyAlong, const ParameterValues& parameters) {
+    return placeBeside(keyAlong, parameters[strikeAlong] / 100, parameters[strikeAcross] / 100);
+}
 
 StrikePlace
 strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t strikeNumber) {
     const double spread = parameters[strikeSpread] / 100;
-    const double along =
-        std::clamp(parameters[strikeAlong] / 100 + spread * scatter(2 * strikeNumber), -1.0, 1.0);
-    const double across = std::clamp(
-        parameters[strikeAcross] / 100 + spread * scatter(2 * strikeNumber + 1), -1.0, 1.0);
-    return {.along = keyAlong + along * (along > 0 ? 1 - keyAlong : keyAlong), .across = across};
+    return placeBeside(keyAlong, parameters[strikeAlong] / 100 + spread * scatter(2 * strikeNumber),
+                       parameters[strikeAcross] / 100 + spread * scatter(2 * strikeNumber + 1));
 }
 
 double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters) {

@@ -14,8 +14,11 @@ struct StrikePlace {
     double across = 0; ///< −1 to 1
 };
 
-/// The place of a strike: the key's own, moved by "strike position" and strayed by "spread". The
-/// same `strikeNumber` always strays the same way, so that a render repeats. Any thread.
+/// The key's own place, moved by "strike position". Any thread.
+StrikePlace aimedPlace(double keyAlong, const ParameterValues& parameters);
+
+/// The place of a strike: what is aimed at, strayed by "spread". The same `strikeNumber` always
+/// strays the same way, so that a render repeats. Any thread.
 StrikePlace
 strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t strikeNumber);
 

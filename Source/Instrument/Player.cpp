@@ -3,6 +3,7 @@
 #include "Instrument/ContactTrain.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Instrument/SharedSurfaceProfile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,9 @@ constexpr double silencingSeconds = 0.02;        // T60 of "all sound off"
 constexpr std::size_t pendingCapacity = 1024;    // 113 chattering blows with modal pulses in 15 ms
 
 enum ControllerNumber {
+    modulationController = 1,
     sustainController = 64,
+    placeController = 74,
     allSoundOff = 120,
     resetControllers,
     allNotesOff = 123
@@ -37,13 +40,18 @@ std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
 
 } // namespace
 
-Player::Player(std::shared_ptr<const Instrument> instrument, double sampleRateHz)
-    : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz),
-      pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
+Player::Player(std::shared_ptr<const Instrument> instrument,
+               double sampleRateHz,
+               const Surface& surface,
+               std::uint64_t seed)
+    : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz, 2),
+      pending(pendingCapacity),
+      held(*playedInstrument, sharedSurfaceProfile(surface, sampleRateHz), seed),
+      lowestModes(lowestModesOf(*playedInstrument)),
       slotHeld(playedInstrument->slots().size(), false),
       slotSilenced(playedInstrument->slots().size(), false) {}
 
-void Player::process(std::span<float> output,
+void Player::process(const StereoSpan& output,
                      std::span<const MidiEvent> events,
                      const ParameterValues& parameters) {
     current = parameters;
@@ -62,7 +70,10 @@ void Player::process(std::span<float> output,
         if (next < events.size())
             until = std::min(until, events[next].sampleOffset);
         strikePendingBefore(cellPosition + until - position);
-        std::copy_n(cell.begin() + cellPosition, until - position, output.begin() + position);
+        std::copy_n(leftCell.begin() + cellPosition, until - position,
+                    output.left.begin() + position);
+        std::copy_n(rightCell.begin() + cellPosition, until - position,
+                    output.right.begin() + position);
         cellPosition += until - position;
         position = until;
     }
@@ -78,19 +89,25 @@ void Player::follow(const MidiEvent& event) {
     const int first = event.bytes[1] & 0x7f;
     const int second = event.bytes[2] & 0x7f;
     if (kind == 0x90 && second > 0)
-        keyDown(first);
+        keyDown(first, second);
     else if (kind == 0x80 || kind == 0x90)
         keyUp(first);
+    else if (kind == 0xa0)
+        held.setPressure(first, second / 127.0);
     else if (kind == 0xb0)
         controller(first, second);
     else if (kind == 0xc0)
         programChange = first;
+    else if (kind == 0xd0)
+        held.setPressure(first / 127.0);
     else if (kind == 0xe0)
         bend = std::clamp((second * 128 + first - 8192) / 8191.0, -1.0, 1.0);
 }
 
-void Player::keyDown(int note) {
+void Player::keyDown(int note, int velocity) {
     keysDown.set(static_cast<std::size_t>(note));
+    if (!strikes(current))
+        held.press(note, velocity / 127.0);
     if (const auto slot = playedInstrument->key(note).slot; slot >= 0)
         slotSilenced[static_cast<std::size_t>(slot)] = false;
 }
@@ -100,10 +117,17 @@ void Player::keyUp(int note) {
     if (sustainPedal && keysDown[index])
         keysSustained.set(index);
     keysDown.reset(index);
+    held.release(note);
 }
 
 void Player::controller(int number, int value) {
     switch (number) {
+    case modulationController:
+        held.setSpeedController(value);
+        break;
+    case placeController:
+        held.setPlaceController(value);
+        break;
     case sustainController:
         sustainPedal = value >= 64;
         if (!sustainPedal)
@@ -112,8 +136,10 @@ void Player::controller(int number, int value) {
     case allSoundOff:
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
         pending.clear();
+        held.stop();
         [[fallthrough]];
     case allNotesOff:
+        held.releaseAll();
         keysDown.reset();
         keysSustained.reset();
         break;
@@ -121,6 +147,7 @@ void Player::controller(int number, int value) {
         sustainPedal = false;
         keysSustained.reset();
         bend = 0;
+        held.resetControllers();
         break;
     default:
         break;
@@ -129,7 +156,7 @@ void Player::controller(int number, int value) {
 
 void Player::strikeFor(const MidiEvent& event) {
     const int velocity = event.bytes[2] & 0x7f;
-    if ((event.bytes[0] & 0xf0) != 0x90 || velocity == 0)
+    if ((event.bytes[0] & 0xf0) != 0x90 || velocity == 0 || !strikes(current))
         return;
     const auto& key = playedInstrument->key(event.bytes[1]);
     if (key.slot < 0)
@@ -148,7 +175,7 @@ void Player::strikeFor(const MidiEvent& event) {
                                 lowestModes[slot].moved(liveFrequencyRatio(own, settings)).span());
     }
     if (train.size() > pending.room()) {
-        synth.strike(slot, strike, cellPosition, cell);
+        synth.strike(slot, strike, cellPosition, cell());
         return;
     }
     for (const auto& contact : train)
@@ -170,7 +197,7 @@ void Player::strikePendingBefore(double sampleInCell) {
     for (const auto* next = pending.next();
          next != nullptr && next->cell == cellIndex && next->sampleInCell < sampleInCell;
          next = pending.next()) {
-        synth.strike(next->slot, next->strike, next->sampleInCell, cell);
+        synth.strike(next->slot, next->strike, next->sampleInCell, cell());
         pending.pop();
     }
 }
@@ -178,7 +205,8 @@ void Player::strikePendingBefore(double sampleInCell) {
 void Player::beginCell() {
     synth.setSettings(synthesisSettings(current, bend * current[bendRange]));
     updateDampers();
-    synth.beginCell(cell);
+    synth.beginCell(cell());
+    held.sound(current, synth, cell());
     ++cellIndex;
     cellPosition = 0;
 }
@@ -198,11 +226,13 @@ void Player::updateDampers() {
 
 void Player::reset() {
     synth.reset();
-    cell.fill(0);
+    leftCell.fill(0);
+    rightCell.fill(0);
     cellPosition = cellSamples;
     cellIndex = -1;
     strikeCount = 0;
     pending.clear();
+    held.reset();
     keysDown.reset();
     keysSustained.reset();
     sustainPedal = false;
@@ -212,8 +242,12 @@ void Player::reset() {
 }
 
 bool Player::silent() const {
-    return synth.silent() && pending.empty() &&
-           std::all_of(cell.begin() + cellPosition, cell.end(), [](float x) { return x == 0; });
+    const auto played = [this](const auto& samples) {
+        return std::all_of(samples.begin() + cellPosition, samples.end(),
+                           [](float x) { return x == 0; });
+    };
+    return synth.silent() && pending.empty() && held.silent() && played(leftCell) &&
+           played(rightCell);
 }
 
 std::optional<int> Player::takeProgramChange() {

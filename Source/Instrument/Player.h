@@ -1,10 +1,12 @@
-// Plays an instrument from MIDI: notes become strikes, pedals and releases become dampers, and the
-// synthesiser's cells become a stream of any block size.
+// Plays an instrument from MIDI: notes become strikes or held contacts, pedals and releases become
+// dampers, and the synthesiser's cells become a stream of any block size.
 #pragma once
 
+#include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/LowestModes.h"
 #include "Instrument/PendingStrikes.h"
+#include "Instrument/StereoSpan.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Synthesiser.h"
 
@@ -29,13 +31,18 @@ struct MidiEvent {
 /// whatever the block sizes.
 class Player {
 public:
-    Player(std::shared_ptr<const Instrument> instrument, double sampleRateHz);
+    /// The surface, which is valid, is what scrapes and rolls sound like; their noise begins where
+    /// the seed says.
+    Player(std::shared_ptr<const Instrument> instrument,
+           double sampleRateHz,
+           const Surface& surface = {},
+           std::uint64_t seed = 1);
 
-    /// Renders the next `output.size()` samples (mono, full scale 1, before `level`). Events are in
-    /// order of time. Strikes act at their sample; parameters and everything else at the first
-    /// point of the 64-sample grid at or after their stamp, which for parameters is the block's
-    /// first sample.
-    void process(std::span<float> output,
+    /// Renders the next `output.size()` samples (full scale 1, before `width` and `level`). Without
+    /// radiation both channels are the same. Events are in order of time. Strikes act at their
+    /// sample; parameters and everything else at the first point of the 64-sample grid at or after
+    /// their stamp, which for parameters is the block's first sample.
+    void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
                  const ParameterValues& parameters);
 
@@ -51,22 +58,25 @@ public:
 private:
     void follow(const MidiEvent& event);
     void strikeFor(const MidiEvent& event);
-    void keyDown(int note);
+    void keyDown(int note, int velocity);
     void keyUp(int note);
     void controller(int number, int value);
     void schedule(std::size_t slot, double delaySeconds, const Strike& strike);
     void strikePendingBefore(double sampleInCell);
     void beginCell();
     void updateDampers();
+    CellOutput cell() { return {leftCell, rightCell}; }
 
     std::shared_ptr<const Instrument> playedInstrument;
     Synthesiser synth;
     ParameterValues current;
-    alignas(64) std::array<float, cellSamples> cell{};
+    alignas(64) std::array<float, cellSamples> leftCell{};
+    alignas(64) std::array<float, cellSamples> rightCell{};
     int cellPosition = cellSamples;
     std::int64_t cellIndex = -1; ///< of the cell begun last
     std::uint32_t strikeCount = 0;
     PendingStrikes pending;
+    HeldContacts held;
     std::vector<LowestModes> lowestModes; ///< of each slot
 
     std::bitset<128> keysDown;

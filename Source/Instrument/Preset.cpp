@@ -1,5 +1,7 @@
 #include "Instrument/Preset.h"
 
+#include "Instrument/SurfaceFile.h"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -113,6 +115,19 @@ void parseParameters(const json& object, Preset& preset) {
     }
 }
 
+Surface parseSurfaceOf(const json& root) {
+    auto surface = parseSurface(root["surface"].dump(), "its surface");
+    if (!surface)
+        throw Fault{surface.error().message};
+    return std::move(*surface);
+}
+
+std::uint32_t parseSeed(const json& root) {
+    if (!root["seed"].is_number_integer())
+        throw Fault{"'seed' is not a whole number"};
+    return static_cast<std::uint32_t>(number(root, "seed", 0, 4294967295));
+}
+
 Preset parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-preset")
         throw Fault{"it is not an Idiophone preset"};
@@ -138,6 +153,10 @@ Preset parse(const json& root) {
     preset.keyMap = parseKeyMap(member(root, "keyMap"));
     if (root.contains("parameters"))
         parseParameters(root["parameters"], preset);
+    if (root.contains("surface"))
+        preset.surface = parseSurfaceOf(root);
+    if (root.contains("seed"))
+        preset.seed = parseSeed(root);
     return preset;
 }
 
@@ -187,7 +206,9 @@ std::string encodePreset(const Preset& preset) {
                             {"description", preset.description},
                             {"tags", preset.tags},
                             {"keyMap", keyMap},
-                            {"parameters", parameters}};
+                            {"parameters", parameters},
+                            {"surface", ordered_json::parse(encodeSurface(preset.surface))},
+                            {"seed", preset.seed}};
     // Names come from people and files: replace what is not UTF-8 rather than throw.
     return root.dump(4, ' ', false, ordered_json::error_handler_t::replace);
 }

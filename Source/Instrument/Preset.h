@@ -4,8 +4,10 @@
 
 #include "Object/Result.h"
 #include "Parameters/ParameterTable.h"
+#include "Synth/Surface.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +53,8 @@ struct Preset {
     std::vector<std::string> tags;
     KeyMap keyMap;
     ParameterValues parameters; ///< those the file does not name have their default
+    Surface surface;            ///< what scrapes and rolls sound like; valid
+    std::uint32_t seed = 1;     ///< where their noise begins, so that a render repeats
     /// Ids of parameters in the file that this version does not know.
     std::vector<std::string> unknownParameters;
 

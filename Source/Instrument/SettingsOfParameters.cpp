@@ -32,6 +32,7 @@ SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSe
             .compression = values[compression],
             .sizeRatio = values[size],
             .frequencyRatio = std::exp2((values[tune] / 100 + bendSemitones) / 12),
+            .radiation = values[radiation] / 100,
             .material = liveMaterial(values)};
 }
 

@@ -1,7 +1,5 @@
 #include "Output/OutputStage.h"
 
-#include <algorithm>
-
 namespace idiophone {
 namespace {
 
@@ -18,6 +16,7 @@ void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
     gain.prepare({.sampleRate = sampleRateHz,
                   .maximumBlockSize = static_cast<juce::uint32>(maximumBlockSize),
                   .numChannels = 2});
+    width.reset(sampleRateHz, rampSeconds);
     reset();
 }
 
@@ -25,21 +24,35 @@ void OutputStage::reset() noexcept {
     startsAtTarget = true;
 }
 
-void OutputStage::process(std::span<const float> mono,
+void OutputStage::process(std::span<const float> left,
+                          std::span<const float> right,
                           std::span<float* const> channels,
                           const ParameterValues& values) noexcept {
-    if (mono.empty() || channels.empty())
+    if (left.empty() || channels.empty())
         return;
     gain.setGainLinear(targetGain(values));
-    if (startsAtTarget)
+    width.setTargetValue(static_cast<float>(values[ParameterId::width] / 100));
+    if (startsAtTarget) {
         gain.reset();
+        width.setCurrentAndTargetValue(width.getTargetValue());
+    }
     startsAtTarget = false;
 
-    for (float* channel : channels)
-        if (channel != mono.data())
-            std::copy(mono.begin(), mono.end(), channel);
-    juce::dsp::AudioBlock<float> block(channels.data(), channels.size(), mono.size());
+    spread(left, right, channels);
+    juce::dsp::AudioBlock<float> block(channels.data(), channels.size(), left.size());
     gain.process(juce::dsp::ProcessContextReplacing<float>(block));
+}
+
+void OutputStage::spread(std::span<const float> left,
+                         std::span<const float> right,
+                         std::span<float* const> channels) noexcept {
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const float mid = (left[i] + right[i]) / 2;
+        const float side = width.getNextValue() * ((left[i] - right[i]) / 2);
+        channels[0][i] = channels.size() > 1 ? mid + side : mid;
+        if (channels.size() > 1)
+            channels[1][i] = mid - side;
+    }
 }
 
 } // namespace idiophone

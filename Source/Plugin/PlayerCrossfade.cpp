@@ -15,7 +15,7 @@ PlayerCrossfade::~PlayerCrossfade() {
 void PlayerCrossfade::install(std::unique_ptr<Player> player) {
     delete std::exchange(current, player.release());
     delete std::exchange(fading, nullptr);
-    controllers = {pedalUp, wheelAtRest};
+    controllers = atRest;
 }
 
 void PlayerCrossfade::changeTo(Player* next, const ParameterValues& values) noexcept {
@@ -32,41 +32,45 @@ void PlayerCrossfade::changeTo(Player* next, const ParameterValues& values) noex
     current->process({}, controllers, values);
 }
 
-void PlayerCrossfade::process(std::span<float> output,
+void PlayerCrossfade::process(const StereoSpan& output,
                               std::span<const MidiEvent> events,
                               const ParameterValues& values) noexcept {
     followControllers(events);
-    if (current == nullptr)
-        std::ranges::fill(output, 0.0f);
-    else
+    if (current != nullptr) {
         current->process(output, events, values);
+    } else {
+        std::ranges::fill(output.left, 0.0f);
+        std::ranges::fill(output.right, 0.0f);
+    }
     if (fading != nullptr)
         addFading(output);
     lastValues = values;
 }
 
 void PlayerCrossfade::followControllers(std::span<const MidiEvent> events) noexcept {
-    constexpr std::uint8_t sustain = 64, resetControllers = 121;
+    constexpr std::uint8_t resetControllers = 121;
     for (const auto& event : events) {
         const int kind = event.bytes[0] & 0xf0;
-        if (kind == 0xb0 && event.bytes[1] == sustain)
-            controllers[0].bytes = event.bytes;
-        else if (kind == 0xe0)
-            controllers[1].bytes = event.bytes;
-        else if (kind == 0xb0 && event.bytes[1] == resetControllers)
-            controllers = {pedalUp, wheelAtRest};
+        if (kind == 0xb0 && event.bytes[1] == resetControllers)
+            controllers = atRest;
+        for (auto& controller : controllers)
+            if ((controller.bytes[0] & 0xf0) == kind &&
+                (kind == 0xe0 || controller.bytes[1] == event.bytes[1]))
+                controller.bytes = event.bytes;
     }
 }
 
-void PlayerCrossfade::addFading(std::span<float> output) noexcept {
+void PlayerCrossfade::addFading(const StereoSpan& output) noexcept {
     const auto length =
         static_cast<int>(std::lround(fadeSeconds * fading->synthesiser().sampleRateHz()));
     const auto count = std::min(output.size(), static_cast<std::size_t>(length - fadePosition));
-    const auto old = std::span(fadingOutput).first(count);
+    const StereoSpan old{std::span(fadingLeft).first(count), std::span(fadingRight).first(count)};
     fading->process(old, {}, fadingValues);
     for (std::size_t i = 0; i < count; ++i, ++fadePosition) {
-        const double gain = (1 + std::cos(std::numbers::pi * fadePosition / length)) / 2;
-        output[i] += static_cast<float>(gain) * old[i];
+        const auto gain =
+            static_cast<float>((1 + std::cos(std::numbers::pi * fadePosition / length)) / 2);
+        output.left[i] += gain * old.left[i];
+        output.right[i] += gain * old.right[i];
     }
     if (fadePosition == length)
         handoff.retire(std::exchange(fading, nullptr));
@@ -76,7 +80,7 @@ void PlayerCrossfade::reset() noexcept {
     handoff.retire(std::exchange(fading, nullptr));
     if (current != nullptr)
         current->reset();
-    controllers = {pedalUp, wheelAtRest};
+    controllers = atRest;
 }
 
 } // namespace idiophone

@@ -25,13 +25,13 @@ public:
     /// [message side] while no callback runs: plays this one from its start, at once.
     void install(std::unique_ptr<Player> player);
 
-    /// Plays `next`, which it now owns, with `values` from here on, the pedal and the wheel where
+    /// Plays `next`, which it now owns, with `values` from here on, pedal and controllers where
     /// they are; what rang before fades out under it. A second change within a fade cuts the player
     /// that has hardly begun, and lets the older one fade on. nullptr changes nothing.
     void changeTo(Player* next, const ParameterValues& values) noexcept;
 
     /// The next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.
-    void process(std::span<float> output,
+    void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
                  const ParameterValues& values) noexcept;
 
@@ -42,7 +42,7 @@ public:
 
 private:
     void followControllers(std::span<const MidiEvent> events) noexcept;
-    void addFading(std::span<float> output) noexcept;
+    void addFading(const StereoSpan& output) noexcept;
 
     Handoff<Player>& handoff;
     Player* current = nullptr;
@@ -50,11 +50,14 @@ private:
     int fadePosition = 0;
     ParameterValues lastValues;
     ParameterValues fadingValues; ///< what held before the change, so that the fade keeps its sound
-    std::array<float, BlockPieces::maximumSamples> fadingOutput{};
+    std::array<float, BlockPieces::maximumSamples> fadingLeft{}, fadingRight{};
 
     static constexpr MidiEvent pedalUp{.sampleOffset = 0, .bytes = {0xb0, 64, 0}};
     static constexpr MidiEvent wheelAtRest{.sampleOffset = 0, .bytes = {0xe0, 0, 64}};
-    std::array<MidiEvent, 2> controllers{pedalUp, wheelAtRest};
+    static constexpr MidiEvent speedAtRest{.sampleOffset = 0, .bytes = {0xb0, 1, 64}};
+    static constexpr MidiEvent placeAtRest{.sampleOffset = 0, .bytes = {0xb0, 74, 64}};
+    static constexpr std::array atRest{pedalUp, wheelAtRest, speedAtRest, placeAtRest};
+    std::array<MidiEvent, 4> controllers = atRest;
 };
 
 } // namespace idiophone

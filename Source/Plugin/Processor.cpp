@@ -24,10 +24,11 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
     while (const auto piece = pieces.next()) {
-        const auto rendered = std::span(mono).first(static_cast<std::size_t>(piece->length));
+        const auto length = static_cast<std::size_t>(piece->length);
+        const StereoSpan rendered{std::span(left).first(length), std::span(right).first(length)};
         const auto channels = channelsFrom(buffer, piece->start);
         sound.process(rendered, piece->events, values);
-        output.process(rendered, channels, values);
+        output.process(rendered.left, rendered.right, channels, values);
         report(channels, piece->length);
     }
     if (isNonRealtime())
@@ -44,8 +45,8 @@ std::span<float* const> Processor::channelsFrom(juce::AudioBuffer<float>& buffer
 }
 
 void Processor::report(std::span<float* const> channels, int count) noexcept {
-    if (!channels.empty()) {
-        const auto range = juce::FloatVectorOperations::findMinAndMax(channels.front(), count);
+    for (const float* channel : channels) {
+        const auto range = juce::FloatVectorOperations::findMinAndMax(channel, count);
         const float highest = std::max(-range.getStart(), range.getEnd());
         if (highest > peak.load())
             peak = highest;
@@ -83,7 +84,7 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     // Blocks are rendered in pieces of our own size: the host's may be of any.
     output.prepare(preparedRateHz, BlockPieces::maximumSamples);
     delete handoff.take();
-    sound.install(instrument ? std::make_unique<Player>(instrument, preparedRateHz) : nullptr);
+    sound.install(instrument ? newPlayer() : nullptr);
     handoff.collect();
     pieces.reset();
     resetRequested = false;
@@ -166,7 +167,12 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     instrument = std::move(built);
     lastError.clear();
     if (preparedRateHz > 0)
-        handoff.publish(std::make_unique<Player>(instrument, preparedRateHz));
+        handoff.publish(newPlayer());
+}
+
+std::unique_ptr<Player> Processor::newPlayer() const {
+    return std::make_unique<Player>(instrument, preparedRateHz, loadedPreset.surface,
+                                    loadedPreset.seed);
 }
 
 void Processor::getStateInformation(juce::MemoryBlock& destination) {

@@ -78,6 +78,7 @@ private:
     void followProgramChange();
     Result<void> restore(const State& state);
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
+    std::unique_ptr<Player> newPlayer() const;
 
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
@@ -106,7 +107,7 @@ private:
     BlockPieces pieces;
     PlayerCrossfade sound{handoff};
     OutputStage output;
-    std::array<float, BlockPieces::maximumSamples> mono{};
+    std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<float*, 2> channelPointers{};
 };
 

@@ -25,7 +25,7 @@ class Render(ConsoleTest):
 
     def test_block_sizes_give_the_same_file(self):
         song = self.song(self.chords())
-        for preset in (XYLOPHONE, "Singing Xylophone", "Steel Ring"):
+        for preset in (XYLOPHONE, "Singing Xylophone", "Steel Ring", "Scraped Plate"):
             options = ("--set", "tau=20", "--set", "level=-6")
             _, expected = self.render(song, *options, preset=preset, name="480.wav")
             for size in (1, 7, 64, 480, 4096):
@@ -46,8 +46,34 @@ class Render(ConsoleTest):
             first = next(i for i, sample in enumerate(wave.left) if sample != 0)
             # A contact begins without force, so its first samples may be lost in rounding.
             self.assertAlmostEqual(first, 337 / 960 * rate, delta=2)
-            self.assertNotEqual(wave.left[-1], 0)
-            self.assertEqual(list(wave.channels[0]), list(wave.channels[1]))
+            self.assertTrue(any(channel[-1] != 0 for channel in wave.channels))
+
+    def test_radiation_parts_the_channels_and_no_width_joins_them(self):
+        song = self.song([tempo(0, 500000)] + note(0, 72, 127))
+
+        def channels(*settings):
+            options = [part for setting in settings for part in ("--set", setting)]
+            return [list(channel) for channel in Wave(self.render(song, *options)[1]).channels]
+
+        near = channels("radiation=0")
+        self.assertEqual(near[0], near[1])
+        far = channels("radiation=60", "strike_across=80")
+        self.assertNotEqual(far[0], far[1])
+        joined = channels("radiation=60", "strike_across=80", "width=0")
+        self.assertEqual(joined[0], joined[1])
+        wide = channels("radiation=60", "strike_across=80", "width=200")
+        for left, right, l, r in list(zip(*wide, *far))[:4000]:
+            self.assertAlmostEqual(left - right, 2 * (l - r), delta=1e-6)
+
+    def test_a_held_key_scrapes_for_as_long_as_it_is_held(self):
+        def scraped(length):
+            song = self.song([tempo(0, 500000)] + note(0, 60, length=length))
+            return Wave(self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
+                                    preset="Scraped Plate")[1])
+
+        short, long = scraped(480), scraped(1920)
+        self.assertGreater(short.peak(), 1e-4)
+        self.assertAlmostEqual(len(long) - len(short), 1.5 * long.rate, delta=0.05 * long.rate)
 
     def test_tempo_changes_are_followed(self):
         slow = note(0, 72) + note(480, 84, length=120) + note(960, 76)

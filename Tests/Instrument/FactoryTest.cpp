@@ -19,13 +19,24 @@ constexpr double sampleRateHz = 48000;
 std::unique_ptr<Player> playerFor(const Preset& preset) {
     auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared());
     REQUIRE(instrument);
-    return std::make_unique<Player>(*instrument, sampleRateHz);
+    return std::make_unique<Player>(*instrument, sampleRateHz, preset.surface, preset.seed);
 }
 
 void applyLevel(std::vector<float>& sound, const Preset& preset) {
     const auto gain = static_cast<float>(std::pow(10, preset.parameters[ParameterId::level] / 20));
     for (float& sample : sound)
         sample *= gain;
+}
+
+/// Both channels one after the other, as the level leaves them.
+std::vector<float> renderBoth(Player& player,
+                              const std::vector<MidiEvent>& events,
+                              std::size_t samples,
+                              const Preset& preset) {
+    auto sound = renderStereo(player, events, samples, 480, preset.parameters);
+    sound.left.insert(sound.left.end(), sound.right.begin(), sound.right.end());
+    applyLevel(sound.left, preset);
+    return sound.left;
 }
 
 /// Eight notes spread over the preset's keys, two a second, at one velocity.
@@ -76,11 +87,28 @@ TEST_CASE("Every xylophone key sounds within 1 cent of equal temperament") {
     const auto& preset = factoryPresets().front();
     auto player = playerFor(preset);
     const int note = GENERATE(range(72, 109));
-    const auto sound = render(*player, {midi(0, 0x90, note, 100)}, 14400, 480, preset.parameters);
+    const auto sound =
+        renderStereo(*player, {midi(0, 0x90, note, 100)}, 14400, 480, preset.parameters);
     const double expectedHz = 440 * std::exp2((note - 69) / 12.0);
-    const auto pole = fitPole(sound, sampleRateHz, expectedHz, 0.04);
-    INFO("note " << note << ": " << pole.frequencyHz << " Hz for " << expectedHz);
-    CHECK(std::abs(cents(pole.frequencyHz, expectedHz)) < 1);
+    for (const auto* channel : {&sound.left, &sound.right}) {
+        const auto pole = fitPole(*channel, sampleRateHz, expectedHz, 0.04);
+        INFO("note " << note << ": " << pole.frequencyHz << " Hz for " << expectedHz);
+        CHECK(std::abs(cents(pole.frequencyHz, expectedHz)) < 1);
+    }
+}
+
+TEST_CASE("Radiation parts left and right of every factory preset, by no more than 12 dB") {
+    for (const auto& preset : factoryPresets()) {
+        auto player = playerFor(preset);
+        const auto sound = renderStereo(*player, scale(preset, 100), 48000, 480, preset.parameters);
+        std::vector<float> side(sound.left.size());
+        for (std::size_t i = 0; i < side.size(); ++i)
+            side[i] = (sound.left[i] - sound.right[i]) / 2;
+        INFO(preset.name);
+        CHECK(peak(side) > 1e-4f * peak(sound.left));
+        CHECK(peak(sound.left) < 4 * peak(sound.right));
+        CHECK(peak(sound.right) < 4 * peak(sound.left));
+    }
 }
 
 TEST_CASE("Factory presets are within 2 LU of one another at velocity 100") {
@@ -105,16 +133,17 @@ TEST_CASE("Ten notes at once at velocity 127 stay under 0 dBFS, and silence foll
              lowest += 5) {
             auto player = playerFor(preset);
             const bool adjacent = lowest % 2 == 0;
-            std::vector<MidiEvent> events;
-            for (int i = 0; i < 10; ++i)
-                events.push_back(
-                    midi(0, 0x90, adjacent ? lowest + i : preset.keyMap.lowestNote + range * i / 9,
-                         127));
-            auto sound = render(*player, events, 24000, 480, preset.parameters);
-            applyLevel(sound, preset);
+            std::vector<MidiEvent> events, releases;
+            for (int i = 0; i < 10; ++i) {
+                const int note = adjacent ? lowest + i : preset.keyMap.lowestNote + range * i / 9;
+                events.push_back(midi(0, 0x90, note, 127));
+                releases.push_back(midi(0, 0x80, note, 0));
+            }
+            const auto sound = renderBoth(*player, events, 24000, preset);
             CHECK(peak(sound) < 1);
             for (const float sample : sound)
                 REQUIRE(std::isfinite(sample));
+            render(*player, releases, 480, 480, preset.parameters);
             for (int seconds = 0; seconds < 60 && !player->silent(); ++seconds)
                 render(*player, {}, 48000, 4800, preset.parameters);
             CHECK(player->silent());

@@ -88,6 +88,55 @@ TEST_CASE("Strike position across reaches the edges beside the path") {
     CHECK(strip.at(0, 0).normal[2] == Approx(1));
 }
 
+TEST_CASE(
+    "Between two points of the strip the place is their mean, and the path lies in the surface") {
+    const auto plate = Instrument::build({.kind = KeyMapKind::zones,
+                                          .object = "plate",
+                                          .strikePath = {{-1, -1, 0}, {1, 1, 0}},
+                                          .strikeWidth = 0.6},
+                                         ObjectLibrary::shared())
+                           .value();
+    const auto& strip = plate->strip(plate->key(60));
+    int mixed = 0;
+    for (int i = 0; i + 1 < strip.alongCount; ++i) {
+        const double step = 1.0 / (strip.alongCount - 1);
+        const auto& first = strip.at(i * step, 0.4);
+        const auto& second = strip.at((i + 1) * step, 0.4);
+        const auto place = strip.between((i + 0.25) * step, 0.4);
+        REQUIRE(place.point.shapeRows[0] == first.shapeRows[0]);
+        if (first.shapeRows[0] == second.shapeRows[0]) {
+            REQUIRE(place.point.weights[0] == 1);
+        } else {
+            REQUIRE(place.point.shapeRows[1] == second.shapeRows[0]);
+            REQUIRE(place.point.weights[0] == Approx(0.75));
+            REQUIRE(place.point.weights[1] == Approx(0.25));
+            ++mixed;
+        }
+        const auto& normal = place.point.normal;
+        const auto& direction = place.direction;
+        REQUIRE(std::hypot(direction[0], direction[1], direction[2]) == Approx(1));
+        REQUIRE(std::hypot(normal[0], normal[1], normal[2]) == Approx(1));
+        REQUIRE(std::abs(normal[0] * direction[0] + normal[1] * direction[1] +
+                         normal[2] * direction[2]) < 1e-3f);
+        REQUIRE(direction[0] > 0);
+    }
+    CHECK(mixed > 10);
+    CHECK(strip.between(2, 0).point.shapeRows == strip.between(1, 0).point.shapeRows);
+    const auto end = strip.between(1, 0).point;
+    CHECK(end.shapeRows[end.weights[1] > 0.5f ? 1 : 0] == strip.at(1, 0).shapeRows[0]);
+}
+
+TEST_CASE("The length of a strike path is in metres") {
+    ObjectLibrary library;
+    const auto kept = library.add("square", syntheticObject({100}));
+    const auto square = Instrument::build({.kind = KeyMapKind::zones,
+                                           .object = "square",
+                                           .strikePath = {{-1, -1, 0}, {1, -1, 0}, {1, 0, 0}}},
+                                          library)
+                            .value();
+    CHECK(square->strip(square->key(60)).lengthMetres == Approx(1.5));
+}
+
 TEST_CASE("An instrument whose object is missing says which") {
     ObjectLibrary library;
     const auto built =

@@ -1,4 +1,6 @@
 #include "Instrument/Player.h"
+#include "Instrument/MalletStrike.h"
+#include "Instrument/SettingsOfParameters.h"
 #include "Support/PoleFit.h"
 #include "Support/RenderNotes.h"
 #include "Support/SyntheticObject.h"
@@ -17,14 +19,18 @@ namespace {
 
 constexpr double sampleRateHz = 48000;
 
-/// Keys 60 to 72, a bar of two modes each.
+/// Keys 60 to 72, a bar of two modes each, which radiate to the left and right in parts of their
+/// own.
 std::shared_ptr<const Instrument> bars() {
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note <= 72; ++note) {
         const double frequencyHz = 440 * std::exp2((note - 69) / 12.0);
-        kept.push_back(library.add("bar-" + std::to_string(note),
-                                   syntheticObject({frequencyHz, 3 * frequencyHz})));
+        auto bar = syntheticObject({frequencyHz, 3 * frequencyHz});
+        bar.radiation = {.directions = {{-0.6f, 0, 0.8f}, {0.6f, 0, 0.8f}},
+                         .frequencyRatios = {1},
+                         .weights = {0.02f, -0.01f, 0.03f, 0.02f}};
+        kept.push_back(library.add("bar-" + std::to_string(note), std::move(bar)));
     }
     KeyMap map;
     map.kind = KeyMapKind::bars;
@@ -78,6 +84,52 @@ TEST_CASE("Renders are bit-identical for block sizes 1, 7, 64, 480 and 4096") {
     CHECK(render(player, events, 30000, blockSize, parameters) == expected);
 }
 
+TEST_CASE("Stereo renders are bit-identical for block sizes 1, 7, 64, 480 and 4096") {
+    const auto instrument = bars();
+    ParameterValues parameters;
+    parameters.set(ParameterId::radiation, 60);
+    parameters.set(ParameterId::letRing, 0);
+    const auto events = busyEvents(20000);
+    Player reference(instrument, sampleRateHz);
+    const auto expected = renderStereo(reference, events, 20000, 512, parameters);
+    CHECK(peak(expected.left) > 0.001f);
+    CHECK(expected.left != expected.right);
+    const auto blockSize = GENERATE(1u, 7u, 64u, 480u, 4096u);
+    Player player(instrument, sampleRateHz);
+    CHECK(renderStereo(player, events, 20000, blockSize, parameters) == expected);
+    player.reset();
+    CHECK(renderStereo(player, events, 20000, blockSize, parameters) == expected);
+}
+
+TEST_CASE("Without radiation both channels are the sound at the point struck") {
+    const auto instrument = bars();
+    Player player(instrument, sampleRateHz);
+    const auto sound = renderStereo(player, busyEvents(20000), 20000, 512);
+    CHECK(sound.left == sound.right);
+
+    // Key 69's own slot, struck without a player.
+    ParameterValues parameters;
+    parameters.set(ParameterId::strikeSpread, 0);
+    Player one(instrument, sampleRateHz);
+    const auto played = renderStereo(one, {midi(0, 0x90, 69, 100)}, 2048, 512, parameters);
+    const auto& key = instrument->key(69);
+    Synthesiser mono({instrument->slots()[static_cast<std::size_t>(key.slot)]}, sampleRateHz);
+    mono.setSettings(synthesisSettings(parameters));
+    const auto strike =
+        malletStrike(instrument->strip(key).at(key.along, 0), 100, 1, parameters,
+                     surfaceCompliancePerPa(instrument->slots()[0].object->material, parameters));
+    std::vector<float> expected(2048);
+    for (std::size_t at = 0; at < expected.size(); at += cellSamples) {
+        alignas(64) std::array<float, cellSamples> cell{};
+        mono.beginCell(cell);
+        if (at == 0)
+            REQUIRE(mono.strike(0, strike, 0, cell));
+        std::ranges::copy(cell, expected.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    CHECK(played.left == expected);
+    CHECK(played.right == expected);
+}
+
 TEST_CASE("After a reset the same events sound the same to the last bit") {
     Player player(bars(), sampleRateHz);
     const auto events = busyEvents(10000);
@@ -85,6 +137,25 @@ TEST_CASE("After a reset the same events sound the same to the last bit") {
     player.reset();
     CHECK(player.silent());
     CHECK(render(player, events, 10000, 100) == first);
+}
+
+TEST_CASE("The more radiation, the further apart are left and right, at the same pitch") {
+    double last = 0;
+    for (const double percent : {0.0, 30.0, 60.0, 100.0}) {
+        ParameterValues parameters;
+        parameters.set(ParameterId::radiation, percent);
+        Player player(bars(), sampleRateHz);
+        const auto sound = renderStereo(player, {midi(0, 0x90, 69, 100)}, 24000, 480, parameters);
+        std::vector<float> side(sound.left.size());
+        for (std::size_t i = 0; i < side.size(); ++i)
+            side[i] = sound.left[i] - sound.right[i];
+        const double apart = level(side) / (level(sound.left) + level(sound.right));
+        CHECK((percent == 0 ? apart == 0 : apart > 1.2 * last));
+        last = apart;
+        for (const auto* channel : {&sound.left, &sound.right})
+            CHECK(std::abs(cents(fitPole(*channel, sampleRateHz, 440, 0.05).frequencyHz, 440)) <
+                  0.1);
+    }
 }
 
 TEST_CASE("A note starts at its very sample") {

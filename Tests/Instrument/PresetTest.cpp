@@ -23,6 +23,14 @@ Preset example() {
                      .strikeWidth = 0.5,
                      .referenceNote = 60.5};
     preset.parameters.set(ParameterId::tau, 0.123456789012345);
+    preset.surface = {.name = "Slate \"ü\"",
+                      .spectrumExponent = -1.1,
+                      .resonFrequencyHz = 812.5,
+                      .resonDampingPerSecond = 300,
+                      .referenceSpeedMetresPerSecond = 0.7,
+                      .slowestSpeedMetresPerSecond = 0.05,
+                      .roughness = 0.3};
+    preset.seed = 4294967295;
     return preset;
 }
 
@@ -72,5 +80,10 @@ TEST_CASE("A preset that makes no sense is refused with its fault") {
     checkRefused(head + map.substr(0, map.size() - 1) + R"(,"strikePath":[[0,0,9]]}})", "between");
     checkRefused(head + map + R"(,"parameters":{"tau":"loud"}})", "'tau'");
     checkRefused(head + map + R"(,"tags":[1]})", "'tags'");
+    checkRefused(head + map + R"(,"surface":3})", "its surface");
+    checkRefused(head + map + R"(,"surface":{"format":"idiophone-surface","version":1}})", "lacks");
+    checkRefused(head + map + R"(,"seed":1.5})", "'seed'");
+    checkRefused(head + map + R"(,"seed":-1})", "'seed'");
+    checkRefused(head + map + R"(,"seed":4294967296})", "'seed'");
     checkRefused(std::string(2 << 20, ' '), "too large");
 }

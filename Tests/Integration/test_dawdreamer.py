@@ -73,7 +73,7 @@ def test_a_state_comes_back_byte_for_byte_and_sounds_the_same(host, tmp_path):
     first = host()
     untouched = first.state(tmp_path / "untouched")
     for position, (index, name) in enumerate(first.parameters()):
-        if name not in ("Bypass", "Program"):
+        if name not in ("Bypass", "Program", "Contact"):  # a bar that is rolled on is faint
             first.plugin.set_parameter(index, (0.3, 0.55, 0.7)[position % 3])
     saved = first.state(tmp_path / "saved")
     assert saved != untouched, "the state does not tell what was changed"

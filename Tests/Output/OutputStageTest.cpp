@@ -32,7 +32,32 @@ std::vector<float> sine(std::size_t count, double frequencyHz = 440) {
     return samples;
 }
 
-/// Stereo through the stage in blocks of one size; the channels must agree.
+struct Stereo {
+    std::vector<float> left, right;
+    bool operator==(const Stereo&) const = default;
+};
+
+/// Two different channels through the stage, in place, in blocks of one size.
+Stereo processed(OutputStage& stage,
+                 const Stereo& input,
+                 std::size_t blockSize,
+                 const ParameterValues& values) {
+    Stereo output = input;
+    for (std::size_t start = 0; start < input.left.size(); start += blockSize) {
+        const auto count = std::min(blockSize, input.left.size() - start);
+        const std::array<float*, 2> channels{&output.left[start], &output.right[start]};
+        stage.process({channels[0], count}, {channels[1], count}, channels, values);
+    }
+    return output;
+}
+
+ParameterValues valuesWithWidth(double percent) {
+    auto values = valuesWith(0);
+    values.set(ParameterId::width, percent);
+    return values;
+}
+
+/// The same on both channels through the stage in blocks of one size; the channels must agree.
 std::vector<float> processed(OutputStage& stage,
                              const std::vector<float>& input,
                              std::size_t blockSize,
@@ -41,7 +66,8 @@ std::vector<float> processed(OutputStage& stage,
     for (std::size_t start = 0; start < input.size(); start += blockSize) {
         const auto count = std::min(blockSize, input.size() - start);
         const std::array<float*, 2> channels{&left[start], &right[start]};
-        stage.process(std::span(input).subspan(start, count), channels, values);
+        const auto block = std::span(input).subspan(start, count);
+        stage.process(block, block, channels, values);
     }
     CHECK(left == right);
     return left;
@@ -55,10 +81,62 @@ OutputStage preparedStage() {
 
 } // namespace
 
-TEST_CASE("At 0 dB the mono stream reaches both channels bit for bit") {
+TEST_CASE("At 0 dB what is the same on both channels reaches them bit for bit, at any width") {
     auto stage = preparedStage();
     const auto input = sine(1000);
     CHECK(processed(stage, input, 100, valuesWith(0)) == input);
+    CHECK(processed(stage, input, 100, valuesWithWidth(200)) == input);
+}
+
+TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, 200 doubles the side") {
+    const Stereo input{sine(3000), sine(3000, 700)};
+    const auto at = [&](double percent) {
+        auto stage = preparedStage();
+        return processed(stage, input, 480, valuesWithWidth(percent));
+    };
+    const auto unchanged = at(100), narrow = at(0), wide = at(200);
+    CHECK(narrow.left == narrow.right);
+    CHECK(wide.left != wide.right);
+    for (std::size_t i = 0; i < input.left.size(); ++i) {
+        const float l = input.left[i], r = input.right[i];
+        CHECK_THAT(unchanged.left[i], WithinAbs(l, 2e-7));
+        CHECK_THAT(unchanged.right[i], WithinAbs(r, 2e-7));
+        CHECK(narrow.left[i] == (l + r) / 2);
+        CHECK_THAT((wide.left[i] + wide.right[i]) / 2, WithinAbs((l + r) / 2, 3e-7));
+        CHECK_THAT(wide.left[i] - wide.right[i], WithinAbs(2 * (l - r), 6e-7));
+    }
+}
+
+TEST_CASE("A mono output gets the mid, whatever the width") {
+    const auto left = sine(1000), right = sine(1000, 700);
+    for (const double percent : {0.0, 100.0, 200.0}) {
+        auto stage = preparedStage();
+        std::vector<float> output(left.size());
+        const std::array<float*, 1> channels{output.data()};
+        stage.process(left, right, channels, valuesWithWidth(percent));
+        for (std::size_t i = 0; i < output.size(); ++i)
+            CHECK(output[i] == (left[i] + right[i]) / 2);
+    }
+}
+
+TEST_CASE("Width automated in steps of a block moves the side without a step, in any block size") {
+    const Stereo ones{std::vector<float>(64, 1.0f), std::vector<float>(64, -1.0f)};
+    auto stage = preparedStage(), pieces = preparedStage();
+    auto last = processed(stage, ones, 64, valuesWithWidth(0)).left.back();
+    processed(pieces, ones, 64, valuesWithWidth(0));
+    CHECK(last == 0);
+    const float largest = static_cast<float>(1.01 * 2 / (OutputStage::rampSeconds * rateHz));
+    for (int block = 0; block < 100; ++block) {
+        const auto values = valuesWithWidth(block % 30 < 15 ? 200 : 0);
+        const auto output = processed(stage, ones, 64, values);
+        CHECK(processed(pieces, ones, 7, values) == output);
+        for (const float sample : output.left) {
+            REQUIRE(std::abs(sample - last) <= largest);
+            last = sample;
+        }
+        if (block == 14)
+            CHECK(last > 1.9f);
+    }
 }
 
 TEST_CASE("The level is a gain of 10^(dB/20) from the first sample after a reset") {
@@ -125,7 +203,7 @@ TEST_CASE("One channel that is also the input is processed in place") {
     auto samples = sine(500);
     const auto original = samples;
     const std::array<float*, 1> channels{samples.data()};
-    stage.process(samples, channels, valuesWith(-20));
+    stage.process(samples, samples, channels, valuesWith(-20));
     for (std::size_t i = 0; i < samples.size(); ++i)
         CHECK_THAT(samples[i], WithinAbs(original[i] * 0.1, 1e-7));
 }
@@ -133,7 +211,7 @@ TEST_CASE("One channel that is also the input is processed in place") {
 TEST_CASE("No samples and no channels are nothing to do") {
     auto stage = preparedStage();
     const auto input = sine(10);
-    stage.process({}, {}, valuesWith(0));
-    stage.process(input, {}, valuesWith(0));
+    stage.process({}, {}, {}, valuesWith(0));
+    stage.process(input, input, {}, valuesWith(0));
     CHECK(processed(stage, input, 10, valuesWith(0)) == input);
 }

@@ -27,12 +27,23 @@ MidiEvent strikeNote(int note = 65) {
 
 const ParameterValues values = testState().parameters;
 
+/// What a player or a crossfade plays next; without radiation both channels are the same.
+template <class Source>
+void play(Source& source,
+          std::span<float> output,
+          std::span<const MidiEvent> events,
+          const ParameterValues& with) {
+    std::vector<float> right(output.size());
+    source.process(StereoSpan{output, right}, events, with);
+    REQUIRE(std::ranges::equal(output, right));
+}
+
 /// A player struck once, and what it sounds like from sample 500 on.
 std::vector<float> continuation(std::size_t count) {
     auto player = testPlayer();
     std::vector<float> output(500 + count);
     const std::array events{strikeNote()};
-    player->process(output, events, values);
+    play(*player, output, events, values);
     return {output.begin() + 500, output.end()};
 }
 
@@ -44,7 +55,7 @@ struct Ringing {
         sound.install(testPlayer());
         std::vector<float> output(500);
         const std::array events{strikeNote()};
-        sound.process(output, events, values);
+        play(sound, output, events, values);
         REQUIRE(loudest(output) > 0.001f);
     }
 };
@@ -56,7 +67,7 @@ TEST_CASE("What rang fades out under a raised cosine of 5 ms") {
     const auto alone = continuation(600);
     ringing.sound.changeTo(testPlayer("other").release(), values);
     std::vector<float> output(600);
-    ringing.sound.process(output, {}, values);
+    play(ringing.sound, output, {}, values);
     for (std::size_t i = 0; i < output.size(); ++i) {
         const double place = static_cast<double>(i) / static_cast<double>(fadeSamples);
         const double gain = i < fadeSamples ? (1 + std::cos(std::numbers::pi * place)) / 2 : 0;
@@ -69,10 +80,10 @@ TEST_CASE("The fade does not depend on the block size") {
     whole.sound.changeTo(testPlayer("other").release(), values);
     pieces.sound.changeTo(testPlayer("other").release(), values);
     std::vector<float> expected(600), output(600);
-    whole.sound.process(expected, {}, values);
+    play(whole.sound, expected, {}, values);
     for (std::size_t start = 0; start < 600; start += 7)
-        pieces.sound.process(
-            std::span(output).subspan(start, std::min<std::size_t>(7, 600 - start)), {}, values);
+        play(pieces.sound, std::span(output).subspan(start, std::min<std::size_t>(7, 600 - start)),
+             {}, values);
     CHECK(output == expected);
 }
 
@@ -83,8 +94,8 @@ TEST_CASE("What fades keeps the parameters it sounded with") {
     kept.sound.changeTo(testPlayer("other").release(), values);
     changed.sound.changeTo(testPlayer("other").release(), bent);
     std::vector<float> expected(600), output(600);
-    kept.sound.process(expected, {}, values);
-    changed.sound.process(output, {}, bent);
+    play(kept.sound, expected, {}, values);
+    play(changed.sound, output, {}, bent);
     CHECK(output == expected);
 }
 
@@ -96,8 +107,8 @@ TEST_CASE("A new player that is struck at once sounds from its first sample, unf
     auto alone = testPlayer("other", 1.5);
     std::vector<float> expected(600), output(600);
     const std::array events{strikeNote()};
-    alone->process(expected, events, values);
-    sound.process(output, events, values);
+    play(*alone, expected, events, values);
+    play(sound, output, events, values);
     CHECK(output == expected);
     CHECK(loudest(output) > 0.001f);
 }
@@ -107,10 +118,10 @@ TEST_CASE("A second change within a fade lets the first sound fade on") {
     once.sound.changeTo(testPlayer("other").release(), values);
     twice.sound.changeTo(testPlayer("other").release(), values);
     std::vector<float> expected(600), output(600);
-    once.sound.process(expected, {}, values);
-    twice.sound.process(std::span(output).first(100), {}, values);
+    play(once.sound, expected, {}, values);
+    play(twice.sound, std::span(output).first(100), {}, values);
     twice.sound.changeTo(testPlayer("third").release(), values);
-    twice.sound.process(std::span(output).subspan(100), {}, values);
+    play(twice.sound, std::span(output).subspan(100), {}, values);
     CHECK(output == expected);
 }
 
@@ -126,19 +137,43 @@ TEST_CASE("Pedal and pitch wheel stay where they are when the player changes") {
     sound.install(testPlayer());
     std::vector<float> expected(9600), output(9600);
     const std::array before{pedal, wheel};
-    sound.process(std::span(output).first(64), before, damped);
+    play(sound, std::span(output).first(64), before, damped);
     sound.changeTo(testPlayer("other").release(), damped);
     const std::array tap{strikeNote(), release};
     for (std::size_t start = 0; start < 9600; start += 960)
-        sound.process(std::span(output).subspan(start, 960),
-                      start == 0 ? std::span<const MidiEvent>(tap) : std::span<const MidiEvent>{},
-                      damped);
+        play(sound, std::span(output).subspan(start, 960),
+             start == 0 ? std::span<const MidiEvent>(tap) : std::span<const MidiEvent>{}, damped);
 
     auto alone = testPlayer("other");
     const std::array all{pedal, wheel, strikeNote(), release};
-    alone->process(expected, all, damped);
+    play(*alone, expected, all, damped);
     CHECK(output == expected);
     CHECK(loudest({output.end() - 960, output.end()}) > 0.001f); // held by the pedal
+}
+
+TEST_CASE("Speed and place of held contacts stay where they are when the player changes") {
+    auto scraping = values;
+    scraping.set(ParameterId::contact, scrapeContact);
+    const MidiEvent speed{.sampleOffset = 0, .bytes = {0xb0, 1, 100}};
+    const MidiEvent place{.sampleOffset = 0, .bytes = {0xb0, 74, 20}};
+    Handoff<Player> handoff;
+    PlayerCrossfade sound(handoff);
+    sound.install(testPlayer());
+    std::vector<float> expected(4800), output(4800);
+    const std::array before{speed, place};
+    play(sound, std::span(output).first(64), before, scraping);
+    sound.changeTo(testPlayer("other").release(), scraping);
+    const std::array hold{strikeNote()};
+    for (std::size_t start = 0; start < 4800; start += 960)
+        play(sound, std::span(output).subspan(start, 960),
+             start == 0 ? std::span<const MidiEvent>(hold) : std::span<const MidiEvent>{},
+             scraping);
+
+    auto alone = testPlayer("other");
+    const std::array all{speed, place, strikeNote()};
+    play(*alone, expected, all, scraping);
+    CHECK(output == expected);
+    CHECK(loudest(output) > 0);
 }
 
 TEST_CASE("A reset is silence at once, also in a fade") {
@@ -146,7 +181,7 @@ TEST_CASE("A reset is silence at once, also in a fade") {
     ringing.sound.changeTo(testPlayer("other").release(), values);
     ringing.sound.reset();
     std::vector<float> output(600, 1.0f);
-    ringing.sound.process(output, {}, values);
+    play(ringing.sound, output, {}, values);
     CHECK(loudest(output) == 0);
 }
 
@@ -155,7 +190,7 @@ TEST_CASE("Without a player there is silence") {
     PlayerCrossfade sound(handoff);
     std::vector<float> output(100, 1.0f);
     const std::array events{strikeNote()};
-    sound.process(output, events, values);
+    play(sound, output, events, values);
     sound.reset();
     CHECK(loudest(output) == 0);
 }

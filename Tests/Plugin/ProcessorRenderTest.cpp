@@ -84,6 +84,35 @@ TEST_CASE("Mono is the left channel of stereo, and both stereo channels are the 
     CHECK(same);
 }
 
+TEST_CASE("A mono bus gets the mean of what a stereo bus gets") {
+    const auto play = [](const juce::AudioChannelSet& channels) {
+        Processor processor;
+        juce::AudioProcessor::BusesLayout layout;
+        layout.outputBuses.add(channels);
+        REQUIRE(processor.setBusesLayout(layout));
+        processor.setCurrentProgram(0);
+        processor.changeParameter(ParameterId::radiation, 60);
+        processor.changeParameter(ParameterId::strikeAcross, 80);
+        processor.prepareToPlay(48000, 4800);
+        juce::AudioBuffer<float> buffer(channels.size(), 4800);
+        juce::MidiBuffer midi;
+        for (const int note : {72, 81, 97})
+            midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(120)), note);
+        processor.processBlock(buffer, midi);
+        return buffer;
+    };
+    const auto mono = play(juce::AudioChannelSet::mono());
+    const auto stereo = play(juce::AudioChannelSet::stereo());
+    float mostSide = 0, mostError = 0;
+    for (int i = 0; i < mono.getNumSamples(); ++i) {
+        const float left = stereo.getSample(0, i), right = stereo.getSample(1, i);
+        mostSide = std::max(mostSide, std::abs(left - right) / 2);
+        mostError = std::max(mostError, std::abs(mono.getSample(0, i) - (left + right) / 2));
+    }
+    CHECK(mostSide > 1e-4f);
+    CHECK(mostError < 1e-7f);
+}
+
 TEST_CASE("A note sounds from its exact sample on") {
     Processor processor;
     restore(processor, testState());

@@ -127,6 +127,29 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever is p
     CHECK(host.loudestSample > 0.001f);
 }
 
+TEST_CASE("No factory preset scraped or rolled allocates, locks or calls the system") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(512);
+    juce::MidiBuffer music = testMusic(512, 30);
+    for (int stamp = 0; stamp < 512; stamp += 16) {
+        const auto value = static_cast<juce::uint8>(stamp / 4);
+        music.addEvent(juce::MidiMessage::channelPressureChange(1, value), stamp);
+        music.addEvent(juce::MidiMessage::aftertouchChange(1, 60 + stamp / 16, value), stamp);
+        music.addEvent(juce::MidiMessage::controllerEvent(1, 1, value), stamp);
+        music.addEvent(juce::MidiMessage::controllerEvent(1, 74, 127 - value), stamp);
+    }
+    for (int program = 0; program < host.processor.getNumPrograms(); ++program)
+        for (const auto choice : {scrapeContact, rollContact}) {
+            host.what = host.processor.getProgramName(program).toStdString();
+            host.processor.setCurrentProgram(program);
+            host.processor.changeParameter(ParameterId::contact, choice);
+            for (int block = 0; block < 20; ++block)
+                host.block(music, 512);
+        }
+    CHECK(host.loudestSample > 1e-5f);
+}
+
 TEST_CASE("No parameter at either end makes the callback allocate, lock or call the system") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");

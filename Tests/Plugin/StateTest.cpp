@@ -34,6 +34,8 @@ State randomState(unsigned seed) {
         state.parameters.set(
             info.parameter,
             info.fromNormalised(std::uniform_real_distribution<double>(0, 1)(random)));
+    state.preset.surface.roughness = std::uniform_real_distribution<double>(0, 100)(random);
+    state.preset.seed = random();
     return state;
 }
 

@@ -14,13 +14,21 @@ inline MidiEvent midi(int sample, int status, int first, int second) {
                       static_cast<std::uint8_t>(second)}};
 }
 
+struct StereoSound {
+    std::vector<float> left, right;
+
+    explicit StereoSound(std::size_t samples) : left(samples), right(samples) {}
+    operator StereoSpan() { return {left, right}; }
+    bool operator==(const StereoSound&) const = default;
+};
+
 /// `events` are stamped on the stream and in order.
-inline std::vector<float> render(Player& player,
-                                 const std::vector<MidiEvent>& events,
-                                 std::size_t samples,
-                                 std::size_t blockSize,
-                                 const ParameterValues& parameters = {}) {
-    std::vector<float> output(samples);
+inline StereoSound renderStereo(Player& player,
+                                const std::vector<MidiEvent>& events,
+                                std::size_t samples,
+                                std::size_t blockSize,
+                                const ParameterValues& parameters = {}) {
+    StereoSound output(samples);
     std::size_t next = 0;
     for (std::size_t start = 0; start < samples; start += blockSize) {
         const auto count = std::min(blockSize, samples - start);
@@ -31,9 +39,21 @@ inline std::vector<float> render(Player& player,
             block.push_back(events[next]);
             block.back().sampleOffset -= static_cast<int>(start);
         }
-        player.process(std::span(output).subspan(start, count), block, parameters);
+        player.process(StereoSpan(output).subspan(start, count), block, parameters);
     }
     return output;
+}
+
+/// The mean of both channels.
+inline std::vector<float> render(Player& player,
+                                 const std::vector<MidiEvent>& events,
+                                 std::size_t samples,
+                                 std::size_t blockSize,
+                                 const ParameterValues& parameters = {}) {
+    auto output = renderStereo(player, events, samples, blockSize, parameters);
+    for (std::size_t i = 0; i < samples; ++i)
+        output.left[i] = (output.left[i] + output.right[i]) / 2;
+    return output.left;
 }
 
 inline float peak(std::span<const float> signal) {

@@ -1,0 +1,77 @@
+#include "Instrument/PhraseMeter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+/// x = f/f0 of a filter of the second order in the Laplace domain, normalised to f0.
+double denominatorPower(double x, double quality) noexcept {
+    const double real = 1 - x * x, imaginary = x / quality;
+    return real * real + imaginary * imaginary;
+}
+
+} // namespace
+
+// The analogue filters whose bilinear transforms at 48 kHz are the standard's coefficients, which
+// leave the high-pass 0.04 dB above 1.
+double kWeightingPower(double hz) noexcept {
+    constexpr double shelfHz = 1681.974450955533, shelfQuality = 0.7071752369554196;
+    constexpr double shelfHigh = 1.584864701130855, shelfMiddle = 1.258720930232562;
+    constexpr double highPassHz = 38.13547087602444, highPassQuality = 0.5003270373238773;
+    constexpr double highPassPower = 1.01002;
+    const double x = hz / shelfHz, y = hz / highPassHz;
+    const double real = 1 - shelfHigh * x * x, imaginary = shelfMiddle * x / shelfQuality;
+    const double shelf = (real * real + imaginary * imaginary) / denominatorPower(x, shelfQuality);
+    return shelf * highPassPower * y * y * y * y / denominatorPower(y, highPassQuality);
+}
+
+void PhraseMeter::addMode(Note note,
+                          const NoteFigures& powers,
+                          double decay,
+                          double release) noexcept {
+    const double freeDecay = decay + release;
+    const double heldFall = std::expm1(-2 * decay * hopSeconds);
+    const double freeFall = std::expm1(-2 * freeDecay * hopSeconds);
+    const double perHop = note == Note::struck ? 1 : 1.0 / noteHops;
+    double held = 0, free = 0;
+    for (std::size_t hop = 0; hop < phraseHops; ++hop) {
+        const std::size_t index = hop / noteHops;
+        const bool begins = hop % noteHops == 0;
+        if (begins) {
+            free += held;
+            held = 0;
+        }
+        if (index < notes && (begins || note == Note::sustained))
+            held += powers[index] * perHop;
+        hopEnergies[hop] -= held * heldFall / (2 * decay) + free * freeFall / (2 * freeDecay);
+        held += held * heldFall;
+        free += free * freeFall;
+    }
+}
+
+void PhraseMeter::addTransients(const NoteFigures& energies) noexcept {
+    for (std::size_t note = 0; note < notes; ++note)
+        hopEnergies[note * noteHops] += energies[note];
+}
+
+double PhraseMeter::integratedLufs() const noexcept {
+    std::array<double, phraseHops - blockHops + 1> blocks{};
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+        for (std::size_t hop = block; hop < block + blockHops; ++hop)
+            blocks[block] += hopEnergies[hop] / (blockHops * hopSeconds);
+    const auto meanFrom = [&](double gate) {
+        double sum = 0;
+        int count = 0;
+        for (const double power : blocks)
+            if (power >= gate) {
+                sum += power;
+                ++count;
+            }
+        return count > 0 ? sum / count : 0;
+    };
+    return -0.691 + 10 * std::log10(std::max(meanFrom(meanFrom(0) / 10), 0.0));
+}
+
+} // namespace idiophone
