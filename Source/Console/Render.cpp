@@ -57,7 +57,8 @@ Result<RenderTally> playSong(const Preset& preset,
     const auto song = readMidiSong(options.midi);
     if (!song)
         return tl::unexpected(song.error());
-    Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed);
+    Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
+                  preset.parameters);
     auto tally =
         renderSong(player, *song, values, options.format, to, options.midi.filename().string());
     if (tally && tally->strikes == 0)

@@ -10,8 +10,8 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
          std::initializer_list<juce::Component*>{&presets, &parameters, &status, &keyboard})
         addAndMakeVisible(child);
     setResizable(true, true);
-    setResizeLimits(800, 500, 3840, 2160);
-    setSize(960, 580);
+    setResizeLimits(1080, 560, 3840, 2160);
+    setSize(1180, 640);
     startTimerHz(25);
 }
 

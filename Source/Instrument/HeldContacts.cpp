@@ -127,9 +127,10 @@ void HeldContacts::soundOne(Contact& contact,
 
     // While a contact fades out it stays of its kind, whatever is chosen by then.
     if (!strikes(parameters))
-        contact.force.setSettings({.kind = parameters[ParameterId::contact] == rollContact
-                                               ? ContactKind::roll
-                                               : ContactKind::scrape});
+        contact.force.setSettings(
+            {.kind = static_cast<int>(parameters[ParameterId::contact]) == rollContact
+                         ? ContactKind::roll
+                         : ContactKind::scrape});
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses = contact.force.render(
         {.speedMetresPerSecond = parameters[contactSpeed] * speedController / 127.0,

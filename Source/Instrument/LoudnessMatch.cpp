@@ -3,6 +3,7 @@
 #include "Instrument/ContactTrain.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Synth/Listening.h"
 #include "Synth/ModalPole.h"
 
 #include <algorithm>
@@ -23,8 +24,6 @@ constexpr double largestGainDb = 40;
 constexpr double decibels60 = 6.907755278982137; // ln(1000)
 constexpr double lowestHz = 20;
 constexpr double highestShareOfSampleRate = 0.49;
-// As in SoundingObjectStrike.cpp.
-constexpr double radiationGain = 10;
 constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
 
 /// What the settings make of an object (SynthesisSettings.h).
@@ -208,6 +207,7 @@ LoudnessMatch::LoudnessMatch(std::shared_ptr<const Instrument> instrument, Surfa
             continue;
         const auto& slot = playedInstrument->slots()[static_cast<std::size_t>(keys[note].key.slot)];
         keys[note].lowestModes = LowestModes(*slot.object, slot.sizeRatio);
+        keys[note].weightScale = radiationScale(*slot.object);
     }
 }
 
@@ -229,7 +229,7 @@ void LoudnessMatch::addObject(PhraseMeter& meter,
                               std::size_t endNote,
                               const ParameterValues& parameters,
                               double sampleRateHz) const noexcept {
-    const auto& [key, lowestModes] = keys[firstNote];
+    const auto& [key, lowestModes, weightScale] = keys[firstNote];
     const auto& slot = playedInstrument->slots()[static_cast<std::size_t>(key.slot)];
     const ModalObject& object = *slot.object;
     const auto settings = synthesisSettings(parameters);
@@ -277,8 +277,8 @@ void LoudnessMatch::addObject(PhraseMeter& meter,
             for (std::size_t channel = 0; channel < residue.size(); ++channel) {
                 residue[channel] = gain * (1 - conditions.listening) * struck;
                 if (conditions.listening > 0)
-                    residue[channel] -= radiationGain * gain * conditions.listening *
-                                        radiated.weight(channel, mode);
+                    residue[channel] -=
+                        weightScale * gain * conditions.listening * radiated.weight(channel, mode);
             }
             pressedVelocities[note] += pressedVelocity * (residue[0] + residue[1]) / 2;
         }

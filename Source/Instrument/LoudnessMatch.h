@@ -40,6 +40,7 @@ private:
     struct PhraseKey {
         Key key;
         LowestModes lowestModes; ///< of its object
+        double weightScale = 0;  ///< of its radiation weights (Listening.h)
     };
 
     void addObject(PhraseMeter& meter,

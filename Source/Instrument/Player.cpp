@@ -16,6 +16,8 @@ using enum ParameterId;
 
 constexpr double decibels60 = 6.907755278982137; // ln(1000)
 constexpr double silencingSeconds = 0.02;        // T60 of "all sound off"
+constexpr std::int64_t matchingCells = 16;       // between two predictions of loudness
+constexpr float matchingShare = 0.15f;           // of the way to the matching gain in a cell: 10 ms
 constexpr std::size_t pendingCapacity = 1024;    // 113 chattering blows with modal pulses in 15 ms
 
 enum ControllerNumber {
@@ -43,11 +45,13 @@ std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
 Player::Player(std::shared_ptr<const Instrument> instrument,
                double sampleRateHz,
                const Surface& surface,
-               std::uint64_t seed)
+               std::uint64_t seed,
+               const ParameterValues& own)
     : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz, 2),
       pending(pendingCapacity),
       held(*playedInstrument, sharedSurfaceProfile(surface, sampleRateHz), seed),
-      lowestModes(lowestModesOf(*playedInstrument)),
+      lowestModes(lowestModesOf(*playedInstrument)), sampleRate(sampleRateHz),
+      loudness(playedInstrument, surface), ownValues(own), matchedValues(own),
       slotHeld(playedInstrument->slots().size(), false),
       slotSilenced(playedInstrument->slots().size(), false) {}
 
@@ -70,10 +74,7 @@ void Player::process(const StereoSpan& output,
         if (next < events.size())
             until = std::min(until, events[next].sampleOffset);
         strikePendingBefore(cellPosition + until - position);
-        std::copy_n(leftCell.begin() + cellPosition, until - position,
-                    output.left.begin() + position);
-        std::copy_n(rightCell.begin() + cellPosition, until - position,
-                    output.right.begin() + position);
+        copyOut(output, position, until - position);
         cellPosition += until - position;
         position = until;
     }
@@ -208,15 +209,42 @@ void Player::beginCell() {
     synth.beginCell(cell());
     held.sound(current, synth, cell());
     ++cellIndex;
+    matchLoudness();
     cellPosition = 0;
+}
+
+/// A prediction costs a tenth of a millisecond, so it is made now and then, on the grid.
+void Player::matchLoudness() {
+    if (cellIndex % matchingCells == 0 && current != matchedValues) {
+        matchedValues = current;
+        const bool matches = current[ParameterId::matchLoudness] != 0;
+        const double gainDb = matches ? loudness.gainDb(ownValues, current, sampleRate) : 0;
+        matchingGain = static_cast<float>(std::pow(10, gainDb / 20));
+    }
+    gainAtCellStart = cellIndex == 0 ? matchingGain : gainAtCellEnd;
+    gainAtCellEnd = gainAtCellStart + matchingShare * (matchingGain - gainAtCellStart);
+    if (std::abs(matchingGain - gainAtCellEnd) < 1e-5f * matchingGain)
+        gainAtCellEnd = matchingGain;
+}
+
+/// Copies what is next in the cell to the output, with the gain that matches loudness.
+void Player::copyOut(const StereoSpan& output, int position, int count) const {
+    for (int k = 0; k < count; ++k) {
+        const auto from = static_cast<std::size_t>(cellPosition + k);
+        const auto to = static_cast<std::size_t>(position + k);
+        const float part = static_cast<float>(from + 1) / cellSamples;
+        const float gain = gainAtCellStart + part * (gainAtCellEnd - gainAtCellStart);
+        output.left[to] = gain * leftCell[from];
+        output.right[to] = gain * rightCell[from];
+    }
 }
 
 void Player::updateDampers() {
     slotHeld.assign(slotHeld.size(), current[letRing] != 0);
-    const auto held = keysDown | keysSustained;
+    const auto keys = keysDown | keysSustained;
     for (int note = 0; note < 128; ++note)
         if (const int slot = playedInstrument->key(note).slot;
-            slot >= 0 && held[static_cast<std::size_t>(note)])
+            slot >= 0 && keys[static_cast<std::size_t>(note)])
             slotHeld[static_cast<std::size_t>(slot)] = true;
     for (std::size_t slot = 0; slot < slotHeld.size(); ++slot)
         synth.setDamping(slot, slotSilenced[slot] ? decibels60 / silencingSeconds
@@ -231,6 +259,8 @@ void Player::reset() {
     cellPosition = cellSamples;
     cellIndex = -1;
     strikeCount = 0;
+    matchedValues = ownValues;
+    matchingGain = gainAtCellStart = gainAtCellEnd = 1;
     pending.clear();
     held.reset();
     keysDown.reset();

@@ -4,6 +4,7 @@
 
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
+#include "Instrument/LoudnessMatch.h"
 #include "Instrument/LowestModes.h"
 #include "Instrument/PendingStrikes.h"
 #include "Instrument/StereoSpan.h"
@@ -32,11 +33,12 @@ struct MidiEvent {
 class Player {
 public:
     /// The surface, which is valid, is what scrapes and rolls sound like; their noise begins where
-    /// the seed says.
+    /// the seed says. `own` are the preset's values, whose loudness "match loudness" keeps.
     Player(std::shared_ptr<const Instrument> instrument,
            double sampleRateHz,
            const Surface& surface = {},
-           std::uint64_t seed = 1);
+           std::uint64_t seed = 1,
+           const ParameterValues& own = {});
 
     /// Renders the next `output.size()` samples (full scale 1, before `width` and `level`). Without
     /// radiation both channels are the same. Events are in order of time. Strikes act at their
@@ -65,6 +67,8 @@ private:
     void strikePendingBefore(double sampleInCell);
     void beginCell();
     void updateDampers();
+    void matchLoudness();
+    void copyOut(const StereoSpan& output, int position, int count) const;
     CellOutput cell() { return {leftCell, rightCell}; }
 
     std::shared_ptr<const Instrument> playedInstrument;
@@ -78,6 +82,13 @@ private:
     PendingStrikes pending;
     HeldContacts held;
     std::vector<LowestModes> lowestModes; ///< of each slot
+
+    double sampleRate;
+    LoudnessMatch loudness;
+    ParameterValues ownValues;
+    ParameterValues matchedValues;                ///< `matchingGain` is that of these
+    float matchingGain = 1;                       ///< where the gain goes
+    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< it is linear in between
 
     std::bitset<128> keysDown;
     std::bitset<128> keysSustained;

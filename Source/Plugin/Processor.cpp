@@ -172,7 +172,7 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
 
 std::unique_ptr<Player> Processor::newPlayer() const {
     return std::make_unique<Player>(instrument, preparedRateHz, loadedPreset.surface,
-                                    loadedPreset.seed);
+                                    loadedPreset.seed, loadedPreset.parameters);
 }
 
 void Processor::getStateInformation(juce::MemoryBlock& destination) {

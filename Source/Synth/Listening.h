@@ -1,7 +1,8 @@
-// What of a mode's motion is heard. For now an object is heard at the point where it is struck;
-// once radiation is computed, its directions replace this one function.
+// What of a mode's motion is heard: near, the velocity at the point that is struck; from afar, what
+// the whole surface radiates, where the object knows.
 #pragma once
 
+#include "Object/ModalObject.h"
 #include "Synth/Strike.h"
 
 #include <array>
@@ -15,5 +16,12 @@ namespace idiophone {
 inline std::array<float, 3> listeningDirection(const StrikePoint& point) noexcept {
     return {-point.normal[0], -point.normal[1], -point.normal[2]};
 }
+
+/// What an object's radiation weights w are multiplied by beside the shapes φ: the ratio of their
+/// root mean squares over modes (weighted by how strongly each is excited), so that an object whose
+/// parts cancel one another is not lost beside the sound of the point that is struck.
+/// √(Σ a⁴ / Σ a² w²) with a² the mean of |φ|² over the surface and w at the object's own size and
+/// material, mean over directions. 0 without weights. Takes time: not for the audio thread.
+double radiationScale(const ModalObject& object);
 
 } // namespace idiophone

@@ -8,14 +8,6 @@
 
 namespace idiophone {
 
-namespace {
-
-// By measurement: makes the whole surface about as loud as the point struck, over the factory
-// objects. A mean over the surface is small where its parts cancel.
-constexpr double radiationGain = 10;
-
-} // namespace
-
 /// Residues of all groups in each channel. What is heard is a mean of the velocity at the struck
 /// point, along the listening direction there, and of what the whole surface radiates.
 void SoundingObject::computeResidues(const Contact& contact) noexcept {
@@ -32,7 +24,7 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
     projectShapes(point, listeningDirection(struck), object->modeCount(),
                   scratch.heardGains.data());
     const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
-    const auto far = static_cast<float>(radiationGain * contact.gainRatio * contact.listening);
+    const auto far = static_cast<float>(weightScale * contact.gainRatio * contact.listening);
     if (far > 0)
         findRadiation();
     for (std::size_t c = 0; c < bank.channels(); ++c) {

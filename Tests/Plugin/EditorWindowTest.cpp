@@ -65,7 +65,7 @@ juce::StringArray cutTexts(juce::Component& window) {
 TEST_CASE("At its smallest the window cuts no text, wherever the parameters are") {
     Processor processor;
     const auto window = open(processor);
-    window->setSize(800, 500);
+    window->setSize(1080, 560);
     for (const double place : {0.0, 0.37, 1.0}) {
         for (const auto& info : parameterTable())
             processor.changeParameter(info.parameter, info.fromNormalised(place));
@@ -81,7 +81,7 @@ TEST_CASE("At its smallest the window cuts no text, wherever the parameters are"
 TEST_CASE("At its smallest no two parameters overlap and all are inside the window") {
     Processor processor;
     const auto window = open(processor);
-    for (const auto& [width, height] : {std::pair(800, 500), {1280, 720}, {3840, 2160}}) {
+    for (const auto& [width, height] : {std::pair(1080, 560), {1280, 720}, {3840, 2160}}) {
         window->setSize(width, height);
         std::vector<juce::Rectangle<int>> places;
         for (const auto& info : parameterTable()) {
@@ -172,7 +172,7 @@ TEST_CASE("The window opens and closes 100 times while the same notes sound the 
     });
     for (int i = 0; i < 100; ++i) {
         const auto window = open(processor);
-        window->setSize(800 + i, 500 + i);
+        window->setSize(1080 + i, 560 + i);
         window->createComponentSnapshot(window->getLocalBounds());
         juce::Timer::callPendingTimersSynchronously();
     }

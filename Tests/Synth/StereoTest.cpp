@@ -1,5 +1,6 @@
 // Radiation: what the whole surface sounds in two directions.
 #include "ModalReference.h"
+#include "Synth/Listening.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -44,8 +45,8 @@ Stereo play(const ModalObject& object, int cells, const std::function<double(int
 double reference(const ModalObject& object, std::size_t direction, double share, double sample) {
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double weight =
-            -10 * static_cast<double>(object.radiation.weights[9 * direction + 3 + i]);
+        const double weight = -radiationScale(object) *
+                              static_cast<double>(object.radiation.weights[9 * direction + 3 + i]);
         const double residue = (1 - share) + share * weight;
         const double hz = std::sqrt(object.eigenvalues[i]) / (2 * std::numbers::pi);
         sum += impulseVelocity(referenceMode(object.material, hz, residue), sample / sampleRate);
@@ -105,6 +106,6 @@ TEST_CASE("Weights are read where frequency times size now is") {
     std::array<float, cellSamples> left{}, right{};
     synthesiser.beginCell(CellOutput(left, right));
     synthesiser.strike(0, unitStrike(), 0, CellOutput(left, right));
-    CHECK(std::abs(double(left[0]) + 3 * 10 * 0.3) < 1e-5);
+    CHECK(std::abs(double(left[0]) + 3 * radiationScale(object) * 0.3) < 1e-5);
     CHECK(left == right);
 }

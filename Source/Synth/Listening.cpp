@@ -1,0 +1,34 @@
+#include "Synth/Listening.h"
+
+#include <cmath>
+#include <vector>
+
+namespace idiophone {
+
+double radiationScale(const ModalObject& object) {
+    const std::size_t modes = object.modeCount();
+    if (object.radiation.empty() || object.shapeVertexCount() == 0)
+        return 0;
+    std::vector<double> meanSquares(modes);
+    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
+        const auto shapes = object.shapesAt(row);
+        for (std::size_t k = 0; k < shapes.size(); ++k)
+            meanSquares[k / 3] += static_cast<double>(shapes[k]) * static_cast<double>(shapes[k]) /
+                                  static_cast<double>(object.shapeVertexCount());
+    }
+    const std::size_t directions = object.radiation.directions.size();
+    std::vector<float> weights(modes);
+    double near = 0;
+    double far = 0;
+    for (std::size_t direction = 0; direction < directions; ++direction) {
+        object.radiation.weightsAt(direction, 1, weights);
+        for (std::size_t i = 0; i < modes; ++i) {
+            const auto weight = static_cast<double>(weights[i]);
+            near += meanSquares[i] * meanSquares[i];
+            far += meanSquares[i] * weight * weight;
+        }
+    }
+    return far > 0 ? std::sqrt(near / far) : 0;
+}
+
+} // namespace idiophone
