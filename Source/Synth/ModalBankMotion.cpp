@@ -103,12 +103,14 @@ void ModalBank::advanceBatch(ModeStates& from,
                              double scale,
                              float* energies,
                              SubBlockStates& ahead) noexcept {
-    alignas(64) std::array<float, batchModes> here;
+    // The louder channel counts.
+    alignas(64) std::array<float, batchModes> others;
+    float* here = energies != nullptr && channel == 0 ? energies + first : others.data();
     double* x = from.x[channel].data() + first;
     double* y = from.y[channel].data() + first;
     advanceModes({turnRe.data() + first, turnIm.data() + first, cellRe.data() + first,
                   cellIm.data() + first},
-                 modes, scale, x, y, here.data(), ahead);
+                 modes, scale, x, y, here, ahead);
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
         if (g < first || g >= first + modes)
@@ -126,11 +128,9 @@ void ModalBank::advanceBatch(ModeStates& from,
         const double size = amplitudeBound(pole(g), {x[place], y[place]});
         here[place] = static_cast<float>(size * size);
     }
-    if (energies == nullptr)
-        return;
-    float* energyHere = energies + first;
-    for (std::size_t k = 0; k < modes; ++k)
-        energyHere[k] = channel == 0 ? here[k] : std::max(energyHere[k], here[k]);
+    if (energies != nullptr && channel > 0)
+        for (std::size_t k = 0; k < modes; ++k)
+            energies[first + k] = std::max(energies[first + k], here[k]);
 }
 
 void ModalBank::addMoved(const ModeStates& others,
