@@ -97,12 +97,17 @@ public:
                 double scale,
                 const ChannelOutputs& outputs) noexcept;
 
-    /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from other
-    /// states, which are taken on by a cell.
+    /// The same from other states, which are taken on; their energies are not kept.
     void renderFrom(ModeStates& from,
                     std::span<const ModeRun> runs,
-                    std::size_t subBlockCount,
                     const ChannelOutputs& outputs) noexcept;
+
+    /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from other
+    /// states, which stay.
+    void sound(const ModeStates& from,
+               std::span<const ModeRun> runs,
+               std::size_t subBlockCount,
+               const ChannelOutputs& outputs) noexcept;
 
     /// Adds to `sum` the states `others` after `samples` (0 to 64) of free motion, to single
     /// precision of theirs, times `factor`.
@@ -147,11 +152,18 @@ public:
     std::span<const double> resonances() const noexcept { return {resonance.data(), count}; }
 
 private:
+    /// Modes that do not oscillate: a 2 × 2 propagator over 16 and 64 samples each.
+    struct HeavyMode {
+        std::int32_t mode = 0;
+        Propagator turn;
+        Propagator cell;
+        std::array<ModalState, mostChannels> aside; ///< its states while SIMD passes over them
+    };
+
     void renderStates(ModeStates& from,
                       float* energies,
                       std::span<const std::int32_t> blocks,
                       std::span<const ModeRun> runs,
-                      std::size_t subBlockCount,
                       double scale,
                       const ChannelOutputs& outputs) noexcept;
     void advanceBatch(ModeStates& from,
@@ -162,6 +174,17 @@ private:
                       float* energies,
                       SubBlockStates& ahead) noexcept;
     void setAside(const ModeStates& from) noexcept;
+    static void lookAtHeavy(const HeavyMode& heavy,
+                            std::size_t channel,
+                            std::size_t place,
+                            SubBlockStates& ahead) noexcept;
+    void mixRuns(std::span<const ModeRun> runs,
+                 std::size_t first,
+                 std::size_t end,
+                 const SubBlockStates& ahead,
+                 std::size_t subBlockCount,
+                 float* output) const noexcept;
+    ModeRotations rotations(std::size_t first) const noexcept;
     double amplitude(const ModeStates& from, std::size_t g) const noexcept;
     void correctHeavy(std::size_t g) noexcept;
     void measure(std::size_t g) noexcept;
@@ -180,13 +203,6 @@ private:
     ModeStates states;
     AlignedVector<float> energy;
 
-    /// Modes that do not oscillate: a 2 × 2 propagator over 16 and 64 samples each.
-    struct HeavyMode {
-        std::int32_t mode = 0;
-        Propagator turn;
-        Propagator cell;
-        std::array<ModalState, mostChannels> aside; ///< its states while SIMD passes over them
-    };
     std::vector<HeavyMode> heavyModes;      ///< ascending
     std::vector<std::int32_t> blockNumbers; ///< 0, 1, 2, …
 };

@@ -22,6 +22,48 @@ constexpr std::size_t floatLanes = hn::MaxLanes(Floats());
 constexpr std::size_t doubleLanes = hn::MaxLanes(Doubles());
 constexpr std::size_t tableVectors = subBlockSamples / floatLanes;
 
+HWY_INLINE hn::Vec<Floats> demoted(const double* HWY_RESTRICT values) {
+    const Floats f;
+    const Doubles d;
+    const HalfFloats h;
+    return hn::Combine(f, hn::DemoteTo(h, hn::Load(d, values + doubleLanes)),
+                       hn::DemoteTo(h, hn::Load(d, values)));
+}
+
+/// Stores the states at the start of each sub-block and leaves those at the end of the cell.
+HWY_INLINE void turnThrough(const ModeRotations& rotations,
+                            std::size_t g,
+                            hn::Vec<Floats>& xs,
+                            hn::Vec<Floats>& ys,
+                            SubBlockStates& ahead) {
+    const Floats f;
+    const auto re = hn::Load(f, rotations.turnRe + g);
+    const auto im = hn::Load(f, rotations.turnIm + g);
+    float* HWY_RESTRICT aheadX = ahead.x[0] + g;
+    float* HWY_RESTRICT aheadY = ahead.y[0] + g;
+#pragma GCC unroll 4
+    for (std::size_t b = 0; b < subBlocks; ++b) {
+        hn::Store(xs, f, aheadX + b * batchModes);
+        hn::Store(ys, f, aheadY + b * batchModes);
+        const auto turned = hn::NegMulAdd(im, ys, hn::Mul(re, xs));
+        ys = hn::MulAdd(im, xs, hn::Mul(re, ys));
+        xs = turned;
+    }
+}
+
+void look(const ModeRotations& rotations,
+          std::size_t count,
+          const double* HWY_RESTRICT x,
+          const double* HWY_RESTRICT y,
+          SubBlockStates& ahead) {
+    const ModeRotations local = rotations;
+    for (std::size_t g = 0; g < count; g += floatLanes) {
+        auto xs = demoted(x + g);
+        auto ys = demoted(y + g);
+        turnThrough(local, g, xs, ys, ahead);
+    }
+}
+
 template <bool Scaled>
 void advance(const ModeRotations& rotations,
              std::size_t count,
@@ -32,13 +74,9 @@ void advance(const ModeRotations& rotations,
              SubBlockStates& ahead) {
     const Floats f;
     const Doubles d;
-    const HalfFloats h;
-    const float* HWY_RESTRICT turnRe = rotations.turnRe;
-    const float* HWY_RESTRICT turnIm = rotations.turnIm;
-    const double* HWY_RESTRICT cellRe = rotations.cellRe;
-    const double* HWY_RESTRICT cellIm = rotations.cellIm;
-    float* HWY_RESTRICT aheadX = ahead.x[0];
-    float* HWY_RESTRICT aheadY = ahead.y[0];
+    const ModeRotations local = rotations;
+    const double* HWY_RESTRICT cellRe = local.cellRe;
+    const double* HWY_RESTRICT cellIm = local.cellIm;
     const auto gain = hn::Set(d, scale);
     const auto squaredGain = hn::Set(f, static_cast<float>(scale * scale));
     const auto step = [&](const double* rotation) HWY_ATTR {
@@ -46,34 +84,20 @@ void advance(const ModeRotations& rotations,
         return Scaled ? hn::Mul(gain, part) : part;
     };
     for (std::size_t g = 0; g < count; g += floatLanes) {
-        const auto xLow = hn::Load(d, x + g);
-        const auto xHigh = hn::Load(d, x + g + doubleLanes);
-        const auto yLow = hn::Load(d, y + g);
-        const auto yHigh = hn::Load(d, y + g + doubleLanes);
-
-        auto xs = hn::Combine(f, hn::DemoteTo(h, xHigh), hn::DemoteTo(h, xLow));
-        auto ys = hn::Combine(f, hn::DemoteTo(h, yHigh), hn::DemoteTo(h, yLow));
-        const auto re = hn::Load(f, turnRe + g);
-        const auto im = hn::Load(f, turnIm + g);
-#pragma GCC unroll 4
-        for (std::size_t b = 0; b < subBlocks; ++b) {
-            hn::Store(xs, f, aheadX + b * batchModes + g);
-            hn::Store(ys, f, aheadY + b * batchModes + g);
-            const auto turned = hn::NegMulAdd(im, ys, hn::Mul(re, xs));
-            ys = hn::MulAdd(im, xs, hn::Mul(re, ys));
-            xs = turned;
-        }
+        auto xs = demoted(x + g);
+        auto ys = demoted(y + g);
+        turnThrough(local, g, xs, ys, ahead);
         const auto energy = hn::MulAdd(xs, xs, hn::Mul(ys, ys));
         hn::Store(Scaled ? hn::Mul(energy, squaredGain) : energy, f, energies + g);
-
-        const auto reLow = step(cellRe + g);
-        const auto reHigh = step(cellRe + g + doubleLanes);
-        const auto imLow = step(cellIm + g);
-        const auto imHigh = step(cellIm + g + doubleLanes);
-        hn::Store(hn::NegMulAdd(imLow, yLow, hn::Mul(reLow, xLow)), d, x + g);
-        hn::Store(hn::NegMulAdd(imHigh, yHigh, hn::Mul(reHigh, xHigh)), d, x + g + doubleLanes);
-        hn::Store(hn::MulAdd(imLow, xLow, hn::Mul(reLow, yLow)), d, y + g);
-        hn::Store(hn::MulAdd(imHigh, xHigh, hn::Mul(reHigh, yHigh)), d, y + g + doubleLanes);
+#pragma GCC unroll 2
+        for (std::size_t k = g; k < g + floatLanes; k += doubleLanes) {
+            const auto re = step(cellRe + k);
+            const auto im = step(cellIm + k);
+            const auto xk = hn::Load(d, x + k);
+            const auto yk = hn::Load(d, y + k);
+            hn::Store(hn::NegMulAdd(im, yk, hn::Mul(re, xk)), d, x + k);
+            hn::Store(hn::MulAdd(im, xk, hn::Mul(re, yk)), d, y + k);
+        }
     }
 }
 
@@ -209,6 +233,7 @@ HWY_AFTER_NAMESPACE();
 namespace idiophone {
 
 HWY_EXPORT(advanceBatch);
+HWY_EXPORT(look);
 HWY_EXPORT(mix);
 HWY_EXPORT(survey);
 
@@ -220,6 +245,14 @@ void advanceModes(const ModeRotations& rotations,
                   float* energies,
                   SubBlockStates& ahead) noexcept {
     HWY_DYNAMIC_DISPATCH(advanceBatch)(rotations, count, scale, x, y, energies, ahead);
+}
+
+void lookAhead(const ModeRotations& rotations,
+               std::size_t count,
+               const double* x,
+               const double* y,
+               SubBlockStates& ahead) noexcept {
+    HWY_DYNAMIC_DISPATCH(look)(rotations, count, x, y, ahead);
 }
 
 void mixModes(const float* tables,

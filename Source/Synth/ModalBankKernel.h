@@ -42,6 +42,13 @@ void advanceModes(const ModeRotations& rotations,
                   float* energies,
                   SubBlockStates& ahead) noexcept;
 
+/// Only fills `ahead`; the states stay where they are.
+void lookAhead(const ModeRotations& rotations,
+               std::size_t count,
+               const double* x,
+               const double* y,
+               SubBlockStates& ahead) noexcept;
+
 /// Adds to `output` (16 · `blocks` samples) what a run of `count` modes of a batch sounds, whose
 /// tables start at `tables` and whose states stand in `ahead` from place `from` on: in sub-block b,
 /// sample k of mode g, tables[32 g + k] x + tables[32 g + 16 + k] y.

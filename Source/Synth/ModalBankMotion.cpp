@@ -46,31 +46,85 @@ void ModalBank::render(std::span<const std::int32_t> blocks,
                        std::span<const ModeRun> runs,
                        double scale,
                        const ChannelOutputs& outputs) noexcept {
-    renderStates(states, energy.data(), blocks, runs, subBlocks, scale, outputs);
+    renderStates(states, energy.data(), blocks, runs, scale, outputs);
 }
 
 void ModalBank::renderFrom(ModeStates& from,
                            std::span<const ModeRun> runs,
-                           std::size_t subBlockCount,
                            const ChannelOutputs& outputs) noexcept {
     if (runs.empty())
         return;
     const std::size_t first = index(runs.front().first) / modeBlock;
     const std::size_t last = index(runs.back().first + runs.back().count - 1) / modeBlock;
-    renderStates(from, nullptr, std::span(blockNumbers).subspan(first, last - first + 1), runs,
-                 subBlockCount, 1, outputs);
+    renderStates(from, nullptr, std::span(blockNumbers).subspan(first, last - first + 1), runs, 1,
+                 outputs);
+}
+
+void ModalBank::sound(const ModeStates& from,
+                      std::span<const ModeRun> runs,
+                      std::size_t subBlockCount,
+                      const ChannelOutputs& outputs) noexcept {
+    if (runs.empty())
+        return;
+    SubBlockStates ahead;
+    setAside(from);
+    const std::size_t last = index(runs.back().first + runs.back().count);
+    for (std::size_t first = index(runs.front().first) / modeBlock * modeBlock; first < last;
+         first += batchModes) {
+        const std::size_t modes = std::min(batchModes, paddedSize() - first);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            lookAhead(rotations(first), modes, from.x[c].data() + first, from.y[c].data() + first,
+                      ahead);
+            for (const HeavyMode& heavy : heavyModes)
+                if (index(heavy.mode) >= first && index(heavy.mode) < first + modes)
+                    lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);
+            mixRuns(runs, first, first + modes, ahead, subBlockCount, outputs[c]);
+        }
+    }
+}
+
+ModeRotations ModalBank::rotations(std::size_t first) const noexcept {
+    return {turnRe.data() + first, turnIm.data() + first, cellRe.data() + first,
+            cellIm.data() + first};
+}
+
+/// Its states at the start of each sub-block, from the one set aside.
+void ModalBank::lookAtHeavy(const HeavyMode& heavy,
+                            std::size_t channel,
+                            std::size_t place,
+                            SubBlockStates& ahead) noexcept {
+    ModalState moving = heavy.aside[channel];
+    for (std::size_t k = 0; k < subBlocks; ++k) {
+        ahead.x[k][place] = static_cast<float>(moving.x);
+        ahead.y[k][place] = static_cast<float>(moving.y);
+        moving = heavy.turn * moving;
+    }
+}
+
+/// Mixes what of `runs` lies within modes `first` to `end` − 1, whose states stand in `ahead`.
+void ModalBank::mixRuns(std::span<const ModeRun> runs,
+                        std::size_t first,
+                        std::size_t end,
+                        const SubBlockStates& ahead,
+                        std::size_t subBlockCount,
+                        float* output) const noexcept {
+    for (const ModeRun& run : runs) {
+        const std::size_t runFirst = std::max(index(run.first), first);
+        const std::size_t runEnd = std::min(index(run.first + run.count), end);
+        if (runFirst < runEnd)
+            mixModes(tables.data() + 2 * subBlockSamples * runFirst, ahead, runFirst - first,
+                     runEnd - runFirst, subBlockCount, output);
+    }
 }
 
 void ModalBank::renderStates(ModeStates& from,
                              float* energies,
                              std::span<const std::int32_t> blocks,
                              std::span<const ModeRun> runs,
-                             std::size_t subBlockCount,
                              double scale,
                              const ChannelOutputs& outputs) noexcept {
     SubBlockStates ahead;
     setAside(from);
-    std::size_t firstRun = 0;
     for (std::size_t b = 0; b < blocks.size();) {
         // A batch is as many consecutive blocks as it holds.
         const std::size_t firstBlock = index(blocks[b]);
@@ -81,17 +135,11 @@ void ModalBank::renderStates(ModeStates& from,
         b += blocksHere;
         const std::size_t first = firstBlock * modeBlock;
         const std::size_t end = first + blocksHere * modeBlock;
-        while (firstRun < runs.size() &&
-               index(runs[firstRun].first + runs[firstRun].count) <= first)
-            ++firstRun;
+        while (!runs.empty() && index(runs.front().first + runs.front().count) <= first)
+            runs = runs.subspan(1);
         for (std::size_t c = 0; c < channelCount; ++c) {
             advanceBatch(from, c, first, end - first, scale, energies, ahead);
-            for (std::size_t r = firstRun; r < runs.size() && index(runs[r].first) < end; ++r) {
-                const std::size_t runFirst = std::max(index(runs[r].first), first);
-                const std::size_t runEnd = std::min(index(runs[r].first + runs[r].count), end);
-                mixModes(tables.data() + 2 * subBlockSamples * runFirst, ahead, runFirst - first,
-                         runEnd - runFirst, subBlockCount, outputs[c]);
-            }
+            mixRuns(runs, first, end, ahead, subBlocks, outputs[c]);
         }
     }
 }
@@ -108,21 +156,14 @@ void ModalBank::advanceBatch(ModeStates& from,
     float* here = energies != nullptr && channel == 0 ? energies + first : others.data();
     double* x = from.x[channel].data() + first;
     double* y = from.y[channel].data() + first;
-    advanceModes({turnRe.data() + first, turnIm.data() + first, cellRe.data() + first,
-                  cellIm.data() + first},
-                 modes, scale, x, y, here, ahead);
+    advanceModes(rotations(first), modes, scale, x, y, here, ahead);
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
         if (g < first || g >= first + modes)
             continue;
         const std::size_t place = g - first;
-        ModalState moving = heavy.aside[channel];
-        const ModalState next = heavy.cell * moving;
-        for (std::size_t k = 0; k < subBlocks; ++k) {
-            ahead.x[k][place] = static_cast<float>(moving.x);
-            ahead.y[k][place] = static_cast<float>(moving.y);
-            moving = heavy.turn * moving;
-        }
+        lookAtHeavy(heavy, channel, place, ahead);
+        const ModalState next = heavy.cell * heavy.aside[channel];
         x[place] = scale * next.x;
         y[place] = scale * next.y;
         const double size = amplitudeBound(pole(g), {x[place], y[place]});

@@ -48,7 +48,7 @@ void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes, float
     alignas(64) std::array<std::array<float, cellSamples>, mostChannels> cell;
     for (std::size_t start = 0; start < window.size(); start += cellSamples) {
         cell = {};
-        bank.renderFrom(states, runs, subBlocks, {cell[0].data(), cell[1].data()});
+        bank.renderFrom(states, runs, {cell[0].data(), cell[1].data()});
         for (std::size_t c = 0; c < channels; ++c)
             for (std::size_t k = 0; k < cellSamples; ++k)
                 tails[c][start + k] += sign * window[start + k] * cell[c][k];

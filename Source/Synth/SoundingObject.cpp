@@ -36,7 +36,8 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
                                SynthesisScratch& sharedScratch)
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
       slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
-      cellSeconds(cellSamples / sampleRateHz), weightScale(radiationScale(*object)), modeWeights(meanSquareShapes(*object)),
+      cellSeconds(cellSamples / sampleRateHz), weightScale(radiationScale(*object)),
+      modeWeights(meanSquareShapes(*object)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();

@@ -183,7 +183,7 @@ private:
     std::int64_t cellIndex = -1; ///< the cell begun last
 
     // Groups, and the conditions under which they were formed.
-    double weightScale; ///< of the radiation weights (Listening.h)
+    double weightScale;                       ///< of the radiation weights (Listening.h)
     std::vector<double> modeWeights;          ///< [M] mean-square shape
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
     std::vector<double> referenceEigenvalues; ///< [G]

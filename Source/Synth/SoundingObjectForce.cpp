@@ -86,8 +86,8 @@ void SoundingObject::findResponse(const StrikePoint& point,
             scratch.rendered.y[c][g] = residue * scratch.forcedY[g];
         }
     response.sound = {};
-    bank.renderFrom(scratch.rendered, mixedRuns, subBlocks,
-                    {response.sound[0].data(), response.sound[1].data()});
+    bank.sound(scratch.rendered, mixedRuns, subBlocks,
+               {response.sound[0].data(), response.sound[1].data()});
     const double fall = std::exp(-damping / sampleRate);
     double factor = 1;
     for (std::size_t k = 0; k < cellSamples; ++k) {

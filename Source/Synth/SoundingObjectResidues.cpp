@@ -19,10 +19,8 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
             point.rows[point.used] = object->shapesAt(row).data();
             point.weights[point.used++] = struck.weights[k];
         }
-    projectShapes(point, contact.strike.impulseNewtonSeconds, object->modeCount(),
-                  scratch.struckGains.data());
-    projectShapes(point, listeningDirection(struck), object->modeCount(),
-                  scratch.heardGains.data());
+    projectShapes(point, contact.strike.impulseNewtonSeconds, listeningDirection(struck),
+                  object->modeCount(), scratch.struckGains.data(), scratch.heardGains.data());
     const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
     const auto far = static_cast<float>(weightScale * contact.gainRatio * contact.listening);
     if (far > 0)
@@ -43,14 +41,20 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
 
 void SoundingObject::mergeResidues(std::size_t channel) noexcept {
     auto& residues = scratch.groupResidues[channel];
-    for (std::size_t g = 0; g < bank.size(); ++g) {
-        const auto first = static_cast<std::size_t>(groupStarts[g]);
-        const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        residues[g] =
-            count == 1 ? scratch.modeResidues[first]
-                       : mergedResidue(std::span(scratch.modeResidues).subspan(first, count),
-                                       std::span(object->eigenvalues).subspan(first, count), law);
-    }
+    if (bank.size() == object->modeCount())
+        std::copy(scratch.modeResidues.begin(),
+                  scratch.modeResidues.begin() + static_cast<std::ptrdiff_t>(bank.size()),
+                  residues.begin());
+    else
+        for (std::size_t g = 0; g < bank.size(); ++g) {
+            const auto first = static_cast<std::size_t>(groupStarts[g]);
+            const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
+            residues[g] =
+                count == 1
+                    ? scratch.modeResidues[first]
+                    : mergedResidue(std::span(scratch.modeResidues).subspan(first, count),
+                                    std::span(object->eigenvalues).subspan(first, count), law);
+        }
     std::fill(residues.begin() + static_cast<std::ptrdiff_t>(bank.size()),
               residues.begin() + static_cast<std::ptrdiff_t>(bank.paddedSize()), 0.0);
 }

@@ -262,13 +262,9 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
     if (from >= until)
         return;
     const auto samples = static_cast<std::size_t>(until - from);
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        std::copy_n(scratch.kicks.x[c].begin(), bank.paddedSize(), scratch.rendered.x[c].begin());
-        std::copy_n(scratch.kicks.y[c].begin(), bank.paddedSize(), scratch.rendered.y[c].begin());
-    }
     alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    bank.renderFrom(scratch.rendered, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
-                    {sound[0].data(), sound[1].data()});
+    bank.sound(scratch.kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+               {sound[0].data(), sound[1].data()});
     if (damping > 0) {
         const double fall = std::exp(-damping / sampleRate);
         double factor = 1;

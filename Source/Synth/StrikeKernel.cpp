@@ -19,31 +19,47 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using Doubles = hn::CappedTag<double, 8>;
 
+HWY_INLINE hn::Vec<Floats> dot(hn::Vec<Floats> x,
+                               hn::Vec<Floats> y,
+                               hn::Vec<Floats> z,
+                               const std::array<float, 3>& direction) {
+    const Floats f;
+    auto along = hn::Mul(x, hn::Set(f, direction[0]));
+    along = hn::MulAdd(y, hn::Set(f, direction[1]), along);
+    return hn::MulAdd(z, hn::Set(f, direction[2]), along);
+}
+
 void project(const ShapePoint& point,
-             const std::array<float, 3>& direction,
+             const std::array<float, 3>& struck,
+             const std::array<float, 3>& heard,
              std::size_t count,
-             float* HWY_RESTRICT gains) {
+             float* HWY_RESTRICT struckGains,
+             float* HWY_RESTRICT heardGains) {
     const Floats f;
     constexpr std::size_t lanes = hn::MaxLanes(Floats());
     std::size_t i = 0;
     for (; i + lanes <= count; i += lanes) {
-        auto gain = hn::Zero(f);
+        auto struckGain = hn::Zero(f);
+        auto heardGain = hn::Zero(f);
         for (std::size_t k = 0; k < point.used; ++k) {
             hn::Vec<Floats> x, y, z;
             hn::LoadInterleaved3(f, point.rows[k] + 3 * i, x, y, z);
-            auto along = hn::Mul(x, hn::Set(f, direction[0]));
-            along = hn::MulAdd(y, hn::Set(f, direction[1]), along);
-            along = hn::MulAdd(z, hn::Set(f, direction[2]), along);
-            gain = hn::MulAdd(along, hn::Set(f, point.weights[k]), gain);
+            const auto weight = hn::Set(f, point.weights[k]);
+            struckGain = hn::MulAdd(dot(x, y, z, struck), weight, struckGain);
+            heardGain = hn::MulAdd(dot(x, y, z, heard), weight, heardGain);
         }
-        hn::StoreU(gain, f, gains + i);
+        hn::StoreU(struckGain, f, struckGains + i);
+        hn::StoreU(heardGain, f, heardGains + i);
     }
     for (; i < count; ++i) {
-        gains[i] = 0;
+        struckGains[i] = heardGains[i] = 0;
         for (std::size_t k = 0; k < point.used; ++k) {
             const float* shape = point.rows[k] + 3 * i;
-            gains[i] += point.weights[k] * (shape[0] * direction[0] + shape[1] * direction[1] +
-                                            shape[2] * direction[2]);
+            const auto along = [&](const std::array<float, 3>& direction) {
+                return shape[0] * direction[0] + shape[1] * direction[1] + shape[2] * direction[2];
+            };
+            struckGains[i] += point.weights[k] * along(struck);
+            heardGains[i] += point.weights[k] * along(heard);
         }
     }
 }
@@ -166,10 +182,12 @@ HWY_EXPORT(sum);
 HWY_EXPORT(cosine);
 
 void projectShapes(const ShapePoint& point,
-                   const std::array<float, 3>& direction,
+                   const std::array<float, 3>& struck,
+                   const std::array<float, 3>& heard,
                    std::size_t count,
-                   float* gains) noexcept {
-    HWY_DYNAMIC_DISPATCH(project)(point, direction, count, gains);
+                   float* struckGains,
+                   float* heardGains) noexcept {
+    HWY_DYNAMIC_DISPATCH(project)(point, struck, heard, count, struckGains, heardGains);
 }
 
 void forcedStates(const PulseInstant& pulse,

@@ -15,11 +15,14 @@ struct ShapePoint {
     std::size_t used = 0;
 };
 
-/// gains[i] = φ_i(p) · direction, for `count` modes (any number).
+/// struckGains[i] = φ_i(p) · struck and heardGains[i] = φ_i(p) · heard, for `count` modes (any
+/// number).
 void projectShapes(const ShapePoint& point,
-                   const std::array<float, 3>& direction,
+                   const std::array<float, 3>& struck,
+                   const std::array<float, 3>& heard,
                    std::size_t count,
-                   float* gains) noexcept;
+                   float* struckGains,
+                   float* heardGains) noexcept;
 
 /// A raised-cosine pulse at one instant, and the damper's δ.
 struct PulseInstant {
