@@ -38,20 +38,24 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     if (newGainRatio != gainRatio || settings.radiation != radiation)
         ++responseVersion;
     gainRatio = newGainRatio;
-    wantedRadiationRatio = std::sqrt(newLaw.eigenvalueRatio) * size;
+    const double newRadiationRatio = std::sqrt(newLaw.eigenvalueRatio) * size;
     compression = settings.compression;
     radiation = settings.radiation;
 
     const bool polesMove = newLaw != law;
     const bool dampingMoves = requestedDamping != damping;
+    const bool weightsMove = newRadiationRatio != wantedRadiationRatio;
+    const bool contactsMove = polesMove || dampingMoves || weightsMove;
     const bool tauFalls = newTau < tauVelocity;
-    if (!polesMove && !dampingMoves && newTau == tauVelocity)
+    if (!contactsMove && newTau == tauVelocity)
         return;
-    // A contact's forced part belongs to the poles it was computed for: it is made free motion, and
-    // taken out again with the poles and the damping that hold from here on.
-    if (polesMove || dampingMoves)
+    // A contact's forced part belongs to the poles and the radiation weights it was computed for:
+    // it is made free motion, and taken out again with those and the damping that hold from here
+    // on.
+    if (contactsMove)
         for (Contact& contact : contacts)
             moveContact(contact, 1);
+    wantedRadiationRatio = newRadiationRatio;
     ++responseVersion;
     dampingLogBase = dampingLog(cellIndex);
     dampingSince = cellIndex;
@@ -61,7 +65,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     polesBehind = polesBehind || polesMove;
     if (polesBehind && (ringing() || tauFalls))
         movePoles();
-    if (polesMove || dampingMoves)
+    if (contactsMove)
         for (Contact& contact : contacts)
             moveContact(contact, -1);
     if (polesMove || tauFalls)

@@ -109,3 +109,36 @@ TEST_CASE("Weights are read where frequency times size now is") {
     CHECK(std::abs(double(left[0]) + 3 * radiationScale(object) * 0.3) < 1e-5);
     CHECK(left == right);
 }
+
+TEST_CASE("Weights that move during a contact make no step") {
+    ModalObject object = radiatingObject();
+    object.radiation.weights.assign(18, 0);
+    for (std::size_t k = 0; k < 18; ++k)
+        object.radiation.weights[k] = k / 3 % 3 == 1 ? 0.1f : k / 3 % 3 == 2 ? 0.9f : 0.0f;
+    // The frequency moves weights and poles; with the size it moves the weights alone.
+    for (const bool polesMove : {true, false}) {
+        Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
+        SynthesisSettings settings = exactSettings();
+        settings.radiation = 1;
+        std::vector<float> sound;
+        for (int c = 0; c < 12; ++c) {
+            std::array<float, cellSamples> left{}, right{};
+            const CellOutput cell(left, right);
+            if (c == 4) {
+                settings.frequencyRatio = 1.5;
+                settings.sizeRatio = polesMove ? 1 : 1.5;
+            }
+            synthesiser.setSettings(settings);
+            synthesiser.beginCell(cell);
+            if (c == 0)
+                synthesiser.strike(0, unitStrike(0.0122), 0, cell);
+            sound.insert(sound.end(), left.begin(), left.end());
+        }
+        double steepest = 0;
+        for (std::size_t n = 1; n < sound.size(); ++n)
+            if (n != 4 * 64)
+                steepest = std::max(steepest, std::abs(double(sound[n]) - double(sound[n - 1])));
+        const double step = std::abs(double(sound[4 * 64]) - double(sound[4 * 64 - 1]));
+        CHECK(step < 0.05 * steepest);
+    }
+}
