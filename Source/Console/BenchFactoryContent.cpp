@@ -26,9 +26,10 @@ void addBlow(const SongEvent& event,
         return;
     const auto slot = static_cast<std::size_t>(key.slot);
     const StrikePlace place = strikePlace(key.along, parameters, number);
-    const Strike strike = malletStrike(
-        instrument.strip(key).at(place.along, place.across), event.bytes[2], key.malletScale,
-        parameters, surfaceCompliancePerPa(instrument.slots()[slot].object->material, parameters));
+    const Strike strike =
+        malletStrike(instrument.strip(key).between(place.along, place.across).point, event.bytes[2],
+                     key.malletScale, parameters,
+                     surfaceCompliancePerPa(instrument.slots()[slot].object->material, parameters));
     for (const auto& contact :
          contactTrain(strike, key.malletScale, parameters[ParameterId::chatter], number))
         strikes.push_back({event.seconds + contact.delaySeconds, slot, contact.strike});

@@ -2,10 +2,10 @@
 
 #include "Console/ImpulseFile.h"
 #include "Console/Interrupt.h"
-#include "Console/ObjectSurface.h"
 #include "Console/ProgressLine.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/ObjectLibrary.h"
+#include "Instrument/ObjectSurface.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Synth/Synthesiser.h"
 

@@ -10,10 +10,14 @@ namespace {
 
 constexpr double longestSeconds = 36000;
 
+// Controllers hold for the notes that start with them, pressure is that of a key that is down.
 int orderAtOneTime(const SongEvent& event) {
     if (event.isNoteOff())
         return 1;
-    return event.isNoteOn() ? 2 : 0;
+    if (event.isNoteOn())
+        return 2;
+    const int kind = event.bytes[0] & 0xf0;
+    return kind == 0xa0 || kind == 0xd0 ? 3 : 0;
 }
 
 /// JUCE divides by the parts of this field.

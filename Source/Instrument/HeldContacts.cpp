@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 namespace idiophone {
@@ -13,6 +14,9 @@ namespace {
 
 using enum ParameterId;
 using Vector = std::array<float, 3>;
+
+constexpr int shortestFadeSamples = 16;
+constexpr double nothing = 1e-9; // of a fade, to which it falls but for rounding
 
 /// Into the surface, and along the path by the friction.
 Vector pushDirection(const StripPlace& place, double friction) {
@@ -38,66 +42,103 @@ HeldContacts::HeldContacts(const Instrument& played,
                            std::shared_ptr<const SurfaceProfile> profile,
                            std::uint64_t seed)
     : instrument(played), lowestModes(lowestModesOfSlots), rateHz(profile->sampleRateHz()),
-      // One cell less than fits: the release may have to wait that long for its grid point.
-      fadeCells(std::max(1, static_cast<int>(releaseSeconds * rateHz / cellSamples) - 1)) {
-    contacts.reserve(capacity);
-    for (std::uint64_t i = 0; i < capacity; ++i)
-        contacts.push_back({.force = ContactForce(profile, seed * capacity + i), .place = {}});
+      // What is left where the release waits longest for its grid point.
+      fadeSamples(std::max(shortestFadeSamples,
+                           static_cast<int>(releaseSeconds * rateHz) - (cellSamples - 1))) {
+    contacts.reserve(2 * capacity);
+    for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
+        // The second half far from the contacts of any other seed.
+        const auto apart = i < capacity ? 0 : std::uint64_t{1} << 63;
+        contacts.push_back(
+            {.force = ContactForce(profile, (seed * capacity + i % capacity) ^ apart),
+             .place = {}});
+    }
 }
 
-void HeldContacts::press(int note, double pressure) noexcept {
+HeldContacts::Contact* HeldContacts::find(int channel, int note) noexcept {
+    const auto found = std::ranges::find_if(contacts, [=](const Contact& contact) {
+        return contact.isHeld() && contact.note == note && contact.channel == channel;
+    });
+    return found == contacts.end() ? nullptr : &*found;
+}
+
+/// One that does nothing, of the first half where there is one; or else the one that has faded
+/// most, of which there always is one among twice as many contacts as keys.
+HeldContacts::Contact& HeldContacts::freeContact() noexcept {
+    const auto rank = [this](const Contact& contact) {
+        const bool takesOver = &contact - contacts.data() >= std::ptrdiff_t{capacity};
+        return std::tuple(contact.isHeld(), contact.isActive(),
+                          contact.isActive() ? contact.fade : 0, takesOver, contact.pressCount);
+    };
+    return *std::ranges::min_element(contacts, {}, rank);
+}
+
+/// Releases the oldest held key where there is no room for one more.
+void HeldContacts::giveWay() noexcept {
+    Contact* oldest = nullptr;
+    std::size_t held = 0;
+    for (auto& contact : contacts)
+        if (contact.isHeld()) {
+            ++held;
+            if (oldest == nullptr || contact.pressCount < oldest->pressCount)
+                oldest = &contact;
+        }
+    if (held >= capacity)
+        oldest->isReleased = true;
+}
+
+void HeldContacts::press(int channel, int note, double pressure) noexcept {
     if (instrument.key(note).slot < 0)
         return;
-    auto chosen = std::ranges::find(contacts, note, &Contact::note);
-    if (chosen == contacts.end()) {
-        const auto isOlder = [](const Contact& a, const Contact& b) {
-            return std::tuple(a.note >= 0, a.pressCount) < std::tuple(b.note >= 0, b.pressCount);
-        };
-        chosen = std::ranges::min_element(contacts, isOlder);
-        if (chosen->note >= 0)
-            chosen->force.reset();
+    auto* chosen = find(channel, note);
+    if (chosen == nullptr) {
+        giveWay();
+        chosen = &freeContact();
+        chosen->force.reset();
+        chosen->channel = channel;
         chosen->note = note;
+        chosen->isReleased = false;
+        chosen->fade = 1;
         chosen->begins = true;
     }
     chosen->pressCount = ++pressCount;
-    chosen->pressure = pressure;
-    chosen->fadeCellsLeft = -1;
+    chosen->strikePressure = chosen->pressure = pressure;
 }
 
-void HeldContacts::release(int note) noexcept {
-    for (auto& contact : contacts)
-        if (contact.note == note && contact.isHeld())
-            contact.fadeCellsLeft = fadeCells;
+void HeldContacts::release(int channel, int note) noexcept {
+    if (auto* contact = find(channel, note))
+        contact->isReleased = true;
 }
 
 void HeldContacts::releaseAll() noexcept {
     for (auto& contact : contacts)
-        if (contact.isHeld())
-            contact.fadeCellsLeft = fadeCells;
+        contact.isReleased = true;
 }
 
-void HeldContacts::stop() noexcept {
-    for (auto& contact : contacts) {
-        contact.note = -1;
-        contact.force.reset();
-    }
+void HeldContacts::setPressure(int channel, int note, double pressure) noexcept {
+    if (auto* contact = find(channel, note))
+        contact->pressure = pressure;
 }
 
-void HeldContacts::setPressure(int note, double pressure) noexcept {
+void HeldContacts::setPressure(int channel, double pressure) noexcept {
     for (auto& contact : contacts)
-        if (contact.note == note && contact.isHeld())
+        if (contact.channel == channel && contact.isHeld())
             contact.pressure = pressure;
 }
 
-void HeldContacts::setPressure(double pressure) noexcept {
-    for (auto& contact : contacts)
-        if (contact.isHeld())
-            contact.pressure = pressure;
+void HeldContacts::setSpeedController(int channel, int value) noexcept {
+    controllers[static_cast<std::size_t>(channel)].speed = value;
 }
 
-void HeldContacts::resetControllers() noexcept {
-    speedController = controllerAtRest;
-    placeController = controllerAtRest;
+void HeldContacts::setPlaceController(int channel, int value) noexcept {
+    controllers[static_cast<std::size_t>(channel)].place = value;
+}
+
+void HeldContacts::resetControllers(int channel) noexcept {
+    controllers[static_cast<std::size_t>(channel)] = {};
+    for (auto& contact : contacts)
+        if (contact.channel == channel && contact.isHeld())
+            contact.pressure = contact.strikePressure;
 }
 
 void HeldContacts::sound(const ParameterValues& parameters,
@@ -107,7 +148,7 @@ void HeldContacts::sound(const ParameterValues& parameters,
     if (strikes(parameters))
         releaseAll();
     for (auto& contact : contacts)
-        if (contact.note >= 0) {
+        if (contact.isActive()) {
             chooseKind(contact, parameters, settings);
             soundOne(contact, parameters, synthesiser, cell);
         }
@@ -153,8 +194,8 @@ void HeldContacts::soundOne(Contact& contact,
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses = contact.force.render(
-        {.speedMetresPerSecond = parameters[contactSpeed] * speedController / 127.0,
-         .normalForceNewtons = parameters[contactForce] * pressing(contact)},
+        {.speedMetresPerSecond = parameters[contactSpeed] * controllersOf(contact).speed / 127.0,
+         .normalForceNewtons = parameters[contactForce] * contact.pressure},
         newtons);
     if (presses) {
         const auto& from = contact.begins ? contact.place : start;
@@ -162,6 +203,8 @@ void HeldContacts::soundOne(Contact& contact,
         const auto gainStep = (static_cast<float>(contact.gain) - fromGain) / cellSamples;
         for (std::size_t i = 0; i < newtons.size(); ++i)
             newtons[i] *= fromGain + static_cast<float>(i + 1) * gainStep;
+        if (contact.isReleased)
+            fadeOut(contact, newtons);
         synthesiser.applyForce(slot,
                                {.start = from.point,
                                 .end = contact.place.point,
@@ -171,24 +214,28 @@ void HeldContacts::soundOne(Contact& contact,
                                cell);
     }
     contact.begins = false;
-    if (contact.fadeCellsLeft == 0)
-        contact.note = -1;
+    if (contact.isReleased) {
+        contact.fade -= static_cast<double>(cellSamples) / fadeSamples;
+        if (contact.fade < nothing)
+            contact.note = -1;
+    }
 }
 
-/// The normal force at the end of this cell, as a part of full pressure. What is heard follows its
-/// root, which falls linearly after a release.
-double HeldContacts::pressing(Contact& contact) const noexcept {
-    if (contact.fadeCellsLeft < 0)
-        return contact.pressure;
-    const double left = static_cast<double>(--contact.fadeCellsLeft) / fadeCells;
-    return contact.pressure * left * left;
+/// From 1 to 0 as half a cosine, which has no corner at either end.
+void HeldContacts::fadeOut(const Contact& contact,
+                           std::span<float, cellSamples> newtons) const noexcept {
+    double left = contact.fade;
+    for (float& force : newtons) {
+        left = std::max(left - 1.0 / fadeSamples, 0.0);
+        force *= static_cast<float>((1 - std::cos(std::numbers::pi * left)) / 2);
+    }
 }
 
 void HeldContacts::move(Contact& contact,
                         const Key& key,
                         const ParameterValues& parameters) const noexcept {
     const auto own = aimedPlace(key.along, parameters);
-    const double turn = placeController - controllerAtRest;
+    const double turn = controllersOf(contact).place - controllerAtRest;
     const double target =
         own.along + (turn < 0 ? turn / controllerAtRest * own.along
                               : turn / (127 - controllerAtRest) * (1 - own.along));
@@ -206,15 +253,17 @@ void HeldContacts::move(Contact& contact,
 }
 
 bool HeldContacts::silent() const noexcept {
-    return std::ranges::none_of(contacts, [](const Contact& contact) { return contact.note >= 0; });
+    return std::ranges::none_of(contacts, &Contact::isActive);
 }
 
 void HeldContacts::reset() noexcept {
-    stop();
-    for (auto& contact : contacts)
+    for (auto& contact : contacts) {
+        contact.note = -1;
         contact.pressCount = 0;
+        contact.force.reset();
+    }
     pressCount = 0;
-    resetControllers();
+    controllers = {};
 }
 
 } // namespace idiophone

@@ -8,6 +8,7 @@
 #include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,16 +21,22 @@ namespace idiophone {
 bool strikes(const ParameterValues& parameters);
 
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
-/// allocates, locks nor throws. Everything acts at the next `sound`.
+/// allocates, locks nor throws. Everything acts at the next `sound`. A key is a note on one of the
+/// MIDI channels 0 to 15; controllers and channel pressure act on their channel's keys alone.
 class HeldContacts {
 public:
-    /// Contacts at a time; beyond, the oldest gives way.
+    /// Keys held at a time; beyond, the oldest gives way as if it were released.
     static constexpr std::size_t capacity = 16;
-    /// From a release to silence of the force, however far the next grid point is.
+    static constexpr std::size_t channels = 16;
+    /// From a release to silence of the force, however far the next grid point is, at sample rates
+    /// of 8 kHz and more. Below, a cell alone takes as long.
     static constexpr double releaseSeconds = 0.01;
     /// A contact follows CC74 in about this time, but no faster than this speed.
     static constexpr double glideSeconds = 0.02;
     static constexpr double fastestGlideMetresPerSecond = 5;
+
+    /// What speed and place controllers are until they are moved.
+    static constexpr int controllerAtRest = 64;
 
     /// The seed says where on the profile each contact begins. `instrument` and the lowest modes of
     /// each of its slots outlive the contacts.
@@ -40,19 +47,18 @@ public:
 
     /// A key goes down; until other pressure comes, 0 to 1, it presses like this. A key without an
     /// object does nothing.
-    void press(int note, double pressure) noexcept;
+    void press(int channel, int note, double pressure) noexcept;
     /// The force fades out, and the object rings on.
-    void release(int note) noexcept;
+    void release(int channel, int note) noexcept;
     void releaseAll() noexcept;
-    /// All forces end at once.
-    void stop() noexcept;
 
-    /// 0 to 1; of one held key, or of all.
-    void setPressure(int note, double pressure) noexcept;
-    void setPressure(double pressure) noexcept;
-    void setSpeedController(int value) noexcept { speedController = value; } ///< 0 to 127
-    void setPlaceController(int value) noexcept { placeController = value; } ///< 0 to 127
-    void resetControllers() noexcept;
+    /// 0 to 1; of one held key, or of all of a channel.
+    void setPressure(int channel, int note, double pressure) noexcept;
+    void setPressure(int channel, double pressure) noexcept;
+    void setSpeedController(int channel, int value) noexcept; ///< 0 to 127
+    void setPlaceController(int channel, int value) noexcept; ///< 0 to 127
+    /// As before any of the channel moved: held keys press as they were struck.
+    void resetControllers(int channel) noexcept;
 
     /// Applies a cell of every contact's force to the cell begun last, under the settings of that
     /// cell. While the parameters ask for strikes, every contact counts as released.
@@ -66,20 +72,27 @@ public:
 
 private:
     struct Contact {
-        bool isHeld() const { return note >= 0 && fadeCellsLeft < 0; }
+        bool isActive() const { return note >= 0; }
+        bool isHeld() const { return isActive() && !isReleased; }
 
         ContactForce force;
+        int channel = 0;
         int note = -1; ///< −1: no contact
         std::uint64_t pressCount = 0;
+        double strikePressure = 0; ///< of its velocity
         double pressure = 0;
-        int fadeCellsLeft = -1; ///< −1: not released
-        bool begins = false;    ///< nothing of it has sounded yet
-        double along = 0;       ///< on the key's strip
+        bool isReleased = false;
+        double fade = 1;     ///< 0 to 1, falling after the release
+        bool begins = false; ///< nothing of it has sounded yet
+        double along = 0;    ///< on the key's strip
         StripPlace place;
         double gain = 0;
     };
 
-    static constexpr int controllerAtRest = 64;
+    struct Controllers {
+        int speed = controllerAtRest;
+        int place = controllerAtRest;
+    };
 
     void chooseKind(Contact& contact,
                     const ParameterValues& parameters,
@@ -89,18 +102,23 @@ private:
                   Synthesiser& synthesiser,
                   const CellOutput& cell) noexcept;
     void move(Contact& contact, const Key& key, const ParameterValues& parameters) const noexcept;
-    double pressing(Contact& contact) const noexcept;
+    void fadeOut(const Contact& contact, std::span<float, cellSamples> newtons) const noexcept;
 
+    Contact* find(int channel, int note) noexcept; ///< the held key, or nullptr
+    Contact& freeContact() noexcept;
+    void giveWay() noexcept;
+    const Controllers& controllersOf(const Contact& contact) const noexcept {
+        return controllers[static_cast<std::size_t>(contact.channel)];
+    }
     const Material& ownMaterial(const Contact& contact) const noexcept;
 
     const Instrument& instrument;
     std::span<const LowestModes> lowestModes;
     double rateHz;
-    int fadeCells;
-    std::vector<Contact> contacts;
+    int fadeSamples;
+    std::vector<Contact> contacts; ///< the second half takes over from those that fade out
     std::uint64_t pressCount = 0;
-    int speedController = controllerAtRest;
-    int placeController = controllerAtRest;
+    std::array<Controllers, channels> controllers{};
 };
 
 } // namespace idiophone

@@ -4,7 +4,7 @@
 
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/Preset.h"
-#include "Synth/Strike.h"
+#include "Instrument/StrikeStrip.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -12,29 +12,6 @@
 #include <vector>
 
 namespace idiophone {
-
-struct StripPlace {
-    StrikePoint point;
-    /// The path's direction along the surface there: unit, or zero where it has none.
-    std::array<float, 3> direction{};
-};
-
-/// Strike points over a strip of an object: a table, so that the audio thread only looks up.
-struct StrikeStrip {
-    int alongCount = 0;
-    int acrossCount = 0;
-    std::vector<StrikePoint> points;              ///< [along, across], a vertex each
-    std::vector<std::array<float, 3>> directions; ///< [along, across] the path's, as in StripPlace
-    double lengthMetres = 0;                      ///< of the path
-
-    /// `along` 0 to 1 from one end of the path to the other, `across` −1 to 1.
-    const StrikePoint& at(double along, double across) const;
-    /// The same, between the two nearest points along the path.
-    StripPlace between(double along, double across) const;
-
-private:
-    std::size_t index(int alongIndex, double across) const;
-};
 
 /// What a MIDI note plays.
 struct Key {

@@ -1,57 +1,96 @@
-// How loud an instrument will be, from its modes alone: what keeps another material or mallet as
-// loud as the preset's own. It hears no samples; applying the gain is the business of the player.
+// What keeps another material or mallet as loud as the preset's own: a gain from predictions of
+// loudness. It hears no samples; applying the gain is the business of the player.
 #pragma once
 
-#include "Instrument/Instrument.h"
-#include "Instrument/LowestModes.h"
-#include "Instrument/PhraseMeter.h"
-#include "Parameters/ParameterTable.h"
-#include "Synth/Surface.h"
+#include "Instrument/HeldContacts.h"
+#include "Instrument/PhrasePrediction.h"
 
-#include <array>
 #include <cstddef>
 #include <memory>
 
 namespace idiophone {
 
-/// Constructed and destroyed off the audio thread. The rest is for the audio thread: it neither
-/// allocates, locks nor throws, and depends on nothing but its arguments. It costs one pass over
-/// the modes of eight keys' objects, once for an object that all keys share: for when parameters
-/// change, not for every cell.
+/// The gain that makes the material and the mallet of some values as loud as those of the preset as
+/// loaded, −40 to 40 dB; all else, such as speed, place and size, is on both sides and stays heard.
+/// One gain for all velocities: the mean over PhrasePrediction::velocities, but within 1.5 dB of
+/// that of the middle one. It depends on parameters and, for keys that scrape or roll, on the
+/// wheel; no key or pressure moves it. 0 where material and mallet are the preset's own, and where
+/// nothing sounds with one of the two.
+///
+/// Constructed and destroyed off the audio thread. The same calls give the same gains.
 class LoudnessMatch {
 public:
-    /// The surface, which is valid, is what keys that scrape or roll sound like.
-    explicit LoudnessMatch(std::shared_ptr<const Instrument> instrument, Surface surface = {});
+    /// Modes that one `advance` takes in: some 20 µs of work.
+    static constexpr std::size_t modesPerCell = 16;
 
-    /// The loudness (PhraseMeter.h; the mean of both channels, before `level`) of eight notes from
-    /// the lowest key to the highest at velocity 100. Left out: `spread` and what τ and the mode
-    /// budget drop. Keys that scrape or roll are predicted up to a constant, rolls as scrapes.
-    double predictedLufs(const ParameterValues& parameters, double sampleRateHz) const noexcept;
+    /// The surface, which is valid, is what keys that scrape or roll sound like. `own` are the
+    /// preset's values.
+    LoudnessMatch(std::shared_ptr<const Instrument> instrument,
+                  const Surface& surface,
+                  double sampleRateHz,
+                  const ParameterValues& own);
 
-    /// The gain that makes the material and the mallet of `now` as loud as those of `own`, the
-    /// preset's as loaded: −40 to 40 dB. All else, such as speed, place and size, is that of `now`
-    /// on both sides and stays heard. 0 where material and mallet are the preset's own, and where
-    /// nothing sounds with one of the two.
-    double gainDb(const ParameterValues& own,
-                  const ParameterValues& now,
-                  double sampleRateHz) const noexcept;
+    /// Has the gain of these values at once, however many modes there are: not for the audio
+    /// thread. From then on `reset` returns to here.
+    void prepare(const ParameterValues& now) noexcept;
+
+    /// Works on the gain of these values and returns how many modes it took in: none while it has
+    /// that gain, else at most `modesPerCell`. What moves in the meantime is followed after that.
+    /// For every cell, on the audio thread: neither allocates, locks nor throws. Where nothing was
+    /// prepared, the first call prepares.
+    std::size_t advance(const ParameterValues& now) noexcept;
+
+    /// Where the modulation wheel is, 0 to 127: the speed of scrapes and rolls moves their spectrum
+    /// by octaves. At rest until it moves; counts from the next `advance` on.
+    void setSpeedController(int value) noexcept { wheel = value; }
+
+    /// The last gain that was complete.
+    double gainDb() const noexcept { return state.gainDb; }
+
+    /// As constructed, or as last prepared; the wheel at rest.
+    void reset() noexcept;
+
+    /// Of these values and the wheel, complete; not for the audio thread.
+    PhrasePrediction::Loudness predictedLufs(const ParameterValues& values) const noexcept;
 
 private:
-    struct PhraseKey {
-        Key key;
-        LowestModes lowestModes; ///< of its object
-        double weightScale = 0;  ///< of its radiation weights (Listening.h)
+    /// What loudness depends on.
+    struct Goal {
+        ParameterValues values;
+        int wheel = 0;
+
+        bool operator==(const Goal&) const = default;
+    };
+    struct Known {
+        bool valid = false;
+        Goal goal;
+        PhrasePrediction::Loudness lufs{};
+    };
+    struct State {
+        bool prepared = false;
+        double gainDb = 0;
+        Known reference, played;
+        bool working = false;
+        bool onReference = false; ///< rather than on what is played
+        Goal seen;                ///< what the others are made of
+        Goal referenceGoal, playedGoal;
     };
 
-    void addObject(PhraseMeter& meter,
-                   std::size_t firstNote,
-                   std::size_t endNote,
-                   const ParameterValues& parameters,
-                   double sampleRateHz) const noexcept;
+    std::size_t advance(const ParameterValues& now, std::size_t modes) noexcept;
+    Goal goalOf(const ParameterValues& values) const noexcept;
+    void setGoal(const ParameterValues& now) noexcept;
+    void beginNext() noexcept;
+    double gainOfKnown() const noexcept;
 
-    std::shared_ptr<const Instrument> playedInstrument;
-    Surface scrapedSurface;
-    std::array<PhraseKey, PhraseMeter::notes> keys;
+    Phrase phrase;
+    ParameterValues ownValues;
+    PhrasePrediction prediction;
+    State state, start;
+    int wheel = HeldContacts::controllerAtRest;
 };
+
+/// The values with all that does not enter a prediction at its default: level, budget and the like,
+/// and what the choices of material, mallet and contact leave without effect. Any thread.
+ParameterValues valuesThatMatter(const ParameterValues& values) noexcept;
 
 } // namespace idiophone

@@ -1,5 +1,7 @@
 #include "Instrument/LowestModes.h"
 
+#include "Synth/LiveConditions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,16 +22,12 @@ LowestModes::LowestModes(const ModalObject& object, double sizeRatio) {
 LowestModes LowestModes::moved(double ratio) const {
     LowestModes result = *this;
     for (double& hz : result.frequenciesHz)
-        hz = std::max(20.0, hz * ratio);
+        hz = std::max(lowestSoundingHz, hz * ratio);
     return result;
 }
 
 double liveFrequencyRatio(const Material& own, const SynthesisSettings& settings) {
-    double ratio = settings.frequencyRatio / settings.sizeRatio;
-    if (settings.material)
-        ratio *= std::sqrt(settings.material->youngsModulusPa / own.youngsModulusPa *
-                           own.densityKgPerM3 / settings.material->densityKgPerM3);
-    return ratio;
+    return liveConditions(own, settings).frequencyRatio();
 }
 
 } // namespace idiophone

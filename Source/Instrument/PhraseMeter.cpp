@@ -56,6 +56,11 @@ void PhraseMeter::addTransients(const NoteFigures& energies) noexcept {
         hopEnergies[note * noteHops] += energies[note];
 }
 
+void PhraseMeter::addSteady(const NoteFigures& powers) noexcept {
+    for (std::size_t hop = 0; hop < notes * noteHops; ++hop)
+        hopEnergies[hop] += powers[hop / noteHops] * hopSeconds;
+}
+
 double PhraseMeter::integratedLufs() const noexcept {
     std::array<double, phraseHops - blockHops + 1> blocks{};
     for (std::size_t block = 0; block < blocks.size(); ++block)

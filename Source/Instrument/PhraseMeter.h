@@ -31,6 +31,9 @@ public:
     /// Adds K-weighted energies, power times seconds, at the start of each note.
     void addTransients(const NoteFigures& energies) noexcept;
 
+    /// Adds what lasts as long as the notes and no longer, of those K-weighted powers.
+    void addSteady(const NoteFigures& powers) noexcept;
+
     /// The integrated loudness of one channel in LUFS, with the relative gate and without the
     /// absolute one; −infinity where nothing sounds.
     double integratedLufs() const noexcept;

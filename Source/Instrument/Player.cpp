@@ -1,6 +1,7 @@
 #include "Instrument/Player.h"
 
 #include "Instrument/ContactTrain.h"
+#include "Instrument/DecayTime.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/SharedSurfaceProfile.h"
@@ -14,11 +15,10 @@ namespace {
 
 using enum ParameterId;
 
-constexpr double decibels60 = 6.907755278982137; // ln(1000)
-constexpr double silencingSeconds = 0.02;        // T60 of "all sound off"
-constexpr std::int64_t matchingCells = 16;       // between two predictions of loudness
-constexpr float matchingShare = 0.15f;           // of the way to the matching gain in a cell: 10 ms
-constexpr std::size_t pendingCapacity = 1024;    // 113 chattering blows with modal pulses in 15 ms
+constexpr double silencingSeconds = 0.02;     // T60 of "all sound off"
+constexpr float matchingShare = 0.15f;        // of the way to the matching gain in a cell: 10 ms
+constexpr std::size_t pendingCapacity = 1024; // 113 chattering blows with modal pulses in 15 ms
+constexpr std::size_t lateCapacity = 256;     // notes between two blocks of sound
 
 enum ControllerNumber {
     modulationController = 1,
@@ -40,6 +40,15 @@ std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
     return modes;
 }
 
+bool isNoteOn(const MidiEvent& event) {
+    return (event.bytes[0] & 0xf0) == 0x90 && (event.bytes[2] & 0x7f) > 0;
+}
+
+/// The number of the first strike: 0 for the default seed, and far from one seed to the next.
+std::uint32_t firstStrike(std::uint64_t seed) {
+    return static_cast<std::uint32_t>((seed - 1) * 0x9e3779b97f4a7c15u >> 32);
+}
+
 } // namespace
 
 Player::Player(std::shared_ptr<const Instrument> instrument,
@@ -48,11 +57,14 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                std::uint64_t seed,
                const ParameterValues& own)
     : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz, 2),
+      firstStrikeNumber(firstStrike(seed)), strikeCount(firstStrikeNumber),
       pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
       held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
-      sampleRate(sampleRateHz), loudness(playedInstrument, surface), ownValues(own),
-      matchedValues(own), slotHeld(playedInstrument->slots().size(), false),
-      slotSilenced(playedInstrument->slots().size(), false) {}
+      loudness(playedInstrument, surface, sampleRateHz, own),
+      slotHeld(playedInstrument->slots().size(), false),
+      slotSilenced(playedInstrument->slots().size(), false) {
+    late.reserve(lateCapacity);
+}
 
 void Player::process(const StereoSpan& output,
                      std::span<const MidiEvent> events,
@@ -66,6 +78,9 @@ void Player::process(const StereoSpan& output,
             follow(events[next++]);
         if (cellPosition == cellSamples)
             beginCell();
+        for (const auto& event : late)
+            strikeFor(event);
+        late.clear();
         for (auto event = due; event < next; ++event)
             strikeFor(events[event]);
 
@@ -77,56 +92,63 @@ void Player::process(const StereoSpan& output,
         cellPosition += until - position;
         position = until;
     }
-    // Stamped at or beyond the end, as controllers handed over with an empty block are.
-    while (next < events.size())
-        follow(events[next++]);
+    // Stamped at or beyond the end, as what is handed over with an empty block is: notes strike
+    // with the first sample there is.
+    for (; next < events.size(); ++next) {
+        follow(events[next]);
+        if (isNoteOn(events[next]) && late.size() < lateCapacity)
+            late.push_back(events[next]);
+    }
 }
 
 // Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
 // the next grid point; what follows for the sound happens there.
 void Player::follow(const MidiEvent& event) {
     const int kind = event.bytes[0] & 0xf0;
+    const int channel = event.bytes[0] & 0x0f;
     const int first = event.bytes[1] & 0x7f;
     const int second = event.bytes[2] & 0x7f;
-    if (kind == 0x90 && second > 0)
-        keyDown(first, second);
+    if (isNoteOn(event))
+        keyDown(channel, first, second);
     else if (kind == 0x80 || kind == 0x90)
-        keyUp(first);
+        keyUp(channel, first);
     else if (kind == 0xa0)
-        held.setPressure(first, second / 127.0);
+        held.setPressure(channel, first, second / 127.0);
     else if (kind == 0xb0)
-        controller(first, second);
+        controller(channel, first, second);
     else if (kind == 0xc0)
         programChange = first;
     else if (kind == 0xd0)
-        held.setPressure(first / 127.0);
+        held.setPressure(channel, first / 127.0);
     else if (kind == 0xe0)
         bend = std::clamp((second * 128 + first - 8192) / 8191.0, -1.0, 1.0);
 }
 
-void Player::keyDown(int note, int velocity) {
-    keysDown.set(static_cast<std::size_t>(note));
+void Player::keyDown(int channel, int note, int velocity) {
+    keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
     if (!strikes(current))
-        held.press(note, velocity / 127.0);
+        held.press(channel, note, velocity / 127.0);
     if (const auto slot = playedInstrument->key(note).slot; slot >= 0)
         slotSilenced[static_cast<std::size_t>(slot)] = false;
 }
 
-void Player::keyUp(int note) {
+void Player::keyUp(int channel, int note) {
     const auto index = static_cast<std::size_t>(note);
-    if (sustainPedal && keysDown[index])
+    auto& down = keysDown[static_cast<std::size_t>(channel)];
+    if (sustainPedal && down[index])
         keysSustained.set(index);
-    keysDown.reset(index);
-    held.release(note);
+    down.reset(index);
+    held.release(channel, note);
 }
 
-void Player::controller(int number, int value) {
+void Player::controller(int channel, int number, int value) {
     switch (number) {
     case modulationController:
-        held.setSpeedController(value);
+        held.setSpeedController(channel, value);
+        loudness.setSpeedController(value);
         break;
     case placeController:
-        held.setPlaceController(value);
+        held.setPlaceController(channel, value);
         break;
     case sustainController:
         sustainPedal = value >= 64;
@@ -136,18 +158,19 @@ void Player::controller(int number, int value) {
     case allSoundOff:
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
         pending.clear();
-        held.stop();
+        late.clear();
         [[fallthrough]];
     case allNotesOff:
         held.releaseAll();
-        keysDown.reset();
+        keysDown = {};
         keysSustained.reset();
         break;
     case resetControllers:
         sustainPedal = false;
         keysSustained.reset();
         bend = 0;
-        held.resetControllers();
+        held.resetControllers(channel);
+        loudness.setSpeedController(HeldContacts::controllerAtRest);
         break;
     default:
         break;
@@ -155,9 +178,9 @@ void Player::controller(int number, int value) {
 }
 
 void Player::strikeFor(const MidiEvent& event) {
-    const int velocity = event.bytes[2] & 0x7f;
-    if ((event.bytes[0] & 0xf0) != 0x90 || velocity == 0 || !strikes(current))
+    if (!isNoteOn(event) || !strikes(current))
         return;
+    const int velocity = event.bytes[2] & 0x7f;
     const auto& key = playedInstrument->key(event.bytes[1]);
     if (key.slot < 0)
         return;
@@ -166,8 +189,8 @@ void Player::strikeFor(const MidiEvent& event) {
     const auto number = strikeCount++;
     const auto place = strikePlace(key.along, current, number);
     const auto strike =
-        malletStrike(playedInstrument->strip(key).at(place.along, place.across), velocity,
-                     key.malletScale, current, surfaceCompliancePerPa(own, current));
+        malletStrike(playedInstrument->strip(key).between(place.along, place.across).point,
+                     velocity, key.malletScale, current, surfaceCompliancePerPa(own, current));
     auto train = contactTrain(strike, key.malletScale, current[chatter], number);
     if (current[modalPulse] != 0) {
         const auto settings = synthesisSettings(current, bend * current[bendRange]);
@@ -175,15 +198,15 @@ void Player::strikeFor(const MidiEvent& event) {
                                 lowestModes[slot].moved(liveFrequencyRatio(own, settings)).span());
     }
     if (train.size() > pending.room()) {
-        synth.strike(slot, strike, cellPosition, cell());
+        strikeNow(slot, strike, cellPosition);
         return;
     }
     for (const auto& contact : train)
-        schedule(slot, contact.delaySeconds, contact.strike);
+        schedule(slot, cellPosition + contact.delaySeconds * synth.sampleRateHz(), contact.strike);
 }
 
-void Player::schedule(std::size_t slot, double delaySeconds, const Strike& strike) {
-    const double sample = cellPosition + delaySeconds * synth.sampleRateHz();
+/// `sample` counts from the start of the cell begun last.
+void Player::schedule(std::size_t slot, double sample, const Strike& strike) {
     const double cells = std::floor(sample / cellSamples);
     pending.add({.cell = cellIndex + static_cast<std::int64_t>(cells),
                  .sampleInCell = sample - cells * cellSamples,
@@ -197,8 +220,31 @@ void Player::strikePendingBefore(double sampleInCell) {
     for (const auto* next = pending.next();
          next != nullptr && next->cell == cellIndex && next->sampleInCell < sampleInCell;
          next = pending.next()) {
-        synth.strike(next->slot, next->strike, next->sampleInCell, cell());
+        const auto due = *next;
         pending.pop();
+        strikeNow(due.slot, due.strike, due.sampleInCell);
+    }
+}
+
+/// An object has room for so many contacts at a time. A pulse beyond comes as ideal impulses, which
+/// need no room: as its values at a quarter, the half and three quarters of its time, which have
+/// its spectrum up to 2/T and are too bright above.
+void Player::strikeNow(std::size_t slot, const Strike& strike, double sampleInCell) {
+    if (synth.strike(slot, strike, sampleInCell, cell()))
+        return;
+    auto impulse = strike;
+    impulse.durationSeconds = 0;
+    constexpr std::array shares{0.25f, 0.5f, 0.25f};
+    if (pending.room() < shares.size()) {
+        synth.strike(slot, impulse, sampleInCell, cell());
+        return;
+    }
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            impulse.impulseNewtonSeconds[axis] = shares[k] * strike.impulseNewtonSeconds[axis];
+        const double delaySamples =
+            0.25 * static_cast<double>(k + 1) * strike.durationSeconds * synth.sampleRateHz();
+        schedule(slot, sampleInCell + delaySamples, impulse);
     }
 }
 
@@ -213,14 +259,14 @@ void Player::beginCell() {
     cellPosition = 0;
 }
 
-/// A prediction costs a tenth of a millisecond, so it is made now and then, on the grid.
+void Player::prepare(const ParameterValues& parameters) {
+    loudness.prepare(parameters);
+}
+
+/// Once a cell, on the grid. The gain moves when a prediction is complete.
 void Player::matchLoudness() {
-    if (cellIndex % matchingCells == 0 && current != matchedValues) {
-        matchedValues = current;
-        const bool matches = current[ParameterId::matchLoudness] != 0;
-        const double gainDb = matches ? loudness.gainDb(ownValues, current, sampleRate) : 0;
-        matchingGain = static_cast<float>(std::pow(10, gainDb / 20));
-    }
+    loudness.advance(current);
+    const auto matchingGain = static_cast<float>(std::pow(10, loudness.gainDb() / 20));
     gainAtCellStart = cellIndex == 0 ? matchingGain : gainAtCellEnd;
     gainAtCellEnd = gainAtCellStart + matchingShare * (matchingGain - gainAtCellStart);
     if (std::abs(matchingGain - gainAtCellEnd) < 1e-5f * matchingGain)
@@ -241,15 +287,17 @@ void Player::copyOut(const StereoSpan& output, int position, int count) const {
 
 void Player::updateDampers() {
     slotHeld.assign(slotHeld.size(), current[letRing] != 0);
-    const auto keys = keysDown | keysSustained;
+    auto keys = keysSustained;
+    for (const auto& down : keysDown)
+        keys |= down;
     for (int note = 0; note < 128; ++note)
         if (const int slot = playedInstrument->key(note).slot;
             slot >= 0 && keys[static_cast<std::size_t>(note)])
             slotHeld[static_cast<std::size_t>(slot)] = true;
     for (std::size_t slot = 0; slot < slotHeld.size(); ++slot)
-        synth.setDamping(slot, slotSilenced[slot] ? decibels60 / silencingSeconds
+        synth.setDamping(slot, slotSilenced[slot] ? decayPerSecond(silencingSeconds)
                                : slotHeld[slot]   ? 0
-                                                  : decibels60 / current[releaseTime]);
+                                                  : decayPerSecond(current[releaseTime]));
 }
 
 void Player::reset() {
@@ -258,12 +306,13 @@ void Player::reset() {
     rightCell.fill(0);
     cellPosition = cellSamples;
     cellIndex = -1;
-    strikeCount = 0;
-    matchedValues = ownValues;
-    matchingGain = gainAtCellStart = gainAtCellEnd = 1;
+    strikeCount = firstStrikeNumber;
+    loudness.reset();
+    gainAtCellStart = gainAtCellEnd = 1;
     pending.clear();
+    late.clear();
     held.reset();
-    keysDown.reset();
+    keysDown = {};
     keysSustained.reset();
     sustainPedal = false;
     bend = 0;
@@ -276,7 +325,7 @@ bool Player::silent() const {
         return std::all_of(samples.begin() + cellPosition, samples.end(),
                            [](float x) { return x == 0; });
     };
-    return synth.silent() && pending.empty() && held.silent() && played(leftCell) &&
+    return synth.silent() && pending.empty() && late.empty() && held.silent() && played(leftCell) &&
            played(rightCell);
 }
 

@@ -32,18 +32,25 @@ struct MidiEvent {
 /// whatever the block sizes.
 class Player {
 public:
-    /// The surface, which is valid, is what scrapes and rolls sound like; their noise begins where
-    /// the seed says. `own` are the preset's values, whose loudness "match loudness" keeps.
+    /// The surface, which is valid, is what scrapes and rolls sound like. The seed says where their
+    /// noise begins, and how strikes spread and chatter. `own` are the preset's values, whose
+    /// loudness "match loudness" keeps.
     Player(std::shared_ptr<const Instrument> instrument,
            double sampleRateHz,
            const Surface& surface = {},
            std::uint64_t seed = 1,
            const ParameterValues& own = {});
 
+    /// Has the gain that matches the loudness of these values from the first cell on, whatever it
+    /// costs: off the audio thread, between construction or `reset` and the first block. What is
+    /// not prepared in time is made good within the first cell.
+    void prepare(const ParameterValues& parameters);
+
     /// Renders the next `output.size()` samples (full scale 1, before `width` and `level`). Without
-    /// radiation both channels are the same. Events are in order of time. Strikes act at their
-    /// sample; parameters and everything else at the first point of the 64-sample grid at or after
-    /// their stamp, which for parameters is the block's first sample.
+    /// radiation both channels are the same. Events are in order of time; what is stamped beyond
+    /// the block's end acts at the next block's start. Strikes act at their sample; parameters and
+    /// everything else at the first point of the 64-sample grid at or after their stamp, which for
+    /// parameters is the block's first sample.
     void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
                  const ParameterValues& parameters);
@@ -60,11 +67,12 @@ public:
 private:
     void follow(const MidiEvent& event);
     void strikeFor(const MidiEvent& event);
-    void keyDown(int note, int velocity);
-    void keyUp(int note);
-    void controller(int number, int value);
-    void schedule(std::size_t slot, double delaySeconds, const Strike& strike);
+    void keyDown(int channel, int note, int velocity);
+    void keyUp(int channel, int note);
+    void controller(int channel, int number, int value);
+    void schedule(std::size_t slot, double sample, const Strike& strike);
     void strikePendingBefore(double sampleInCell);
+    void strikeNow(std::size_t slot, const Strike& strike, double sampleInCell);
     void beginCell();
     void updateDampers();
     void matchLoudness();
@@ -78,19 +86,17 @@ private:
     alignas(64) std::array<float, cellSamples> rightCell{};
     int cellPosition = cellSamples;
     std::int64_t cellIndex = -1; ///< of the cell begun last
-    std::uint32_t strikeCount = 0;
+    std::uint32_t firstStrikeNumber;
+    std::uint32_t strikeCount;
     PendingStrikes pending;
+    std::vector<MidiEvent> late;          ///< note-ons for the start of the next block
     std::vector<LowestModes> lowestModes; ///< of each slot
     HeldContacts held;
 
-    double sampleRate;
     LoudnessMatch loudness;
-    ParameterValues ownValues;
-    ParameterValues matchedValues;                ///< `matchingGain` is that of these
-    float matchingGain = 1;                       ///< where the gain goes
     float gainAtCellStart = 1, gainAtCellEnd = 1; ///< it is linear in between
 
-    std::bitset<128> keysDown;
+    std::array<std::bitset<128>, 16> keysDown; ///< of each channel
     std::bitset<128> keysSustained;
     bool sustainPedal = false;
     double bend = 0;                ///< −1 to 1

@@ -29,8 +29,8 @@ struct KeyMap {
     /// in it stands for the MIDI note.
     std::string object;
     /// Where keys strike: a path over the object, from its lowest key's end to its highest's, in
-    /// units of the object's bounding box (−1 to 1 along x, y and z). Each point is taken to the
-    /// nearest vertex that carries shapes. `zones` spread the keys along the path; the other maps
+    /// units of the object's bounding box (−1 to 1 along x, y and z). Each place is the
+    /// nearest one on the surface. `zones` spread the keys along the path; the other maps
     /// strike at `strikeAt` of the way.
     std::vector<std::array<double, 3>> strikePath{{-1, 0, 0}, {1, 0, 0}};
     double strikeAt = 0.5; ///< 0 to 1
@@ -54,7 +54,7 @@ struct Preset {
     KeyMap keyMap;
     ParameterValues parameters; ///< those the file does not name have their default
     Surface surface;            ///< what scrapes and rolls sound like; valid
-    std::uint32_t seed = 1;     ///< where their noise begins, so that a render repeats
+    std::uint32_t seed = 1;     ///< of their noise, spread and chatter, so that a render repeats
     /// Ids of parameters in the file that this version does not know.
     std::vector<std::string> unknownParameters;
 

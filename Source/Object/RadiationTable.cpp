@@ -17,9 +17,17 @@ bool isUnit(const std::array<float, 3>& direction) {
 void RadiationTable::weightsAt(std::size_t direction,
                                double frequencyRatio,
                                std::span<float> modeWeights) const noexcept {
+    weightsAt(direction, frequencyRatio, 0, modeWeights);
+}
+
+void RadiationTable::weightsAt(std::size_t direction,
+                               double frequencyRatio,
+                               std::size_t firstMode,
+                               std::span<float> modeWeights) const noexcept {
     const std::size_t ratios = frequencyRatios.size();
-    const float* const rows = weights.data() + direction * ratios * modeWeights.size();
-    const auto row = [&](std::size_t ratio) { return rows + ratio * modeWeights.size(); };
+    const std::size_t modes = weights.size() / directions.size() / ratios;
+    const float* const rows = weights.data() + direction * ratios * modes + firstMode;
+    const auto row = [&](std::size_t ratio) { return rows + ratio * modes; };
     if (!(frequencyRatio > frequencyRatios.front())) {
         std::copy_n(row(0), modeWeights.size(), modeWeights.begin());
         return;

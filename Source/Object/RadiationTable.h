@@ -30,6 +30,12 @@ struct RadiationTable {
                    double frequencyRatio,
                    std::span<float> modeWeights) const noexcept;
 
+    /// The same for as many modes, from `firstMode` on, as there are places.
+    void weightsAt(std::size_t direction,
+                   double frequencyRatio,
+                   std::size_t firstMode,
+                   std::span<float> modeWeights) const noexcept;
+
     bool operator==(const RadiationTable&) const = default;
 };
 

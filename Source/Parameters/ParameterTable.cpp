@@ -68,7 +68,7 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
     {chatter, "chatter", "Chatter", "%", linear, 0, 100, 0, 1, 2,
      "How much of a hard blow comes as further collisions within 15 ms", nullptr},
     {modalPulse, "modal_pulse", "Modal pulse", "", onOff, 0, 1, 0, 0, 2,
-     "On: blows last as long as periods of the object's lowest modes, as of something small and hard",
+     "On: a blow is four soft pulses, as long as the periods of the object's lowest modes",
      nullptr},
     {radiation, "radiation", "Radiation", "%", linear, 0, 100, 0, 1, 2,
      "From what is heard where an object is struck to what its whole surface radiates", nullptr},

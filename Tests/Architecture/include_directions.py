@@ -24,7 +24,7 @@ ROOMS = {
     "Geometry": ("Object", "Eigen/ igl/ CGAL/"),
     "Synth": ("Object", "hwy/"),
     "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ Spectra/ cholmod.h tetgen.h"),
-    "Instrument": ("Synth Object Parameters", "nlohmann/ Tunings.h libMTSClient.h"),
+    "Instrument": ("Synth Geometry Object Parameters", "nlohmann/ Tunings.h libMTSClient.h"),
     "Scene": ("Synth Geometry Object", "bullet/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
     "Output": ("Parameters", "juce_dsp/"),
     "Editor": ("Parameters Object Geometry", "juce_"),

@@ -1,4 +1,5 @@
 import json
+import math
 
 from console import ConsoleTest, Wave, midi_file, note, run, tempo
 
@@ -74,6 +75,16 @@ class Render(ConsoleTest):
         short, long = scraped(480), scraped(1920)
         self.assertGreater(short.peak(), 1e-4)
         self.assertAlmostEqual(len(long) - len(short), 1.5 * long.rate, delta=0.05 * long.rate)
+
+    def test_pressure_at_the_time_of_a_key_is_that_keys(self):
+        def level(*pressures):
+            events = [(ticks, bytes([0xD0, 10])) for ticks in pressures]
+            song = self.song(events + note(0, 60, 127, 960))
+            wave = Wave(self.render(song, preset="Scraped Plate")[1])
+            return 10 * math.log10(sum(sample * sample for sample in wave.left))
+
+        self.assertLess(level(0), level() - 6)
+        self.assertAlmostEqual(level(0), level(1), delta=0.5)
 
     def test_tempo_changes_are_followed(self):
         slow = note(0, 72) + note(480, 84, length=120) + note(960, 76)

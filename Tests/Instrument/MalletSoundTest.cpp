@@ -206,8 +206,9 @@ TEST_CASE("A blow with modal pulses is four strikes of one period each, with the
     const auto& key = instrument->key(84);
     const auto& slot = instrument->slots()[static_cast<std::size_t>(key.slot)];
     const auto place = strikePlace(key.along, parameters, 0);
-    const auto blow = malletStrike(instrument->strip(key).at(place.along, place.across), 90, 1,
-                                   parameters, surfaceCompliancePerPa(slot.object->material, {}));
+    const auto blow =
+        malletStrike(instrument->strip(key).between(place.along, place.across).point, 90, 1,
+                     parameters, surfaceCompliancePerPa(slot.object->material, {}));
     Synthesiser synthesiser({slot}, sampleRateHz);
     const auto settings = synthesisSettings(parameters);
     std::vector<float> expected(9600);

@@ -75,6 +75,12 @@ TEST_CASE("A sustained note carries the energy of a struck one") {
     CHECK(std::abs(struck.integratedLufs() - sustained.integratedLufs()) < 1.5);
 }
 
+TEST_CASE("A steady power is heard as long as the notes: −0.691 LUFS for 1") {
+    PhraseMeter meter;
+    meter.addSteady({1, 1, 1, 1, 1, 1, 1, 1});
+    CHECK(std::abs(meter.integratedLufs() - -0.691) < 0.3);
+}
+
 TEST_CASE("Silence measures −infinity") {
     CHECK(std::isinf(PhraseMeter().integratedLufs()));
 }

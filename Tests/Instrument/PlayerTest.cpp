@@ -9,7 +9,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <random>
+#include <set>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -45,6 +48,16 @@ double level(std::span<const float> signal) {
     for (const float sample : signal)
         sum += sample * sample;
     return std::sqrt(sum / static_cast<double>(signal.size()));
+}
+
+std::complex<double> phasorAt(std::span<const float> signal, double frequencyHz) {
+    std::complex<double> sum = 0;
+    for (std::size_t k = 0; k < signal.size(); ++k) {
+        const double turn = 2 * std::numbers::pi * static_cast<double>(k);
+        sum += (1 - std::cos(turn / static_cast<double>(signal.size()))) *
+               static_cast<double>(signal[k]) * std::polar(1.0, -turn * frequencyHz / sampleRateHz);
+    }
+    return sum;
 }
 
 std::vector<MidiEvent> busyEvents(int samples) {
@@ -116,7 +129,7 @@ TEST_CASE("Without radiation both channels are the sound at the point struck") {
     Synthesiser mono({instrument->slots()[static_cast<std::size_t>(key.slot)]}, sampleRateHz);
     mono.setSettings(synthesisSettings(parameters));
     const auto strike =
-        malletStrike(instrument->strip(key).at(key.along, 0), 100, 1, parameters,
+        malletStrike(instrument->strip(key).between(key.along, 0).point, 100, 1, parameters,
                      surfaceCompliancePerPa(instrument->slots()[0].object->material, parameters));
     std::vector<float> expected(2048);
     for (std::size_t at = 0; at < expected.size(); at += cellSamples) {
@@ -283,8 +296,11 @@ TEST_CASE("Matching loudness multiplies by the gain that is predicted, at once f
     own.set(ParameterId::strikeSpread, 0);
     ParameterValues hard = own;
     hard.set(ParameterId::malletMass, 80);
-    const double gain =
-        std::pow(10, LoudnessMatch(instrument).gainDb(own, hard, sampleRateHz) / 20);
+    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    hard.set(ParameterId::matchLoudness, 1);
+    match.prepare(hard);
+    hard.set(ParameterId::matchLoudness, 0);
+    const double gain = std::pow(10, match.gainDb() / 20);
     CHECK(gain < 0.7);
     const std::vector events{midi(10, 0x90, 64, 100), midi(700, 0x90, 69, 100)};
     Player plain(instrument, sampleRateHz, {}, 1, own);
@@ -324,4 +340,128 @@ TEST_CASE("A mallet that changes while loudness is matched moves the gain withou
     }
     CHECK(last < 0.5);
     CHECK(steepest < 0.02);
+}
+
+TEST_CASE("Every key of the plate is struck in a place of its own") {
+    const auto plate = Instrument::build({.kind = KeyMapKind::zones,
+                                          .lowestNote = 36,
+                                          .highestNote = 96,
+                                          .object = "plate",
+                                          .strikePath = {{-1, -1, 0}, {0.3, 0.8, 0}}},
+                                         ObjectLibrary::shared())
+                           .value();
+    ParameterValues parameters;
+    parameters.set(ParameterId::strikeSpread, 0);
+    std::set<std::vector<float>> sounds;
+    for (int note = 36; note <= 96; ++note) {
+        Player player(plate, sampleRateHz);
+        sounds.insert(render(player, {midi(0, 0x90, note, 100)}, 2400, 480, parameters));
+    }
+    CHECK(sounds.size() == 61);
+}
+
+TEST_CASE("A note handed over with an empty block, or beyond a block's end, starts the next one") {
+    const auto instrument = bars();
+    Player expected(instrument, sampleRateHz);
+    auto sound = render(expected, {}, 100, 100);
+    const auto after = render(expected, {midi(0, 0x90, 69, 100)}, 4800, 480);
+    CHECK(peak(after) > 0.001f);
+
+    Player empty(instrument, sampleRateHz);
+    render(empty, {}, 100, 100);
+    const std::array note{midi(0, 0x90, 69, 100)};
+    empty.process(StereoSound(0), note, {});
+    CHECK_FALSE(empty.silent());
+    CHECK(render(empty, {}, 4800, 480) == after);
+
+    Player beyond(instrument, sampleRateHz);
+    StereoSound block(100);
+    const std::array lateNote{midi(100, 0x90, 69, 100)};
+    beyond.process(block, lateNote, {});
+    CHECK(peak(block.left) == 0);
+    CHECK(render(beyond, {}, 4800, 480) == after);
+
+    Player silenced(instrument, sampleRateHz);
+    const std::array both{midi(0, 0x90, 69, 100), midi(0, 0xb0, 120, 0)};
+    silenced.process(StereoSound(0), both, {});
+    CHECK(silenced.silent());
+}
+
+TEST_CASE("However many blows come at once, none is lost: together they are as loud as their sum") {
+    ObjectLibrary library;
+    const auto kept = library.add("bar", syntheticObject({200, 540, 1070, 1800, 2500}));
+    KeyMap map;
+    map.kind = KeyMapKind::zones;
+    map.lowestNote = 20;
+    map.highestNote = 110;
+    map.object = "bar";
+    const auto instrument = Instrument::build(map, library).value();
+    ParameterValues parameters;
+    parameters.set(ParameterId::strikeSpread, 0);
+    parameters.set(ParameterId::modalPulse, GENERATE(0, 1));
+    const auto struck = [&](int keys) {
+        std::vector<MidiEvent> events;
+        for (int i = 0; i < keys; ++i)
+            events.push_back(midi(0, 0x90, 20 + i, 100));
+        Player player(instrument, sampleRateHz);
+        auto sound = render(player, events, 28800, 64, parameters);
+        sound.erase(sound.begin(), sound.begin() + 2400);
+        return sound;
+    };
+    const auto one = struck(1);
+    for (const int keys : {16, 60, 90}) {
+        const auto all = struck(keys);
+        INFO(keys << " keys: " << level(all) / level(one) / keys);
+        CHECK(level(all) > 0.95 * keys * level(one));
+        CHECK(level(all) < 1.25 * keys * level(one));
+        // Where most of the impulse goes nothing changes: the phase is that of the pulses.
+        CHECK(std::abs(phasorAt(all, 200) / phasorAt(one, 200) - double(keys)) < 0.02 * keys);
+    }
+}
+
+TEST_CASE("Crowded blows are bit-identical for block sizes 1, 64, 333 and 4096") {
+    ObjectLibrary library;
+    const auto kept = library.add("bar", syntheticObject({60, 200, 540, 1070, 1800}));
+    KeyMap map;
+    map.kind = KeyMapKind::zones;
+    map.lowestNote = 20;
+    map.highestNote = 110;
+    map.object = "bar";
+    const auto instrument = Instrument::build(map, library).value();
+    ParameterValues parameters;
+    parameters.set(ParameterId::modalPulse, 1);
+    parameters.set(ParameterId::chatter, 100);
+    std::vector<MidiEvent> events;
+    for (int i = 0; i < 300; ++i)
+        events.push_back(midi(3 + 7 * i / 3, 0x90, 20 + i * 37 % 91, 1 + i % 127));
+    Player reference(instrument, sampleRateHz);
+    const auto expected = render(reference, events, 9600, 512, parameters);
+    CHECK(peak(expected) > 0.001f);
+    for (const std::size_t blockSize : {1, 64, 333, 4096}) {
+        Player player(instrument, sampleRateHz);
+        CHECK(render(player, events, 9600, blockSize, parameters) == expected);
+    }
+}
+
+TEST_CASE("The seed is in the spread and the chatter of strikes, and nothing else of them") {
+    const auto plate =
+        Instrument::build({.kind = KeyMapKind::zones, .object = "plate"}, ObjectLibrary::shared())
+            .value();
+    const auto sound = [&](std::uint64_t seed, ParameterId varied, double value) {
+        ParameterValues parameters;
+        parameters.set(ParameterId::strikeSpread, 0);
+        parameters.set(ParameterId::mallet, firstRackMallet + 5);
+        parameters.set(varied, value);
+        const std::vector events{midi(0, 0x90, 64, 100), midi(900, 0x90, 71, 90)};
+        Player player(plate, sampleRateHz, {}, seed);
+        const auto first = render(player, events, 2400, 480, parameters);
+        player.reset();
+        CHECK(render(player, events, 2400, 480, parameters) == first);
+        return first;
+    };
+    for (const auto& [varied, value] :
+         {std::pair(ParameterId::chatter, 100.0), {ParameterId::strikeSpread, 50.0}}) {
+        CHECK(sound(1, varied, value) != sound(2, varied, value));
+        CHECK(sound(1, varied, 0) == sound(2, varied, 0));
+    }
 }

@@ -94,3 +94,11 @@ TEST_CASE("Each malformed part of a radiation table is named") {
     CHECK_THAT(faultOf(table(), 3), ContainsSubstring("directions x ratios"));
     CHECK_THAT(faultOf(table(), 0), ContainsSubstring("directions x ratios"));
 }
+
+TEST_CASE("The weights from a mode on are those of all modes from there on") {
+    for (const double ratio : {0.3, 0.7, 1.0, 2.0, 9.0}) {
+        std::vector<float> one(1);
+        table().weightsAt(1, ratio, 1, one);
+        CHECK(one[0] == at(1, ratio)[1]);
+    }
+}

@@ -1,0 +1,160 @@
+#include "Geometry/ShapeMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <igl/adjacency_list.h>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+using Triple = std::array<std::int32_t, 3>;
+
+// Delaunay triangles of evenly spread points have circumradii of less than their spacing.
+constexpr double largestReach = 1.5; // spacings
+
+Mesh meshOf(const ModalObject& object) {
+    using Coordinates = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+    using Corners = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
+    const auto vertexCount = static_cast<Eigen::Index>(object.vertexCount());
+    const auto faceCount = static_cast<Eigen::Index>(object.faceCount());
+    return {
+        .vertices =
+            Eigen::Map<const Coordinates>(object.vertices.data(), vertexCount, 3).cast<double>(),
+        .faces = Eigen::Map<const Corners>(object.faces.data(), faceCount, 3)};
+}
+
+/// Which row each vertex of the object belongs to, −1 where no way along edges leads to one.
+struct Cells {
+    std::vector<std::int32_t> rowOfVertex;
+    std::vector<double> distanceMetres; ///< of each vertex to that row's
+};
+
+/// Cells grow from their rows along edges, the nearest vertex first, so that each is connected.
+Cells voronoiCells(const Mesh& mesh, const Mesh& shapes, const ModalObject& object) {
+    std::vector<std::vector<int>> neighbours;
+    if (mesh.faceCount() > 0)
+        igl::adjacency_list(mesh.faces, neighbours);
+    const auto vertexCount = static_cast<std::size_t>(mesh.vertexCount());
+    neighbours.resize(vertexCount);
+
+    using Claim = std::tuple<double, std::int32_t, int>; // distance, row, vertex
+    std::priority_queue<Claim, std::vector<Claim>, std::greater<>> claims;
+    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row)
+        claims.emplace(0, static_cast<std::int32_t>(row), object.shapeVertices[row]);
+    Cells cells{.rowOfVertex = std::vector<std::int32_t>(vertexCount, -1),
+                .distanceMetres = std::vector<double>(vertexCount, 0)};
+    while (!claims.empty()) {
+        const auto [distance, row, vertex] = claims.top();
+        claims.pop();
+        const auto index = static_cast<std::size_t>(vertex);
+        if (cells.rowOfVertex[index] >= 0)
+            continue;
+        cells.rowOfVertex[index] = row;
+        cells.distanceMetres[index] = distance;
+        for (const int next : neighbours[index])
+            if (cells.rowOfVertex[static_cast<std::size_t>(next)] < 0)
+                claims.emplace((mesh.vertices.row(next) - shapes.vertices.row(row)).norm(), row,
+                               next);
+    }
+    return cells;
+}
+
+struct CellFace {
+    Triple rows;
+    double reachMetres; ///< of the three rows' vertices to the face they meet in
+};
+
+/// The object's faces by the cells of their corners.
+std::vector<CellFace> cellFaces(const Mesh& mesh, const Cells& cells) {
+    std::vector<CellFace> faces;
+    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face) {
+        CellFace result{.rows = {}, .reachMetres = 0};
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto vertex = static_cast<std::size_t>(mesh.faces(face, corner));
+            result.rows[static_cast<std::size_t>(corner)] = cells.rowOfVertex[vertex];
+            result.reachMetres = std::max(result.reachMetres, cells.distanceMetres[vertex]);
+        }
+        faces.push_back(result);
+    }
+    return faces;
+}
+
+/// Of each row to those whose cells are next to its own: the median, which neither rows in long
+/// lines nor cells that reach far around the object move much.
+std::vector<double> spacings(const std::vector<CellFace>& faces, const Mesh& shapes) {
+    std::set<std::pair<std::int32_t, std::int32_t>> adjacent;
+    for (const auto& [rows, reach] : faces)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            if (const auto a = rows[corner], b = rows[(corner + 1) % 3]; a != b && a >= 0 && b >= 0)
+                adjacent.insert({{a, b}, {b, a}});
+    std::vector<double> spacing(static_cast<std::size_t>(shapes.vertexCount()), 0.0);
+    std::vector<double> metres;
+    for (auto first = adjacent.begin(), end = first; first != adjacent.end(); first = end) {
+        metres.clear();
+        for (; end != adjacent.end() && end->first == first->first; ++end)
+            metres.push_back(
+                (shapes.vertices.row(end->first) - shapes.vertices.row(end->second)).norm());
+        const auto middle = metres.begin() + static_cast<std::ptrdiff_t>(metres.size() / 2);
+        std::ranges::nth_element(metres, middle);
+        spacing[static_cast<std::size_t>(first->first)] = *middle;
+    }
+    return spacing;
+}
+
+/// Where three cells meet, within reach, each meeting once.
+std::vector<Triple> meetings(const std::vector<CellFace>& faces, const Mesh& shapes) {
+    const auto spacing = spacings(faces, shapes);
+    std::vector<Triple> found;
+    for (auto [rows, reach] : faces) {
+        if (rows[0] == rows[1] || rows[1] == rows[2] || rows[2] == rows[0] ||
+            *std::ranges::min_element(rows) < 0)
+            continue;
+        double widest = 0;
+        for (const auto row : rows)
+            widest = std::max(widest, spacing[static_cast<std::size_t>(row)]);
+        if (reach > largestReach * widest)
+            continue;
+        std::ranges::rotate(rows, std::ranges::min_element(rows));
+        found.push_back(rows);
+    }
+    std::ranges::sort(found);
+    const auto repeated = std::ranges::unique(found);
+    found.erase(repeated.begin(), repeated.end());
+    return found;
+}
+
+} // namespace
+
+Mesh shapeMesh(const ModalObject& object) {
+    const auto mesh = meshOf(object);
+    const auto rowCount = static_cast<Eigen::Index>(object.shapeVertexCount());
+    Mesh shapes;
+    shapes.vertices.resize(rowCount, 3);
+    for (Eigen::Index row = 0; row < rowCount; ++row)
+        shapes.vertices.row(row) =
+            mesh.vertices.row(object.shapeVertices[static_cast<std::size_t>(row)]);
+
+    auto triples = meetings(cellFaces(mesh, voronoiCells(mesh, shapes, object)), shapes);
+    std::vector<bool> hasFace(object.shapeVertexCount(), false);
+    for (const auto& rows : triples)
+        for (const auto row : rows)
+            hasFace[static_cast<std::size_t>(row)] = true;
+    for (std::int32_t row = 0; row < rowCount; ++row)
+        if (!hasFace[static_cast<std::size_t>(row)])
+            triples.push_back({row, row, row});
+
+    shapes.faces.resize(static_cast<Eigen::Index>(triples.size()), 3);
+    for (std::size_t face = 0; face < triples.size(); ++face)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            shapes.faces(static_cast<Eigen::Index>(face), static_cast<Eigen::Index>(corner)) =
+                triples[face][corner];
+    return shapes;
+}
+
+} // namespace idiophone

@@ -1,0 +1,37 @@
+// How much motion a blow leaves in modes, and while it lasts: closed forms of raised-cosine
+// contacts. Which contacts a blow is made of stands in ContactTrain.h.
+#pragma once
+
+#include "Instrument/ContactTrain.h"
+
+#include <complex>
+
+namespace idiophone {
+
+/// The velocity, for a residue of 1, with which a mode that falls as e^(−αt) (`decay` α, `omega`
+/// its damped frequency [rad/s]) rings after the blow, as its complex amplitude at the start of it.
+/// A raised cosine (I/T)(1 − cos Ωt) leaves, at its end, I (e^x − 1) 4π²/(x (x² + 4π²)), x = pT, at
+/// the pole p.
+std::complex<double>
+ringingVelocity(const ContactTrain& train, double decay, double omega) noexcept;
+
+/// The motion while a long contact lasts, which is all there is where the pulse has a null at the
+/// lowest mode: stiff modes follow its force, in v = Σ r (I/T) Ω/(λ − Ω²) · sin Ωt.
+class PressedMotion {
+public:
+    PressedMotion() = default;
+    explicit PressedMotion(const Strike& strike) noexcept;
+
+    /// The amplitude for a residue of 1 of a mode of that λ [rad²/s²]; 0 of what is less stiff,
+    /// which rings on, and louder.
+    double velocity(double stiffness) const noexcept;
+    /// The K-weighted energy, power times seconds, of that amplitude.
+    double energy(double amplitude) const noexcept;
+
+private:
+    double seconds = 1;
+    double omega = 0;
+    double forceRate = 0;
+};
+
+} // namespace idiophone

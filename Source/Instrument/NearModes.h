@@ -1,0 +1,65 @@
+// The energy of modes that are so close to one another that it is not the sum of each one's.
+#pragma once
+
+#include "Instrument/PhraseMeter.h"
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <cstddef>
+
+namespace idiophone {
+
+/// A mode that rings after each of `levels` ways to excite it.
+template <std::size_t levels>
+struct RingingMode {
+    double omega = 0;                                      ///< damped [rad/s]
+    double decay = 0;                                      ///< [1/s]
+    std::array<std::complex<double>, levels> velocities{}; ///< for a residue of 1
+    /// For the strike of each note, left and right.
+    std::array<std::array<double, 2>, PhraseMeter::notes> residues{};
+};
+
+/// The last few modes, with which the next one interferes: ∫ v_i v_j dt = A_i A_j a/(a² + Δ²)/2,
+/// a = α_i + α_j, Δ = ω_i − ω_j, counts where they are close to one another, as the pairs of round
+/// objects and all modes of soft ones are. Modes come in ascending order. Does not allocate.
+template <std::size_t levels>
+class NearModes {
+public:
+    /// The powers, mean of the channels, for each way and note, that make the mode's own decay
+    /// carry its energy and that of its interference with those before it.
+    std::array<PhraseMeter::NoteFigures, levels>
+    add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {
+        std::array<PhraseMeter::NoteFigures, levels> powers{};
+        const auto interfere = [&](const RingingMode<levels>& other, double share) {
+            std::array<double, levels> both;
+            for (std::size_t level = 0; level < levels; ++level)
+                both[level] = share / 4 *
+                              (mode.velocities[level] * std::conj(other.velocities[level])).real();
+            for (std::size_t note = firstNote; note < endNote; ++note) {
+                const double product = mode.residues[note][0] * other.residues[note][0] +
+                                       mode.residues[note][1] * other.residues[note][1];
+                for (std::size_t level = 0; level < levels; ++level)
+                    powers[level][note] += both[level] * product;
+            }
+        };
+        interfere(mode, 1);
+        for (std::size_t back = 1; back <= std::min(count, recent.size()); ++back) {
+            const auto& other = recent[(count - back) % recent.size()];
+            const double width = mode.decay + other.decay;
+            const double distance = mode.omega - other.omega;
+            if (distance > farthest * width)
+                break;
+            interfere(other, 4 * mode.decay * width / (width * width + distance * distance));
+        }
+        recent[count++ % recent.size()] = mode;
+        return powers;
+    }
+
+private:
+    static constexpr double farthest = 10; // of 1 % of the energy
+    std::array<RingingMode<levels>, 6> recent;
+    std::size_t count = 0;
+};
+
+} // namespace idiophone

@@ -1,0 +1,230 @@
+#include "Instrument/PhrasePrediction.h"
+
+#include "Instrument/DecayTime.h"
+#include "Instrument/HeldContacts.h"
+#include "Instrument/MalletStrike.h"
+#include "Instrument/RollCoupling.h"
+#include "Instrument/SettingsOfParameters.h"
+#include "Synth/Listening.h"
+#include "Synth/PointShapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+
+constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
+
+/// Into the surface, and along the path by the friction: HeldContacts' push without its norm.
+std::array<float, 3> pushOf(const StripPlace& place, double friction) noexcept {
+    std::array<float, 3> push;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        push[axis] =
+            static_cast<float>(friction) * place.direction[axis] - place.point.normal[axis];
+    return push;
+}
+
+} // namespace
+
+Phrase::Phrase(std::shared_ptr<const Instrument> played, Surface scraped, double rateHz)
+    : instrument(std::move(played)), surface(std::move(scraped)), sampleRateHz(rateHz) {
+    const auto& map = instrument->keyMap();
+    for (std::size_t i = 0; i < notes.size(); ++i) {
+        const int above = (map.highestNote - map.lowestNote) * static_cast<int>(i) /
+                          static_cast<int>(notes.size() - 1);
+        notes[i].key = instrument->key(map.lowestNote + above);
+        if (notes[i].key.slot < 0)
+            continue;
+        const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
+        notes[i].lowestModes = LowestModes(*slot.object, slot.sizeRatio);
+        notes[i].weightScale = radiationScale(*slot.object);
+    }
+}
+
+void PhrasePrediction::begin(const Phrase& played,
+                             const ParameterValues& values,
+                             int wheelPosition) noexcept {
+    phrase = &played;
+    parameters = values;
+    wheel = wheelPosition;
+    meters = {};
+    endNote = 0;
+    beginObject();
+}
+
+std::size_t PhrasePrediction::advance(std::size_t modes) noexcept {
+    std::size_t taken = 0;
+    while (!complete() && taken < modes) {
+        const std::size_t left = slot().object->modeCount() - nextMode;
+        const std::size_t count = std::min({chunk, left, modes - taken});
+        addModes(count);
+        taken += count;
+        if (count == left) {
+            endObject();
+            beginObject();
+        }
+    }
+    return taken;
+}
+
+PhrasePrediction::Loudness PhrasePrediction::lufs() const noexcept {
+    Loudness result{};
+    for (std::size_t level = 0; level < levels; ++level)
+        result[level] = meters[level].integratedLufs();
+    return result;
+}
+
+const SynthesiserSlot& PhrasePrediction::slot() const noexcept {
+    return phrase->instrument->slots()[static_cast<std::size_t>(phrase->notes[firstNote].key.slot)];
+}
+
+/// The next notes that play one object, one after the other.
+void PhrasePrediction::beginObject() noexcept {
+    const auto& notes = phrase->notes;
+    firstNote = endNote;
+    while (firstNote < notes.size() && notes[firstNote].key.slot < 0)
+        ++firstNote;
+    if (firstNote == notes.size()) {
+        phrase = nullptr;
+        return;
+    }
+    endNote = firstNote + 1;
+    while (endNote < notes.size() && notes[endNote].key.slot == notes[firstNote].key.slot)
+        ++endNote;
+    nextMode = 0;
+    const auto settings = synthesisSettings(parameters);
+    conditions = liveConditions(slot().object->material, settings, slot().sizeRatio);
+    listening = slot().object->radiation.empty() ? 0 : settings.radiation;
+    // The next key holds an object that all keys share.
+    const bool rings = parameters[letRing] != 0 || endNote - firstNote > 1;
+    release = rings ? 0 : decayPerSecond(parameters[releaseTime]);
+    nearModes = {};
+    held = !strikes(parameters);
+    if (held)
+        beginForce(parameters, settings);
+    else
+        beginBlows(parameters, settings);
+}
+
+void PhrasePrediction::beginBlows(const ParameterValues& values,
+                                  const SynthesisSettings& settings) noexcept {
+    const auto& key = phrase->notes[firstNote].key;
+    const auto& own = slot().object->material;
+    for (std::size_t note = firstNote; note < endNote; ++note) {
+        const auto& noteKey = phrase->notes[note].key;
+        const auto place = aimedPlace(noteKey.along, values);
+        points[note] = phrase->instrument->strip(noteKey).between(place.along, place.across).point;
+        pushes[note] = listeningDirection(points[note]);
+    }
+    for (std::size_t level = 0; level < levels; ++level) {
+        const auto strike = malletStrike(points[firstNote], velocities[level], key.malletScale,
+                                         values, surfaceCompliancePerPa(own, values));
+        trains[level] = contactTrain(strike, key.malletScale, values[chatter],
+                                     static_cast<std::uint32_t>(firstNote));
+        if (values[modalPulse] != 0)
+            trains[level] = withModalPulses(
+                trains[level], phrase->notes[firstNote]
+                                   .lowestModes.moved(liveFrequencyRatio(own, settings))
+                                   .span());
+        pressed[level] = PressedMotion(strike);
+        pressedVelocities[level] = {};
+    }
+}
+
+void PhrasePrediction::beginForce(const ParameterValues& values,
+                                  const SynthesisSettings& settings) noexcept {
+    const auto& own = slot().object->material;
+    const auto* chosen = chosenLibraryMaterial(values);
+    const double friction = (chosen != nullptr ? *chosen : own).friction;
+    for (std::size_t note = firstNote; note < endNote; ++note) {
+        const auto& noteKey = phrase->notes[note].key;
+        const auto aimed = aimedPlace(noteKey.along, values);
+        const auto place = phrase->instrument->strip(noteKey).between(aimed.along, aimed.across);
+        points[note] = place.point;
+        pushes[note] = pushOf(place, friction);
+        for (float& component : pushes[note])
+            component *= static_cast<float>(noteKey.malletScale * noteKey.malletScale);
+    }
+    const bool rolls = static_cast<int>(values[contact]) == rollContact;
+    const ContactForceSettings kind{.kind = rolls ? ContactKind::roll : ContactKind::scrape,
+                                    .rollModalCoupling = rolls ? values[rollCoupling] / 100 : 0};
+    const double speed = values[contactSpeed] * wheel / 127.0;
+    const auto coupled = coupledModes(phrase->notes[firstNote].lowestModes, own, settings);
+    force = HeldForceSpectrum(phrase->surface, speed, kind, coupled.span(), phrase->sampleRateHz);
+    stiff = StiffMotion(phrase->sampleRateHz);
+}
+
+void PhrasePrediction::endObject() noexcept {
+    if (held) {
+        for (auto& meter : meters)
+            meter.addSteady(stiff.powers(force));
+        return;
+    }
+    for (std::size_t level = 0; level < levels; ++level) {
+        auto energies = pressedVelocities[level];
+        for (double& figure : energies)
+            figure = pressed[level].energy(figure);
+        meters[level].addTransients(energies);
+    }
+}
+
+/// The next `count` modes of the object, at most a chunk.
+void PhrasePrediction::addModes(std::size_t count) noexcept {
+    const auto& object = *slot().object;
+    std::array<std::array<float, chunk>, PhraseMeter::notes> struck, heard;
+    for (std::size_t note = firstNote; note < endNote; ++note)
+        projectShapes(pointShapes(object, points[note], nextMode), pushes[note],
+                      listeningDirection(points[note]), count, struck[note].data(),
+                      heard[note].data());
+    std::array<std::array<float, chunk>, 2> radiated{};
+    if (listening > 0)
+        for (std::size_t channel = 0; channel < radiated.size(); ++channel)
+            object.radiation.weightsAt(std::min(channel, object.radiation.directions.size() - 1),
+                                       conditions.radiationRatio, nextMode,
+                                       std::span(radiated[channel]).first(count));
+    const double near = conditions.gainRatio * (1 - listening);
+    const double far = conditions.gainRatio * listening * phrase->notes[firstNote].weightScale;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto pole = conditions.law.pole(object.eigenvalues[nextMode + i]);
+        if (!soundsAt(pole, phrase->sampleRateHz))
+            continue;
+        RingingMode<levels> mode{.omega = dampedFrequency(pole),
+                                 .decay = std::max(pole.damping / 2, slowestDecay)};
+        for (std::size_t note = firstNote; note < endNote; ++note)
+            for (std::size_t channel = 0; channel < radiated.size(); ++channel)
+                mode.residues[note][channel] = static_cast<double>(struck[note][i]) *
+                                               (near * static_cast<double>(heard[note][i]) +
+                                                far * static_cast<double>(radiated[channel][i]));
+        addMode(mode, pole);
+    }
+    nextMode += count;
+}
+
+void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept {
+    const double weighting = kWeightingPower(naturalFrequencyHz(pole));
+    if (held) {
+        mode.velocities.fill(
+            std::sqrt(weighting * force.powerTakenBy(mode.omega, mode.decay, release) / 2));
+        stiff.add(std::sqrt(pole.stiffness), mode.residues);
+    } else {
+        for (std::size_t level = 0; level < levels; ++level) {
+            mode.velocities[level] =
+                std::sqrt(weighting) * ringingVelocity(trains[level], mode.decay, mode.omega);
+            const double velocity = pressed[level].velocity(pole.stiffness);
+            for (std::size_t note = firstNote; note < endNote; ++note)
+                pressedVelocities[level][note] +=
+                    velocity * (mode.residues[note][0] + mode.residues[note][1]) / 2;
+        }
+    }
+    const auto powers = nearModes.add(mode, firstNote, endNote);
+    for (std::size_t level = 0; level < levels; ++level)
+        meters[level].addMode(held ? PhraseMeter::Note::sustained : PhraseMeter::Note::struck,
+                              powers[level], mode.decay, release);
+}
+
+} // namespace idiophone

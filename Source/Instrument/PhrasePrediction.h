@@ -1,0 +1,96 @@
+// How loud an instrument will play a phrase, from its modes alone and a few modes at a time. What
+// the figure is good for stands in LoudnessMatch.h.
+#pragma once
+
+#include "Instrument/BlowSpectrum.h"
+#include "Instrument/HeldForceSpectrum.h"
+#include "Instrument/Instrument.h"
+#include "Instrument/LowestModes.h"
+#include "Instrument/NearModes.h"
+#include "Instrument/PhraseMeter.h"
+#include "Instrument/StiffMotion.h"
+#include "Parameters/ParameterTable.h"
+#include "Synth/LiveConditions.h"
+#include "Synth/Surface.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+namespace idiophone {
+
+/// Eight notes of an instrument, from the lowest key to the highest. Made off the audio thread and
+/// immutable.
+struct Phrase {
+    struct Note {
+        Key key;
+        LowestModes lowestModes; ///< of its object
+        double weightScale = 0;  ///< of its radiation weights (Listening.h)
+    };
+
+    /// The surface, which is valid, is what keys that scrape or roll sound like.
+    Phrase(std::shared_ptr<const Instrument> instrument, Surface surface, double sampleRateHz);
+
+    std::shared_ptr<const Instrument> instrument;
+    Surface surface;
+    double sampleRateHz;
+    std::array<Note, PhraseMeter::notes> notes;
+};
+
+/// Nothing allocates, locks or throws, and all depends on the arguments alone.
+class PhrasePrediction {
+public:
+    /// The phrase is struck at each of these; factory levels are set at the middle one.
+    static constexpr std::array velocities{40, 100, 127};
+    static constexpr std::size_t middleVelocity = 1;
+    /// LUFS for each velocity (PhraseMeter.h; the mean of both channels, before `level`).
+    using Loudness = std::array<double, velocities.size()>;
+
+    /// Begins anew, for a modulation wheel at 0 to 127; `phrase` stays until the prediction is
+    /// complete.
+    void begin(const Phrase& phrase, const ParameterValues& parameters, int wheel) noexcept;
+
+    /// Takes in so many more modes, or all that are left, and returns how many.
+    std::size_t advance(std::size_t modes) noexcept;
+    bool complete() const noexcept { return phrase == nullptr; }
+
+    /// Of the complete prediction; −infinity where nothing sounds. Left out: `spread` and what τ
+    /// and the mode budget drop. Keys that scrape or roll are predicted up to a constant that
+    /// depends on speed, force and roughness, and for all velocities alike.
+    Loudness lufs() const noexcept;
+
+private:
+    static constexpr std::size_t chunk = 16;
+    static constexpr std::size_t levels = velocities.size();
+
+    void beginObject() noexcept;
+    void beginBlows(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
+    void beginForce(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
+    void endObject() noexcept;
+    void addModes(std::size_t count) noexcept;
+    void addMode(RingingMode<levels>& mode, const ModalPole& pole) noexcept;
+    const SynthesiserSlot& slot() const noexcept;
+
+    const Phrase* phrase = nullptr;
+    ParameterValues parameters;
+    int wheel = 0;
+    std::array<PhraseMeter, levels> meters;
+
+    // The object that is being taken in.
+    std::size_t firstNote = 0, endNote = 0; ///< that play it
+    std::size_t nextMode = 0;
+    LiveConditions conditions;
+    double listening = 0; ///< 0 where struck, 1 from afar
+    double release = 0;   ///< [1/s]
+    bool held = false;    ///< scraped or rolled
+    std::array<StrikePoint, PhraseMeter::notes> points;
+    std::array<std::array<float, 3>, PhraseMeter::notes> pushes; ///< what a blow of 1 Ns does
+    std::array<ContactTrain, levels> trains;
+    std::array<PressedMotion, levels> pressed;
+    std::array<PhraseMeter::NoteFigures, levels> pressedVelocities{};
+    HeldForceSpectrum force;
+    StiffMotion stiff;
+    NearModes<levels> nearModes;
+};
+
+} // namespace idiophone

@@ -1,0 +1,53 @@
+#include "Instrument/StiffMotion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+
+StiffMotion::StiffMotion(double sampleRateHz) noexcept : rateHz(sampleRateHz) {
+    for (std::size_t k = 0; k < frequencies; ++k) {
+        omegas[k] = 2 * std::numbers::pi * lowestHz * std::pow(ratio, static_cast<double>(k));
+        cosines[k] = std::cos(omegas[k] / rateHz);
+    }
+}
+
+void StiffMotion::add(double omega, const NoteResidues& residues) noexcept {
+    constexpr double far = 0.6; // of λ, from resonance; nearer is the resonance's own
+    const double cosine = std::cos(omega / rateHz), square = omega * omega;
+    std::array<double, frequencies> compliances;
+    for (std::size_t k = 0; k < frequencies; ++k) {
+        const double other = omegas[k] * omegas[k];
+        const bool isFar = std::abs(square - other) > far * std::max(square, other);
+        compliances[k] = isFar ? 1 / (cosines[k] - cosine) : 0;
+    }
+    for (std::size_t note = 0; note < residues.size(); ++note)
+        for (std::size_t channel = 0; channel < 2; ++channel) {
+            const double residue = residues[note][channel];
+            directs[note][channel] += residue;
+            if (residue != 0)
+                for (std::size_t k = 0; k < frequencies; ++k)
+                    responses[note][channel][k] += residue * compliances[k];
+        }
+}
+
+/// (1/π) ∫ S K |v/F|² dω, with dω = ω ln(ratio).
+PhraseMeter::NoteFigures StiffMotion::powers(const HeldForceSpectrum& force) const noexcept {
+    PhraseMeter::NoteFigures result{};
+    for (std::size_t k = 0; k < frequencies && omegas[k] < std::numbers::pi * rateHz; ++k) {
+        const double sine = std::sin(omegas[k] / rateHz);
+        const double weight = force.smoothPower(omegas[k]) *
+                              kWeightingPower(omegas[k] / (2 * std::numbers::pi)) * omegas[k] *
+                              std::log(ratio) / std::numbers::pi / (4 * rateHz * rateHz);
+        for (std::size_t note = 0; note < result.size(); ++note)
+            for (std::size_t channel = 0; channel < 2; ++channel) {
+                const double stiff = sine * responses[note][channel][k];
+                const double direct = directs[note][channel];
+                result[note] += weight * (stiff * stiff + direct * direct) / 2;
+            }
+    }
+    return result;
+}
+
+} // namespace idiophone

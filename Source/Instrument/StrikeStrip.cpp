@@ -1,0 +1,196 @@
+#include "Instrument/StrikeStrip.h"
+
+#include "Instrument/ObjectSurface.h"
+#include "Instrument/PlaceBetween.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace idiophone {
+namespace {
+
+using Point = std::array<double, 3>;
+
+constexpr int stripAlong = 129;
+// On either side of the path: enough that a step across is a third of the way between vertices that
+// carry shapes.
+constexpr int fewestBeside = 1, mostBeside = 32;
+constexpr double stepsBetweenVertices = 3;
+// Of the object's size; far less than anything heard.
+constexpr double hair = 1e-7;
+
+Point operator+(const Point& a, const Point& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Point operator-(const Point& a, const Point& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Point operator*(const Point& a, double factor) {
+    return {a[0] * factor, a[1] * factor, a[2] * factor};
+}
+Point cross(const Point& a, const Point& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Point& a) {
+    return std::hypot(a[0], a[1], a[2]);
+}
+
+struct BoundingBox {
+    Point centre{};
+    Point halfExtent{};
+
+    explicit BoundingBox(const ModalObject& object) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double lowest = std::numeric_limits<double>::infinity();
+            double highest = -lowest;
+            for (std::size_t i = axis; i < object.vertices.size(); i += 3) {
+                lowest = std::min(lowest, static_cast<double>(object.vertices[i]));
+                highest = std::max(highest, static_cast<double>(object.vertices[i]));
+            }
+            centre[axis] = (lowest + highest) / 2;
+            halfExtent[axis] = (highest - lowest) / 2;
+        }
+    }
+
+    Point at(const Point& relative) const {
+        return {centre[0] + relative[0] * halfExtent[0], centre[1] + relative[1] * halfExtent[1],
+                centre[2] + relative[2] * halfExtent[2]};
+    }
+
+    double reach(const Point& direction) const {
+        return std::abs(direction[0]) * halfExtent[0] + std::abs(direction[1]) * halfExtent[1] +
+               std::abs(direction[2]) * halfExtent[2];
+    }
+};
+
+struct PathPlace {
+    Point point;
+    Point direction; ///< unit, or zero where the path has no length
+};
+
+double pathLength(const std::vector<Point>& path) {
+    double total = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        total += length(path[i] - path[i - 1]);
+    return total;
+}
+
+/// The place at a fraction of the path's length.
+PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
+    double left = fraction * pathLength(path);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const auto step = path[i] - path[i - 1];
+        const double stepLength = length(step);
+        if (stepLength > 0 && (left <= stepLength || i + 1 == path.size()))
+            return {path[i - 1] + step * std::min(left / stepLength, 1.0), step * (1 / stepLength)};
+        left -= stepLength;
+    }
+    return {path.back(), {}};
+}
+
+using Vector = std::array<float, 3>;
+
+/// To unit length; zero where it is too short to have a direction.
+Vector normalised(const Point& a) {
+    const double norm = length(a);
+    if (norm < 1e-6)
+        return {};
+    return {static_cast<float>(a[0] / norm), static_cast<float>(a[1] / norm),
+            static_cast<float>(a[2] / norm)};
+}
+
+/// What of a direction lies in the surface.
+Vector tangent(const Vector& normal, const Point& direction) {
+    const Point unit{normal[0], normal[1], normal[2]};
+    const double rise = direction[0] * unit[0] + direction[1] * unit[1] + direction[2] * unit[2];
+    return normalised(direction - unit * rise);
+}
+
+/// Of unit length, or zero.
+Vector towards(const Vector& sum) {
+    return normalised({sum[0], sum[1], sum[2]});
+}
+
+} // namespace
+
+StrikeStrip strikeStrip(const ModalObject& object, const KeyMap& map) {
+    const BoundingBox box(object);
+    const ObjectSurface surface(object);
+    std::vector<Point> path;
+    for (const auto& relative : map.strikePath)
+        path.push_back(box.at(relative));
+    // A path through the middle of something solid must not change sides by rounding.
+    const Point upwards{0, 0, hair * length(box.halfExtent)};
+    const auto pointAt = [&](const Point& point) { return surface.nearest(point + upwards); };
+
+    struct Rung {
+        PathPlace middle;
+        Point reach; ///< from there to the strip's edge
+    };
+    std::vector<Rung> rungs;
+    double widest = 0;
+    for (int along = 0; along < stripAlong; ++along) {
+        const auto middle = placeOnPath(path, along / (stripAlong - 1.0));
+        const auto normal = pointAt(middle.point).normal;
+        Point reach = cross({normal[0], normal[1], normal[2]}, middle.direction);
+        if (const double norm = length(reach); norm > 0)
+            reach = reach * (map.strikeWidth * box.reach(reach * (1 / norm)) / norm);
+        widest = std::max(widest, length(reach));
+        rungs.push_back({middle, reach});
+    }
+
+    const double steps =
+        widest > 0 ? std::ceil(stepsBetweenVertices * widest / surface.meanEdgeMetres()) : 0;
+    const int beside = static_cast<int>(std::clamp<double>(steps, fewestBeside, mostBeside));
+    StrikeStrip strip;
+    strip.alongCount = stripAlong;
+    strip.acrossCount = 2 * beside + 1;
+    strip.lengthMetres = pathLength(path);
+    for (const auto& [middle, reach] : rungs)
+        for (int across = -beside; across <= beside; ++across) {
+            strip.points.push_back(pointAt(middle.point + reach * (double(across) / beside)));
+            strip.directions.push_back(tangent(strip.points.back().normal, middle.direction));
+        }
+    return strip;
+}
+
+std::size_t StrikeStrip::index(int alongIndex, int acrossIndex) const {
+    return static_cast<std::size_t>(alongIndex) * static_cast<std::size_t>(acrossCount) +
+           static_cast<std::size_t>(acrossIndex);
+}
+
+const StrikePoint& StrikeStrip::at(double along, double across) const {
+    const auto nearest = [](double share, int count) {
+        return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * (count - 1)));
+    };
+    return points[index(nearest(along, alongCount), nearest((across + 1) / 2, acrossCount))];
+}
+
+// Each square of four places is cut into two triangles, from (0, 0) to (1, 1).
+StripPlace StrikeStrip::between(double along, double across) const {
+    const double x = std::clamp(along, 0.0, 1.0) * (alongCount - 1);
+    const double y = std::clamp((across + 1) / 2, 0.0, 1.0) * (acrossCount - 1);
+    const int i = std::min(static_cast<int>(x), alongCount - 2);
+    const int j = std::min(static_cast<int>(y), acrossCount - 2);
+    const double u = x - i, v = y - j;
+    const bool below = u >= v;
+    const std::array corners{index(i, j), below ? index(i + 1, j) : index(i, j + 1),
+                             index(i + 1, j + 1)};
+    const std::array weights{1 - std::max(u, v), std::abs(u - v), std::min(u, v)};
+
+    PlaceBetween point;
+    Vector direction{};
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        point.add(points[corners[k]], weights[k]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            direction[axis] += static_cast<float>(weights[k]) * directions[corners[k]][axis];
+    }
+    const auto heaviest =
+        static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
+    const auto mean = towards(direction);
+    return {.point = point.point(),
+            .direction = mean == Vector{} ? directions[corners[heaviest]] : mean};
+}
+
+} // namespace idiophone

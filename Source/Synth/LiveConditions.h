@@ -1,0 +1,35 @@
+// What the settings make of an object while it is played: its poles, how it answers a blow and how
+// it radiates. Pure numbers: no bank, no time, no samples.
+#pragma once
+
+#include "Object/Material.h"
+#include "Synth/ModalPole.h"
+#include "Synth/SynthesisSettings.h"
+
+namespace idiophone {
+
+/// The band in which modes sound, judged by their natural frequency: from here ...
+inline constexpr double lowestSoundingHz = 20;
+/// ... to below this share of the sample rate.
+inline constexpr double highestSoundingShare = 0.49;
+
+bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept;
+
+struct LiveConditions {
+    PoleLaw law;
+    double gainRatio = 1; ///< of residues: 1/mass ratio
+    /// What RadiationTable::weightsAt looks up: frequencies times size, relative to the reference.
+    double radiationRatio = 1;
+
+    /// By what the natural frequencies of the reference are multiplied.
+    double frequencyRatio() const noexcept;
+};
+
+/// Of an object with that reference material; figures of either that are not positive count as
+/// equal to the other's. The slot's size and frequency ratios (> 0) come on top of the settings'.
+LiveConditions liveConditions(const Material& reference,
+                              const SynthesisSettings& settings,
+                              double slotSizeRatio = 1,
+                              double slotFrequencyRatio = 1) noexcept;
+
+} // namespace idiophone
