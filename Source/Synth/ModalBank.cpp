@@ -41,10 +41,11 @@ void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) n
 ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double sampleRateHz)
     : sampleSeconds(1 / sampleRateHz) {
     const std::size_t padded = (capacity + modeBlock - 1) / modeBlock * modeBlock;
-    for (auto* array : {&stiffness, &damping, &decay, &frequency, &displacementShare,
-                        &velocityShare, &resonance, &cellRe, &cellIm})
+    for (auto* array :
+         {&stiffness, &damping, &decay, &frequency, &velocityShare, &resonance, &cellRe, &cellIm})
         array->resize(padded);
-    for (auto* array : {&audibles, &sampleRe, &sampleIm, &turnRe, &turnIm, &energy})
+    for (auto* array : {&audibles, &halfTurnsPerSample, &octavesPerSample, &sampleRe, &sampleIm,
+                        &turnRe, &turnIm, &energy})
         array->resize(padded);
     for (std::size_t c = 0; c < channelCapacity; ++c) {
         states.x[c].resize(padded);
@@ -119,9 +120,9 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }
     rotationsOfPoles({stiffness.data(), damping.data(), decay.data(), frequency.data(),
-                      displacementShare.data(), velocityShare.data(), sampleRe.data(),
-                      sampleIm.data(), turnRe.data(), turnIm.data(), cellRe.data(), cellIm.data(),
-                      tables.data()},
+                      velocityShare.data(), halfTurnsPerSample.data(), octavesPerSample.data(),
+                      sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data(), cellRe.data(),
+                      cellIm.data(), tables.data()},
                      paddedSize(), sampleSeconds);
     for (HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
@@ -133,7 +134,6 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
 }
 
 void ModalBank::correctHeavy(std::size_t g) noexcept {
-    displacementShare[g] = std::sqrt(stiffness[g]);
     velocityShare[g] = 0;
     sampleRe[g] = 0;
     sampleIm[g] = 0;
@@ -151,16 +151,25 @@ void ModalBank::correctHeavy(std::size_t g) noexcept {
     }
 }
 
-double ModalBank::amplitude(const ModeStates& from, std::size_t g) const noexcept {
+void ModalBank::measure(std::size_t g) noexcept {
     double largest = 0;
     for (std::size_t c = 0; c < channelCount; ++c)
-        largest = std::max(largest, amplitudeBound(pole(g), {from.x[c][g], from.y[c][g]}));
-    return largest;
+        largest = std::max(largest, amplitudeBound(pole(g), state(g, c)));
+    energy[g] = static_cast<float>(largest * largest);
 }
 
-void ModalBank::measure(std::size_t g) noexcept {
-    const double size = amplitude(states, g);
-    energy[g] = static_cast<float>(size * size);
+void ModalBank::measureModes(std::size_t first, std::size_t end) noexcept {
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        const double* x = states.x[c].data();
+        const double* y = states.y[c].data();
+        for (std::size_t g = first; g < end; ++g) {
+            const auto size = static_cast<float>(x[g] * x[g] + y[g] * y[g]);
+            energy[g] = c == 0 ? size : std::max(energy[g], size);
+        }
+    }
+    for (const HeavyMode& heavy : heavyModes)
+        if (index(heavy.mode) >= first && index(heavy.mode) < end)
+            measure(index(heavy.mode));
 }
 
 void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
@@ -179,12 +188,6 @@ void ModalBank::silence(std::size_t g) noexcept {
     for (std::size_t c = 0; c < channelCount; ++c)
         states.x[c][g] = states.y[c][g] = 0;
     energy[g] = 0;
-}
-
-void ModalBank::setAside(const ModeStates& from) noexcept {
-    for (HeavyMode& heavy : heavyModes)
-        for (std::size_t c = 0; c < channelCount; ++c)
-            heavy.aside[c] = {from.x[c][index(heavy.mode)], from.y[c][index(heavy.mode)]};
 }
 
 float ModalBank::energyOfLoudest(std::size_t block) const noexcept {

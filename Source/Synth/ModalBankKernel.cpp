@@ -53,13 +53,14 @@ HWY_INLINE void turnThrough(const ModeRotations& rotations,
 
 void look(const ModeRotations& rotations,
           std::size_t count,
-          const double* HWY_RESTRICT x,
-          const double* HWY_RESTRICT y,
+          const float* HWY_RESTRICT x,
+          const float* HWY_RESTRICT y,
           SubBlockStates& ahead) {
+    const Floats f;
     const ModeRotations local = rotations;
     for (std::size_t g = 0; g < count; g += floatLanes) {
-        auto xs = demoted(x + g);
-        auto ys = demoted(y + g);
+        auto xs = hn::Load(f, x + g);
+        auto ys = hn::Load(f, y + g);
         turnThrough(local, g, xs, ys, ahead);
     }
 }
@@ -249,8 +250,8 @@ void advanceModes(const ModeRotations& rotations,
 
 void lookAhead(const ModeRotations& rotations,
                std::size_t count,
-               const double* x,
-               const double* y,
+               const float* x,
+               const float* y,
                SubBlockStates& ahead) noexcept {
     HWY_DYNAMIC_DISPATCH(look)(rotations, count, x, y, ahead);
 }

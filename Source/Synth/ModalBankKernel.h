@@ -42,11 +42,11 @@ void advanceModes(const ModeRotations& rotations,
                   float* energies,
                   SubBlockStates& ahead) noexcept;
 
-/// Only fills `ahead`; the states stay where they are.
+/// Only fills `ahead`, from states in single precision.
 void lookAhead(const ModeRotations& rotations,
                std::size_t count,
-               const double* x,
-               const double* y,
+               const float* x,
+               const float* y,
                SubBlockStates& ahead) noexcept;
 
 /// Adds to `output` (16 · `blocks` samples) what a run of `count` modes of a batch sounds, whose

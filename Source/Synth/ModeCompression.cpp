@@ -65,16 +65,10 @@ double mergedEigenvalue(std::span<const double> referenceEigenvalues,
     return mean * mean;
 }
 
-double mergedResidue(std::span<const double> residues,
-                     std::span<const double> referenceEigenvalues,
-                     const PoleLaw& law) noexcept {
-    double sum = 0;
-    for (const double residue : residues)
-        sum += residue;
-    if (referenceEigenvalues.front() == referenceEigenvalues.back())
-        return sum;
-
-    const std::size_t count = std::min(residues.size(), largestGroup);
+void findLostShares(std::span<const double> referenceEigenvalues,
+                    const PoleLaw& law,
+                    std::span<float> shares) noexcept {
+    const std::size_t count = std::min(referenceEigenvalues.size(), largestGroup);
     std::array<double, largestGroup> decays;
     std::array<double, largestGroup> frequencies;
     for (std::size_t i = 0; i < count; ++i) {
@@ -82,17 +76,30 @@ double mergedResidue(std::span<const double> residues,
         decays[i] = pole.damping / 2;
         frequencies[i] = dampedFrequency(pole);
     }
-    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave (Σr)² without rounding.
-    double lost = 0;
+    std::size_t pair = 0;
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j) {
             const double a = decays[i] + decays[j];
             const double delta = frequencies[i] - frequencies[j];
             const double both = a * a + delta * delta;
-            if (both > 0)
-                lost += 2 * residues[i] * residues[j] * delta * delta / both;
+            shares[pair++] = both > 0 ? static_cast<float>(delta * delta / both) : 0.0f;
         }
-    return std::copysign(std::sqrt(std::max(sum * sum - lost, 0.0)), sum);
+}
+
+float mergedResidue(std::span<const float> residues, std::span<const float> lostShares) noexcept {
+    double sum = 0;
+    for (const float residue : residues)
+        sum += static_cast<double>(residue);
+    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave (Σr)² without rounding.
+    double lost = 0;
+    std::size_t pair = 0;
+    for (std::size_t i = 0; i < residues.size(); ++i)
+        for (std::size_t j = i + 1; j < residues.size(); ++j)
+            lost += 2 * static_cast<double>(residues[i]) * static_cast<double>(residues[j]) *
+                    static_cast<double>(lostShares[pair++]);
+    if (lost == 0)
+        return static_cast<float>(sum);
+    return static_cast<float>(std::copysign(std::sqrt(std::max(sum * sum - lost, 0.0)), sum));
 }
 
 } // namespace idiophone

@@ -1,6 +1,7 @@
 #include "Synth/SoundingObject.h"
 
 #include "Synth/Listening.h"
+#include "Synth/ModeCompression.h"
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,7 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
     referenceEigenvalues.resize(modes);
+    lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
             weights.resize(modes);

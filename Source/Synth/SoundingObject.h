@@ -17,6 +17,7 @@
 #include <complex>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -125,6 +126,7 @@ private:
     void prepareBank() noexcept;
     void computeResidues(const Contact& contact) noexcept;
     void mergeResidues(std::size_t channel) noexcept;
+    void findLost() noexcept;
     void widen(double listening) noexcept;
     void findRadiation() noexcept;
     void computeForced(const Contact& contact, std::complex<double> phase) noexcept;
@@ -136,8 +138,10 @@ private:
     void moveContact(Contact& contact, double sign) noexcept;
     void soundContacts(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
-    void startKicks(double factor, double at, ModeStates& started) noexcept;
-    void endContact(double at, int kickSample) noexcept;
+    void startKicks(double sign, double at) noexcept;
+    void endKicks(double at, int kickSample) noexcept;
+    BeforeSample beforeSample(double at) const noexcept;
+    KickMove kickMove(int samples) const noexcept;
     void addKicks(int from, int until, const CellOutput& cell) noexcept;
     void addToCell(const ChannelOutputs& sound,
                    std::size_t from,
@@ -189,6 +193,8 @@ private:
     std::vector<double> referenceEigenvalues; ///< [G]
     PoleLaw groupedLaw;
     double groupedCompression = 1;
+    std::vector<float> lostShares;        ///< of the pairs of every group (ModeCompression.h)
+    std::optional<PoleLaw> lostSharesLaw; ///< for which they hold
 
     ModalBank bank;
     ModeFader fader;
@@ -210,7 +216,7 @@ private:
         StrikePoint point;
         std::array<float, 3> direction{};
         std::uint64_t version = 0; ///< of what it depends on besides; 0 is none
-        std::array<AlignedVector<float>, mostChannels> residues; ///< [G], padded with zeros
+        ModeResidues residues;     ///< [G]
         alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
     };
     std::array<Response, 2> responses; ///< at the start and at the end of the cell

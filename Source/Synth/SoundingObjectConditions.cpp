@@ -108,6 +108,7 @@ void SoundingObject::fadeOutOfBand() noexcept {
 void SoundingObject::regroup() noexcept {
     groupedLaw = law;
     groupedCompression = compression;
+    lostSharesLaw.reset();
     const std::size_t groups = groupModes(object->eigenvalues, law, compression, groupStarts);
     for (std::size_t g = 0; g < groups; ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);

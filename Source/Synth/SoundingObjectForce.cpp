@@ -48,7 +48,7 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
             audible |= (bank.audible(b * modeBlock + k) ? 1u : 0u) << k;
         scratch.wanted[b] = static_cast<std::uint16_t>(audible);
     }
-    std::copy_n(bank.energies(), bank.paddedSize(), scratch.kickEnergies.begin());
+    std::copy_n(bank.energies(), bank.paddedSize(), scratch.kicks.energies.begin());
     admitWanted(allowance);
 }
 
@@ -77,16 +77,13 @@ void SoundingObject::findResponse(const StrikePoint& point,
     computeResidues({.strike = {.point = point, .impulseNewtonSeconds = direction},
                      .gainRatio = gainRatio,
                      .listening = object->radiation.empty() ? 0 : radiation});
-    bank.impulseStates(scratch.forcedX.data(), scratch.forcedY.data());
+    bank.impulseStates(scratch.contact);
+    bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-            const double residue = scratch.groupResidues[c][g];
-            response.residues[c][g] = static_cast<float>(residue);
-            scratch.rendered.x[c][g] = residue * scratch.forcedX[g];
-            scratch.rendered.y[c][g] = residue * scratch.forcedY[g];
-        }
+        std::copy_n(scratch.groupResidues[c].begin(), bank.paddedSize(),
+                    response.residues[c].begin());
     response.sound = {};
-    bank.sound(scratch.rendered, mixedRuns, subBlocks,
+    bank.sound(scratch.kicks, mixedRuns, subBlocks,
                {response.sound[0].data(), response.sound[1].data()});
     const double fall = std::exp(-damping / sampleRate);
     double factor = 1;

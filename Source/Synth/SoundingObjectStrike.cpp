@@ -66,8 +66,7 @@ void SoundingObject::computeForced(const Contact& contact, std::complex<double> 
     bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
                        .dampingPerSecond = damping,
                        .phase = phase},
-                      scratch.forcedX.data(), scratch.forcedY.data(), scratch.steady.data(),
-                      scratch.swingRe.data(), scratch.swingIm.data());
+                      scratch.contact);
 }
 
 bool SoundingObject::strike(const Strike& asked,
@@ -89,11 +88,11 @@ bool SoundingObject::strike(const Strike& asked,
 
     if (isPulse) {
         computeForced(contact, 1);
-        startKicks(-1, sampleInCell, scratch.kicks);
+        startKicks(-1, sampleInCell);
     } else {
         computeResidues(contact);
-        bank.impulseStates(scratch.forcedX.data(), scratch.forcedY.data());
-        startKicks(1, sampleInCell, scratch.kicks);
+        bank.impulseStates(scratch.contact);
+        startKicks(1, sampleInCell);
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
@@ -105,7 +104,7 @@ bool SoundingObject::strike(const Strike& asked,
         const double end = addForced(contact, cell);
         if (end < cellSamples) {
             addKicks(from, firstSampleFrom(end), cell);
-            endContact(end, from);
+            endKicks(end, from);
             from = firstSampleFrom(end);
         } else {
             contacts.push_back(contact);
@@ -116,33 +115,31 @@ bool SoundingObject::strike(const Strike& asked,
     return true;
 }
 
-/// Kicks of `factor` times the forced states, which hold at time `at`, as of the first whole sample
-/// from there.
-void SoundingObject::startKicks(double factor, double at, ModeStates& started) noexcept {
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-            const double residue = factor * scratch.groupResidues[c][g];
-            started.x[c][g] = residue * scratch.forcedX[g];
-            started.y[c][g] = residue * scratch.forcedY[g];
-        }
-    const double wait = (firstSampleFrom(at) - at) / sampleRate;
-    if (wait > 0)
-        bank.rotate(started, wait, std::exp(-damping * wait));
+BeforeSample SoundingObject::beforeSample(double at) const noexcept {
+    const double samples = firstSampleFrom(at) - at;
+    return {samples, std::exp(-damping * samples / sampleRate)};
+}
+
+KickMove SoundingObject::kickMove(int samples) const noexcept {
+    return {static_cast<std::size_t>(samples), std::exp(-damping * samples / sampleRate)};
+}
+
+/// Kicks of the contact's states, which hold at time `at`, as of the first whole sample from there.
+void SoundingObject::startKicks(double sign, double at) noexcept {
+    const BeforeSample before = beforeSample(at);
+    bank.startKicks(scratch.contact, scratch.groupResidues, {before.samples, sign * before.factor},
+                    scratch.kicks);
 }
 
 /// Takes kicks of a whole sample on to the end of their contact, where the forced part becomes
 /// free.
-void SoundingObject::endContact(double at, int kickSample) noexcept {
-    startKicks(1, at, scratch.ended);
-    const int samples = firstSampleFrom(at) - kickSample;
-    bank.addMoved(scratch.kicks, static_cast<std::size_t>(samples),
-                  std::exp(-damping * samples / sampleRate), scratch.ended);
-    std::swap(scratch.kicks, scratch.ended);
+void SoundingObject::endKicks(double at, int kickSample) noexcept {
+    bank.endKicks(scratch.contact, scratch.groupResidues,
+                  kickMove(firstSampleFrom(at) - kickSample), beforeSample(at), scratch.kicks);
 }
 
 void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
-    bank.measureStates(scratch.kicks, scratch.kickEnergies.data());
-    surveyEnergies(scratch.kickEnergies.data(), bank.audibleWeights(), tauEnergy(), 0,
+    surveyEnergies(scratch.kicks.energies.data(), bank.audibleWeights(), tauEnergy(), 0,
                    bank.allBlocks(), scratch.wanted.data());
     admitWanted(allowance);
 }
@@ -180,7 +177,7 @@ void SoundingObject::listWanted(std::size_t most) noexcept {
         forEachMode(b, scratch.wanted[b], [&](std::int32_t g) { scratch.joining.push_back(g); });
     if (scratch.joining.size() <= most)
         return;
-    keepLoudest(scratch.joining, scratch.kickEnergies.data(), most);
+    keepLoudest(scratch.joining, scratch.kicks.energies.data(), most);
     std::sort(scratch.joining.begin(), scratch.joining.end());
 }
 
@@ -201,8 +198,8 @@ void SoundingObject::admit(std::size_t g) noexcept {
 }
 
 void SoundingObject::hold(Contact& contact, std::span<const ModeRun> modes) noexcept {
-    const ForcedAmplitudes parts{scratch.steady.data(), scratch.swingRe.data(),
-                                 scratch.swingIm.data()};
+    const ForcedAmplitudes parts{scratch.contact.steady.data(), scratch.contact.swingRe.data(),
+                                 scratch.contact.swingIm.data()};
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         ForcedSum sum;
         for (const ModeRun& run : modes)
@@ -228,8 +225,11 @@ void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
         forEachMode(b, blocks[b].rings, [&](std::int32_t mode) {
             const auto g = static_cast<std::size_t>(mode);
             for (std::size_t c = 0; c < bank.channels(); ++c) {
-                const double residue = sign * scratch.groupResidues[c][g];
-                bank.add(g, {residue * scratch.forcedX[g], residue * scratch.forcedY[g]}, c);
+                const double residue = sign * static_cast<double>(scratch.groupResidues[c][g]);
+                bank.add(g,
+                         {residue * static_cast<double>(scratch.contact.x[g]),
+                          residue * static_cast<double>(scratch.contact.y[g])},
+                         c);
             }
         });
     }
@@ -280,9 +280,7 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
 /// Adds the kicks, which stand at sample `from`, to the states at the next grid point.
 void SoundingObject::joinKicks(int from) noexcept {
     bringRestingUpToDate();
-    const int samples = cellSamples - from;
-    bank.join(scratch.kicks, static_cast<std::size_t>(samples),
-              std::exp(-damping * samples / sampleRate));
+    bank.join(scratch.kicks, kickMove(cellSamples - from));
     listWhatRings();
 }
 
@@ -318,7 +316,7 @@ void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
         computeForced(contact, 1);
-        startKicks(1, end, scratch.kicks);
+        startKicks(1, end);
         addKicks(firstSampleFrom(end), cellSamples, cell);
         joinKicks(firstSampleFrom(end));
     }

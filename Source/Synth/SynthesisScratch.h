@@ -17,12 +17,11 @@ struct SynthesisScratch {
         : struckGains(modes), heardGains(modes), modeResidues(modes) {
         const std::size_t padded = (modes + modeBlock - 1) / modeBlock * modeBlock;
         for (std::size_t c = 0; c < channels; ++c)
-            for (auto* array : {&kicks.x[c], &kicks.y[c], &ended.x[c], &ended.y[c], &rendered.x[c],
-                                &rendered.y[c], &groupResidues[c]})
+            for (auto* array : {&kicks.x[c], &kicks.y[c], &groupResidues[c]})
                 array->resize(padded);
-        for (auto* array : {&forcedX, &forcedY, &steady, &swingRe, &swingIm})
+        for (auto* array : {&contact.x, &contact.y, &contact.steady, &contact.swingRe,
+                            &contact.swingIm, &kicks.energies})
             array->resize(padded);
-        kickEnergies.resize(padded);
         aboveTau.resize(padded / modeBlock);
         wanted.resize(padded / modeBlock);
         for (auto* list : {&candidates, &joining, &leaving})
@@ -30,19 +29,14 @@ struct SynthesisScratch {
         joiningRuns.reserve(modes);
     }
 
-    std::vector<float> struckGains;                                ///< [M] φ·J
-    std::vector<float> heardGains;                                 ///< [M] φ·ℓ
-    std::vector<double> modeResidues;                              ///< [M]
-    std::array<AlignedVector<double>, mostChannels> groupResidues; ///< [G], padded with zeros
-    ModeStates kicks;                       ///< states to add, at a whole sample of the cell
-    ModeStates ended;                       ///< what a contact's end adds to them
-    ModeStates rendered;                    ///< a copy that rendering may take on
-    AlignedVector<double> forcedX, forcedY; ///< [G] of a contact, for residues of 1
-    AlignedVector<double> steady;           ///< [G]
-    AlignedVector<double> swingRe, swingIm; ///< [G]
-    AlignedVector<float> kickEnergies;      ///< [G]
-    std::vector<std::uint16_t> aboveTau;    ///< per block: modes above τ
-    std::vector<std::uint16_t> wanted;      ///< per block: modes to mix
+    std::vector<float> struckGains;      ///< [M] φ·J
+    std::vector<float> heardGains;       ///< [M] φ·ℓ
+    std::vector<float> modeResidues;     ///< [M]
+    ModeResidues groupResidues;          ///< [G]
+    UnitContact contact;                 ///< [G]
+    ModeKicks kicks;                     ///< [G] at a whole sample of the cell
+    std::vector<std::uint16_t> aboveTau; ///< per block: modes above τ
+    std::vector<std::uint16_t> wanted;   ///< per block: modes to mix
     std::vector<std::int32_t> candidates;
     std::vector<std::int32_t> joining;
     std::vector<std::int32_t> leaving;

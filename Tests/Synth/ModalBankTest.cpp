@@ -153,25 +153,59 @@ TEST_CASE("Free motion is the same by cells, over any time and by samples within
     bank.advanceBlock(1, 64 / 44100.0, 1, 1e-18);
     CHECK(std::abs(bank.state(0).x - bank.state(20).x) < 1e-12);
     CHECK(std::abs(bank.state(0).y - bank.state(20).y) < 1e-12);
+}
+
+TEST_CASE("Kicks start between samples, end and join after whole ones, at any damping") {
+    const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
+    const double damping = GENERATE(10.0, 5000.0, 30000.0);
+    const double hz = GENERATE(30.0, 3000.0, 19000.0);
+    constexpr std::size_t modes = 40;
+    constexpr std::size_t g = 38;
+    constexpr double rate = 44100;
+    ModalBank bank(modes, 1, rate);
+    const std::vector<double> eigenvalues(modes, std::pow(2 * std::numbers::pi * hz, 2));
+    bank.movePoles(eigenvalues, {.fluidDampingPerSecond = damping}, 20, 20000);
+    const std::size_t padded = bank.paddedSize();
+    UnitContact unit;
+    for (auto* array : {&unit.x, &unit.y, &unit.steady, &unit.swingRe, &unit.swingIm})
+        array->resize(padded);
+    ModeResidues residues;
+    ModeKicks kicks;
+    for (auto* array : {&residues[0], &kicks.x[0], &kicks.y[0], &kicks.energies})
+        array->resize(padded);
+    unit.x[g] = 1;
+    unit.y[g] = 0.3f;
+    residues[0][g] = 2;
+    const auto motion = [&](double samples) { return propagator(bank.pole(g), samples / rate); };
+    const ModalState one{1, static_cast<double>(0.3f)};
+    const auto check = [&](const ModalState& found, const ModalState& expected) {
+        CHECK(std::abs(found.x - expected.x) < 2e-6);
+        CHECK(std::abs(found.y - expected.y) < 2e-6);
+    };
+    const auto kick = [&] { return ModalState{kicks.x[0][g], kicks.y[0][g]}; };
+
+    const double part = GENERATE(0.0, 0.3, 0.95);
+    bank.startKicks(unit, residues, {part, 0.5}, kicks);
+    const ModalState started = motion(part) * one;
+    check(kick(), started);
+    const double size = amplitudeBound(bank.pole(g), started);
+    CHECK(std::abs(std::sqrt(static_cast<double>(kicks.energies[g])) - size) < 2e-6);
+
     for (const std::size_t samples : {0u, 1u, 15u, 16u, 37u, 63u, 64u}) {
-        ModeStates from = bank.emptyStates();
-        ModeStates sum = bank.emptyStates();
-        from.x[0][38] = 1;
-        from.y[0][38] = 0.3;
-        sum.y[0][38] = 0.5;
-        bank.addMoved(from, samples, 2, sum);
-        const ModalState expected =
-            propagator(bank.pole(38), static_cast<double>(samples) / 44100) * ModalState{2, 0.6};
-        CHECK(std::abs(sum.x[0][38] - expected.x) < 2e-6);
-        CHECK(std::abs(sum.y[0][38] - expected.y - 0.5) < 2e-6);
+        const auto whole = static_cast<double>(samples);
+        bank.startKicks(unit, residues, {}, kicks);
+        bank.endKicks(unit, residues, {samples, 0.8}, {part, -0.25}, kicks);
+        const ModalState kept = motion(whole) * one;
+        const ModalState added = motion(part) * one;
+        const ModalState ended{1.6 * kept.x - 0.5 * added.x, 1.6 * kept.y - 0.5 * added.y};
+        check(kick(), ended);
+        bank.setState(g, {0.25, -0.5});
+        bank.join(kicks, {samples, 0.5});
+        const ModalState joined = motion(whole) * ended;
+        check(bank.state(g), {0.25 + 0.5 * joined.x, -0.5 + 0.5 * joined.y});
+        const double loud = amplitudeBound(bank.pole(g), bank.state(g));
+        CHECK(std::abs(std::sqrt(static_cast<double>(bank.energies()[g])) - loud) < 2e-6);
     }
-    ModeStates others = bank.emptyStates();
-    others.x[0][39] = 1;
-    others.y[0][39] = 0.3;
-    bank.rotate(others, 0.3 / 44100, 0.5);
-    const ModalState expected = propagator(bank.pole(39), 0.3 / 44100) * ModalState{0.5, 0.15};
-    CHECK(std::abs(others.x[0][39] - expected.x) < 3e-7);
-    CHECK(std::abs(others.y[0][39] - expected.y) < 3e-7);
 }
 
 TEST_CASE("A phase holds over hours of rest") {

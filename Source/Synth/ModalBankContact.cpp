@@ -1,0 +1,186 @@
+// What contacts do to the states of a modal bank.
+#include "Synth/ContactPulse.h"
+#include "Synth/ForceKernel.h"
+#include "Synth/ModalBank.h"
+#include "Synth/PoleKernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace idiophone {
+
+namespace {
+
+constexpr std::size_t cellSize = subBlocks * subBlockSamples;
+
+std::size_t index(std::int32_t number) noexcept {
+    return static_cast<std::size_t>(number);
+}
+
+ModalState operator*(double factor, const ModalState& state) noexcept {
+    return {factor * state.x, factor * state.y};
+}
+
+std::array<KickChannel, mostChannels> channelsOf(const ModeResidues& residues,
+                                                 ModeKicks& kicks) noexcept {
+    std::array<KickChannel, mostChannels> channels{};
+    for (std::size_t c = 0; c < mostChannels; ++c)
+        channels[c] = {residues[c].data(), kicks.x[c].data(), kicks.y[c].data()};
+    return channels;
+}
+
+} // namespace
+
+KickModes ModalBank::kickModes() const noexcept {
+    return {halfTurnsPerSample.data(), octavesPerSample.data(), sampleRe.data(),
+            sampleIm.data(),           turnRe.data(),           turnIm.data()};
+}
+
+void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept {
+    idiophone::forcedStates(pulse,
+                            {decay.data(), frequency.data(), unit.x.data(), unit.y.data(),
+                             unit.steady.data(), unit.swingRe.data(), unit.swingIm.data()},
+                            paddedSize());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const ForcedResponse response(pole(g), pulse.contactSeconds, pulse.dampingPerSecond);
+        const ModalState state = stateOf(pole(g), response.motion(pulse.phase));
+        unit.x[g] = static_cast<float>(state.x);
+        unit.y[g] = static_cast<float>(state.y);
+        unit.steady[g] = static_cast<float>(response.steadyVelocity());
+        unit.swingRe[g] = static_cast<float>(response.swingVelocity().real());
+        unit.swingIm[g] = static_cast<float>(response.swingVelocity().imag());
+    }
+}
+
+void ModalBank::impulseStates(UnitContact& unit) const noexcept {
+    std::fill_n(unit.x.begin(), paddedSize(), 1.0f);
+    for (std::size_t g = 0; g < paddedSize(); ++g)
+        unit.y[g] = static_cast<float>(velocityShare[g]);
+}
+
+void ModalBank::startKicks(const UnitContact& unit,
+                           const ModeResidues& residues,
+                           const BeforeSample& before,
+                           ModeKicks& kicks) const noexcept {
+    const auto channels = channelsOf(residues, kicks);
+    idiophone::startKicks(
+        kickModes(), {unit.x.data(), unit.y.data(), before.samples, before.factor}, paddedSize(),
+        std::span(channels).first(channelCount), kicks.energies.data());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const ModalState kick =
+            before.factor * (propagator(pole(g), before.samples * sampleSeconds) *
+                             ModalState{unit.x[g], unit.y[g]});
+        double largest = 0;
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState heard = static_cast<double>(residues[c][g]) * kick;
+            kicks.x[c][g] = static_cast<float>(heard.x);
+            kicks.y[c][g] = static_cast<float>(heard.y);
+            largest = std::max(largest, amplitudeBound(pole(g), heard));
+        }
+        kicks.energies[g] = static_cast<float>(largest * largest);
+    }
+}
+
+void ModalBank::endKicks(const UnitContact& unit,
+                         const ModeResidues& residues,
+                         const KickMove& move,
+                         const BeforeSample& before,
+                         ModeKicks& kicks) noexcept {
+    setAside(kicks);
+    const auto channels = channelsOf(residues, kicks);
+    idiophone::endKicks(kickModes(), move,
+                        {unit.x.data(), unit.y.data(), before.samples, before.factor}, paddedSize(),
+                        std::span(channels).first(channelCount));
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const Propagator motion =
+            propagator(pole(g), static_cast<double>(move.samples) * sampleSeconds);
+        const ModalState end =
+            before.factor * (propagator(pole(g), before.samples * sampleSeconds) *
+                             ModalState{unit.x[g], unit.y[g]});
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState moved = move.factor * (motion * heavy.aside[c]);
+            const auto residue = static_cast<double>(residues[c][g]);
+            kicks.x[c][g] = static_cast<float>(moved.x + residue * end.x);
+            kicks.y[c][g] = static_cast<float>(moved.y + residue * end.y);
+        }
+    }
+}
+
+void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
+    setAside(states);
+    std::array<KickedChannel, mostChannels> channels{};
+    for (std::size_t c = 0; c < channelCount; ++c)
+        channels[c] = {kicks.x[c].data(), kicks.y[c].data(), states.x[c].data(),
+                       states.y[c].data()};
+    joinKicks(kickModes(), move, paddedSize(), std::span(channels).first(channelCount),
+              energy.data());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const Propagator motion =
+            propagator(pole(g), static_cast<double>(move.samples) * sampleSeconds);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState moved =
+                move.factor * (motion * ModalState{kicks.x[c][g], kicks.y[c][g]});
+            states.x[c][g] = heavy.aside[c].x + moved.x;
+            states.y[c][g] = heavy.aside[c].y + moved.y;
+        }
+        measure(g);
+    }
+}
+
+void ModalBank::sound(const ModeKicks& kicks,
+                      std::span<const ModeRun> runs,
+                      std::size_t subBlockCount,
+                      const ChannelOutputs& outputs) noexcept {
+    if (runs.empty())
+        return;
+    SubBlockStates ahead;
+    setAside(kicks);
+    const std::size_t last = index(runs.back().first + runs.back().count);
+    for (std::size_t first = index(runs.front().first) / modeBlock * modeBlock; first < last;
+         first += batchModes) {
+        const std::size_t modes = std::min(batchModes, paddedSize() - first);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            lookAhead(rotations(first), modes, kicks.x[c].data() + first, kicks.y[c].data() + first,
+                      ahead);
+            for (const HeavyMode& heavy : heavyModes)
+                if (index(heavy.mode) >= first && index(heavy.mode) < first + modes)
+                    lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);
+            mixRuns(runs, first, first + modes, ahead, subBlockCount, outputs[c]);
+        }
+    }
+}
+
+void ModalBank::force(std::span<const float, cellSize> impulses,
+                      const float* startResidues,
+                      const float* endResidues,
+                      double dampingPerSecond,
+                      std::size_t channel) noexcept {
+    const double fall = std::exp(-dampingPerSecond * sampleSeconds);
+    forceModes({sampleRe.data(), sampleIm.data(), velocityShare.data(), startResidues, endResidues},
+               impulses.data(), static_cast<float>(fall), paddedSize(), states.x[channel].data(),
+               states.y[channel].data());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const Propagator sample = propagator(pole(g), sampleSeconds);
+        const auto start = static_cast<double>(startResidues[g]);
+        const auto way = static_cast<double>(endResidues[g]) - start;
+        ModalState moving;
+        for (std::size_t k = 0; k < cellSize; ++k) {
+            const double residue =
+                start + way * static_cast<double>(shareOfWay(k / subBlockSamples));
+            moving.x += residue * static_cast<double>(impulses[k]);
+            moving = sample * moving;
+            moving = {fall * moving.x, fall * moving.y};
+        }
+        // SIMD, with ρ = 0, left these states alone.
+        states.x[channel][g] += moving.x;
+        states.y[channel][g] += moving.y;
+    }
+}
+
+} // namespace idiophone
