@@ -88,6 +88,17 @@ def callback(figures):
             f"{100 * figures['silence_over_sound']:.2f} % of a ringing one.")
 
 
+def force(figures):
+    rows = [(s["modes"], f"{1e6 * s['free_s']:.2f}", f"{1e6 * s['staying_s']:.2f}",
+             f"{1e6 * s['moving_s']:.2f}", f"{s['staying_over_free']:.2f}",
+             f"{s['moving_over_free']:.2f}") for s in figures["sizes"]]
+    sources = [(s["name"], f"{1e6 * s['seconds']:.2f}", f"{s['over_free_500']:.2f}")
+               for s in figures["generators"]]
+    return (table(("modes", "free, µs a cell", "contact stays, µs", "contact moves, µs",
+                   "stays / free", "moves / free"), rows) + "\n\n" +
+            table(("making the force of a", "µs a cell", "of a free cell of 500 modes"), sources))
+
+
 def memory(figures):
     rows = [(m["vertices"], m["modes"], m["groups"], m["windows"], f"{m['before_million']:.3g}",
              f"{m['after_million']:.3g}", f"{m['dense_million']:.3g}")
@@ -193,7 +204,7 @@ def main():
         text, "machine", f"Measured on: {machine}SIMD target {build['simd_target']}, compiler "
                          f"{build['compiler']}.")
     text = replace_between_markers(text, "goals", goals(document))
-    for draw in kernel, callback, memory, tau, rings, xylophone, compression:
+    for draw in kernel, callback, force, memory, tau, rings, xylophone, compression:
         if draw.__name__ in document["benchmarks"]:
             text = replace_between_markers(text, draw.__name__,
                                            draw(document["benchmarks"][draw.__name__]))

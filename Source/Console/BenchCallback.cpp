@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
-#include <cmath>
-#include <numbers>
 
 namespace idiophone {
 namespace {
@@ -18,27 +16,6 @@ constexpr int replays = 20;
 // 20 g of hard plastic at 1 m/s.
 constexpr double malletNewtonSeconds = 0.02;
 constexpr double malletSeconds = 0.36e-3;
-
-/// A hundred modes that ring for a minute, no two of which merge; every object has its own.
-std::shared_ptr<const ModalObject> longRingingObject(const ModalObject& bar, std::size_t number) {
-    constexpr std::size_t modes = 100;
-    ModalObject object = bar;
-    object.name = "long " + std::to_string(number);
-    object.material.fluidDampingPerSecond = 0.2;
-    object.material.viscoelasticDampingSeconds = 0;
-    object.bending.clear();
-    object.radiation = {};
-    object.eigenvalues.clear();
-    object.shapes.clear();
-    for (std::size_t i = 0; i < modes; ++i) {
-        const double hz = 180.0 * static_cast<double>(i + 1) + static_cast<double>(number);
-        object.eigenvalues.push_back(std::pow(2 * std::numbers::pi * hz, 2));
-    }
-    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row)
-        for (std::size_t i = 0; i < modes; ++i)
-            object.shapes.insert(object.shapes.end(), {0, 0, 1});
-    return std::make_shared<const ModalObject>(std::move(object));
-}
 
 /// Each object struck once, one a cell, and then 16 of them again in one cell.
 std::vector<SceneStrike> strikesOf(std::span<const SynthesiserSlot> slots) {
@@ -115,7 +92,7 @@ Result<BenchSection> benchCallback(const BenchContent& content) {
     std::vector<SynthesiserSlot> asTheyAre, longRinging;
     for (std::size_t k = 0; k < objectCount; ++k) {
         asTheyAre.push_back({bars[k]});
-        longRinging.push_back({longRingingObject(*bars[36], k)});
+        longRinging.push_back({longRingingObject(*bars[36], 100, static_cast<double>(k))});
     }
     BenchScene longScene(longRinging, strikesOf(longRinging), {});
     BenchScene barScene(asTheyAre, strikesOf(asTheyAre), {});

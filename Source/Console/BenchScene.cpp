@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace idiophone {
 
@@ -69,6 +70,27 @@ Strike strikeInto(const StrikePoint& point, double newtonSeconds, double contact
     for (std::size_t axis = 0; axis < 3; ++axis)
         strike.impulseNewtonSeconds[axis] = static_cast<float>(-newtonSeconds) * point.normal[axis];
     return strike;
+}
+
+std::shared_ptr<const ModalObject>
+longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz) {
+    ModalObject object = body;
+    object.name = "long-ringing " + body.name;
+    object.material.fluidDampingPerSecond = 0.2;
+    object.material.viscoelasticDampingSeconds = 0;
+    object.bending.clear();
+    object.radiation = {};
+    object.eigenvalues.clear();
+    object.shapes.clear();
+    for (std::size_t i = 1; i <= modes; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(modes);
+        const double hz = 18000 * share + shiftHz;
+        object.eigenvalues.push_back(std::pow(2 * std::numbers::pi * hz, 2));
+    }
+    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row)
+        for (std::size_t i = 0; i < modes; ++i)
+            object.shapes.insert(object.shapes.end(), {0, 0, 1});
+    return std::make_shared<const ModalObject>(std::move(object));
 }
 
 PoleLaw benchPoleLaw(const Material& material) {

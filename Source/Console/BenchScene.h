@@ -55,6 +55,11 @@ StrikePoint strikePointAt(const ModalObject& object, const std::array<double, 3>
 /// Straight into the surface; a contact time of 0 is an impulse.
 Strike strikeInto(const StrikePoint& point, double newtonSeconds, double contactSeconds);
 
+/// A body with so many modes of equal shape, evenly spread up to 18 kHz and then shifted, that ring
+/// for a minute.
+std::shared_ptr<const ModalObject>
+longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz);
+
 /// The object's own pole law at size 1.
 PoleLaw benchPoleLaw(const Material& material);
 

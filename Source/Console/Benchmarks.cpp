@@ -18,6 +18,7 @@ std::span<const NamedBenchmark> namedBenchmarks() {
         NamedBenchmark{"kernel", "Modal banks against the FMA peak and the paper's loop",
                        benchKernel},
         NamedBenchmark{"callback", "The worst 64-sample callback against the mean", benchCallback},
+        NamedBenchmark{"force", "Continuous force against the free bank", benchForce},
         NamedBenchmark{"memory", "The gain matrix before and after compression", benchMemory},
         NamedBenchmark{"tau", "Modes over time at two truncation thresholds", benchTau},
         NamedBenchmark{"rings", "A hundred rings on a table: audio frames per second", benchRings},

@@ -42,6 +42,8 @@ std::span<const NamedBenchmark> namedBenchmarks();
 Result<BenchSection> benchKernel(const BenchContent&);
 /// The worst callback against the mean, and silence against sound.
 Result<BenchSection> benchCallback(const BenchContent&);
+/// Cells under continuous force against the same object's free cells.
+Result<BenchSection> benchForce(const BenchContent&);
 /// Entries of the gain matrix before and after compression.
 Result<BenchSection> benchMemory(const BenchContent&);
 /// Modes mixed over time at two truncation thresholds (the paper's Figure 4).

@@ -24,7 +24,7 @@ const Layout layouts[] = {
      {mallet, malletHardness, malletMass, malletRadius, malletSpeed, velocityCurve, chatter,
       modalPulse}},
     {"Strike", 2, {strikeAlong, strikeAcross, strikeSpread}},
-    {"Scrape and roll", 2, {contact, contactForce, contactSpeed, roughness}},
+    {"Scrape and roll", 2, {contact, contactForce, contactSpeed, roughness, rollCoupling}},
     {"Output", 3, {level, radiation, width, matchLoudness, bypass}},
     {"Quality", 3, {tau, qualitySlope, modeBudget, compression}},
 };

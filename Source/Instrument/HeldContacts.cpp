@@ -1,6 +1,7 @@
 #include "Instrument/HeldContacts.h"
 
 #include "Instrument/MalletStrike.h"
+#include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
@@ -33,9 +34,10 @@ bool strikes(const ParameterValues& parameters) {
 }
 
 HeldContacts::HeldContacts(const Instrument& played,
+                           std::span<const LowestModes> lowestModesOfSlots,
                            std::shared_ptr<const SurfaceProfile> profile,
                            std::uint64_t seed)
-    : instrument(played), rateHz(profile->sampleRateHz()),
+    : instrument(played), lowestModes(lowestModesOfSlots), rateHz(profile->sampleRateHz()),
       // One cell less than fits: the release may have to wait that long for its grid point.
       fadeCells(std::max(1, static_cast<int>(releaseSeconds * rateHz / cellSamples) - 1)) {
     contacts.reserve(capacity);
@@ -99,13 +101,38 @@ void HeldContacts::resetControllers() noexcept {
 }
 
 void HeldContacts::sound(const ParameterValues& parameters,
+                         const SynthesisSettings& settings,
                          Synthesiser& synthesiser,
                          const CellOutput& cell) noexcept {
     if (strikes(parameters))
         releaseAll();
     for (auto& contact : contacts)
-        if (contact.note >= 0)
+        if (contact.note >= 0) {
+            chooseKind(contact, parameters, settings);
             soundOne(contact, parameters, synthesiser, cell);
+        }
+}
+
+/// While a contact fades out it stays of its kind, whatever is chosen by then.
+void HeldContacts::chooseKind(Contact& contact,
+                              const ParameterValues& parameters,
+                              const SynthesisSettings& settings) const noexcept {
+    if (strikes(parameters))
+        return;
+    const bool rolls = static_cast<int>(parameters[ParameterId::contact]) == rollContact;
+    const double coupling = rolls ? parameters[rollCoupling] / 100 : 0;
+    if (coupling > 0) {
+        const auto slot = static_cast<std::size_t>(instrument.key(contact.note).slot);
+        const auto modes = coupledModes(lowestModes[slot], ownMaterial(contact), settings);
+        contact.force.setCoupledModes(modes.span());
+    }
+    contact.force.setSettings(
+        {.kind = rolls ? ContactKind::roll : ContactKind::scrape, .rollModalCoupling = coupling});
+}
+
+const Material& HeldContacts::ownMaterial(const Contact& contact) const noexcept {
+    const auto slot = static_cast<std::size_t>(instrument.key(contact.note).slot);
+    return instrument.slots()[slot].object->material;
 }
 
 void HeldContacts::soundOne(Contact& contact,
@@ -115,8 +142,7 @@ void HeldContacts::soundOne(Contact& contact,
     const auto& key = instrument.key(contact.note);
     const auto slot = static_cast<std::size_t>(key.slot);
     const auto* chosen = chosenLibraryMaterial(parameters);
-    const double friction =
-        (chosen != nullptr ? *chosen : instrument.slots()[slot].object->material).friction;
+    const double friction = (chosen != nullptr ? *chosen : ownMaterial(contact)).friction;
     const StripPlace start = contact.place;
     const double startGain = contact.gain;
     move(contact, key, parameters);
@@ -125,12 +151,6 @@ void HeldContacts::soundOne(Contact& contact,
     contact.gain = parameters[roughness] * key.malletScale * key.malletScale *
                    std::sqrt(1 + friction * friction);
 
-    // While a contact fades out it stays of its kind, whatever is chosen by then.
-    if (!strikes(parameters))
-        contact.force.setSettings(
-            {.kind = static_cast<int>(parameters[ParameterId::contact]) == rollContact
-                         ? ContactKind::roll
-                         : ContactKind::scrape});
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses = contact.force.render(
         {.speedMetresPerSecond = parameters[contactSpeed] * speedController / 127.0,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
+#include "Instrument/LowestModes.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace idiophone {
@@ -29,8 +31,10 @@ public:
     static constexpr double glideSeconds = 0.02;
     static constexpr double fastestGlideMetresPerSecond = 5;
 
-    /// The seed says where on the profile each contact begins. `instrument` outlives the contacts.
+    /// The seed says where on the profile each contact begins. `instrument` and the lowest modes of
+    /// each of its slots outlive the contacts.
     HeldContacts(const Instrument& instrument,
+                 std::span<const LowestModes> lowestModes,
                  std::shared_ptr<const SurfaceProfile> profile,
                  std::uint64_t seed);
 
@@ -50,9 +54,10 @@ public:
     void setPlaceController(int value) noexcept { placeController = value; } ///< 0 to 127
     void resetControllers() noexcept;
 
-    /// Applies a cell of every contact's force to the cell begun last. While the parameters ask for
-    /// strikes, every contact counts as released.
+    /// Applies a cell of every contact's force to the cell begun last, under the settings of that
+    /// cell. While the parameters ask for strikes, every contact counts as released.
     void sound(const ParameterValues& parameters,
+               const SynthesisSettings& settings,
                Synthesiser& synthesiser,
                const CellOutput& cell) noexcept;
 
@@ -76,6 +81,9 @@ private:
 
     static constexpr int controllerAtRest = 64;
 
+    void chooseKind(Contact& contact,
+                    const ParameterValues& parameters,
+                    const SynthesisSettings& settings) const noexcept;
     void soundOne(Contact& contact,
                   const ParameterValues& parameters,
                   Synthesiser& synthesiser,
@@ -83,7 +91,10 @@ private:
     void move(Contact& contact, const Key& key, const ParameterValues& parameters) const noexcept;
     double pressing(Contact& contact) const noexcept;
 
+    const Material& ownMaterial(const Contact& contact) const noexcept;
+
     const Instrument& instrument;
+    std::span<const LowestModes> lowestModes;
     double rateHz;
     int fadeCells;
     std::vector<Contact> contacts;

@@ -10,10 +10,12 @@
 
 namespace idiophone {
 
-/// The lowest four frequencies of an object; modes within 1 % of the one before, as the pairs of a
+/// The lowest eight frequencies of an object; modes within 1 % of the one before, as the pairs of a
 /// round object, count once.
 struct LowestModes {
-    std::array<double, 4> frequenciesHz{};
+    static constexpr std::size_t capacity = 8;
+
+    std::array<double, capacity> frequenciesHz{};
     std::size_t count = 0;
 
     LowestModes() = default;

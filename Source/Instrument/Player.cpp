@@ -48,11 +48,10 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                std::uint64_t seed,
                const ParameterValues& own)
     : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz, 2),
-      pending(pendingCapacity),
-      held(*playedInstrument, sharedSurfaceProfile(surface, sampleRateHz), seed),
-      lowestModes(lowestModesOf(*playedInstrument)), sampleRate(sampleRateHz),
-      loudness(playedInstrument, surface), ownValues(own), matchedValues(own),
-      slotHeld(playedInstrument->slots().size(), false),
+      pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
+      held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
+      sampleRate(sampleRateHz), loudness(playedInstrument, surface), ownValues(own),
+      matchedValues(own), slotHeld(playedInstrument->slots().size(), false),
       slotSilenced(playedInstrument->slots().size(), false) {}
 
 void Player::process(const StereoSpan& output,
@@ -204,10 +203,11 @@ void Player::strikePendingBefore(double sampleInCell) {
 }
 
 void Player::beginCell() {
-    synth.setSettings(synthesisSettings(current, bend * current[bendRange]));
+    const auto settings = synthesisSettings(current, bend * current[bendRange]);
+    synth.setSettings(settings);
     updateDampers();
     synth.beginCell(cell());
-    held.sound(current, synth, cell());
+    held.sound(current, settings, synth, cell());
     ++cellIndex;
     matchLoudness();
     cellPosition = 0;

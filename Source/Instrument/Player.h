@@ -80,8 +80,8 @@ private:
     std::int64_t cellIndex = -1; ///< of the cell begun last
     std::uint32_t strikeCount = 0;
     PendingStrikes pending;
-    HeldContacts held;
     std::vector<LowestModes> lowestModes; ///< of each slot
+    HeldContacts held;
 
     double sampleRate;
     LoudnessMatch loudness;

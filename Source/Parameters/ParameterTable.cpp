@@ -84,6 +84,8 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "How fast the full modulation wheel moves a scrape or roll", nullptr},
     {roughness, "roughness", "Roughness", "x", logarithmic, 0.01, 10, 1, 3, 2,
      "How rough the surface is that scrapes or rolls", nullptr},
+    {rollCoupling, "roll_coupling", "Roll coupling", "%", linear, 0, 100, 0, 1, 2,
+     "How much a roll drives the object's lowest modes; at 100 as hard as a scrape does", nullptr},
 }};
 
 // Appended to only: automation stores the number. Library names in the order of materialLibrary().

@@ -47,6 +47,7 @@ enum class ParameterId : std::size_t {
     contactForce,
     contactSpeed,
     roughness,
+    rollCoupling,
     count
 };
 

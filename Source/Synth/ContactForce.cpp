@@ -48,12 +48,9 @@ void ContactForce::setCoupledModes(std::span<const CoupledMode> modes) noexcept 
         auto& filter = modeFilters[count++];
         // A mode that hardly decays would take for ever to reach its level.
         filter.pole = ResonPole::at(frequencyHz, std::max(dampingPerSecond, 0.1), rateHz);
-        // Re z of a white input has the input's rms.
-        filter.gain = std::sqrt(2 * (1 - filter.pole.real * filter.pole.real -
-                                     filter.pole.imaginary * filter.pole.imaginary));
+        // So that Re z of a sine at the pole's angle becomes that sine.
+        filter.gain = 2 * (1 - std::hypot(filter.pole.real, filter.pole.imaginary));
     }
-    for (std::size_t i = 0; i < count; ++i)
-        modeFilters[i].gain /= std::sqrt(static_cast<double>(count));
     for (std::size_t i = count; i < modeCount; ++i)
         modeFilters[i].state = {};
     modeCount = count;

@@ -24,14 +24,15 @@ struct ContactForceSettings {
     ContactKind kind = ContactKind::scrape;
     double rollLowPassHz = 100; ///< Butterworth, second order; 1 to 20000
     double rollDryMix = 0.1;    ///< 0 to 1: how much of the scrape a roll keeps
-    /// 0 to 10: how much a roll adds of the scrape filtered by the coupled modes. A mode answers
-    /// the force filtered by its own pole as a gamma-tone of order 2.
+    /// 0 to 10: how much a roll adds of the scrape filtered by the coupled modes, whose filters
+    /// pass their own frequency unchanged. A mode answers the force filtered by its own pole as a
+    /// gamma-tone of order 2.
     double rollModalCoupling = 0;
 
     bool operator==(const ContactForceSettings&) const = default;
 };
 
-/// A mode that a roll is coupled to: the envelope 1/√((ω − 2πf)² + d²) of its filter.
+/// A mode that a roll is coupled to: the envelope d/√((ω − 2πf)² + d²) of its filter.
 struct CoupledMode {
     double frequencyHz = 0;      ///< f > 0
     double dampingPerSecond = 0; ///< d > 0

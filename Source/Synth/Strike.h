@@ -2,15 +2,19 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace idiophone {
 
-/// A place on an object's surface as a weighted mean of up to three vertices that carry shapes.
+/// The corners of two faces: a place between two points of a path.
+inline constexpr std::size_t mostShapeRows = 6;
+
+/// A place on an object's surface as a weighted mean of a few vertices that carry shapes.
 struct StrikePoint {
-    std::array<std::int32_t, 3> shapeRows{0, 0, 0}; ///< rows of ModalObject::shapeVertices
-    std::array<float, 3> weights{1, 0, 0};          ///< sum to 1; rows of weight 0 are not read
-    std::array<float, 3> normal{0, 0, 1};           ///< unit outward normal
+    std::array<std::int32_t, mostShapeRows> shapeRows{}; ///< rows of ModalObject::shapeVertices
+    std::array<float, mostShapeRows> weights{1}; ///< sum to 1; rows of weight 0 are not read
+    std::array<float, 3> normal{0, 0, 1};        ///< unit outward normal
 
     bool operator==(const StrikePoint&) const = default;
 };

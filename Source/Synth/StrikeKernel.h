@@ -2,16 +2,18 @@
 // and the closed form of the response to a raised cosine. Arrays in, arrays out.
 #pragma once
 
+#include "Synth/Strike.h"
+
 #include <array>
 #include <complex>
 #include <cstddef>
 
 namespace idiophone {
 
-/// Up to three rows of shapes [M,3] with the weights of their mean, and two directions.
+/// A few rows of shapes [M,3] with the weights of their mean.
 struct ShapePoint {
-    std::array<const float*, 3> rows{};
-    std::array<float, 3> weights{};
+    std::array<const float*, mostShapeRows> rows{};
+    std::array<float, mostShapeRows> weights{};
     std::size_t used = 0;
 };
 

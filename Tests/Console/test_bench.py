@@ -53,6 +53,27 @@ class Bench(ConsoleTest):
             self.assertLess(error, -110)
         self.assertTrue(document["build"]["simd_target"])
 
+    def test_force_is_held_against_free_cells_of_the_same_run(self):
+        document = self.bench("force")
+        figures = document["benchmarks"]["force"]
+        self.assertEqual([size["modes"] for size in figures["sizes"]], [100, 500, 1000])
+        measured = {goal["name"]: goal["measured"] for goal in document["goals"]}
+        self.assertEqual(len(measured), 2)
+        for size in figures["sizes"]:
+            for contact in "staying", "moving":
+                self.assertGreater(size[f"{contact}_s"], size["free_s"])
+                self.assertAlmostEqual(size[f"{contact}_over_free"],
+                                       size[f"{contact}_s"] / size["free_s"])
+            if size["modes"] >= 500:
+                name = f"force: cost over the free bank at {size['modes']} modes"
+                self.assertEqual(measured[name], size["moving_over_free"])
+        self.assertEqual([source["name"] for source in figures["generators"]],
+                         ["scrape", "roll", "coupled roll"])
+        for source in figures["generators"]:
+            self.assertGreater(source["seconds"], 0)
+            self.assertAlmostEqual(source["over_free_500"],
+                                   source["seconds"] / figures["sizes"][1]["free_s"])
+
     def test_a_song_is_played_on_the_xylophone(self):
         figures = self.bench("xylophone", "--song", SONG)["benchmarks"]["xylophone"]
         self.assertGreater(figures["strikes"], 100)

@@ -8,11 +8,12 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Approx;
 
-TEST_CASE("The lowest four frequencies count pairs once and follow size and ratio") {
-    const LowestModes modes(syntheticObject({100, 100.2, 270, 271, 520, 860, 1300}), 2);
-    REQUIRE(modes.count == 4);
-    const double expected[] = {50, 135, 260, 430};
-    for (std::size_t k = 0; k < 4; ++k)
+TEST_CASE("The lowest eight frequencies count pairs once and follow size and ratio") {
+    const LowestModes modes(
+        syntheticObject({100, 100.2, 270, 271, 520, 860, 1300, 1800, 2400, 3100, 3900}), 2);
+    REQUIRE(modes.count == 8);
+    const double expected[] = {50, 135, 260, 430, 650, 900, 1200, 1550};
+    for (std::size_t k = 0; k < 8; ++k)
         CHECK(modes.span()[k] == Approx(expected[k]));
     CHECK(modes.moved(1.5).span()[1] == Approx(202.5));
     CHECK(modes.moved(0.1).span()[0] == 20);

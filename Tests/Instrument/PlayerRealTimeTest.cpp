@@ -50,6 +50,7 @@ TEST_CASE("Held keys that scrape and roll allocate nothing, however many are hel
     const long before = allocations.load();
     for (int round = 0; round < 60; ++round) {
         parameters.set(contact, round % 20 == 19 ? strikeContact : 1 + round / 10 % 2);
+        parameters.set(rollCoupling, round % 3 * 50);
         player.process(block,
                        round % 4 == 0 ? std::span<const MidiEvent>(crowd)
                                       : std::span<const MidiEvent>(),

@@ -139,7 +139,7 @@ TEST_CASE("A roll without dry mix is the scrape through a Butterworth low-pass o
     }
 }
 
-TEST_CASE("A coupled mode raises the roll around it by its envelope 1/√((ω − ρ)² + d²)") {
+TEST_CASE("A coupled mode raises the roll around it by its envelope d/√((ω − ρ)² + d²)") {
     const double modeHz = 1500, damping = 60;
     const Surface surface{.resonFrequencyHz = 4000, .resonDampingPerSecond = 20000};
     auto scraping = contactOn(surface);
@@ -154,6 +154,7 @@ TEST_CASE("A coupled mode raises the roll around it by its envelope 1/√((ω �
                scrape.power(frequencyHz - 3, frequencyHz + 3);
     };
     const double atPeak = filterPower(modeHz);
+    CHECK(std::abs(10 * std::log10(atPeak)) < 0.5);
     for (const double awayHz : {10.0, 20.0, 50.0, 100.0})
         for (const double sign : {-1.0, 1.0}) {
             const double detuning = 2 * std::numbers::pi * awayHz;
@@ -161,6 +162,28 @@ TEST_CASE("A coupled mode raises the roll around it by its envelope 1/√((ω �
             const double decibels = 10 * std::log10(filterPower(modeHz + sign * awayHz) / atPeak);
             CHECK(std::abs(decibels - 10 * std::log10(envelope)) < 1.5);
         }
+}
+
+TEST_CASE("Coupled modes add as much as they are coupled, however many and however damped") {
+    const Surface surface{.resonFrequencyHz = 4000, .resonDampingPerSecond = 20000};
+    const CoupledMode modes[] = {{400, 30}, {1000, 60}, {2500, 250}};
+    auto scraping = contactOn(surface);
+    const Periodogram scrape(steadyForce(scraping, {1, 1}, 20), rateHz);
+    for (const double coupling : {0.25, 1.0, 4.0}) {
+        auto rolling = contactOn(
+            surface, {.kind = ContactKind::roll, .rollDryMix = 0.1, .rollModalCoupling = coupling});
+        rolling.setCoupledModes(modes);
+        const Periodogram roll(steadyForce(rolling, {1, 1}, 20), rateHz);
+        for (const auto& mode : modes) {
+            const double lowHz = mode.frequencyHz - 2, highHz = mode.frequencyHz + 2;
+            // 0.9 of the low-pass, which turns by nearly half a period far above it.
+            const double uncoupled = 0.1 - 0.9 * std::pow(100 / mode.frequencyHz, 2);
+            const double decibels =
+                10 * std::log10(roll.power(lowHz, highHz) / scrape.power(lowHz, highHz));
+            INFO(mode.frequencyHz << " Hz, coupled by " << coupling);
+            CHECK(std::abs(decibels - 20 * std::log10(uncoupled + coupling)) < 1);
+        }
+    }
 }
 
 TEST_CASE("Of coupled modes at most eight are taken, and none whose figures make no sense") {
