@@ -1,5 +1,7 @@
 #include "Synth/KickKernel.h"
 
+#include <numbers>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Synth/KickKernel.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
@@ -44,58 +46,84 @@ HWY_INLINE Vector polynomial(Vector z, const float (&coefficients)[N]) {
     return sum;
 }
 
-/// 2^octaves for −120 ≤ octaves ≤ 0.
-HWY_INLINE Vector powerOfTwo(Vector octaves) {
-    // Minimax over |part| ≤ 1/2: within 1.9e-9.
-    constexpr float powers[] = {1.0f,
-                                0.6931472057f,
-                                0.2402264689f,
-                                0.05550328773f,
-                                0.009618488958f,
-                                0.001339993293f,
-                                0.0001534581622f};
+// Minimax over |u| ≤ 1/2 in z = u²: sin πu / u within 1.4e-8, cos πu within 2.2e-10.
+constexpr float sine[] = {3.14159264f, -5.167710091f, 2.550077663f, -0.5982921687f, 0.07765940864f};
+constexpr float cosine[] = {0.9999999998f, -4.934802137f, 4.058709165f,
+                            -1.335212058f, 0.2349375609f, -0.0243967165f};
+// (2^u − 1)/u there: within 4e-9.
+constexpr float powers[] = {0.6931472057f,   0.2402264689f,   0.05550328773f,
+                            0.009618488958f, 0.001339993293f, 0.0001534581622f};
+
+/// 2^octaves for −120 ≤ octaves ≤ 0 as whole · (1 + part), where it is exact near 1.
+struct PowerOfTwo {
+    Vector whole, part;
+};
+
+HWY_INLINE PowerOfTwo powerOfTwo(Vector octaves) {
     const Floats f;
     const hn::RebindToSigned<Floats> i;
-    const auto whole = hn::NearestInt(octaves);
-    const auto part = hn::Sub(octaves, hn::ConvertTo(f, whole));
-    const auto mantissa = hn::BitCast(i, polynomial(part, powers));
-    return hn::BitCast(f, hn::Add(mantissa, hn::ShiftLeft<23>(whole)));
+    const auto bounded = hn::Max(octaves, hn::Set(f, -120.0f));
+    const auto nearest = hn::NearestInt(bounded);
+    const auto rest = hn::Sub(bounded, hn::ConvertTo(f, nearest));
+    const auto one = hn::BitCast(i, hn::Set(f, 1.0f));
+    return {hn::BitCast(f, hn::Add(one, hn::ShiftLeft<23>(nearest))),
+            hn::Mul(rest, polynomial(rest, powers))};
 }
 
 /// factor · ρ^samples for less than a sample: within the band the angle is less than half a turn,
 /// and sine and cosine need no reduction.
 HWY_INLINE Complex rotation(const KickModes& modes, const UnitKicks& unit, std::size_t g) {
-    // Minimax over |u| ≤ 1/2 in z = u²: sin πu / u within 1.4e-8, cos πu within 2.2e-10.
-    constexpr float sine[] = {3.14159264f, -5.167710091f, 2.550077663f, -0.5982921687f,
-                              0.07765940864f};
-    constexpr float cosine[] = {0.9999999998f, -4.934802137f, 4.058709165f,
-                                -1.335212058f, 0.2349375609f, -0.0243967165f};
     const Floats f;
     const auto samples = hn::Set(f, static_cast<float>(unit.samples));
     const auto halfTurns = hn::Mul(samples, hn::Load(f, modes.halfTurnsPerSample + g));
     const auto u = hn::Sub(hn::Min(halfTurns, hn::Set(f, 1.0f)), hn::Set(f, 0.5f));
     const auto z = hn::Mul(u, u);
-    const auto octaves = hn::Mul(samples, hn::Load(f, modes.octavesPerSample + g));
-    const auto size = hn::Mul(hn::Set(f, static_cast<float>(unit.factor)),
-                              powerOfTwo(hn::Max(octaves, hn::Set(f, -120.0f))));
+    const auto power = powerOfTwo(hn::Mul(samples, hn::Load(f, modes.octavesPerSample + g)));
+    const auto whole = hn::Mul(hn::Set(f, static_cast<float>(unit.factor)), power.whole);
+    const auto size = hn::MulAdd(whole, power.part, whole);
     return {hn::Neg(hn::Mul(size, hn::Mul(u, polynomial(z, sine)))),
             hn::Mul(size, polynomial(z, cosine))};
 }
 
-/// factor ρ^samples, by squares.
-HWY_INLINE Complex moved(const KickModes& modes, const KickMove& move, std::size_t g) {
+/// Sine and cosine of half the angle ωt, and what is left of the amplitude: any time, in single
+/// precision.
+struct Motion {
+    Vector sin, cos;
+    PowerOfTwo left;
+};
+
+HWY_INLINE Motion motion(const KickModes& modes, const KickMove& move, std::size_t g) {
     const Floats f;
-    Complex result{hn::Set(f, static_cast<float>(move.factor)), hn::Zero(f)};
-    const Complex turn = load(modes.turnRe, modes.turnIm, g);
-    for (std::size_t turns = move.samples / subBlockSamples; turns > 0; --turns)
-        result = product(result, turn);
-    Complex power = load(modes.sampleRe, modes.sampleIm, g);
-    for (std::size_t rest = move.samples % subBlockSamples; rest > 0; rest /= 2) {
-        if (rest % 2 == 1)
-            result = product(result, power);
-        power = product(power, power);
-    }
-    return result;
+    const Doubles d;
+    const HalfFloats half;
+    const auto restOfTurn = [&](std::size_t place) HWY_ATTR {
+        const auto perTurn = hn::Set(d, move.seconds / (2 * std::numbers::pi));
+        const auto turns = hn::Mul(perTurn, hn::Load(d, modes.frequency + place));
+        return hn::DemoteTo(half, hn::Sub(turns, hn::Round(turns)));
+    };
+    const auto u = hn::Combine(f, restOfTurn(g + hn::MaxLanes(d)), restOfTurn(g));
+    const auto z = hn::Mul(u, u);
+    const auto octaves = hn::MulAdd(hn::Set(f, static_cast<float>(move.samples)),
+                                    hn::Load(f, modes.octavesPerSample + g),
+                                    hn::Set(f, static_cast<float>(-move.damperOctaves)));
+    return {hn::Mul(u, polynomial(z, sine)), polynomial(z, cosine), powerOfTwo(octaves)};
+}
+
+/// e^{(−α + iω)t}
+HWY_INLINE Complex moved(const Motion& motion) {
+    const auto size = hn::MulAdd(motion.left.whole, motion.left.part, motion.left.whole);
+    const auto twice = hn::Mul(hn::Add(motion.sin, motion.sin), size);
+    return {hn::NegMulAdd(twice, motion.sin, size), hn::Mul(twice, motion.cos)};
+}
+
+/// 1 − e^{(−α + iω)t}, precise where it is small.
+HWY_INLINE Complex change(const Motion& motion) {
+    const Floats f;
+    const auto whole = motion.left.whole;
+    const auto size = hn::MulAdd(whole, motion.left.part, whole);
+    const auto lost = hn::NegMulAdd(whole, motion.left.part, hn::Sub(hn::Set(f, 1.0f), whole));
+    const auto twice = hn::Mul(hn::Add(motion.sin, motion.sin), size);
+    return {hn::MulAdd(twice, motion.sin, lost), hn::Neg(hn::Mul(twice, motion.cos))};
 }
 
 HWY_INLINE Complex unitKick(const KickModes& modes, const UnitKicks& unit, std::size_t g) {
@@ -127,20 +155,18 @@ void start(const KickModes& modes,
     }
 }
 
-void end(const KickModes& modes,
-         const KickMove& move,
-         const UnitKicks& unit,
-         std::size_t count,
-         KickChannels channels) {
+void finish(const KickModes& modes,
+            const UnitKicks& end,
+            const KickMove& contact,
+            std::size_t count,
+            KickChannels channels) {
     const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex kick = unitKick(modes, unit, g);
-        const Complex motion = moved(modes, move, g);
+        const Complex kick = product(change(motion(modes, contact, g)), unitKick(modes, end, g));
         for (const KickChannel& channel : channels) {
             const auto residue = hn::Load(f, channel.residues + g);
-            const Complex before = product(motion, load(channel.x, channel.y, g));
-            hn::Store(hn::MulAdd(residue, kick.re, before.re), f, channel.x + g);
-            hn::Store(hn::MulAdd(residue, kick.im, before.im), f, channel.y + g);
+            hn::Store(hn::Mul(residue, kick.re), f, channel.x + g);
+            hn::Store(hn::Mul(residue, kick.im), f, channel.y + g);
         }
     }
 }
@@ -165,10 +191,10 @@ void join(const KickModes& modes,
           float* HWY_RESTRICT energies) {
     const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex motion = moved(modes, move, g);
+        const Complex turn = moved(motion(modes, move, g));
         auto loudest = hn::Zero(f);
         for (const KickedChannel& channel : channels) {
-            const Complex kick = product(motion, load(channel.kickX, channel.kickY, g));
+            const Complex kick = product(turn, load(channel.kickX, channel.kickY, g));
             const auto x = addTo(channel.x + g, kick.re);
             const auto y = addTo(channel.y + g, kick.im);
             loudest = hn::Max(loudest, hn::MulAdd(x, x, hn::Mul(y, y)));
@@ -186,7 +212,7 @@ HWY_AFTER_NAMESPACE();
 namespace idiophone {
 
 HWY_EXPORT(start);
-HWY_EXPORT(end);
+HWY_EXPORT(finish);
 HWY_EXPORT(join);
 
 void startKicks(const KickModes& modes,
@@ -197,12 +223,12 @@ void startKicks(const KickModes& modes,
     HWY_DYNAMIC_DISPATCH(start)(modes, unit, count, channels, energies);
 }
 
-void endKicks(const KickModes& modes,
-              const KickMove& move,
-              const UnitKicks& unit,
-              std::size_t count,
-              KickChannels channels) noexcept {
-    HWY_DYNAMIC_DISPATCH(end)(modes, move, unit, count, channels);
+void finishKicks(const KickModes& modes,
+                 const UnitKicks& end,
+                 const KickMove& contact,
+                 std::size_t count,
+                 KickChannels channels) noexcept {
+    HWY_DYNAMIC_DISPATCH(finish)(modes, end, contact, count, channels);
 }
 
 void joinKicks(const KickModes& modes,

@@ -23,15 +23,12 @@ struct KickChannel {
 };
 using KickChannels = std::span<const KickChannel>; ///< at most `mostChannels`
 
-/// Oscillating modes with ρ = e^{(−α + iω)/fs}: what a sample does to them (angle in half turns,
-/// which is below one within the band, and decay in octaves), ρ and ρ¹⁶.
+/// Oscillating modes −α ± iω, and what a sample does to them: angle in half turns, which is below
+/// one within the band, and decay in octaves (≤ 0).
 struct KickModes {
+    const double* frequency; ///< ω in rad/s
     const float* halfTurnsPerSample;
     const float* octavesPerSample;
-    const float* sampleRe;
-    const float* sampleIm;
-    const float* turnRe;
-    const float* turnIm;
 };
 
 /// Kicks for residues of 1, [count] each, at a time between two samples; a share of a sample of
@@ -51,18 +48,20 @@ void startKicks(const KickModes& modes,
                 KickChannels channels,
                 float* energies) noexcept;
 
-/// Free motion of `samples` ≤ 64, times `factor`.
+/// A time of free motion, and how much a damper takes meanwhile (≥ 0).
 struct KickMove {
-    std::size_t samples = 0;
-    double factor = 1;
+    double seconds = 0;
+    double samples = 0; ///< the same
+    double damperOctaves = 0;
 };
 
-/// Takes kicks on to the end of their contact and adds what that adds.
-void endKicks(const KickModes& modes,
-              const KickMove& move,
-              const UnitKicks& unit,
-              std::size_t count,
-              KickChannels channels) noexcept;
+/// Kicks become those of a whole contact: what its end adds and what is left of its start, to
+/// single precision of the difference, which is small for contacts much shorter than a period.
+void finishKicks(const KickModes& modes,
+                 const UnitKicks& end,
+                 const KickMove& contact,
+                 std::size_t count,
+                 KickChannels channels) noexcept;
 
 /// One channel of the states that kicks join.
 struct KickedChannel {

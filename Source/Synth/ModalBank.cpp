@@ -41,8 +41,7 @@ void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) n
 ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double sampleRateHz)
     : sampleSeconds(1 / sampleRateHz) {
     const std::size_t padded = (capacity + modeBlock - 1) / modeBlock * modeBlock;
-    for (auto* array :
-         {&stiffness, &damping, &decay, &frequency, &velocityShare, &resonance, &cellRe, &cellIm})
+    for (auto* array : {&stiffness, &damping, &decay, &frequency, &velocityShare, &cellRe, &cellIm})
         array->resize(padded);
     for (auto* array : {&audibles, &halfTurnsPerSample, &octavesPerSample, &sampleRe, &sampleIm,
                         &turnRe, &turnIm, &energy})
@@ -53,6 +52,7 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
     }
     tables.resize(2 * subBlockSamples * padded);
     heavyModes.reserve(capacity);
+    resonancesHz.reserve(capacity);
     blockNumbers.resize(padded / modeBlock);
     std::iota(blockNumbers.begin(), blockNumbers.end(), 0);
     count = capacity;
@@ -60,6 +60,16 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
 
 ModeStates ModalBank::emptyStates() const {
     ModeStates empty;
+    for (std::size_t c = 0; c < mostChannels; ++c) {
+        empty.x[c].resize(states.x[c].size());
+        empty.y[c].resize(states.y[c].size());
+    }
+    return empty;
+}
+
+ModeKicks ModalBank::emptyKicks() const {
+    ModeKicks empty;
+    empty.energies.resize(energy.size());
     for (std::size_t c = 0; c < mostChannels; ++c) {
         empty.x[c].resize(states.x[c].size());
         empty.y[c].resize(states.y[c].size());
@@ -79,7 +89,7 @@ void ModalBank::resize(std::size_t modes) noexcept {
     count = modes;
     heavyModes.clear();
     std::fill(audibles.begin(), audibles.end(), 0.0f);
-    std::fill(resonance.begin(), resonance.end(), 0.0);
+    resonancesHz.clear();
     // Padding and modes to come are oscillating modes at rest.
     std::fill(stiffness.begin(), stiffness.end(), 1.0);
     std::fill(damping.begin(), damping.end(), 0.0);
@@ -99,6 +109,7 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           double highestHz) noexcept {
     heavyModes.clear();
     audibleModes = 0;
+    resonancesHz.clear();
     for (std::size_t g = 0; g < count; ++g) {
         const ModalPole moved = law.pole(referenceEigenvalues[g]);
         const bool oscillates = isOscillating(moved);
@@ -115,7 +126,8 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         const bool light = moved.damping * moved.damping < 4e-4 * moved.stiffness;
         audibles[g] = inBand ? 1.0f : 0.0f;
         audibleModes += inBand ? 1 : 0;
-        resonance[g] = inBand && light ? hz : 0;
+        if (inBand && light)
+            resonancesHz.push_back(hz);
         if (!oscillates)
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }

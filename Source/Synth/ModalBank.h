@@ -76,6 +76,7 @@ public:
     }
     std::size_t paddedSize() const noexcept { return blockCount() * modeBlock; }
     ModeStates emptyStates() const; ///< allocates
+    ModeKicks emptyKicks() const;   ///< allocates
 
     /// Channels in use, at most the capacity; those that join start as copies of the first. States
     /// elsewhere are read and written for as many.
@@ -139,12 +140,12 @@ public:
                     const BeforeSample& before,
                     ModeKicks& kicks) const noexcept;
 
-    /// Takes kicks on and adds those of the contact's end. Their energies stay behind.
-    void endKicks(const UnitContact& unit,
-                  const ModeResidues& residues,
-                  const KickMove& move,
-                  const BeforeSample& before,
-                  ModeKicks& kicks) noexcept;
+    /// Kicks become those of the whole contact, started and ended. Their energies stay behind.
+    void finishKicks(const UnitContact& unit,
+                     const ModeResidues& residues,
+                     const BeforeSample& before,
+                     const KickMove& contact,
+                     ModeKicks& kicks) const noexcept;
 
     /// Adds moved kicks to the states.
     void join(const ModeKicks& kicks, const KickMove& move) noexcept;
@@ -165,9 +166,9 @@ public:
     /// After `force`: the energies as they are now.
     void measureAll() noexcept { measureModes(0, paddedSize()); }
 
-    /// Frequencies of lightly damped audible modes in Hz, 0 for the others: those that a contact
-    /// time must keep clear of.
-    std::span<const double> resonances() const noexcept { return {resonance.data(), count}; }
+    /// Frequencies of lightly damped audible modes in Hz, ascending: those that a contact time must
+    /// keep clear of.
+    std::span<const double> resonances() const noexcept { return resonancesHz; }
 
 private:
     /// Modes that do not oscillate: a 2 × 2 propagator over 16 and 64 samples each.
@@ -222,7 +223,7 @@ private:
     std::size_t audibleModes = 0;
 
     AlignedVector<double> stiffness, damping, decay, frequency, velocityShare;
-    AlignedVector<double> resonance;
+    std::vector<double> resonancesHz;
     AlignedVector<float> audibles;
     AlignedVector<float> tables; ///< [G,2,16]
     AlignedVector<float> halfTurnsPerSample, octavesPerSample;

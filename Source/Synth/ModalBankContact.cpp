@@ -33,8 +33,7 @@ std::array<KickChannel, mostChannels> channelsOf(const ModeResidues& residues,
 } // namespace
 
 KickModes ModalBank::kickModes() const noexcept {
-    return {halfTurnsPerSample.data(), octavesPerSample.data(), sampleRe.data(),
-            sampleIm.data(),           turnRe.data(),           turnIm.data()};
+    return {frequency.data(), halfTurnsPerSample.data(), octavesPerSample.data()};
 }
 
 void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept {
@@ -84,28 +83,27 @@ void ModalBank::startKicks(const UnitContact& unit,
     }
 }
 
-void ModalBank::endKicks(const UnitContact& unit,
-                         const ModeResidues& residues,
-                         const KickMove& move,
-                         const BeforeSample& before,
-                         ModeKicks& kicks) noexcept {
-    setAside(kicks);
+void ModalBank::finishKicks(const UnitContact& unit,
+                            const ModeResidues& residues,
+                            const BeforeSample& before,
+                            const KickMove& contact,
+                            ModeKicks& kicks) const noexcept {
     const auto channels = channelsOf(residues, kicks);
-    idiophone::endKicks(kickModes(), move,
-                        {unit.x.data(), unit.y.data(), before.samples, before.factor}, paddedSize(),
-                        std::span(channels).first(channelCount));
+    idiophone::finishKicks(kickModes(),
+                           {unit.x.data(), unit.y.data(), before.samples, before.factor}, contact,
+                           paddedSize(), std::span(channels).first(channelCount));
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
-        const Propagator motion =
-            propagator(pole(g), static_cast<double>(move.samples) * sampleSeconds);
-        const ModalState end =
+        const ModalState end{unit.x[g], unit.y[g]};
+        const ModalState start =
+            std::exp2(-contact.damperOctaves) * (propagator(pole(g), contact.seconds) * end);
+        const ModalState both =
             before.factor * (propagator(pole(g), before.samples * sampleSeconds) *
-                             ModalState{unit.x[g], unit.y[g]});
+                             ModalState{end.x - start.x, end.y - start.y});
         for (std::size_t c = 0; c < channelCount; ++c) {
-            const ModalState moved = move.factor * (motion * heavy.aside[c]);
             const auto residue = static_cast<double>(residues[c][g]);
-            kicks.x[c][g] = static_cast<float>(moved.x + residue * end.x);
-            kicks.y[c][g] = static_cast<float>(moved.y + residue * end.y);
+            kicks.x[c][g] = static_cast<float>(residue * both.x);
+            kicks.y[c][g] = static_cast<float>(residue * both.y);
         }
     }
 }
@@ -120,11 +118,10 @@ void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
               energy.data());
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
-        const Propagator motion =
-            propagator(pole(g), static_cast<double>(move.samples) * sampleSeconds);
+        const Propagator motion = propagator(pole(g), move.seconds);
+        const double factor = std::exp2(-move.damperOctaves);
         for (std::size_t c = 0; c < channelCount; ++c) {
-            const ModalState moved =
-                move.factor * (motion * ModalState{kicks.x[c][g], kicks.y[c][g]});
+            const ModalState moved = factor * (motion * ModalState{kicks.x[c][g], kicks.y[c][g]});
             states.x[c][g] = heavy.aside[c].x + moved.x;
             states.y[c][g] = heavy.aside[c].y + moved.y;
         }
@@ -145,8 +142,8 @@ void ModalBank::sound(const ModeKicks& kicks,
          first += batchModes) {
         const std::size_t modes = std::min(batchModes, paddedSize() - first);
         for (std::size_t c = 0; c < channelCount; ++c) {
-            lookAhead(rotations(first), modes, kicks.x[c].data() + first, kicks.y[c].data() + first,
-                      ahead);
+            lookAhead(rotations(first), modes, subBlockCount, kicks.x[c].data() + first,
+                      kicks.y[c].data() + first, ahead);
             for (const HeavyMode& heavy : heavyModes)
                 if (index(heavy.mode) >= first && index(heavy.mode) < first + modes)
                     lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);

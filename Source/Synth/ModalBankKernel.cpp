@@ -30,7 +30,8 @@ HWY_INLINE hn::Vec<Floats> demoted(const double* HWY_RESTRICT values) {
                        hn::DemoteTo(h, hn::Load(d, values)));
 }
 
-/// Stores the states at the start of each sub-block and leaves those at the end of the cell.
+/// Stores the states at the start of the first sub-blocks and leaves those at the end of the last.
+template <std::size_t Blocks>
 HWY_INLINE void turnThrough(const ModeRotations& rotations,
                             std::size_t g,
                             hn::Vec<Floats>& xs,
@@ -42,7 +43,7 @@ HWY_INLINE void turnThrough(const ModeRotations& rotations,
     float* HWY_RESTRICT aheadX = ahead.x[0] + g;
     float* HWY_RESTRICT aheadY = ahead.y[0] + g;
 #pragma GCC unroll 4
-    for (std::size_t b = 0; b < subBlocks; ++b) {
+    for (std::size_t b = 0; b < Blocks; ++b) {
         hn::Store(xs, f, aheadX + b * batchModes);
         hn::Store(ys, f, aheadY + b * batchModes);
         const auto turned = hn::NegMulAdd(im, ys, hn::Mul(re, xs));
@@ -51,6 +52,7 @@ HWY_INLINE void turnThrough(const ModeRotations& rotations,
     }
 }
 
+template <std::size_t Blocks>
 void look(const ModeRotations& rotations,
           std::size_t count,
           const float* HWY_RESTRICT x,
@@ -61,7 +63,25 @@ void look(const ModeRotations& rotations,
     for (std::size_t g = 0; g < count; g += floatLanes) {
         auto xs = hn::Load(f, x + g);
         auto ys = hn::Load(f, y + g);
-        turnThrough(local, g, xs, ys, ahead);
+        turnThrough<Blocks>(local, g, xs, ys, ahead);
+    }
+}
+
+void lookBlocks(const ModeRotations& rotations,
+                std::size_t count,
+                std::size_t blocks,
+                const float* x,
+                const float* y,
+                SubBlockStates& ahead) {
+    switch (blocks) {
+    case 1:
+        return look<1>(rotations, count, x, y, ahead);
+    case 2:
+        return look<2>(rotations, count, x, y, ahead);
+    case 3:
+        return look<3>(rotations, count, x, y, ahead);
+    default:
+        return look<4>(rotations, count, x, y, ahead);
     }
 }
 
@@ -87,7 +107,7 @@ void advance(const ModeRotations& rotations,
     for (std::size_t g = 0; g < count; g += floatLanes) {
         auto xs = demoted(x + g);
         auto ys = demoted(y + g);
-        turnThrough(local, g, xs, ys, ahead);
+        turnThrough<subBlocks>(local, g, xs, ys, ahead);
         const auto energy = hn::MulAdd(xs, xs, hn::Mul(ys, ys));
         hn::Store(Scaled ? hn::Mul(energy, squaredGain) : energy, f, energies + g);
 #pragma GCC unroll 2
@@ -234,7 +254,7 @@ HWY_AFTER_NAMESPACE();
 namespace idiophone {
 
 HWY_EXPORT(advanceBatch);
-HWY_EXPORT(look);
+HWY_EXPORT(lookBlocks);
 HWY_EXPORT(mix);
 HWY_EXPORT(survey);
 
@@ -250,10 +270,11 @@ void advanceModes(const ModeRotations& rotations,
 
 void lookAhead(const ModeRotations& rotations,
                std::size_t count,
+               std::size_t blocks,
                const float* x,
                const float* y,
                SubBlockStates& ahead) noexcept {
-    HWY_DYNAMIC_DISPATCH(look)(rotations, count, x, y, ahead);
+    HWY_DYNAMIC_DISPATCH(lookBlocks)(rotations, count, blocks, x, y, ahead);
 }
 
 void mixModes(const float* tables,

@@ -42,9 +42,10 @@ void advanceModes(const ModeRotations& rotations,
                   float* energies,
                   SubBlockStates& ahead) noexcept;
 
-/// Only fills `ahead`, from states in single precision.
+/// Only fills the first `blocks` sub-blocks of `ahead`, from states in single precision.
 void lookAhead(const ModeRotations& rotations,
                std::size_t count,
+               std::size_t blocks,
                const float* x,
                const float* y,
                SubBlockStates& ahead) noexcept;

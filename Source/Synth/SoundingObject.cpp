@@ -53,6 +53,7 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     mixedModes.reserve(modes);
     mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
+    kicks = bank.emptyKicks();
     for (Response& response : responses)
         for (std::size_t c = 0; c < (object->radiation.empty() ? 1 : channels); ++c)
             response.residues[c].resize(bank.paddedSize());
@@ -78,6 +79,7 @@ void SoundingObject::setFrequencyRatio(double newRatio) noexcept {
 bool SoundingObject::beginCell(std::int64_t cell,
                                const SynthesisSettings& settings,
                                bool settingsChanged) noexcept {
+    takeInKicks(cell);
     cellIndex = cell;
     if (settingsChanged || controlsChanged)
         applySettings(settings);
@@ -264,6 +266,7 @@ void SoundingObject::reset() noexcept {
     mixedRuns.clear();
     mixedIsRinging = true;
     contacts.clear();
+    keptKicks.reset();
     forcedCell = -1;
     ++responseVersion;
     fader.reset();

@@ -139,16 +139,18 @@ private:
     void soundContacts(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
     void startKicks(double sign, double at) noexcept;
-    void endKicks(double at, int kickSample) noexcept;
+    void finishKicks(const Contact& contact, double end) noexcept;
     BeforeSample beforeSample(double at) const noexcept;
-    KickMove kickMove(int samples) const noexcept;
+    KickMove kickMove(double seconds) const noexcept;
     void addKicks(int from, int until, const CellOutput& cell) noexcept;
     void addToCell(const ChannelOutputs& sound,
                    std::size_t from,
                    std::size_t count,
                    const CellOutput& cell) const noexcept;
-    void joinKicks(int from) noexcept;
-    void bringRestingUpToDate() noexcept;
+    void keepKicks(int from) noexcept;
+    void takeInKicks(std::int64_t grid) noexcept;
+    bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
+    void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
     std::complex<double>
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
@@ -208,6 +210,8 @@ private:
     std::int32_t mixedLastCell = 0;
 
     std::vector<Contact> contacts;
+    ModeKicks kicks;                   ///< of the last strike or end of a contact
+    std::optional<KickMove> keptKicks; ///< on their way to the grid point where states take them in
 
     /// What the object answers to an impulse of 1 N s at one place within the rest of a cell. The
     /// end of one cell is the start of the next, and a contact that stays in its place needs no new

@@ -17,6 +17,7 @@ bool SoundingObject::applyForce(const ForceCell& force,
         !std::ranges::all_of(force.startDirection, isFinite) ||
         !std::ranges::all_of(force.endDirection, isFinite))
         return false;
+    takeInKicks(cellIndex + 1);
     prepareBank();
     widen(object->radiation.empty() ? 0 : radiation);
     forcedCell = cellIndex;
@@ -29,18 +30,18 @@ bool SoundingObject::applyForce(const ForceCell& force,
     findResponse(force.start, force.startDirection, 0);
     findResponse(force.end, force.endDirection, 1);
     soundForce(impulses, cell);
-    bringRestingUpToDate();
+    bringRestingUpToDate(cellIndex + 1);
     for (std::size_t c = 0; c < bank.channels(); ++c)
         bank.force(impulses, responses[0].residues[c].data(), responses[1].residues[c].data(),
                    damping, c);
     bank.measureAll();
-    if (mixedModes.size() < bank.audibleCount())
+    if (!allMixed())
         listWhatRings();
     return true;
 }
 
 void SoundingObject::admitForced(std::int32_t allowance) noexcept {
-    if (mixedModes.size() == bank.audibleCount())
+    if (allMixed())
         return;
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         unsigned audible = 0;
@@ -48,7 +49,7 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
             audible |= (bank.audible(b * modeBlock + k) ? 1u : 0u) << k;
         scratch.wanted[b] = static_cast<std::uint16_t>(audible);
     }
-    std::copy_n(bank.energies(), bank.paddedSize(), scratch.kicks.energies.begin());
+    std::copy_n(bank.energies(), bank.paddedSize(), kicks.energies.begin());
     admitWanted(allowance);
 }
 

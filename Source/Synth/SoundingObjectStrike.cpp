@@ -76,6 +76,7 @@ bool SoundingObject::strike(const Strike& asked,
     const bool isPulse = asked.durationSeconds * sampleRate >= shortestContactSamples;
     if (!valid(asked, sampleInCell) || (isPulse && contacts.size() == contactCapacity))
         return false;
+    takeInKicks(cellIndex + 1);
     prepareBank();
     Contact contact{.strike = asked,
                     .gainRatio = gainRatio,
@@ -102,16 +103,16 @@ bool SoundingObject::strike(const Strike& asked,
     if (isPulse) {
         hold(contact, mixedRuns);
         const double end = addForced(contact, cell);
-        if (end < cellSamples) {
+        if (end <= cellSamples) {
             addKicks(from, firstSampleFrom(end), cell);
-            endKicks(end, from);
+            finishKicks(contact, end);
             from = firstSampleFrom(end);
         } else {
             contacts.push_back(contact);
         }
     }
     addKicks(from, cellSamples, cell);
-    joinKicks(from);
+    keepKicks(from);
     return true;
 }
 
@@ -120,27 +121,29 @@ BeforeSample SoundingObject::beforeSample(double at) const noexcept {
     return {samples, std::exp(-damping * samples / sampleRate)};
 }
 
-KickMove SoundingObject::kickMove(int samples) const noexcept {
-    return {static_cast<std::size_t>(samples), std::exp(-damping * samples / sampleRate)};
+KickMove SoundingObject::kickMove(double seconds) const noexcept {
+    return {seconds, seconds * sampleRate, damping * seconds * std::numbers::log2e};
 }
 
 /// Kicks of the contact's states, which hold at time `at`, as of the first whole sample from there.
 void SoundingObject::startKicks(double sign, double at) noexcept {
     const BeforeSample before = beforeSample(at);
     bank.startKicks(scratch.contact, scratch.groupResidues, {before.samples, sign * before.factor},
-                    scratch.kicks);
+                    kicks);
 }
 
-/// Takes kicks of a whole sample on to the end of their contact, where the forced part becomes
-/// free.
-void SoundingObject::endKicks(double at, int kickSample) noexcept {
-    bank.endKicks(scratch.contact, scratch.groupResidues,
-                  kickMove(firstSampleFrom(at) - kickSample), beforeSample(at), scratch.kicks);
+/// Kicks of a contact that started in this cell and ended at `end`, as of the first whole sample
+/// from there.
+void SoundingObject::finishKicks(const Contact& contact, double end) noexcept {
+    bank.finishKicks(scratch.contact, scratch.groupResidues, beforeSample(end),
+                     kickMove(contact.strike.durationSeconds), kicks);
 }
 
 void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
-    surveyEnergies(scratch.kicks.energies.data(), bank.audibleWeights(), tauEnergy(), 0,
-                   bank.allBlocks(), scratch.wanted.data());
+    if (allMixed())
+        return;
+    surveyEnergies(kicks.energies.data(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
+                   scratch.wanted.data());
     admitWanted(allowance);
 }
 
@@ -177,7 +180,7 @@ void SoundingObject::listWanted(std::size_t most) noexcept {
         forEachMode(b, scratch.wanted[b], [&](std::int32_t g) { scratch.joining.push_back(g); });
     if (scratch.joining.size() <= most)
         return;
-    keepLoudest(scratch.joining, scratch.kicks.energies.data(), most);
+    keepLoudest(scratch.joining, kicks.energies.data(), most);
     std::sort(scratch.joining.begin(), scratch.joining.end());
 }
 
@@ -263,7 +266,7 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
         return;
     const auto samples = static_cast<std::size_t>(until - from);
     alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    bank.sound(scratch.kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+    bank.sound(kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
                {sound[0].data(), sound[1].data()});
     if (damping > 0) {
         const double fall = std::exp(-damping / sampleRate);
@@ -277,16 +280,25 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
     addToCell({sound[0].data(), sound[1].data()}, static_cast<std::size_t>(from), samples, cell);
 }
 
-/// Adds the kicks, which stand at sample `from`, to the states at the next grid point.
-void SoundingObject::joinKicks(int from) noexcept {
-    bringRestingUpToDate();
-    bank.join(scratch.kicks, kickMove(cellSamples - from));
-    listWhatRings();
+/// Leaves the kicks, which stand at sample `from`, to be taken in at the next grid point: a cell
+/// with many strikes is dear enough.
+void SoundingObject::keepKicks(int from) noexcept {
+    keptKicks = kickMove((cellSamples - from) / sampleRate);
 }
 
-/// Before something is added to the states at the next grid point.
-void SoundingObject::bringRestingUpToDate() noexcept {
-    const std::int64_t grid = cellIndex + 1;
+/// Adds the kicks that were kept to the states, which stand at `grid`, where their cell ends.
+void SoundingObject::takeInKicks(std::int64_t grid) noexcept {
+    if (!keptKicks)
+        return;
+    bringRestingUpToDate(grid);
+    bank.join(kicks, *keptKicks);
+    keptKicks.reset();
+    if (!allMixed())
+        listWhatRings();
+}
+
+/// Before something is added to the states at a grid point.
+void SoundingObject::bringRestingUpToDate(std::int64_t grid) noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active && !bringUpToDate(b, grid)) {
             blocks[b].restsSince = grid;
@@ -315,10 +327,11 @@ void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
             continue;
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
+        takeInKicks(cellIndex + 1);
         computeForced(contact, 1);
         startKicks(1, end);
         addKicks(firstSampleFrom(end), cellSamples, cell);
-        joinKicks(firstSampleFrom(end));
+        keepKicks(firstSampleFrom(end));
     }
 }
 

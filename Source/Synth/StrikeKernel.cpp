@@ -114,7 +114,8 @@ void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t coun
         const PoleInPulse pole = poleInPulse(arrays, perOmega, g);
         const auto damping = hn::Add(pole.decay, pole.decay);
         const auto drag = hn::Mul(delta, hn::Add(delta, damping));
-        const auto stiffness = hn::Add(pole.excess, one);
+        const auto stiffness =
+            hn::MulAdd(pole.frequency, pole.frequency, hn::Mul(pole.decay, pole.decay));
         const auto constant = hn::Add(drag, stiffness); // P(δ)
         const auto re = hn::Add(drag, pole.excess);     // P(δ + i)
         const auto im = hn::Add(hn::Add(delta, delta), damping);
