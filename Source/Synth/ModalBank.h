@@ -156,15 +156,12 @@ public:
                std::size_t subBlockCount,
                const ChannelOutputs& outputs) noexcept;
 
-    /// Adds to the states of one channel, at the end of a cell, what 64 impulses did to them, one
-    /// at each sample, with residues [paddedSize] that go from start to end (ForceKernel.h).
+    /// Adds to the states, at the end of a cell, what 64 impulses did to them, one at each sample,
+    /// with residues that go from start to end (ForceKernel.h).
     void force(std::span<const float, subBlocks * subBlockSamples> impulses,
-               const float* startResidues,
-               const float* endResidues,
-               double dampingPerSecond,
-               std::size_t channel) noexcept;
-    /// After `force`: the energies as they are now.
-    void measureAll() noexcept { measureModes(0, paddedSize()); }
+               const ModeResidues& startResidues,
+               const ModeResidues& endResidues,
+               double dampingPerSecond) noexcept;
 
     /// Frequencies of lightly damped audible modes in Hz, ascending: those that a contact time must
     /// keep clear of.
@@ -202,6 +199,11 @@ private:
                 heavy.aside[c] = {from.x[c][g], from.y[c][g]};
             }
     }
+    void forceHeavy(const HeavyMode& heavy,
+                    std::span<const float, subBlocks * subBlockSamples> impulses,
+                    const ModeResidues& startResidues,
+                    const ModeResidues& endResidues,
+                    double fall) noexcept;
     static void lookAtHeavy(const HeavyMode& heavy,
                             std::size_t channel,
                             std::size_t place,

@@ -153,31 +153,43 @@ void ModalBank::sound(const ModeKicks& kicks,
 }
 
 void ModalBank::force(std::span<const float, cellSize> impulses,
-                      const float* startResidues,
-                      const float* endResidues,
-                      double dampingPerSecond,
-                      std::size_t channel) noexcept {
+                      const ModeResidues& startResidues,
+                      const ModeResidues& endResidues,
+                      double dampingPerSecond) noexcept {
     const double fall = std::exp(-dampingPerSecond * sampleSeconds);
-    forceModes({sampleRe.data(), sampleIm.data(), velocityShare.data(), startResidues, endResidues},
-               impulses.data(), static_cast<float>(fall), paddedSize(), states.x[channel].data(),
-               states.y[channel].data());
-    for (const HeavyMode& heavy : heavyModes) {
-        const std::size_t g = index(heavy.mode);
-        const Propagator sample = propagator(pole(g), sampleSeconds);
-        const auto start = static_cast<double>(startResidues[g]);
-        const auto way = static_cast<double>(endResidues[g]) - start;
+    setAside(states);
+    std::array<ForcedChannel, mostChannels> channels{};
+    for (std::size_t c = 0; c < channelCount; ++c)
+        channels[c] = {startResidues[c].data(), endResidues[c].data(), states.x[c].data(),
+                       states.y[c].data()};
+    forceModes({sampleRe.data(), sampleIm.data(), velocityShare.data()}, impulses.data(),
+               static_cast<float>(fall), paddedSize(), std::span(channels).first(channelCount),
+               energy.data());
+    for (const HeavyMode& heavy : heavyModes)
+        forceHeavy(heavy, impulses, startResidues, endResidues, fall);
+}
+
+void ModalBank::forceHeavy(const HeavyMode& heavy,
+                           std::span<const float, cellSize> impulses,
+                           const ModeResidues& startResidues,
+                           const ModeResidues& endResidues,
+                           double fall) noexcept {
+    const std::size_t g = index(heavy.mode);
+    const Propagator sample = propagator(pole(g), sampleSeconds);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        const auto start = static_cast<double>(startResidues[c][g]);
+        const auto way = static_cast<double>(endResidues[c][g]) - start;
         ModalState moving;
         for (std::size_t k = 0; k < cellSize; ++k) {
             const double residue =
                 start + way * static_cast<double>(shareOfWay(k / subBlockSamples));
             moving.x += residue * static_cast<double>(impulses[k]);
-            moving = sample * moving;
-            moving = {fall * moving.x, fall * moving.y};
+            moving = fall * (sample * moving);
         }
-        // SIMD, with ρ = 0, left these states alone.
-        states.x[channel][g] += moving.x;
-        states.y[channel][g] += moving.y;
+        states.x[c][g] = heavy.aside[c].x + moving.x;
+        states.y[c][g] = heavy.aside[c].y + moving.y;
     }
+    measure(g);
 }
 
 } // namespace idiophone

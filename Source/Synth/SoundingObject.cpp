@@ -54,9 +54,6 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
     kicks = bank.emptyKicks();
-    for (Response& response : responses)
-        for (std::size_t c = 0; c < (object->radiation.empty() ? 1 : channels); ++c)
-            response.residues[c].resize(bank.paddedSize());
     applySettings({});
     regroup();
 }
@@ -220,7 +217,8 @@ void SoundingObject::activate(std::size_t b) noexcept {
 }
 
 void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
-    if (contacts.empty())
+    // Under a force nothing goes, whatever the share.
+    if (contacts.empty() && forcedCell != cellIndex - 1)
         chooseModes(share);
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
 

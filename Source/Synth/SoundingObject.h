@@ -157,10 +157,16 @@ private:
 
     // SoundingObjectForce.cpp: continuous contact.
     void admitForced(std::int32_t allowance) noexcept;
-    void findResponse(const StrikePoint& point,
-                      const std::array<float, 3>& direction,
-                      std::size_t which) noexcept;
+    bool valid(const ForcePlace& place) const noexcept;
+    void answer(const ForcePoint& at, ForceResponse& response) noexcept;
+    const ForceResponse& responseAt(const ForcePoint& at, ForceResponses& known) noexcept;
+    void answerAt(const ForcePlace& place,
+                  ForceResponses& known,
+                  ModeResidues& residues,
+                  ForceSound& sound) noexcept;
     void soundForce(std::span<const float, cellSamples> impulses,
+                    const ForceSound& start,
+                    const ForceSound& end,
                     const CellOutput& cell) const noexcept;
 
     std::shared_ptr<const ModalObject> object;
@@ -213,17 +219,6 @@ private:
     ModeKicks kicks;                   ///< of the last strike or end of a contact
     std::optional<KickMove> keptKicks; ///< on their way to the grid point where states take them in
 
-    /// What the object answers to an impulse of 1 N s at one place within the rest of a cell. The
-    /// end of one cell is the start of the next, and a contact that stays in its place needs no new
-    /// response.
-    struct Response {
-        StrikePoint point;
-        std::array<float, 3> direction{};
-        std::uint64_t version = 0; ///< of what it depends on besides; 0 is none
-        ModeResidues residues;     ///< [G]
-        alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    };
-    std::array<Response, 2> responses; ///< at the start and at the end of the cell
     std::uint64_t responseVersion = 1;
     std::int64_t forcedCell = -1; ///< the last cell that was forced
 

@@ -5,17 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace idiophone {
+
+bool SoundingObject::valid(const ForcePlace& place) const noexcept {
+    const auto sound = [&](const ForcePoint& at) {
+        return valid(at.point) &&
+               std::ranges::all_of(at.direction, [](float value) { return std::isfinite(value); });
+    };
+    return std::isfinite(place.way) && sound(place.points[0]) &&
+           (place.way == 0 || sound(place.points[1]));
+}
 
 bool SoundingObject::applyForce(const ForceCell& force,
                                 std::int32_t allowance,
                                 const CellOutput& cell) noexcept {
     const auto isFinite = [](float value) { return std::isfinite(value); };
-    if (!valid(force.start) || !valid(force.end) || !std::ranges::all_of(force.newtons, isFinite) ||
-        !std::ranges::all_of(force.startDirection, isFinite) ||
-        !std::ranges::all_of(force.endDirection, isFinite))
+    if (force.contact >= forceCapacity || !valid(force.start) || !valid(force.end) ||
+        !std::ranges::all_of(force.newtons, isFinite))
         return false;
     takeInKicks(cellIndex + 1);
     prepareBank();
@@ -24,17 +31,16 @@ bool SoundingObject::applyForce(const ForceCell& force,
     admitForced(allowance);
 
     alignas(64) std::array<float, cellSamples> impulses;
+    const auto secondsPerSample = static_cast<float>(1 / sampleRate);
     for (std::size_t k = 0; k < cellSamples; ++k)
-        impulses[k] = force.newtons[k] / static_cast<float>(sampleRate);
-    std::swap(responses[0], responses[1]);
-    findResponse(force.start, force.startDirection, 0);
-    findResponse(force.end, force.endDirection, 1);
-    soundForce(impulses, cell);
+        impulses[k] = force.newtons[k] * secondsPerSample;
+    ForceResponses& known = scratch.responses[force.contact];
+    alignas(64) ForceSound start, end;
+    answerAt(force.start, known, scratch.startResidues, start);
+    answerAt(force.end, known, scratch.endResidues, end);
+    soundForce(impulses, start, end, cell);
     bringRestingUpToDate(cellIndex + 1);
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        bank.force(impulses, responses[0].residues[c].data(), responses[1].residues[c].data(),
-                   damping, c);
-    bank.measureAll();
+    bank.force(impulses, scratch.startResidues, scratch.endResidues, damping);
     if (!allMixed())
         listWhatRings();
     return true;
@@ -53,29 +59,50 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
     admitWanted(allowance);
 }
 
-/// Response 0 or 1 becomes that of a place, from the other one where that has it.
-void SoundingObject::findResponse(const StrikePoint& point,
-                                  const std::array<float, 3>& direction,
-                                  std::size_t which) noexcept {
-    const auto isThere = [&](const Response& response) {
-        return response.version == responseVersion && response.point == point &&
-               response.direction == direction;
-    };
-    Response& response = responses[which];
-    const Response& other = responses[1 - which];
-    if (isThere(response))
-        return;
-    response.point = point;
-    response.direction = direction;
-    response.version = responseVersion;
-    if (isThere(other)) {
+/// What the object answers between two points, in step with the way between them.
+void SoundingObject::answerAt(const ForcePlace& place,
+                              ForceResponses& known,
+                              ModeResidues& residues,
+                              ForceSound& sound) noexcept {
+    const ForceResponse& first = responseAt(place.points[0], known);
+    if (place.way == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
-            std::copy(other.residues[c].begin(), other.residues[c].end(),
-                      response.residues[c].begin());
-        response.sound = other.sound;
+            std::copy_n(first.residues[c].begin(), bank.paddedSize(), residues[c].begin());
+        sound = first.sound;
         return;
     }
-    computeResidues({.strike = {.point = point, .impulseNewtonSeconds = direction},
+    const ForceResponse& second = responseAt(place.points[1], known);
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        blendResponses(first.residues[c].data(), second.residues[c].data(), place.way,
+                       bank.paddedSize(), residues[c].data());
+        blendResponses(first.sound[c].data(), second.sound[c].data(), place.way, cellSamples,
+                       sound[c].data());
+    }
+}
+
+/// Of the four that a contact keeps, the one that was not used for longest gives way.
+const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
+                                                ForceResponses& known) noexcept {
+    ForceResponse* chosen = &known.front();
+    for (ForceResponse& response : known) {
+        if (response.object == this && response.version == responseVersion && response.at == at) {
+            chosen = &response;
+            break;
+        }
+        if (response.lastUse < chosen->lastUse)
+            chosen = &response;
+    }
+    if (chosen->object != this || chosen->version != responseVersion || chosen->at != at)
+        answer(at, *chosen);
+    chosen->lastUse = ++scratch.responseUses;
+    return *chosen;
+}
+
+void SoundingObject::answer(const ForcePoint& at, ForceResponse& response) noexcept {
+    response.object = this;
+    response.version = responseVersion;
+    response.at = at;
+    computeResidues({.strike = {.point = at.point, .impulseNewtonSeconds = at.direction},
                      .gainRatio = gainRatio,
                      .listening = object->radiation.empty() ? 0 : radiation});
     bank.impulseStates(scratch.contact);
@@ -96,20 +123,12 @@ void SoundingObject::findResponse(const StrikePoint& point,
 }
 
 void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
+                                const ForceSound& start,
+                                const ForceSound& end,
                                 const CellOutput& cell) const noexcept {
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        float* output = sound[c].data();
-        for (std::size_t b = 0; b < subBlocks; ++b) {
-            alignas(64) std::array<float, cellSamples> response;
-            for (std::size_t k = 0; k < cellSamples; ++k)
-                response[k] = responses[0].sound[c][k] +
-                              shareOfWay(b) * (responses[1].sound[c][k] - responses[0].sound[c][k]);
-            for (std::size_t k = b * subBlockSamples; k < (b + 1) * subBlockSamples; ++k)
-                for (std::size_t n = k; n < cellSamples; ++n)
-                    output[n] += impulses[k] * response[n - k];
-        }
-    }
+    alignas(64) ForceSound sound{};
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        convolveForce(impulses, start[c], end[c], sound[c]);
     addToCell({sound[0].data(), sound[1].data()}, 0, cellSamples, cell);
 }
 
