@@ -222,23 +222,36 @@ void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
         chooseModes(share);
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
 
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    const ChannelOutputs outputs{sound[0].data(), sound[1].data()};
+    if (damping > 0 || bank.channels() != cell.channels()) {
+        alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+        const ChannelOutputs outputs{sound[0].data(), sound[1].data()};
+        renderCell(outputs);
+        addToCell(outputs, 0, cellSamples, cell);
+    } else {
+        renderCell({cell[0].data(), cell[bank.channels() - 1].data()});
+    }
+    soundContacts(cell);
+}
+
+void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
     const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
     bank.render(activeBlocks, mixedRuns, fallen, outputs);
     fader.addCell(outputs);
     if (damping > 0) {
-        const double fall = std::exp(-damping / sampleRate);
-        double factor = 1;
-        for (std::size_t k = 0; k < cellSamples; ++k) {
-            for (std::size_t c = 0; c < bank.channels(); ++c)
-                sound[c][k] *= static_cast<float>(factor);
-            factor *= fall;
-        }
+        fadeByDamper(outputs, cellSamples);
         fader.scale(static_cast<float>(fallen));
     }
-    addToCell(outputs, 0, cellSamples, cell);
-    soundContacts(cell);
+}
+
+/// What a damper leaves of the first `count` samples.
+void SoundingObject::fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept {
+    const double fall = std::exp(-damping / sampleRate);
+    double factor = 1;
+    for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            sound[c][k] *= static_cast<float>(factor);
+        factor *= fall;
+    }
 }
 
 /// Adds `count` samples from sample `from` of the cell on. What sounds in one channel is heard in

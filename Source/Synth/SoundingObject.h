@@ -109,6 +109,8 @@ private:
     void listMixed() noexcept;
     void retireBlocks(std::int64_t grid) noexcept;
     void wakeBlocks() noexcept;
+    void renderCell(const ChannelOutputs& outputs) noexcept;
+    void fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept;
     void activate(std::size_t block) noexcept;
     bool bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
 

@@ -113,13 +113,8 @@ void SoundingObject::answer(const ForcePoint& at, ForceResponse& response) noexc
     response.sound = {};
     bank.sound(scratch.kicks, mixedRuns, subBlocks,
                {response.sound[0].data(), response.sound[1].data()});
-    const double fall = std::exp(-damping / sampleRate);
-    double factor = 1;
-    for (std::size_t k = 0; k < cellSamples; ++k) {
-        for (auto& sound : response.sound)
-            sound[k] *= static_cast<float>(factor);
-        factor *= fall;
-    }
+    if (damping > 0)
+        fadeByDamper({response.sound[0].data(), response.sound[1].data()}, cellSamples);
 }
 
 void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,

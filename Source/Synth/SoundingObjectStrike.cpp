@@ -268,15 +268,8 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
     alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
     bank.sound(kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
                {sound[0].data(), sound[1].data()});
-    if (damping > 0) {
-        const double fall = std::exp(-damping / sampleRate);
-        double factor = 1;
-        for (std::size_t k = 0; k < samples; ++k) {
-            for (std::size_t c = 0; c < bank.channels(); ++c)
-                sound[c][k] *= static_cast<float>(factor);
-            factor *= fall;
-        }
-    }
+    if (damping > 0)
+        fadeByDamper({sound[0].data(), sound[1].data()}, samples);
     addToCell({sound[0].data(), sound[1].data()}, static_cast<std::size_t>(from), samples, cell);
 }
 
