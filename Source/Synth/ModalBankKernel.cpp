@@ -136,43 +136,61 @@ void advanceBatch(const ModeRotations& rotations,
 }
 
 /// Sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers: the loops over them are
-/// unrolled in full.
-template <std::size_t Start, std::size_t Count>
+/// unrolled in full. Where few of them are needed each is kept in `Ways` parts, as a sum can only
+/// take one product in the time in which the machine forms eight.
+template <std::size_t Start, std::size_t Count, std::size_t Ways>
 HWY_INLINE void mixSubBlocks(const float* HWY_RESTRICT table,
                              const float* HWY_RESTRICT x,
                              const float* HWY_RESTRICT y,
                              std::size_t count,
                              float* HWY_RESTRICT output) {
     const Floats f;
-    hn::Vec<Floats> sums[Count][tableVectors];
+    hn::Vec<Floats> sums[Ways][Count][tableVectors];
 #pragma GCC unroll 16
-    for (std::size_t b = 0; b < Count; ++b)
+    for (std::size_t w = 0; w < Ways; ++w)
 #pragma GCC unroll 16
-        for (std::size_t v = 0; v < tableVectors; ++v)
-            sums[b][v] = hn::LoadU(f, output + b * subBlockSamples + v * floatLanes);
-    for (std::size_t g = 0; g < count; ++g) {
-        hn::Vec<Floats> row[2 * tableVectors];
+        for (std::size_t b = 0; b < Count; ++b)
 #pragma GCC unroll 16
-        for (std::size_t v = 0; v < 2 * tableVectors; ++v)
-            row[v] = hn::Load(f, table + v * floatLanes);
+            for (std::size_t v = 0; v < tableVectors; ++v)
+                sums[w][b][v] = w == 0 ? hn::LoadU(f, output + b * subBlockSamples + v * floatLanes)
+                                       : hn::Zero(f);
+    // Ways are (even and odd modes) × (x and y); with two of them x and y, with one none.
+    constexpr std::size_t modesAtOnce = Ways == 4 ? 2 : 1;
+    const auto add = [&](std::size_t g, std::size_t way) HWY_ATTR {
+        const float* HWY_RESTRICT row = table + 2 * subBlockSamples * g;
 #pragma GCC unroll 16
         for (std::size_t b = 0; b < Count; ++b) {
             const auto xs = hn::Set(f, x[(Start + b) * batchModes + g]);
             const auto ys = hn::Set(f, y[(Start + b) * batchModes + g]);
 #pragma GCC unroll 16
             for (std::size_t v = 0; v < tableVectors; ++v)
-                sums[b][v] = hn::MulAdd(row[v], xs, sums[b][v]);
+                sums[way][b][v] =
+                    hn::MulAdd(hn::Load(f, row + v * floatLanes), xs, sums[way][b][v]);
+            constexpr std::size_t other = Ways > 1 ? 1 : 0;
 #pragma GCC unroll 16
             for (std::size_t v = 0; v < tableVectors; ++v)
-                sums[b][v] = hn::MulAdd(row[tableVectors + v], ys, sums[b][v]);
+                sums[way + other][b][v] =
+                    hn::MulAdd(hn::Load(f, row + subBlockSamples + v * floatLanes), ys,
+                               sums[way + other][b][v]);
         }
-        table += 2 * subBlockSamples;
-    }
+    };
+    std::size_t g = 0;
+    for (; g + modesAtOnce <= count; g += modesAtOnce)
+#pragma GCC unroll 2
+        for (std::size_t k = 0; k < modesAtOnce; ++k)
+            add(g + k, 2 * k);
+    if (g < count)
+        add(g, 0);
 #pragma GCC unroll 16
     for (std::size_t b = 0; b < Count; ++b)
 #pragma GCC unroll 16
-        for (std::size_t v = 0; v < tableVectors; ++v)
-            hn::StoreU(sums[b][v], f, output + b * subBlockSamples + v * floatLanes);
+        for (std::size_t v = 0; v < tableVectors; ++v) {
+            auto sum = sums[0][b][v];
+#pragma GCC unroll 16
+            for (std::size_t w = 1; w < Ways; ++w)
+                sum = hn::Add(sum, sums[w][b][v]);
+            hn::StoreU(sum, f, output + b * subBlockSamples + v * floatLanes);
+        }
 }
 
 void mix(const float* tables,
@@ -187,23 +205,23 @@ void mix(const float* tables,
     if constexpr (tableVectors <= 2) {
         switch (blocks) {
         case 1:
-            return mixSubBlocks<0, 1>(tables, x, y, count, output);
+            return mixSubBlocks<0, 1, 4>(tables, x, y, count, output);
         case 2:
-            return mixSubBlocks<0, 2>(tables, x, y, count, output);
+            return mixSubBlocks<0, 2, 2>(tables, x, y, count, output);
         case 3:
-            return mixSubBlocks<0, 3>(tables, x, y, count, output);
+            return mixSubBlocks<0, 3, 1>(tables, x, y, count, output);
         default:
-            return mixSubBlocks<0, 4>(tables, x, y, count, output);
+            return mixSubBlocks<0, 4, 1>(tables, x, y, count, output);
         }
     } else {
         constexpr std::size_t half = 2 * subBlockSamples;
         if (blocks == 1)
-            return mixSubBlocks<0, 1>(tables, x, y, count, output);
-        mixSubBlocks<0, 2>(tables, x, y, count, output);
+            return mixSubBlocks<0, 1, 4>(tables, x, y, count, output);
+        mixSubBlocks<0, 2, 1>(tables, x, y, count, output);
         if (blocks == 3)
-            mixSubBlocks<2, 1>(tables, x, y, count, output + half);
+            mixSubBlocks<2, 1, 4>(tables, x, y, count, output + half);
         if (blocks == 4)
-            mixSubBlocks<2, 2>(tables, x, y, count, output + half);
+            mixSubBlocks<2, 2, 1>(tables, x, y, count, output + half);
     }
 }
 
