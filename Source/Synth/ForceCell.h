@@ -26,6 +26,8 @@ struct ForcePoint {
 struct ForcePlace {
     std::array<ForcePoint, 2> points;
     float way = 0; ///< 0 at the first to 1 at the second, which is not read at 0
+
+    bool operator==(const ForcePlace&) const = default;
 };
 
 struct ForceCell {

@@ -1,5 +1,7 @@
 #include "Synth/ForceKernel.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Synth/ForceKernel.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
@@ -25,6 +27,12 @@ struct Complex {
 HWY_INLINE Complex product(Complex a, Complex b) {
     return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
             hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
+}
+
+/// a by + b
+HWY_INLINE Complex moveAndAdd(Complex a, Complex by, Complex b) {
+    return {hn::NegMulAdd(a.im, by.im, hn::MulAdd(a.re, by.re, b.re)),
+            hn::MulAdd(a.im, by.re, hn::MulAdd(a.re, by.im, b.im))};
 }
 
 HWY_INLINE Vector demoted(const double* values) {
@@ -66,8 +74,7 @@ HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
             if (k == 0) {
                 sums[b] = {impulse, hn::Zero(f)};
             } else {
-                const Complex moved = product(sums[b], power[hornerStep]);
-                sums[b] = {hn::Add(moved.re, impulse), moved.im};
+                sums[b] = moveAndAdd(sums[b], power[hornerStep], {impulse, hn::Zero(f)});
             }
         }
 #pragma GCC unroll 8
@@ -81,19 +88,26 @@ HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
     }
 }
 
+/// What a force adds to a batch of modes.
 template <std::size_t Channels>
-void forceOn(const ForcedModes& modes,
-             const float* HWY_RESTRICT impulses,
-             float fall,
-             std::size_t count,
-             std::span<const ForcedChannel> given,
-             float* HWY_RESTRICT energies) {
+struct Increments {
+    alignas(64) float x[Channels][batchModes];
+    alignas(64) float y[Channels][batchModes];
+};
+
+/// Σ_k r ρ^(64 − k) f[k] for `count` modes from `first` on.
+template <std::size_t Channels>
+HWY_INLINE void findIncrements(const ForcedModes& modes,
+                               const float* HWY_RESTRICT impulses,
+                               float fall,
+                               std::size_t first,
+                               std::size_t count,
+                               const ForcedChannel (&channels)[Channels],
+                               Increments<Channels>& found) {
     const Floats f;
     const auto damper = hn::Set(f, fall);
-    ForcedChannel channels[Channels];
-    for (std::size_t c = 0; c < Channels; ++c)
-        channels[c] = given[c];
-    for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
+    for (std::size_t place = 0; place < count; place += hn::MaxLanes(f)) {
+        const std::size_t g = first + place;
         Complex power[hornerStep + 1];
         power[1] = {hn::Mul(damper, hn::Load(f, modes.sampleRe + g)),
                     hn::Mul(damper, hn::Load(f, modes.sampleIm + g))};
@@ -101,39 +115,68 @@ void forceOn(const ForcedModes& modes,
         for (std::size_t k = 2; k <= hornerStep; ++k)
             power[k] = product(power[k / 2], power[k - k / 2]);
         const Complex turn = product(power[hornerStep], power[hornerStep]);
-
-        hn::Vec<Floats> start[Channels], way[Channels];
-        Complex sum[Channels];
-        for (std::size_t c = 0; c < Channels; ++c) {
-            start[c] = hn::Load(f, channels[c].startResidues + g);
-            way[c] = hn::Sub(hn::Load(f, channels[c].endResidues + g), start[c]);
-        }
+        const Complex half = product(turn, turn);
         Complex sums[subBlocks];
         sumSubBlocks(impulses, power, sums);
-#pragma GCC unroll 4
-        for (std::size_t b = 0; b < subBlocks; ++b) {
-            const Complex here = sums[b];
 #pragma GCC unroll 2
-            for (std::size_t c = 0; c < Channels; ++c) {
-                const auto residue = hn::MulAdd(way[c], hn::Set(f, shareOfWay(b)), start[c]);
-                if (b == 0) {
-                    sum[c] = {hn::Mul(residue, here.re), hn::Mul(residue, here.im)};
-                } else {
-                    const Complex before = product(sum[c], turn);
-                    sum[c] = {hn::MulAdd(residue, here.re, before.re),
-                              hn::MulAdd(residue, here.im, before.im)};
-                }
-            }
-        }
-        const auto share = demoted(modes.velocityShare + g);
-        auto loudest = hn::Zero(f);
         for (std::size_t c = 0; c < Channels; ++c) {
-            sum[c] = product(sum[c], power[1]);
-            const auto x = addTo(channels[c].x + g, hn::NegMulAdd(share, sum[c].im, sum[c].re));
-            const auto y = addTo(channels[c].y + g, hn::MulAdd(share, sum[c].re, sum[c].im));
+            const auto start = hn::Load(f, channels[c].startResidues + g);
+            const auto way = hn::Sub(hn::Load(f, channels[c].endResidues + g), start);
+            Complex heard[subBlocks];
+#pragma GCC unroll 4
+            for (std::size_t b = 0; b < subBlocks; ++b) {
+                const auto residue = hn::MulAdd(way, hn::Set(f, shareOfWay(b)), start);
+                heard[b] = {hn::Mul(residue, sums[b].re), hn::Mul(residue, sums[b].im)};
+            }
+            const Complex early = moveAndAdd(heard[0], turn, heard[1]);
+            const Complex late = moveAndAdd(heard[2], turn, heard[3]);
+            const Complex all = product(moveAndAdd(early, half, late), power[1]);
+            hn::Store(all.re, f, found.x[c] + place);
+            hn::Store(all.im, f, found.y[c] + place);
+        }
+    }
+}
+
+template <std::size_t Channels>
+HWY_INLINE void addIncrements(const double* HWY_RESTRICT velocityShare,
+                              std::size_t first,
+                              std::size_t count,
+                              const Increments<Channels>& found,
+                              const ForcedChannel (&channels)[Channels],
+                              float* HWY_RESTRICT energies) {
+    const Floats f;
+    for (std::size_t place = 0; place < count; place += hn::MaxLanes(f)) {
+        const std::size_t g = first + place;
+        const auto share = demoted(velocityShare + g);
+        auto loudest = hn::Zero(f);
+#pragma GCC unroll 2
+        for (std::size_t c = 0; c < Channels; ++c) {
+            const auto re = hn::Load(f, found.x[c] + place);
+            const auto im = hn::Load(f, found.y[c] + place);
+            const auto x = addTo(channels[c].x + g, hn::NegMulAdd(share, im, re));
+            const auto y = addTo(channels[c].y + g, hn::MulAdd(share, re, im));
             loudest = hn::Max(loudest, hn::MulAdd(x, x, hn::Mul(y, y)));
         }
         hn::Store(loudest, f, energies + g);
+    }
+}
+
+template <std::size_t Channels>
+void forceOn(const ForcedModes& modes,
+             const float* impulses,
+             float fall,
+             std::size_t count,
+             std::span<const ForcedChannel> given,
+             float* energies) {
+    ForcedChannel channels[Channels];
+    for (std::size_t c = 0; c < Channels; ++c)
+        channels[c] = given[c];
+    // In two passes: the machine looks ahead over a mode of either, but not of both.
+    Increments<Channels> found;
+    for (std::size_t first = 0; first < count; first += batchModes) {
+        const std::size_t batch = std::min(batchModes, count - first);
+        findIncrements(modes, impulses, fall, first, batch, channels, found);
+        addIncrements(modes.velocityShare, first, batch, found, channels, energies);
     }
 }
 
@@ -170,21 +213,25 @@ void convolve(const float* HWY_RESTRICT impulses,
             hn::Store(hn::MulAdd(share, way, from), f, response + cellSize + k);
         }
         for (std::size_t n = first; n < cellSize; n += subBlockSamples) {
-            hn::Vec<Floats> sums[vectors];
+            // Even and odd impulses apart, or each product would wait for the one before.
+            hn::Vec<Floats> sums[2][vectors];
 #pragma GCC unroll 4
-            for (std::size_t v = 0; v < vectors; ++v)
-                sums[v] = hn::LoadU(f, output + n + v * lanes);
+            for (std::size_t v = 0; v < vectors; ++v) {
+                sums[0][v] = hn::LoadU(f, output + n + v * lanes);
+                sums[1][v] = hn::Zero(f);
+            }
             const float* HWY_RESTRICT heard = response + cellSize + n - first;
 #pragma GCC unroll 16
             for (std::size_t k = 0; k < subBlockSamples; ++k) {
                 const auto impulse = hn::Set(f, impulses[first + k]);
 #pragma GCC unroll 4
                 for (std::size_t v = 0; v < vectors; ++v)
-                    sums[v] = hn::MulAdd(impulse, hn::LoadU(f, heard + v * lanes - k), sums[v]);
+                    sums[k % 2][v] =
+                        hn::MulAdd(impulse, hn::LoadU(f, heard + v * lanes - k), sums[k % 2][v]);
             }
 #pragma GCC unroll 4
             for (std::size_t v = 0; v < vectors; ++v)
-                hn::StoreU(sums[v], f, output + n + v * lanes);
+                hn::StoreU(hn::Add(sums[0][v], sums[1][v]), f, output + n + v * lanes);
         }
     }
 }

@@ -1,5 +1,6 @@
 // Continuous contact of a sounding object (DESIGN 5): output += force ∗ local impulse response, and
 // the states take in what the force did to them by the next grid point.
+#include "Synth/AllFinite.h"
 #include "Synth/ForceKernel.h"
 #include "Synth/SoundingObject.h"
 
@@ -9,20 +10,19 @@
 namespace idiophone {
 
 bool SoundingObject::valid(const ForcePlace& place) const noexcept {
-    const auto sound = [&](const ForcePoint& at) {
-        return valid(at.point) &&
-               std::ranges::all_of(at.direction, [](float value) { return std::isfinite(value); });
+    const auto makesSense = [&](const ForcePoint& at) {
+        return valid(at.point) && allFinite(at.direction);
     };
-    return std::isfinite(place.way) && sound(place.points[0]) &&
-           (place.way == 0 || sound(place.points[1]));
+    return std::isfinite(place.way) && makesSense(place.points[0]) &&
+           (place.way == 0 || makesSense(place.points[1]));
 }
 
 bool SoundingObject::applyForce(const ForceCell& force,
                                 std::int32_t allowance,
                                 const CellOutput& cell) noexcept {
-    const auto isFinite = [](float value) { return std::isfinite(value); };
-    if (force.contact >= forceCapacity || !valid(force.start) || !valid(force.end) ||
-        !std::ranges::all_of(force.newtons, isFinite))
+    const bool stays = force.start == force.end;
+    if (force.contact >= forceCapacity || !valid(force.start) || (!stays && !valid(force.end)) ||
+        !allFinite(force.newtons))
         return false;
     takeInKicks(cellIndex + 1);
     prepareBank();
@@ -37,10 +37,12 @@ bool SoundingObject::applyForce(const ForceCell& force,
     ForceResponses& known = scratch.responses[force.contact];
     alignas(64) ForceSound start, end;
     answerAt(force.start, known, scratch.startResidues, start);
-    answerAt(force.end, known, scratch.endResidues, end);
-    soundForce(impulses, start, end, cell);
+    if (!stays)
+        answerAt(force.end, known, scratch.endResidues, end);
+    soundForce(impulses, start, stays ? start : end, cell);
     bringRestingUpToDate(cellIndex + 1);
-    bank.force(impulses, scratch.startResidues, scratch.endResidues, damping);
+    bank.force(impulses, scratch.startResidues, stays ? scratch.startResidues : scratch.endResidues,
+               damping);
     if (!allMixed())
         listWhatRings();
     return true;

@@ -1,4 +1,5 @@
 // Strikes and contacts of a sounding object.
+#include "Synth/AllFinite.h"
 #include "Synth/ContactPulse.h"
 #include "Synth/SoundingObject.h"
 
@@ -14,10 +15,6 @@ namespace {
 
 constexpr double shortestContactSamples = 1e-3;
 
-bool finite(std::span<const float> values) noexcept {
-    return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
-}
-
 int firstSampleFrom(double time) noexcept {
     return static_cast<int>(std::ceil(time));
 }
@@ -31,11 +28,11 @@ bool SoundingObject::valid(const StrikePoint& point) const noexcept {
         if (point.weights[k] != 0 && (row < 0 || row >= rows))
             return false;
     }
-    return object->modeCount() > 0 && finite(point.weights) && finite(point.normal);
+    return object->modeCount() > 0 && allFinite(point.weights) && allFinite(point.normal);
 }
 
 bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noexcept {
-    return valid(strike.point) && finite(strike.impulseNewtonSeconds) &&
+    return valid(strike.point) && allFinite(strike.impulseNewtonSeconds) &&
            std::isfinite(strike.durationSeconds) && strike.durationSeconds >= 0 &&
            sampleInCell >= 0 && sampleInCell < cellSamples;
 }
