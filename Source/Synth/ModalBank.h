@@ -140,6 +140,13 @@ public:
                     const BeforeSample& before,
                     ModeKicks& kicks) const noexcept;
 
+    /// Kicks become none, and grow by residues times the unit's states times `factor`.
+    void clearKicks(ModeKicks& kicks) const noexcept;
+    void gatherKicks(const UnitContact& unit,
+                     const ModeResidues& residues,
+                     double factor,
+                     ModeKicks& kicks) const noexcept;
+
     /// Kicks become those of the whole contact, started and ended. Their energies stay behind.
     void finishKicks(const UnitContact& unit,
                      const ModeResidues& residues,

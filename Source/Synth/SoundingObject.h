@@ -129,13 +129,18 @@ private:
     void findLost() noexcept;
     void widen(double listening) noexcept;
     void findRadiation() noexcept;
-    void computeForced(const Contact& contact, std::complex<double> phase) noexcept;
+    void computeForced(const Contact& contact) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
     void admitWanted(std::int32_t allowance) noexcept;
     void listWanted(std::size_t most) noexcept;
     void admit(std::size_t g) noexcept;
-    void hold(Contact& contact, std::span<const ModeRun> modes) noexcept;
-    void moveContact(Contact& contact, double sign) noexcept;
+    void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
+    /// What a contact adds to the residue of every mode, over what the other one does; 0 where that
+    /// differs from mode to mode.
+    static double shareOfResidues(const Contact& contact, const Contact& other) noexcept;
+    enum class Forced { freed, held };
+    void moveContacts(Forced become) noexcept;
+    void moveContact(Contact& contact, double factor, Forced become) noexcept;
     void soundContacts(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
     void startKicks(double sign, double at) noexcept;

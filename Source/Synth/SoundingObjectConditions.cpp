@@ -53,8 +53,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     // it is made free motion, and taken out again with those and the damping that hold from here
     // on.
     if (contactsMove)
-        for (Contact& contact : contacts)
-            moveContact(contact, 1);
+        moveContacts(Forced::freed);
     wantedRadiationRatio = newRadiationRatio;
     ++responseVersion;
     dampingLogBase = dampingLog(cellIndex);
@@ -66,8 +65,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     if (polesBehind && (ringing() || tauFalls))
         movePoles();
     if (contactsMove)
-        for (Contact& contact : contacts)
-            moveContact(contact, -1);
+        moveContacts(Forced::held);
     if (polesMove || tauFalls)
         wakeBlocks();
 }

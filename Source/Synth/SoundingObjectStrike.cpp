@@ -61,12 +61,11 @@ void SoundingObject::widen(double listening) noexcept {
     }
 }
 
-void SoundingObject::computeForced(const Contact& contact, std::complex<double> phase) noexcept {
+void SoundingObject::computeForced(const Contact& contact) noexcept {
     computeResidues(contact);
-    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
-                       .dampingPerSecond = damping,
-                       .phase = phase},
-                      scratch.contact);
+    bank.forcedStates(
+        {.contactSeconds = contact.strike.durationSeconds, .dampingPerSecond = damping},
+        scratch.contact);
 }
 
 bool SoundingObject::strike(const Strike& asked,
@@ -88,7 +87,7 @@ bool SoundingObject::strike(const Strike& asked,
     seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
 
     if (isPulse) {
-        computeForced(contact, 1);
+        computeForced(contact);
         startKicks(-1, sampleInCell);
     } else {
         computeResidues(contact);
@@ -97,11 +96,11 @@ bool SoundingObject::strike(const Strike& asked,
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
-        computeForced(contact, 1); // joining took the arrays for the other contacts
+        computeForced(contact); // joining took the arrays for the other contacts
 
     int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
-        hold(contact, mixedRuns);
+        hold(contact, mixedRuns, 1);
         const double end = addForced(contact, cell);
         if (end <= cellSamples) {
             addKicks(from, firstSampleFrom(end), cell);
@@ -166,8 +165,8 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     fader.enter(bank, scratch.leaving);
     findRuns(scratch.joining, scratch.joiningRuns);
     for (Contact& contact : contacts) {
-        computeForced(contact, 1);
-        hold(contact, scratch.joiningRuns);
+        computeForced(contact);
+        hold(contact, scratch.joiningRuns, 1);
     }
     listMixed();
     mixedIsRinging = false;
@@ -200,7 +199,10 @@ void SoundingObject::admit(std::size_t g) noexcept {
     blocks[b].mixed |= bit;
 }
 
-void SoundingObject::hold(Contact& contact, std::span<const ModeRun> modes) noexcept {
+/// `factor` times what the residues at hand sound is part of the contact from now on.
+void SoundingObject::hold(Contact& contact,
+                          std::span<const ModeRun> modes,
+                          double factor) noexcept {
     const ForcedAmplitudes parts{scratch.contact.steady.data(), scratch.contact.swingRe.data(),
                                  scratch.contact.swingIm.data()};
     for (std::size_t c = 0; c < bank.channels(); ++c) {
@@ -208,8 +210,8 @@ void SoundingObject::hold(Contact& contact, std::span<const ModeRun> modes) noex
         for (const ModeRun& run : modes)
             sumForced(scratch.groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
                       static_cast<std::size_t>(run.count), sum);
-        contact.steadyVelocity[c] += sum.steady;
-        contact.swing[c] += sum.swing;
+        contact.steadyVelocity[c] += factor * sum.steady;
+        contact.swing[c] += factor * sum.swing;
     }
 }
 
@@ -221,24 +223,61 @@ SoundingObject::phaseAt(const Contact& contact, std::int64_t cell, double sample
     return std::polar(1.0, 2 * std::numbers::pi * turns);
 }
 
-void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
-    computeForced(contact, phaseAt(contact, cellIndex, 0));
-    for (const std::int32_t number : activeBlocks) {
-        const auto b = static_cast<std::size_t>(number);
-        forEachMode(b, blocks[b].rings, [&](std::int32_t mode) {
-            const auto g = static_cast<std::size_t>(mode);
-            for (std::size_t c = 0; c < bank.channels(); ++c) {
-                const double residue = sign * static_cast<double>(scratch.groupResidues[c][g]);
-                bank.add(g,
-                         {residue * static_cast<double>(scratch.contact.x[g]),
-                          residue * static_cast<double>(scratch.contact.y[g])},
-                         c);
-            }
-        });
+double SoundingObject::shareOfResidues(const Contact& contact, const Contact& other) noexcept {
+    if (contact.listening != other.listening || contact.strike.point != other.strike.point)
+        return 0;
+    double along = 0;
+    double square = 0;
+    double otherSquare = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto impulse = static_cast<double>(contact.strike.impulseNewtonSeconds[k]);
+        const auto otherImpulse = static_cast<double>(other.strike.impulseNewtonSeconds[k]);
+        along += impulse * otherImpulse;
+        square += impulse * impulse;
+        otherSquare += otherImpulse * otherImpulse;
     }
+    if (!(otherSquare > 0) || along * along < (1 - 1e-14) * square * otherSquare)
+        return 0;
+    return along / otherSquare * contact.gainRatio / other.gainRatio;
+}
+
+/// The forced parts of all contacts become free motion of the states at the grid point, of every
+/// mode, as the ends of the contacts will be those of every mode; or they are taken out of it.
+void SoundingObject::moveContacts(Forced become) noexcept {
+    if (contacts.empty())
+        return;
+    bringRestingUpToDate(cellIndex);
+    bank.clearKicks(scratch.kicks);
+    std::array<bool, contactCapacity> moved{};
+    for (std::size_t first = 0; first < contacts.size(); ++first) {
+        if (moved[first])
+            continue;
+        computeResidues(contacts[first]);
+        moveContact(contacts[first], 1, become);
+        for (std::size_t k = first + 1; k < contacts.size(); ++k) {
+            const double share = moved[k] ? 0 : shareOfResidues(contacts[k], contacts[first]);
+            if (share == 0)
+                continue;
+            moved[k] = true;
+            moveContact(contacts[k], share, become);
+        }
+    }
+    bank.join(scratch.kicks, {});
+}
+
+/// One of them, whose residues are `factor` times those at hand.
+void SoundingObject::moveContact(Contact& contact, double factor, Forced become) noexcept {
+    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
+                       .dampingPerSecond = damping,
+                       .phase = phaseAt(contact, cellIndex, 0)},
+                      scratch.contact);
+    bank.gatherKicks(scratch.contact, scratch.groupResidues,
+                     become == Forced::freed ? factor : -factor, scratch.kicks);
+    if (become == Forced::freed)
+        return;
     contact.steadyVelocity = {};
     contact.swing = {};
-    hold(contact, mixedRuns);
+    hold(contact, mixedRuns, factor);
 }
 
 double SoundingObject::addForced(const Contact& contact, const CellOutput& cell) const noexcept {
@@ -328,7 +367,7 @@ void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
         takeInKicks(cellIndex + 1);
-        computeForced(contact, 1);
+        computeForced(contact);
         startKicks(1, end);
         addKicks(firstSampleFrom(end), cellSamples, cell);
         keepKicks(firstSampleFrom(end));
