@@ -190,12 +190,6 @@ void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t cha
     measure(g);
 }
 
-void ModalBank::add(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
-    states.x[channel][g] += state.x;
-    states.y[channel][g] += state.y;
-    measure(g);
-}
-
 void ModalBank::silence(std::size_t g) noexcept {
     for (std::size_t c = 0; c < channelCount; ++c)
         states.x[c][g] = states.y[c][g] = 0;

@@ -102,7 +102,6 @@ public:
         return {states.x[channel][g], states.y[channel][g]};
     }
     void setState(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
-    void add(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
     void silence(std::size_t g) noexcept;
     void clear() noexcept;
 

@@ -116,7 +116,6 @@ void SoundingObject::regroup() noexcept {
                              std::span(modeWeights).subspan(first, count));
     }
     bank.resize(groups);
-    bank.setChannels(1);
     std::fill(blocks.begin(), blocks.end(), Block{});
     movePoles();
 }
