@@ -52,6 +52,13 @@ struct UnitContact {
     AlignedVector<float> swingIm;
 };
 
+/// What of one mode's state goes to another: its share of it.
+struct ModeShare {
+    std::int32_t from = 0;
+    std::int32_t to = 0;
+    double share = 0;
+};
+
 /// A time between two samples: the share of a sample that is left to the later one (below 1), and
 /// what states are multiplied by on the way there beside their free motion.
 struct BeforeSample {
@@ -85,6 +92,11 @@ public:
 
     /// Starts anew with so many modes, all silent; `movePoles` gives them their poles.
     void resize(std::size_t modes) noexcept;
+
+    /// The modes become `modes` others, each of which takes over what `shares` (ascending in both)
+    /// give it: where those of each mode sum to 1 nothing steps. Every mode to come has a share.
+    /// `room` is for states of this bank, and left with anything; `movePoles` is to follow.
+    void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
     /// Gives every mode the pole that `law` makes of its reference eigenvalue [size]. States stay
     /// (DESIGN 5, State: no step in the velocity); where the coordinates change near critical

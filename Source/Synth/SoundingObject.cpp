@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace idiophone {
@@ -43,7 +44,8 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
-    referenceEigenvalues.resize(modes);
+    std::iota(groupStarts.begin(), groupStarts.end(), 0);
+    referenceEigenvalues = object->eigenvalues;
     lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
@@ -57,8 +59,9 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     for (Response& response : responses)
         for (std::size_t c = 0; c < (object->radiation.empty() ? 1 : channels); ++c)
             response.residues[c].resize(bank.paddedSize());
+    bank.resize(modes);
     applySettings({});
-    regroup();
+    movePoles();
 }
 
 void SoundingObject::setDamping(double dampingPerSecond) noexcept {
@@ -215,6 +218,7 @@ void SoundingObject::activate(std::size_t b) noexcept {
     if (blocks[b].active)
         return;
     blocks[b].active = true;
+    mixedIsRinging = false;
     const auto number = static_cast<std::int32_t>(b);
     activeBlocks.insert(std::lower_bound(activeBlocks.begin(), activeBlocks.end(), number), number);
 }

@@ -116,9 +116,18 @@ private:
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
     void fadeOutOfBand() noexcept;
-    void regroup() noexcept;
+    bool inBand(std::size_t g) const noexcept;
+    bool holdsAboveTau() const noexcept;
     double dampingLog(std::int64_t grid) const noexcept;
     float tauEnergy() const noexcept { return static_cast<float>(tauVelocity * tauVelocity); }
+
+    // SoundingObjectGroups.cpp: groups that follow the poles.
+    void regroup(std::size_t groups) noexcept;
+    void nameGroups(std::size_t groups) noexcept;
+    void shareGroups(std::size_t groups) noexcept;
+    void handOnFlags() noexcept;
+    void fadeChanges() noexcept;
+    void rebuildBlocks() noexcept;
 
     // SoundingObjectStrike.cpp: residues, contacts.
     bool valid(const StrikePoint& point) const noexcept;
@@ -179,7 +188,7 @@ private:
     double requestedFrequencyRatio = 1;
     bool controlsChanged = true;
     PoleLaw law;
-    bool polesBehind = false; ///< the bank's poles are not yet those of `law`
+    bool polesBehind = false; ///< the bank is not yet that of `law` and `compression`
     double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
     double radiation = 0;     ///< 0 heard where struck, 1 from afar
     /// Frequency times size over the reference's: where the radiation table is to be read, and
@@ -193,15 +202,13 @@ private:
     std::int64_t dampingSince = 0;
     std::int64_t cellIndex = -1; ///< the cell begun last
 
-    // Groups, and the conditions under which they were formed.
+    // Groups.
     double weightScale;                       ///< of the radiation weights (Listening.h)
     std::vector<double> modeWeights;          ///< [M] mean-square shape
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
     std::vector<double> referenceEigenvalues; ///< [G]
-    PoleLaw groupedLaw;
-    double groupedCompression = 1;
-    std::vector<float> lostShares;        ///< of the pairs of every group (ModeCompression.h)
-    std::optional<PoleLaw> lostSharesLaw; ///< for which they hold
+    std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)
+    std::optional<PoleLaw> lostSharesLaw;     ///< for which they hold
 
     ModalBank bank;
     ModeFader fader;
@@ -232,6 +239,9 @@ private:
     std::uint64_t responseVersion = 1;
     std::int64_t forcedCell = -1; ///< the last cell that was forced
 
+    static bool isSet(std::uint16_t bits, std::size_t g) noexcept {
+        return (bits >> (g % modeBlock) & 1u) != 0;
+    }
     /// Calls `visit` with the mode of each bit of a block.
     template <class Visit>
     static void forEachMode(std::size_t block, std::uint16_t bits, Visit visit) {

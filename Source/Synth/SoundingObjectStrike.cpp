@@ -40,14 +40,11 @@ bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noex
            sampleInCell >= 0 && sampleInCell < cellSamples;
 }
 
-/// Groups are formed anew where nothing rings, and poles are those of the settings. What is silent
-/// starts again in one channel.
+/// Groups and poles are those of the settings. What is silent starts again in one channel.
 void SoundingObject::prepareBank() noexcept {
     if (silent())
         bank.setChannels(1);
-    if (!ringing() && (groupedLaw != law || groupedCompression != compression))
-        regroup();
-    else if (polesBehind)
+    if (polesBehind)
         movePoles();
 }
 
