@@ -117,7 +117,9 @@ public:
     void silence(std::size_t g) noexcept;
     void clear() noexcept;
 
-    /// |s|² in the louder channel as of the last cell or `setState` [paddedSize].
+    /// |s|² in the louder channel [paddedSize], and (`amplitudeBound`)² of modes that do not
+    /// oscillate: of the states as they are, but after `render`, for modes that oscillate, of those
+    /// at the start of the cell times `scale`.
     const float* energies() const noexcept { return energy.data(); }
     const float* audibleWeights() const noexcept { return audibles.data(); }
     float energyOfLoudest(std::size_t block) const noexcept;

@@ -99,7 +99,8 @@ void SoundingObject::survey() noexcept {
                                               faintEnergy, activeBlocks, scratch.aboveTau.data());
     // Under a contact nothing comes or goes; under a continuous force nothing goes.
     const bool forced = forcedCell == cellIndex - 1;
-    std::int32_t ringing = 0;
+    const bool follows = contacts.empty() && !forced;
+    std::int32_t ringing = follows ? found.modes : 0;
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
         if (forced)
@@ -108,7 +109,8 @@ void SoundingObject::survey() noexcept {
             blocks[b].rings = scratch.aboveTau[b];
             mixedIsRinging = false;
         }
-        ringing += std::popcount(blocks[b].rings);
+        if (!follows)
+            ringing += std::popcount(blocks[b].rings);
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks)
