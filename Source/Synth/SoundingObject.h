@@ -143,13 +143,6 @@ private:
     void admitWanted(std::int32_t allowance) noexcept;
     void listWanted(std::size_t most) noexcept;
     void admit(std::size_t g) noexcept;
-    void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
-    /// What a contact adds to the residue of every mode, over what the other one does; 0 where that
-    /// differs from mode to mode.
-    static double shareOfResidues(const Contact& contact, const Contact& other) noexcept;
-    enum class Forced { freed, held };
-    void moveContacts(Forced become) noexcept;
-    void moveContact(Contact& contact, double factor, Forced become) noexcept;
     void soundContacts(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
     void startKicks(double sign, double at) noexcept;
@@ -166,6 +159,15 @@ private:
     bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
     void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
+
+    // SoundingObjectContact.cpp: contacts under way.
+    void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
+    /// What a contact adds to the residue of every mode, over what the other one does; 0 where that
+    /// differs from mode to mode.
+    static double shareOfResidues(const Contact& contact, const Contact& other) noexcept;
+    enum class Forced { freed, held };
+    void moveContacts(Forced become) noexcept;
+    void moveContact(Contact& contact, double factor, Forced become) noexcept;
     std::complex<double>
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
