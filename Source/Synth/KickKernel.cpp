@@ -155,6 +155,23 @@ void start(const KickModes& modes,
     }
 }
 
+void gather(const float* HWY_RESTRICT unitX,
+            const float* HWY_RESTRICT unitY,
+            double factor,
+            std::size_t count,
+            KickChannels channels) {
+    const Floats f;
+    const auto scale = hn::Set(f, static_cast<float>(factor));
+    for (std::size_t g = 0; g < count; g += lanes) {
+        const Complex unit = load(unitX, unitY, g);
+        for (const KickChannel& channel : channels) {
+            const auto residue = hn::Mul(scale, hn::Load(f, channel.residues + g));
+            hn::Store(hn::MulAdd(residue, unit.re, hn::Load(f, channel.x + g)), f, channel.x + g);
+            hn::Store(hn::MulAdd(residue, unit.im, hn::Load(f, channel.y + g)), f, channel.y + g);
+        }
+    }
+}
+
 void finish(const KickModes& modes,
             const UnitKicks& end,
             const KickMove& contact,
@@ -212,6 +229,7 @@ HWY_AFTER_NAMESPACE();
 namespace idiophone {
 
 HWY_EXPORT(start);
+HWY_EXPORT(gather);
 HWY_EXPORT(finish);
 HWY_EXPORT(join);
 
@@ -221,6 +239,14 @@ void startKicks(const KickModes& modes,
                 KickChannels channels,
                 float* energies) noexcept {
     HWY_DYNAMIC_DISPATCH(start)(modes, unit, count, channels, energies);
+}
+
+void gatherKicks(const float* unitX,
+                 const float* unitY,
+                 double factor,
+                 std::size_t count,
+                 KickChannels channels) noexcept {
+    HWY_DYNAMIC_DISPATCH(gather)(unitX, unitY, factor, count, channels);
 }
 
 void finishKicks(const KickModes& modes,

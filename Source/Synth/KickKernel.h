@@ -48,6 +48,13 @@ void startKicks(const KickModes& modes,
                 KickChannels channels,
                 float* energies) noexcept;
 
+/// Kicks grow by those for residues of 1 times the residues and `factor`.
+void gatherKicks(const float* unitX,
+                 const float* unitY,
+                 double factor,
+                 std::size_t count,
+                 KickChannels channels) noexcept;
+
 /// A time of free motion, and how much a damper takes meanwhile (≥ 0).
 struct KickMove {
     double seconds = 0;

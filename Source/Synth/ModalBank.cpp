@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace idiophone {
 
@@ -103,6 +104,49 @@ void ModalBank::clear() noexcept {
     std::fill(energy.begin(), energy.end(), 0.0f);
 }
 
+void ModalBank::regroup(std::size_t modes,
+                        std::span<const ModeShare> shares,
+                        ModeStates& room) noexcept {
+    // A mode to come starts with the pole of the first that it takes from. `movePoles` fills in
+    // anew what is used as room for them.
+    auto& newStiffness = cellRe;
+    auto& newDamping = cellIm;
+    std::fill(newStiffness.begin(), newStiffness.end(), 1.0);
+    std::fill(newDamping.begin(), newDamping.end(), 0.0);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        std::fill_n(room.x[c].begin(), states.x[c].size(), 0.0);
+        std::fill_n(room.y[c].begin(), states.y[c].size(), 0.0);
+    }
+    std::int32_t last = -1;
+    for (const ModeShare& taken : shares) {
+        const ModalPole before = pole(index(taken.from));
+        const std::size_t g = index(taken.to);
+        if (std::exchange(last, taken.to) != taken.to) {
+            newStiffness[g] = before.stiffness;
+            newDamping[g] = before.damping;
+        }
+        const ModalPole after{newStiffness[g], newDamping[g]};
+        const bool sameKind = isOscillating(before) == isOscillating(after);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState old = state(index(taken.from), c);
+            const ModalState moved = sameKind ? old : stateOf(after, motionOf(before, old));
+            room.x[c][g] += taken.share * moved.x;
+            room.y[c][g] += taken.share * moved.y;
+        }
+    }
+    std::swap(stiffness, newStiffness);
+    std::swap(damping, newDamping);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        std::copy_n(room.x[c].begin(), states.x[c].size(), states.x[c].begin());
+        std::copy_n(room.y[c].begin(), states.y[c].size(), states.y[c].begin());
+    }
+    count = modes;
+    heavyModes.clear();
+    std::fill(audibles.begin(), audibles.end(), 0.0f);
+    for (std::size_t g = 0; g < energy.size(); ++g)
+        measure(g);
+}
+
 void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           const PoleLaw& law,
                           double lowestHz,
@@ -187,12 +231,6 @@ void ModalBank::measureModes(std::size_t first, std::size_t end) noexcept {
 void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
     states.x[channel][g] = state.x;
     states.y[channel][g] = state.y;
-    measure(g);
-}
-
-void ModalBank::add(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
-    states.x[channel][g] += state.x;
-    states.y[channel][g] += state.y;
     measure(g);
 }
 

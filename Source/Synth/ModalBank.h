@@ -52,6 +52,13 @@ struct UnitContact {
     AlignedVector<float> swingIm;
 };
 
+/// What of one mode's state goes to another: its share of it.
+struct ModeShare {
+    std::int32_t from = 0;
+    std::int32_t to = 0;
+    double share = 0;
+};
+
 /// A time between two samples: the share of a sample that is left to the later one (below 1), and
 /// what states are multiplied by on the way there beside their free motion.
 struct BeforeSample {
@@ -86,6 +93,11 @@ public:
     /// Starts anew with so many modes, all silent; `movePoles` gives them their poles.
     void resize(std::size_t modes) noexcept;
 
+    /// The modes become `modes` others, each of which takes over what `shares` (ascending in both)
+    /// give it: where those of each mode sum to 1 nothing steps. Every mode to come has a share.
+    /// `room` is for states of this bank, and left with anything; `movePoles` is to follow.
+    void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
+
     /// Gives every mode the pole that `law` makes of its reference eigenvalue [size]. States stay
     /// (DESIGN 5, State: no step in the velocity); where the coordinates change near critical
     /// damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f < `highestHz` (natural
@@ -102,11 +114,12 @@ public:
         return {states.x[channel][g], states.y[channel][g]};
     }
     void setState(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
-    void add(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
     void silence(std::size_t g) noexcept;
     void clear() noexcept;
 
-    /// |s|² in the louder channel as of the last cell or `setState` [paddedSize].
+    /// |s|² in the louder channel [paddedSize], and (`amplitudeBound`)² of modes that do not
+    /// oscillate: of the states as they are, but after `render`, for modes that oscillate, of those
+    /// at the start of the cell times `scale`.
     const float* energies() const noexcept { return energy.data(); }
     const float* audibleWeights() const noexcept { return audibles.data(); }
     float energyOfLoudest(std::size_t block) const noexcept;
@@ -139,6 +152,13 @@ public:
                     const ModeResidues& residues,
                     const BeforeSample& before,
                     ModeKicks& kicks) const noexcept;
+
+    /// Kicks become none, and grow by residues times the unit's states times `factor`.
+    void clearKicks(ModeKicks& kicks) const noexcept;
+    void gatherKicks(const UnitContact& unit,
+                     const ModeResidues& residues,
+                     double factor,
+                     ModeKicks& kicks) const noexcept;
 
     /// Kicks become those of the whole contact, started and ended. Their energies stay behind.
     void finishKicks(const UnitContact& unit,

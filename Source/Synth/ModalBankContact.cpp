@@ -83,6 +83,22 @@ void ModalBank::startKicks(const UnitContact& unit,
     }
 }
 
+void ModalBank::clearKicks(ModeKicks& kicks) const noexcept {
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        std::fill_n(kicks.x[c].begin(), paddedSize(), 0.0f);
+        std::fill_n(kicks.y[c].begin(), paddedSize(), 0.0f);
+    }
+}
+
+void ModalBank::gatherKicks(const UnitContact& unit,
+                            const ModeResidues& residues,
+                            double factor,
+                            ModeKicks& kicks) const noexcept {
+    const auto channels = channelsOf(residues, kicks);
+    idiophone::gatherKicks(unit.x.data(), unit.y.data(), factor, paddedSize(),
+                           std::span(channels).first(channelCount));
+}
+
 void ModalBank::finishKicks(const UnitContact& unit,
                             const ModeResidues& residues,
                             const BeforeSample& before,

@@ -255,7 +255,6 @@ EnergySurvey survey(const float* HWY_RESTRICT energies,
             outside = hn::Or(outside, hn::Or(fading, hn::Not(hn::Lt(energy, largest))));
         }
         result.modes += static_cast<std::int32_t>(hwy::PopCount(bits));
-        result.changed = result.changed || masks[block] != bits;
         masks[block] = static_cast<std::uint16_t>(bits);
     }
     result.amplitudes = static_cast<double>(hn::GetLane(hn::SumOfLanes(f, amplitudes)));

@@ -64,7 +64,6 @@ void mixModes(const float* tables,
 struct EnergySurvey {
     double amplitudes = 0;  ///< Σ |s| over the modes above τ
     std::int32_t modes = 0; ///< their number
-    bool changed = false;   ///< they are not the modes of the last survey
     bool faint = false;     ///< some state should become zero
 };
 

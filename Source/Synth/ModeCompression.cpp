@@ -10,19 +10,34 @@ namespace idiophone {
 namespace {
 
 constexpr double samePole = 1e-9;
+constexpr double turn = 2 * std::numbers::pi;
 
-bool canMerge(const ModalPole& first, const ModalPole& next, double compression) noexcept {
-    if (std::abs(next.stiffness - first.stiffness) <= samePole * first.stiffness)
-        return true;
-    if (!isOscillating(first) || !isOscillating(next))
-        return false;
-    const double frequency = dampedFrequency(first);
-    const double difference = std::abs(dampedFrequency(next) - frequency);
-    constexpr double turn = 2 * std::numbers::pi;
-    const double noticeable = turn * compression * discriminationHz(frequency / turn);
-    const double meanDecay = (first.damping + next.damping) / 4;
-    return difference <= noticeable && difference <= meanDecay;
-}
+/// The first mode of a group, with what all others are compared with.
+struct FirstMode {
+    explicit FirstMode(const ModalPole& first, double compression) noexcept
+        : pole(first), oscillates(isOscillating(first)),
+          frequency(oscillates ? dampedFrequency(first) : 0),
+          noticeable(oscillates ? turn * compression * discriminationHz(frequency / turn) : 0) {}
+
+    bool canMerge(const ModalPole& next) const noexcept {
+        if (std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
+            return true;
+        if (!oscillates || !isOscillating(next))
+            return false;
+        // In squares, as a root for every mode would cost more than all else.
+        const double meanDecay = (pole.damping + next.damping) / 4;
+        const double most = std::min(noticeable, meanDecay);
+        const double squared = next.stiffness - next.damping * next.damping / 4;
+        const double low = std::max(frequency - most, 0.0);
+        const double high = frequency + most;
+        return squared <= high * high && squared >= low * low;
+    }
+
+    ModalPole pole;
+    bool oscillates;
+    double frequency;
+    double noticeable;
+};
 
 } // namespace
 
@@ -37,14 +52,14 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        std::span<std::int32_t> groupStarts) noexcept {
     std::size_t groups = 0;
     std::size_t start = 0;
-    ModalPole first;
+    FirstMode first({}, compression);
     for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
         const ModalPole pole = law.pole(referenceEigenvalues[i]);
-        if (groups > 0 && i - start < largestGroup && canMerge(first, pole, compression))
+        if (groups > 0 && i - start < largestGroup && first.canMerge(pole))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;
-        first = pole;
+        first = FirstMode(pole, compression);
     }
     groupStarts[groups] = static_cast<std::int32_t>(referenceEigenvalues.size());
     return groups;

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace idiophone {
@@ -43,7 +44,8 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
-    referenceEigenvalues.resize(modes);
+    std::iota(groupStarts.begin(), groupStarts.end(), 0);
+    referenceEigenvalues = object->eigenvalues;
     lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
@@ -54,8 +56,9 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
     kicks = bank.emptyKicks();
+    bank.resize(modes);
     applySettings({});
-    regroup();
+    movePoles();
 }
 
 void SoundingObject::setDamping(double dampingPerSecond) noexcept {
@@ -93,7 +96,8 @@ void SoundingObject::survey() noexcept {
                                               faintEnergy, activeBlocks, scratch.aboveTau.data());
     // Under a contact nothing comes or goes; under a continuous force nothing goes.
     const bool forced = forcedCell == cellIndex - 1;
-    std::int32_t ringing = 0;
+    const bool follows = contacts.empty() && !forced;
+    std::int32_t ringing = follows ? found.modes : 0;
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
         if (forced)
@@ -102,7 +106,8 @@ void SoundingObject::survey() noexcept {
             blocks[b].rings = scratch.aboveTau[b];
             mixedIsRinging = false;
         }
-        ringing += std::popcount(blocks[b].rings);
+        if (!follows)
+            ringing += std::popcount(blocks[b].rings);
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks)
@@ -212,6 +217,7 @@ void SoundingObject::activate(std::size_t b) noexcept {
     if (blocks[b].active)
         return;
     blocks[b].active = true;
+    mixedIsRinging = false;
     const auto number = static_cast<std::int32_t>(b);
     activeBlocks.insert(std::lower_bound(activeBlocks.begin(), activeBlocks.end(), number), number);
 }

@@ -39,10 +39,9 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
         ++responseVersion;
     gainRatio = newGainRatio;
     const double newRadiationRatio = std::sqrt(newLaw.eigenvalueRatio) * size;
-    compression = settings.compression;
     radiation = settings.radiation;
 
-    const bool polesMove = newLaw != law;
+    const bool polesMove = newLaw != law || settings.compression != compression;
     const bool dampingMoves = requestedDamping != damping;
     const bool weightsMove = newRadiationRatio != wantedRadiationRatio;
     const bool contactsMove = polesMove || dampingMoves || weightsMove;
@@ -53,8 +52,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     // it is made free motion, and taken out again with those and the damping that hold from here
     // on.
     if (contactsMove)
-        for (Contact& contact : contacts)
-            moveContact(contact, 1);
+        moveContacts(Forced::freed);
     wantedRadiationRatio = newRadiationRatio;
     ++responseVersion;
     dampingLogBase = dampingLog(cellIndex);
@@ -62,12 +60,12 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     damping = requestedDamping;
     tauVelocity = newTau;
     law = newLaw;
+    compression = settings.compression;
     polesBehind = polesBehind || polesMove;
-    if (polesBehind && (ringing() || tauFalls))
+    if (polesBehind && (ringing() || holdsAboveTau()))
         movePoles();
     if (contactsMove)
-        for (Contact& contact : contacts)
-            moveContact(contact, -1);
+        moveContacts(Forced::held);
     if (polesMove || tauFalls)
         wakeBlocks();
 }
@@ -76,12 +74,30 @@ void SoundingObject::movePoles() noexcept {
     polesBehind = false;
     ++responseVersion;
     // Resting states move with the poles they had up to here.
-    for (std::size_t b = 0; b < bank.blockCount(); ++b)
-        if (!blocks[b].active)
-            bringUpToDate(b, cellIndex);
-    fadeOutOfBand();
+    bringRestingUpToDate(cellIndex);
+    const std::size_t groups =
+        groupModes(object->eigenvalues, law, compression, scratch.groupStarts);
+    if (groups == bank.size() &&
+        std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
+                   scratch.groupStarts.begin()))
+        fadeOutOfBand();
+    else
+        regroup(groups);
     bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestHz,
                    highestShareOfSampleRate * sampleRate);
+}
+
+bool SoundingObject::inBand(std::size_t g) const noexcept {
+    const double hz = naturalFrequencyHz(law.pole(referenceEigenvalues[g]));
+    return hz >= lowestHz && hz < highestShareOfSampleRate * sampleRate;
+}
+
+/// What τ had cut, or what was out of band, may be heard again with other poles.
+bool SoundingObject::holdsAboveTau() const noexcept {
+    for (std::size_t b = 0; b < bank.blockCount(); ++b)
+        if (bank.energyOfLoudest(b) > tauEnergy())
+            return true;
+    return false;
 }
 
 /// What leaves the band fades with the pole it had: the new one would alias.
@@ -89,8 +105,7 @@ void SoundingObject::fadeOutOfBand() noexcept {
     scratch.leaving.clear();
     for (const std::int32_t g : mixedModes) {
         const auto mode = static_cast<std::size_t>(g);
-        const double hz = naturalFrequencyHz(law.pole(referenceEigenvalues[mode]));
-        if (hz >= lowestHz && hz < highestShareOfSampleRate * sampleRate)
+        if (inBand(mode))
             continue;
         scratch.leaving.push_back(g);
         Block& block = blocks[mode / modeBlock];
@@ -103,24 +118,6 @@ void SoundingObject::fadeOutOfBand() noexcept {
     fader.leave(bank, scratch.leaving);
     listMixed();
     retireBlocks(cellIndex);
-}
-
-void SoundingObject::regroup() noexcept {
-    groupedLaw = law;
-    groupedCompression = compression;
-    lostSharesLaw.reset();
-    const std::size_t groups = groupModes(object->eigenvalues, law, compression, groupStarts);
-    for (std::size_t g = 0; g < groups; ++g) {
-        const auto first = static_cast<std::size_t>(groupStarts[g]);
-        const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        referenceEigenvalues[g] =
-            mergedEigenvalue(std::span(object->eigenvalues).subspan(first, count),
-                             std::span(modeWeights).subspan(first, count));
-    }
-    bank.resize(groups);
-    bank.setChannels(1);
-    std::fill(blocks.begin(), blocks.end(), Block{});
-    movePoles();
 }
 
 double SoundingObject::dampingLog(std::int64_t grid) const noexcept {

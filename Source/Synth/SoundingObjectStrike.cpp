@@ -37,11 +37,11 @@ bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noex
            sampleInCell >= 0 && sampleInCell < cellSamples;
 }
 
-/// Groups are formed anew where nothing rings, and poles are those of the settings.
+/// Groups and poles are those of the settings. What is silent starts again in one channel.
 void SoundingObject::prepareBank() noexcept {
-    if (!ringing() && (groupedLaw != law || groupedCompression != compression))
-        regroup();
-    else if (polesBehind)
+    if (silent())
+        bank.setChannels(1);
+    if (polesBehind)
         movePoles();
 }
 
@@ -58,12 +58,11 @@ void SoundingObject::widen(double listening) noexcept {
     }
 }
 
-void SoundingObject::computeForced(const Contact& contact, std::complex<double> phase) noexcept {
+void SoundingObject::computeForced(const Contact& contact) noexcept {
     computeResidues(contact);
-    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
-                       .dampingPerSecond = damping,
-                       .phase = phase},
-                      scratch.contact);
+    bank.forcedStates(
+        {.contactSeconds = contact.strike.durationSeconds, .dampingPerSecond = damping},
+        scratch.contact);
 }
 
 bool SoundingObject::strike(const Strike& asked,
@@ -85,7 +84,7 @@ bool SoundingObject::strike(const Strike& asked,
     seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
 
     if (isPulse) {
-        computeForced(contact, 1);
+        computeForced(contact);
         startKicks(-1, sampleInCell);
     } else {
         computeResidues(contact);
@@ -94,11 +93,11 @@ bool SoundingObject::strike(const Strike& asked,
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
-        computeForced(contact, 1); // joining took the arrays for the other contacts
+        computeForced(contact); // joining took the arrays for the other contacts
 
     int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
-        hold(contact, mixedRuns);
+        hold(contact, mixedRuns, 1);
         const double end = addForced(contact, cell);
         if (end <= cellSamples) {
             addKicks(from, firstSampleFrom(end), cell);
@@ -163,8 +162,8 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     fader.enter(bank, scratch.leaving);
     findRuns(scratch.joining, scratch.joiningRuns);
     for (Contact& contact : contacts) {
-        computeForced(contact, 1);
-        hold(contact, scratch.joiningRuns);
+        computeForced(contact);
+        hold(contact, scratch.joiningRuns, 1);
     }
     listMixed();
     mixedIsRinging = false;
@@ -195,47 +194,6 @@ void SoundingObject::admit(std::size_t g) noexcept {
         bank.silence(g);
     blocks[b].rings |= bit;
     blocks[b].mixed |= bit;
-}
-
-void SoundingObject::hold(Contact& contact, std::span<const ModeRun> modes) noexcept {
-    const ForcedAmplitudes parts{scratch.contact.steady.data(), scratch.contact.swingRe.data(),
-                                 scratch.contact.swingIm.data()};
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        ForcedSum sum;
-        for (const ModeRun& run : modes)
-            sumForced(scratch.groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
-                      static_cast<std::size_t>(run.count), sum);
-        contact.steadyVelocity[c] += sum.steady;
-        contact.swing[c] += sum.swing;
-    }
-}
-
-std::complex<double>
-SoundingObject::phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept {
-    const double cells = static_cast<double>(cell - contact.startCell);
-    const double samples = cells * cellSamples + sample - contact.startSample;
-    const double turns = samples / (sampleRate * contact.strike.durationSeconds);
-    return std::polar(1.0, 2 * std::numbers::pi * turns);
-}
-
-void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
-    computeForced(contact, phaseAt(contact, cellIndex, 0));
-    for (const std::int32_t number : activeBlocks) {
-        const auto b = static_cast<std::size_t>(number);
-        forEachMode(b, blocks[b].rings, [&](std::int32_t mode) {
-            const auto g = static_cast<std::size_t>(mode);
-            for (std::size_t c = 0; c < bank.channels(); ++c) {
-                const double residue = sign * static_cast<double>(scratch.groupResidues[c][g]);
-                bank.add(g,
-                         {residue * static_cast<double>(scratch.contact.x[g]),
-                          residue * static_cast<double>(scratch.contact.y[g])},
-                         c);
-            }
-        });
-    }
-    contact.steadyVelocity = {};
-    contact.swing = {};
-    hold(contact, mixedRuns);
 }
 
 double SoundingObject::addForced(const Contact& contact, const CellOutput& cell) const noexcept {
@@ -318,7 +276,7 @@ void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
         takeInKicks(cellIndex + 1);
-        computeForced(contact, 1);
+        computeForced(contact);
         startKicks(1, end);
         addKicks(firstSampleFrom(end), cellSamples, cell);
         keepKicks(firstSampleFrom(end));

@@ -34,6 +34,12 @@ struct SynthesisScratch {
         for (auto* list : {&candidates, &joining, &leaving})
             list->reserve(modes);
         joiningRuns.reserve(modes);
+        groupStarts.resize(modes + 1);
+        groupShares.reserve(2 * modes);
+        fadingShares.resize(modes);
+        for (std::size_t c = 0; c < channels; ++c)
+            for (auto* array : {&states.x[c], &states.y[c]})
+                array->resize(padded);
     }
 
     std::vector<float> struckGains;  ///< [M] φ·J
@@ -52,6 +58,12 @@ struct SynthesisScratch {
     std::vector<std::int32_t> joining;
     std::vector<std::int32_t> leaving;
     std::vector<ModeRun> joiningRuns;
+
+    // Where groups change.
+    std::vector<std::int32_t> groupStarts; ///< [G+1] of the groups to come
+    std::vector<ModeShare> groupShares;    ///< what they take over
+    std::vector<float> fadingShares;       ///< [G] of the groups that were
+    ModeStates states;                     ///< [G]
 };
 
 } // namespace idiophone

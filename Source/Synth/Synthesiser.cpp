@@ -14,6 +14,11 @@ bool positive(double value) {
     return value > 0 && std::isfinite(value);
 }
 
+/// Within what the cube of a size, and its reciprocal, leave to single precision.
+bool validSize(double ratio) {
+    return ratio >= 1e-6 && ratio <= 1e6;
+}
+
 bool valid(const LiveMaterial& material) {
     return positive(material.youngsModulusPa) && positive(material.densityKgPerM3) &&
            material.fluidDampingPerSecond >= 0 && std::isfinite(material.fluidDampingPerSecond) &&
@@ -31,7 +36,7 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
     keepUnless(wanted.qualitySlope >= 0, wanted.qualitySlope, previous.qualitySlope);
     keepUnless(wanted.modeBudget >= 0, wanted.modeBudget, previous.modeBudget);
     keepUnless(wanted.compression >= 0, wanted.compression, previous.compression);
-    keepUnless(positive(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
+    keepUnless(validSize(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
     keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
                previous.radiation);
     keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
@@ -150,7 +155,7 @@ void Synthesiser::Implementation::report() {
         const auto slot = static_cast<std::size_t>(sounded);
         const SoundingObject& object = objects[slot];
         status[slot] = {static_cast<float>(object.demand().amplitude), object.modesRinging(),
-                        object.modesMixed()};
+                        object.modesMixed(), object.channelsSounding()};
     }
 }
 

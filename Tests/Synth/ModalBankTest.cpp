@@ -252,3 +252,31 @@ TEST_CASE("Lightly damped audible modes are resonances, others are not") {
     REQUIRE(bank.resonances().size() == 1); // the highest falls by e within three periods
     CHECK(std::abs(bank.resonances()[0] - 1000) < 1e-9);
 }
+
+TEST_CASE("Modes that are regrouped keep the velocity of all, whether they oscillate or not") {
+    // The first two near critical damping, on either side of where the coordinates change.
+    const std::vector<double> eigenvalues{2.4e5, 2.6e5, 1e6, 4e6, 9e6};
+    const PoleLaw heavy{.fluidDampingPerSecond = 1000};
+    ModalBank bank(5, 1, sampleRate);
+    ModeStates room = bank.emptyStates();
+    bank.movePoles(eigenvalues, heavy, 20, 23000);
+    CHECK(isOscillating(bank.pole(0)) != isOscillating(bank.pole(1)));
+    double velocity = 0;
+    for (std::size_t g = 0; g < 5; ++g) {
+        bank.setState(g, {1.0 + double(g), -0.5});
+        velocity += bank.state(g).x;
+    }
+    const std::vector<ModeShare> merge{{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {3, 1, 1}, {4, 1, 1}};
+    bank.regroup(2, merge, room);
+    bank.movePoles(std::vector<double>{5e5, 6e6}, heavy, 20, 23000);
+    CHECK(bank.size() == 2);
+    CHECK(std::abs(bank.state(0).x + bank.state(1).x - velocity) < 1e-12);
+    CHECK(bank.state(1).y == -1.0);
+    bank.regroup(3, std::vector<ModeShare>{{0, 0, 0.25}, {0, 1, 0.75}, {1, 2, 1}}, room);
+    bank.movePoles(std::vector<double>{2.4e5, 1e6, 6e6}, heavy, 20, 23000);
+    CHECK(std::abs(bank.state(0).x + bank.state(1).x + bank.state(2).x - velocity) < 1e-12);
+    CHECK(std::abs(bank.state(0).x - 6.0 / 4) < 1e-12);
+    // Nothing is left where modes were.
+    for (std::size_t g = 3; g < modeBlock; ++g)
+        CHECK(bank.energies()[g] == 0.0f);
+}
