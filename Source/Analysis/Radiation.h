@@ -21,8 +21,8 @@ struct RadiatingBody {
     Eigen::Vector3d centreMetres = Eigen::Vector3d::Zero(); ///< of mass
 };
 
-/// 25° to the left and to the right of +y, at 40° elevation: across the x axis, along which bars lie,
-/// so that a blow on their axis is heard differently on both sides.
+/// 25° to the left and to the right of +y, at 40° elevation: across the x axis, along which bars
+/// lie, so that a blow on their axis is heard differently on both sides.
 std::vector<Eigen::Vector3d> stereoDirections();
 
 /// 1/16 to 16 in steps of half an octave.

@@ -11,20 +11,22 @@ namespace idiophone {
 namespace {
 
 constexpr std::array<std::size_t, 3> sizes{100, 500, 1000};
-constexpr std::size_t pathPoints = 61; ///< of a way that closes after so many cells
+constexpr std::size_t pathPoints = 61; ///< of a way that is closed
+constexpr std::size_t cellsBetweenPoints = 8;
 constexpr std::size_t forceCells = 32; ///< of noise, over and over
 
 using Cell = std::array<float, cellSamples>;
 
-/// Places inside triangles of vertices that carry shapes: no two neighbours are the same.
-std::vector<StrikePoint> pathOver(const ModalObject& object) {
+/// Points inside triangles of vertices that carry shapes: no two neighbours are the same.
+std::vector<ForcePoint> pathOver(const ModalObject& object) {
     const auto rows = static_cast<std::int32_t>(object.shapeVertexCount());
-    std::vector<StrikePoint> points;
+    std::vector<ForcePoint> points;
     for (std::int32_t k = 0; k < static_cast<std::int32_t>(pathPoints); ++k) {
         const float way = static_cast<float>(k % 4 + 1) / 6;
-        points.push_back({.shapeRows = {k / 4 % rows, (k / 4 + 1) % rows, (k / 4 + 2) % rows},
-                          .weights = {0.8f - way, way, 0.2f},
-                          .normal = {0, 0, 1}});
+        points.push_back(
+            {.point = {.shapeRows = {k / 4 % rows, (k / 4 + 1) % rows, (k / 4 + 2) % rows},
+                       .weights = {0.8f - way, way, 0.2f},
+                       .normal = {0, 0, 1}}});
     }
     return points;
 }
@@ -42,18 +44,17 @@ public:
             for (float& newton : newtons)
                 newton = static_cast<float>(random()) / 2147483648.0f - 1;
         synth.beginCell(cell);
-        synth.strike(0, strikeInto(path[0], 1, 0), 0, cell);
+        synth.strike(0, strikeInto(path[0].point, 1, 0), 0, cell);
     }
 
     void nextCell() {
         synth.beginCell(cell);
         if (touched != Contact::none) {
-            const std::size_t from = place;
+            const ForcePlace from = placeNow();
             if (touched == Contact::moves)
-                place = (place + 1) % path.size();
+                ++cellsMoved;
             count = (count + 1) % forces.size();
-            synth.applyForce(0, {.start = path[from], .end = path[place], .newtons = forces[count]},
-                             cell);
+            synth.applyForce(0, {.start = from, .end = placeNow(), .newtons = forces[count]}, cell);
         }
         benchmark::DoNotOptimize(cell);
     }
@@ -61,11 +62,17 @@ public:
     std::int64_t modesMixed() const { return synth.modesMixed(); }
 
 private:
+    ForcePlace placeNow() const {
+        const std::size_t point = cellsMoved / cellsBetweenPoints;
+        return {.points = {path[point % path.size()], path[(point + 1) % path.size()]},
+                .way = static_cast<float>(cellsMoved % cellsBetweenPoints) / cellsBetweenPoints};
+    }
+
     Synthesiser synth;
-    std::vector<StrikePoint> path;
+    std::vector<ForcePoint> path;
     Contact touched;
     std::array<Cell, forceCells> forces{};
-    std::size_t place = 0;
+    std::size_t cellsMoved = 0;
     std::size_t count = 0;
     alignas(64) Cell cell{};
 };

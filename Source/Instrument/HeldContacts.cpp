@@ -19,15 +19,17 @@ constexpr int shortestFadeSamples = 16;
 constexpr double nothing = 1e-9; // of a fade, to which it falls but for rounding
 
 /// Into the surface, and along the path by the friction.
-Vector pushDirection(const StripPlace& place, double friction) {
+ForcePoint pushed(const StripPlace& place, double friction) {
     const auto along = static_cast<float>(friction);
-    Vector push;
+    ForcePoint push{.point = place.point};
     for (std::size_t axis = 0; axis < 3; ++axis)
-        push[axis] = along * place.direction[axis] - place.point.normal[axis];
-    const float norm = std::hypot(push[0], push[1], push[2]);
-    for (float& component : push)
-        component /= norm;
+        push.direction[axis] = along * place.direction[axis] - place.point.normal[axis];
     return push;
+}
+
+ForcePlace pushed(const StripStep& place, double friction) {
+    return {.points = {pushed(place.first, friction), pushed(place.second, friction)},
+            .way = static_cast<float>(place.way)};
 }
 
 } // namespace
@@ -45,6 +47,7 @@ HeldContacts::HeldContacts(const Instrument& played,
       // What is left where the release waits longest for its grid point.
       fadeSamples(std::max(shortestFadeSamples,
                            static_cast<int>(releaseSeconds * rateHz) - (cellSamples - 1))) {
+    static_assert(2 * capacity <= forceCapacity);
     contacts.reserve(2 * capacity);
     for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
         // The second half far from the contacts of any other seed.
@@ -184,13 +187,12 @@ void HeldContacts::soundOne(Contact& contact,
     const auto slot = static_cast<std::size_t>(key.slot);
     const auto* chosen = chosenLibraryMaterial(parameters);
     const double friction = (chosen != nullptr ? *chosen : ownMaterial(contact)).friction;
-    const StripPlace start = contact.place;
+    const StripStep start = contact.place;
     const double startGain = contact.gain;
     move(contact, key, parameters);
     // What touches a scaled object is scaled with it, as mallets are: an area, s² of the force. The
     // signal is the normal part of the force.
-    contact.gain = parameters[roughness] * key.malletScale * key.malletScale *
-                   std::sqrt(1 + friction * friction);
+    contact.gain = parameters[roughness] * key.malletScale * key.malletScale;
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses = contact.force.render(
@@ -206,10 +208,9 @@ void HeldContacts::soundOne(Contact& contact,
         if (contact.isReleased)
             fadeOut(contact, newtons);
         synthesiser.applyForce(slot,
-                               {.start = from.point,
-                                .end = contact.place.point,
-                                .startDirection = pushDirection(from, friction),
-                                .endDirection = pushDirection(contact.place, friction),
+                               {.contact = static_cast<std::size_t>(&contact - contacts.data()),
+                                .start = pushed(from, friction),
+                                .end = pushed(contact.place, friction),
                                 .newtons = newtons},
                                cell);
     }
@@ -249,7 +250,7 @@ void HeldContacts::move(Contact& contact,
     const double approach = (target - contact.along) * -std::expm1(-4 * cellSeconds / glideSeconds);
     contact.along =
         contact.begins ? target : contact.along + std::clamp(approach, -furthest, furthest);
-    contact.place = strip.between(contact.along, own.across);
+    contact.place = strip.around(contact.along, own.across);
 }
 
 bool HeldContacts::silent() const noexcept {

@@ -85,7 +85,7 @@ private:
         double fade = 1;     ///< 0 to 1, falling after the release
         bool begins = false; ///< nothing of it has sounded yet
         double along = 0;    ///< on the key's strip
-        StripPlace place;
+        StripStep place;
         double gain = 0;
     };
 

@@ -20,7 +20,7 @@ using enum ParameterId;
 
 constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
 
-/// Into the surface, and along the path by the friction: HeldContacts' push without its norm.
+/// Into the surface, and along the path by the friction, as HeldContacts pushes.
 std::array<float, 3> pushOf(const StripPlace& place, double friction) noexcept {
     std::array<float, 3> push;
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -193,4 +193,13 @@ StripPlace StrikeStrip::between(double along, double across) const {
             .direction = mean == Vector{} ? directions[corners[heaviest]] : mean};
 }
 
+StripStep StrikeStrip::around(double along, double across) const {
+    const double steps = alongCount - 1;
+    const double x = std::clamp(along, 0.0, 1.0) * steps;
+    const double first = std::min(std::floor(x), steps - 1);
+    return {.first = between(first / steps, across),
+            .second = between((first + 1) / steps, across),
+            .way = x - first};
+}
+
 } // namespace idiophone

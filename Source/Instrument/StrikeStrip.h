@@ -18,6 +18,12 @@ struct StripPlace {
     std::array<float, 3> direction{};
 };
 
+/// Two neighbouring places of a path, and how far on the way from the first to the second.
+struct StripStep {
+    StripPlace first, second;
+    double way = 0; ///< 0 to 1
+};
+
 struct StrikeStrip {
     int alongCount = 0;
     int acrossCount = 0;
@@ -32,6 +38,10 @@ struct StrikeStrip {
     /// The place itself: linear between the two or three places of the table around it, without a
     /// step anywhere. Any thread; does not allocate.
     StripPlace between(double along, double across) const;
+
+    /// The two places of the table's length around it. They stay the same while `along` moves
+    /// between them. Any thread; does not allocate.
+    StripStep around(double along, double across) const;
 
 private:
     std::size_t index(int alongIndex, int acrossIndex) const;

@@ -171,8 +171,10 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
 }
 
 std::unique_ptr<Player> Processor::newPlayer() const {
-    return std::make_unique<Player>(instrument, preparedRateHz, loadedPreset.surface,
-                                    loadedPreset.seed, loadedPreset.parameters);
+    auto player = std::make_unique<Player>(instrument, preparedRateHz, loadedPreset.surface,
+                                           loadedPreset.seed, loadedPreset.parameters);
+    player->prepare(parameters.values());
+    return player;
 }
 
 void Processor::getStateInformation(juce::MemoryBlock& destination) {

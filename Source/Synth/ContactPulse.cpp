@@ -1,7 +1,6 @@
 #include "Synth/ContactPulse.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,12 +18,14 @@ std::complex<double> quotient(std::complex<double> a, std::complex<double> b) no
     return product(a, std::conj(b)) / std::norm(b);
 }
 
-double distanceFrom(std::span<const double> resonancesHz, double seconds) noexcept {
-    // Four minima at a time: one would wait for itself at every step.
-    std::array<double, 4> nearest{1, 1, 1, 1};
-    for (std::size_t k = 0; k < resonancesHz.size(); ++k)
-        nearest[k % 4] = std::min(nearest[k % 4], std::abs(resonancesHz[k] * seconds - 1));
-    return std::ranges::min(nearest);
+double distanceFrom(std::span<const double> ascendingHz, double seconds) noexcept {
+    const auto above = std::ranges::lower_bound(ascendingHz, 1 / seconds);
+    double nearest = 1;
+    if (above != ascendingHz.end())
+        nearest = std::min(nearest, *above * seconds - 1);
+    if (above != ascendingHz.begin())
+        nearest = std::min(nearest, 1 - *(above - 1) * seconds);
+    return nearest;
 }
 
 } // namespace
@@ -51,19 +52,20 @@ Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
     return {steady + product(swing, phase).real(), contactRate * displacement.real()};
 }
 
-double contactSecondsClearOf(std::span<const double> resonancesHz, double seconds) noexcept {
+double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
+                             double seconds) noexcept {
     constexpr double tooNear = 0.01;
-    double best = distanceFrom(resonancesHz, seconds);
+    double best = distanceFrom(ascendingResonancesHz, seconds);
     double chosen = seconds;
-    if (best >= tooNear)
-        return chosen;
-    for (const double candidate : {seconds * (1 + tooNear), seconds * (1 - tooNear)}) {
-        const double distance = distanceFrom(resonancesHz, candidate);
-        if (distance > best) {
-            best = distance;
-            chosen = candidate;
+    for (int step = 1; best < tooNear && step <= 6; ++step)
+        for (const double shift : {0.005 * step, -0.005 * step}) {
+            const double candidate = seconds * (1 + shift);
+            const double distance = distanceFrom(ascendingResonancesHz, candidate);
+            if (distance > best && best < tooNear) {
+                best = distance;
+                chosen = candidate;
+            }
         }
-    }
     return chosen;
 }
 

@@ -35,9 +35,10 @@ private:
     std::complex<double> swing;
 };
 
-/// The contact time to use for T: T itself, or 1 % shorter or longer where a resonance f has
-/// |fT − 1| < 1 % and the closed form would be the small difference of large numbers. Resonances of
-/// 0 Hz are none.
-double contactSecondsClearOf(std::span<const double> resonancesHz, double seconds) noexcept;
+/// The contact time to use for T: T itself, or up to 3 % shorter or longer where a resonance f has
+/// |fT − 1| < 1 % and the closed form would be the small difference of large numbers: the nearest
+/// time that is clear of all resonances, or that which is clearest.
+double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
+                             double seconds) noexcept;
 
 } // namespace idiophone

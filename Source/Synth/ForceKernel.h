@@ -5,6 +5,7 @@
 #include "Synth/ModalBankKernel.h"
 
 #include <cstddef>
+#include <span>
 
 namespace idiophone {
 
@@ -13,21 +14,38 @@ struct ForcedModes {
     const float* sampleRe; ///< ρ
     const float* sampleIm;
     const double* velocityShare; ///< α/ω_d
-    /// Residues for the point and direction at the start and at the end of the cell.
+};
+
+/// One channel: residues for the point and direction at the start and at the end of the cell, and
+/// states.
+struct ForcedChannel {
     const float* startResidues;
     const float* endResidues;
+    double* x;
+    double* y;
 };
 
 /// Adds to the states x, y at the end of the cell what a force did to them: for impulses f[k] at
 /// sample k, b Σ_k r ρ^(64 − k) f[k] with b = 1 + iα/ω_d (DESIGN 5, Continuous contact). The
 /// residue r goes from start to end in steps of a sub-block. `fall` is e^(−δ/fs), the damper's
-/// share.
+/// share. `energies` become the states' |s|² in the louder channel.
 void forceModes(const ForcedModes& modes,
                 const float* impulses,
                 float fall,
                 std::size_t count,
-                double* x,
-                double* y) noexcept;
+                std::span<const ForcedChannel> channels,
+                float* energies) noexcept;
+
+/// Adds to `output` what impulses sound through responses that go from start to end in steps of a
+/// sub-block; all of a cell.
+void convolveForce(std::span<const float, subBlocks * subBlockSamples> impulses,
+                   std::span<const float, subBlocks * subBlockSamples> startResponse,
+                   std::span<const float, subBlocks * subBlockSamples> endResponse,
+                   std::span<float, subBlocks * subBlockSamples> output) noexcept;
+
+/// output = from + way (to − from), over whole blocks.
+void blendResponses(
+    const float* from, const float* to, float way, std::size_t count, float* output) noexcept;
 
 /// How far on the way from start to end the middle of sub-block b is.
 constexpr float shareOfWay(std::size_t block) noexcept {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace idiophone {
 
@@ -41,10 +42,10 @@ void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) n
 ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double sampleRateHz)
     : sampleSeconds(1 / sampleRateHz) {
     const std::size_t padded = (capacity + modeBlock - 1) / modeBlock * modeBlock;
-    for (auto* array : {&stiffness, &damping, &decay, &frequency, &displacementShare,
-                        &velocityShare, &resonance, &cellRe, &cellIm})
+    for (auto* array : {&stiffness, &damping, &decay, &frequency, &velocityShare, &cellRe, &cellIm})
         array->resize(padded);
-    for (auto* array : {&audibles, &sampleRe, &sampleIm, &turnRe, &turnIm, &energy})
+    for (auto* array : {&audibles, &halfTurnsPerSample, &octavesPerSample, &sampleRe, &sampleIm,
+                        &turnRe, &turnIm, &energy})
         array->resize(padded);
     for (std::size_t c = 0; c < channelCapacity; ++c) {
         states.x[c].resize(padded);
@@ -52,6 +53,7 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
     }
     tables.resize(2 * subBlockSamples * padded);
     heavyModes.reserve(capacity);
+    resonancesHz.reserve(capacity);
     blockNumbers.resize(padded / modeBlock);
     std::iota(blockNumbers.begin(), blockNumbers.end(), 0);
     count = capacity;
@@ -59,6 +61,16 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
 
 ModeStates ModalBank::emptyStates() const {
     ModeStates empty;
+    for (std::size_t c = 0; c < mostChannels; ++c) {
+        empty.x[c].resize(states.x[c].size());
+        empty.y[c].resize(states.y[c].size());
+    }
+    return empty;
+}
+
+ModeKicks ModalBank::emptyKicks() const {
+    ModeKicks empty;
+    empty.energies.resize(energy.size());
     for (std::size_t c = 0; c < mostChannels; ++c) {
         empty.x[c].resize(states.x[c].size());
         empty.y[c].resize(states.y[c].size());
@@ -78,7 +90,7 @@ void ModalBank::resize(std::size_t modes) noexcept {
     count = modes;
     heavyModes.clear();
     std::fill(audibles.begin(), audibles.end(), 0.0f);
-    std::fill(resonance.begin(), resonance.end(), 0.0);
+    resonancesHz.clear();
     // Padding and modes to come are oscillating modes at rest.
     std::fill(stiffness.begin(), stiffness.end(), 1.0);
     std::fill(damping.begin(), damping.end(), 0.0);
@@ -92,12 +104,56 @@ void ModalBank::clear() noexcept {
     std::fill(energy.begin(), energy.end(), 0.0f);
 }
 
+void ModalBank::regroup(std::size_t modes,
+                        std::span<const ModeShare> shares,
+                        ModeStates& room) noexcept {
+    // A mode to come starts with the pole of the first that it takes from. `movePoles` fills in
+    // anew what is used as room for them.
+    auto& newStiffness = cellRe;
+    auto& newDamping = cellIm;
+    std::fill(newStiffness.begin(), newStiffness.end(), 1.0);
+    std::fill(newDamping.begin(), newDamping.end(), 0.0);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        std::fill_n(room.x[c].begin(), states.x[c].size(), 0.0);
+        std::fill_n(room.y[c].begin(), states.y[c].size(), 0.0);
+    }
+    std::int32_t last = -1;
+    for (const ModeShare& taken : shares) {
+        const ModalPole before = pole(index(taken.from));
+        const std::size_t g = index(taken.to);
+        if (std::exchange(last, taken.to) != taken.to) {
+            newStiffness[g] = before.stiffness;
+            newDamping[g] = before.damping;
+        }
+        const ModalPole after{newStiffness[g], newDamping[g]};
+        const bool sameKind = isOscillating(before) == isOscillating(after);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState old = state(index(taken.from), c);
+            const ModalState moved = sameKind ? old : stateOf(after, motionOf(before, old));
+            room.x[c][g] += taken.share * moved.x;
+            room.y[c][g] += taken.share * moved.y;
+        }
+    }
+    std::swap(stiffness, newStiffness);
+    std::swap(damping, newDamping);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        std::copy_n(room.x[c].begin(), states.x[c].size(), states.x[c].begin());
+        std::copy_n(room.y[c].begin(), states.y[c].size(), states.y[c].begin());
+    }
+    count = modes;
+    heavyModes.clear();
+    std::fill(audibles.begin(), audibles.end(), 0.0f);
+    for (std::size_t g = 0; g < energy.size(); ++g)
+        measure(g);
+}
+
 void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           const PoleLaw& law,
                           double lowestHz,
                           double highestHz) noexcept {
     heavyModes.clear();
     audibleModes = 0;
+    resonancesHz.clear();
     for (std::size_t g = 0; g < count; ++g) {
         const ModalPole moved = law.pole(referenceEigenvalues[g]);
         const bool oscillates = isOscillating(moved);
@@ -114,14 +170,15 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         const bool light = moved.damping * moved.damping < 4e-4 * moved.stiffness;
         audibles[g] = inBand ? 1.0f : 0.0f;
         audibleModes += inBand ? 1 : 0;
-        resonance[g] = inBand && light ? hz : 0;
+        if (inBand && light)
+            resonancesHz.push_back(hz);
         if (!oscillates)
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }
     rotationsOfPoles({stiffness.data(), damping.data(), decay.data(), frequency.data(),
-                      displacementShare.data(), velocityShare.data(), sampleRe.data(),
-                      sampleIm.data(), turnRe.data(), turnIm.data(), cellRe.data(), cellIm.data(),
-                      tables.data()},
+                      velocityShare.data(), halfTurnsPerSample.data(), octavesPerSample.data(),
+                      sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data(), cellRe.data(),
+                      cellIm.data(), tables.data()},
                      paddedSize(), sampleSeconds);
     for (HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
@@ -133,7 +190,6 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
 }
 
 void ModalBank::correctHeavy(std::size_t g) noexcept {
-    displacementShare[g] = std::sqrt(stiffness[g]);
     velocityShare[g] = 0;
     sampleRe[g] = 0;
     sampleIm[g] = 0;
@@ -151,16 +207,25 @@ void ModalBank::correctHeavy(std::size_t g) noexcept {
     }
 }
 
-double ModalBank::amplitude(const ModeStates& from, std::size_t g) const noexcept {
+void ModalBank::measure(std::size_t g) noexcept {
     double largest = 0;
     for (std::size_t c = 0; c < channelCount; ++c)
-        largest = std::max(largest, amplitudeBound(pole(g), {from.x[c][g], from.y[c][g]}));
-    return largest;
+        largest = std::max(largest, amplitudeBound(pole(g), state(g, c)));
+    energy[g] = static_cast<float>(largest * largest);
 }
 
-void ModalBank::measure(std::size_t g) noexcept {
-    const double size = amplitude(states, g);
-    energy[g] = static_cast<float>(size * size);
+void ModalBank::measureModes(std::size_t first, std::size_t end) noexcept {
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        const double* x = states.x[c].data();
+        const double* y = states.y[c].data();
+        for (std::size_t g = first; g < end; ++g) {
+            const auto size = static_cast<float>(x[g] * x[g] + y[g] * y[g]);
+            energy[g] = c == 0 ? size : std::max(energy[g], size);
+        }
+    }
+    for (const HeavyMode& heavy : heavyModes)
+        if (index(heavy.mode) >= first && index(heavy.mode) < end)
+            measure(index(heavy.mode));
 }
 
 void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
@@ -169,22 +234,10 @@ void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t cha
     measure(g);
 }
 
-void ModalBank::add(std::size_t g, const ModalState& state, std::size_t channel) noexcept {
-    states.x[channel][g] += state.x;
-    states.y[channel][g] += state.y;
-    measure(g);
-}
-
 void ModalBank::silence(std::size_t g) noexcept {
     for (std::size_t c = 0; c < channelCount; ++c)
         states.x[c][g] = states.y[c][g] = 0;
     energy[g] = 0;
-}
-
-void ModalBank::setAside(const ModeStates& from) noexcept {
-    for (HeavyMode& heavy : heavyModes)
-        for (std::size_t c = 0; c < channelCount; ++c)
-            heavy.aside[c] = {from.x[c][index(heavy.mode)], from.y[c][index(heavy.mode)]};
 }
 
 float ModalBank::energyOfLoudest(std::size_t block) const noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Synth/AlignedVector.h"
+#include "Synth/KickKernel.h"
 #include "Synth/ModalBankKernel.h"
 #include "Synth/ModalPole.h"
 #include "Synth/StrikeKernel.h"
@@ -24,14 +25,45 @@ struct ModeRun {
 /// Replaces `runs` by the runs of consecutive numbers in ascending `modes`.
 void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) noexcept;
 
-/// As many as there are listening directions: a merged group has a state for each, as its modes are
-/// heard in other proportions.
-inline constexpr std::size_t mostChannels = 2;
-
 /// States of all modes of a bank for each channel.
 struct ModeStates {
     std::array<AlignedVector<double>, mostChannels> x;
     std::array<AlignedVector<double>, mostChannels> y;
+};
+
+/// What is heard of each mode in each channel, zero in the padding.
+using ModeResidues = std::array<AlignedVector<float>, mostChannels>;
+
+/// States that a contact adds to all modes of a bank, and their |s|² (or the square of their bound)
+/// in the louder channel.
+struct ModeKicks {
+    std::array<AlignedVector<float>, mostChannels> x;
+    std::array<AlignedVector<float>, mostChannels> y;
+    AlignedVector<float> energies;
+};
+
+/// What a contact does to modes of residue 1: the state of its forced part at one instant, and the
+/// amplitudes of what of it is heard (StrikeKernel.h).
+struct UnitContact {
+    AlignedVector<float> x;
+    AlignedVector<float> y;
+    AlignedVector<float> steady;
+    AlignedVector<float> swingRe;
+    AlignedVector<float> swingIm;
+};
+
+/// What of one mode's state goes to another: its share of it.
+struct ModeShare {
+    std::int32_t from = 0;
+    std::int32_t to = 0;
+    double share = 0;
+};
+
+/// A time between two samples: the share of a sample that is left to the later one (below 1), and
+/// what states are multiplied by on the way there beside their free motion.
+struct BeforeSample {
+    double samples = 0;
+    double factor = 1;
 };
 
 /// Where each channel is added to.
@@ -51,6 +83,7 @@ public:
     }
     std::size_t paddedSize() const noexcept { return blockCount() * modeBlock; }
     ModeStates emptyStates() const; ///< allocates
+    ModeKicks emptyKicks() const;   ///< allocates
 
     /// Channels in use, at most the capacity; those that join start as copies of the first. States
     /// elsewhere are read and written for as many.
@@ -59,6 +92,11 @@ public:
 
     /// Starts anew with so many modes, all silent; `movePoles` gives them their poles.
     void resize(std::size_t modes) noexcept;
+
+    /// The modes become `modes` others, each of which takes over what `shares` (ascending in both)
+    /// give it: where those of each mode sum to 1 nothing steps. Every mode to come has a share.
+    /// `room` is for states of this bank, and left with anything; `movePoles` is to follow.
+    void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
     /// Gives every mode the pole that `law` makes of its reference eigenvalue [size]. States stay
     /// (DESIGN 5, State: no step in the velocity); where the coordinates change near critical
@@ -76,11 +114,12 @@ public:
         return {states.x[channel][g], states.y[channel][g]};
     }
     void setState(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
-    void add(std::size_t g, const ModalState& state, std::size_t channel = 0) noexcept;
     void silence(std::size_t g) noexcept;
     void clear() noexcept;
 
-    /// |s|² in the louder channel as of the last cell or `setState` [paddedSize].
+    /// |s|² in the louder channel [paddedSize], and (`amplitudeBound`)² of modes that do not
+    /// oscillate: of the states as they are, but after `render`, for modes that oscillate, of those
+    /// at the start of the cell times `scale`.
     const float* energies() const noexcept { return energy.data(); }
     const float* audibleWeights() const noexcept { return audibles.data(); }
     float energyOfLoudest(std::size_t block) const noexcept;
@@ -102,54 +141,51 @@ public:
                     std::span<const ModeRun> runs,
                     const ChannelOutputs& outputs) noexcept;
 
-    /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from other
-    /// states, which stay.
-    void sound(const ModeStates& from,
+    // ModalBankContact.cpp. Kicks, residues and contacts have room for this bank.
+
+    /// The forced part of a contact, or the motion after an impulse.
+    void forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept;
+    void impulseStates(UnitContact& unit) const noexcept;
+
+    /// Kicks become residues times the unit's states, taken on to a whole sample.
+    void startKicks(const UnitContact& unit,
+                    const ModeResidues& residues,
+                    const BeforeSample& before,
+                    ModeKicks& kicks) const noexcept;
+
+    /// Kicks become none, and grow by residues times the unit's states times `factor`.
+    void clearKicks(ModeKicks& kicks) const noexcept;
+    void gatherKicks(const UnitContact& unit,
+                     const ModeResidues& residues,
+                     double factor,
+                     ModeKicks& kicks) const noexcept;
+
+    /// Kicks become those of the whole contact, started and ended. Their energies stay behind.
+    void finishKicks(const UnitContact& unit,
+                     const ModeResidues& residues,
+                     const BeforeSample& before,
+                     const KickMove& contact,
+                     ModeKicks& kicks) const noexcept;
+
+    /// Adds moved kicks to the states.
+    void join(const ModeKicks& kicks, const KickMove& move) noexcept;
+
+    /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from kicks.
+    void sound(const ModeKicks& kicks,
                std::span<const ModeRun> runs,
                std::size_t subBlockCount,
                const ChannelOutputs& outputs) noexcept;
 
-    /// Adds to `sum` the states `others` after `samples` (0 to 64) of free motion, to single
-    /// precision of theirs, times `factor`.
-    void addMoved(const ModeStates& others,
-                  std::size_t samples,
-                  double factor,
-                  ModeStates& sum) noexcept;
-
-    /// The same added to the bank's own states.
-    void join(const ModeStates& others, std::size_t samples, double factor) noexcept;
-
-    /// The same for free motion after an impulse.
-    void impulseStates(double* x, double* y) const noexcept;
-
-    /// |s|² of other states, or the square of their bound, into [paddedSize].
-    void measureStates(const ModeStates& others, float* energies) const noexcept;
-
-    /// Takes other states on by less than a sample, to single precision of theirs, times `factor`.
-    void rotate(ModeStates& from, double seconds, double factor) noexcept;
-
-    /// The forced part of a contact, for residues of 1 (StrikeKernel.h), into arrays
-    /// [paddedSize].
-    void forcedStates(const PulseInstant& pulse,
-                      double* x,
-                      double* y,
-                      double* steady,
-                      double* swingRe,
-                      double* swingIm) const noexcept;
-
-    /// Adds to the states of one channel, at the end of a cell, what 64 impulses did to them, one
-    /// at each sample, with residues [paddedSize] that go from start to end (ForceKernel.h).
+    /// Adds to the states, at the end of a cell, what 64 impulses did to them, one at each sample,
+    /// with residues that go from start to end (ForceKernel.h).
     void force(std::span<const float, subBlocks * subBlockSamples> impulses,
-               const float* startResidues,
-               const float* endResidues,
-               double dampingPerSecond,
-               std::size_t channel) noexcept;
-    /// After `force`: the energies as they are now.
-    void measureAll() noexcept { measureStates(states, energy.data()); }
+               const ModeResidues& startResidues,
+               const ModeResidues& endResidues,
+               double dampingPerSecond) noexcept;
 
-    /// Frequencies of lightly damped audible modes in Hz, 0 for the others: those that a contact
-    /// time must keep clear of.
-    std::span<const double> resonances() const noexcept { return {resonance.data(), count}; }
+    /// Frequencies of lightly damped audible modes in Hz, ascending: those that a contact time must
+    /// keep clear of.
+    std::span<const double> resonances() const noexcept { return resonancesHz; }
 
 private:
     /// Modes that do not oscillate: a 2 × 2 propagator over 16 and 64 samples each.
@@ -173,7 +209,21 @@ private:
                       double scale,
                       float* energies,
                       SubBlockStates& ahead) noexcept;
-    void setAside(const ModeStates& from) noexcept;
+    KickModes kickModes() const noexcept;
+    /// Keeps the states of heavy modes, of any kind of states.
+    template <class States>
+    void setAside(const States& from) noexcept {
+        for (HeavyMode& heavy : heavyModes)
+            for (std::size_t c = 0; c < channelCount; ++c) {
+                const auto g = static_cast<std::size_t>(heavy.mode);
+                heavy.aside[c] = {from.x[c][g], from.y[c][g]};
+            }
+    }
+    void forceHeavy(const HeavyMode& heavy,
+                    std::span<const float, subBlocks * subBlockSamples> impulses,
+                    const ModeResidues& startResidues,
+                    const ModeResidues& endResidues,
+                    double fall) noexcept;
     static void lookAtHeavy(const HeavyMode& heavy,
                             std::size_t channel,
                             std::size_t place,
@@ -185,19 +235,20 @@ private:
                  std::size_t subBlockCount,
                  float* output) const noexcept;
     ModeRotations rotations(std::size_t first) const noexcept;
-    double amplitude(const ModeStates& from, std::size_t g) const noexcept;
     void correctHeavy(std::size_t g) noexcept;
     void measure(std::size_t g) noexcept;
+    void measureModes(std::size_t first, std::size_t end) noexcept;
 
     double sampleSeconds;
     std::size_t count = 0;
     std::size_t channelCount = 1;
     std::size_t audibleModes = 0;
 
-    AlignedVector<double> stiffness, damping, decay, frequency, displacementShare, velocityShare;
-    AlignedVector<double> resonance;
+    AlignedVector<double> stiffness, damping, decay, frequency, velocityShare;
+    std::vector<double> resonancesHz;
     AlignedVector<float> audibles;
     AlignedVector<float> tables; ///< [G,2,16]
+    AlignedVector<float> halfTurnsPerSample, octavesPerSample;
     AlignedVector<float> sampleRe, sampleIm, turnRe, turnIm;
     AlignedVector<double> cellRe, cellIm;
     ModeStates states;

@@ -30,7 +30,8 @@ HWY_INLINE hn::Vec<Floats> demoted(const double* HWY_RESTRICT values) {
                        hn::DemoteTo(h, hn::Load(d, values)));
 }
 
-/// Stores the states at the start of each sub-block and leaves those at the end of the cell.
+/// Stores the states at the start of the first sub-blocks and leaves those at the end of the last.
+template <std::size_t Blocks>
 HWY_INLINE void turnThrough(const ModeRotations& rotations,
                             std::size_t g,
                             hn::Vec<Floats>& xs,
@@ -42,7 +43,7 @@ HWY_INLINE void turnThrough(const ModeRotations& rotations,
     float* HWY_RESTRICT aheadX = ahead.x[0] + g;
     float* HWY_RESTRICT aheadY = ahead.y[0] + g;
 #pragma GCC unroll 4
-    for (std::size_t b = 0; b < subBlocks; ++b) {
+    for (std::size_t b = 0; b < Blocks; ++b) {
         hn::Store(xs, f, aheadX + b * batchModes);
         hn::Store(ys, f, aheadY + b * batchModes);
         const auto turned = hn::NegMulAdd(im, ys, hn::Mul(re, xs));
@@ -51,16 +52,36 @@ HWY_INLINE void turnThrough(const ModeRotations& rotations,
     }
 }
 
+template <std::size_t Blocks>
 void look(const ModeRotations& rotations,
           std::size_t count,
-          const double* HWY_RESTRICT x,
-          const double* HWY_RESTRICT y,
+          const float* HWY_RESTRICT x,
+          const float* HWY_RESTRICT y,
           SubBlockStates& ahead) {
+    const Floats f;
     const ModeRotations local = rotations;
     for (std::size_t g = 0; g < count; g += floatLanes) {
-        auto xs = demoted(x + g);
-        auto ys = demoted(y + g);
-        turnThrough(local, g, xs, ys, ahead);
+        auto xs = hn::Load(f, x + g);
+        auto ys = hn::Load(f, y + g);
+        turnThrough<Blocks>(local, g, xs, ys, ahead);
+    }
+}
+
+void lookBlocks(const ModeRotations& rotations,
+                std::size_t count,
+                std::size_t blocks,
+                const float* x,
+                const float* y,
+                SubBlockStates& ahead) {
+    switch (blocks) {
+    case 1:
+        return look<1>(rotations, count, x, y, ahead);
+    case 2:
+        return look<2>(rotations, count, x, y, ahead);
+    case 3:
+        return look<3>(rotations, count, x, y, ahead);
+    default:
+        return look<4>(rotations, count, x, y, ahead);
     }
 }
 
@@ -86,7 +107,7 @@ void advance(const ModeRotations& rotations,
     for (std::size_t g = 0; g < count; g += floatLanes) {
         auto xs = demoted(x + g);
         auto ys = demoted(y + g);
-        turnThrough(local, g, xs, ys, ahead);
+        turnThrough<subBlocks>(local, g, xs, ys, ahead);
         const auto energy = hn::MulAdd(xs, xs, hn::Mul(ys, ys));
         hn::Store(Scaled ? hn::Mul(energy, squaredGain) : energy, f, energies + g);
 #pragma GCC unroll 2
@@ -115,43 +136,61 @@ void advanceBatch(const ModeRotations& rotations,
 }
 
 /// Sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers: the loops over them are
-/// unrolled in full.
-template <std::size_t Start, std::size_t Count>
+/// unrolled in full. Where few of them are needed each is kept in `Ways` parts, as a sum can only
+/// take one product in the time in which the machine forms eight.
+template <std::size_t Start, std::size_t Count, std::size_t Ways>
 HWY_INLINE void mixSubBlocks(const float* HWY_RESTRICT table,
                              const float* HWY_RESTRICT x,
                              const float* HWY_RESTRICT y,
                              std::size_t count,
                              float* HWY_RESTRICT output) {
     const Floats f;
-    hn::Vec<Floats> sums[Count][tableVectors];
+    hn::Vec<Floats> sums[Ways][Count][tableVectors];
 #pragma GCC unroll 16
-    for (std::size_t b = 0; b < Count; ++b)
+    for (std::size_t w = 0; w < Ways; ++w)
 #pragma GCC unroll 16
-        for (std::size_t v = 0; v < tableVectors; ++v)
-            sums[b][v] = hn::LoadU(f, output + b * subBlockSamples + v * floatLanes);
-    for (std::size_t g = 0; g < count; ++g) {
-        hn::Vec<Floats> row[2 * tableVectors];
+        for (std::size_t b = 0; b < Count; ++b)
 #pragma GCC unroll 16
-        for (std::size_t v = 0; v < 2 * tableVectors; ++v)
-            row[v] = hn::Load(f, table + v * floatLanes);
+            for (std::size_t v = 0; v < tableVectors; ++v)
+                sums[w][b][v] = w == 0 ? hn::LoadU(f, output + b * subBlockSamples + v * floatLanes)
+                                       : hn::Zero(f);
+    // Ways are (even and odd modes) × (x and y); with two of them x and y, with one none.
+    constexpr std::size_t modesAtOnce = Ways == 4 ? 2 : 1;
+    const auto add = [&](std::size_t g, std::size_t way) HWY_ATTR {
+        const float* HWY_RESTRICT row = table + 2 * subBlockSamples * g;
 #pragma GCC unroll 16
         for (std::size_t b = 0; b < Count; ++b) {
             const auto xs = hn::Set(f, x[(Start + b) * batchModes + g]);
             const auto ys = hn::Set(f, y[(Start + b) * batchModes + g]);
 #pragma GCC unroll 16
             for (std::size_t v = 0; v < tableVectors; ++v)
-                sums[b][v] = hn::MulAdd(row[v], xs, sums[b][v]);
+                sums[way][b][v] =
+                    hn::MulAdd(hn::Load(f, row + v * floatLanes), xs, sums[way][b][v]);
+            constexpr std::size_t other = Ways > 1 ? 1 : 0;
 #pragma GCC unroll 16
             for (std::size_t v = 0; v < tableVectors; ++v)
-                sums[b][v] = hn::MulAdd(row[tableVectors + v], ys, sums[b][v]);
+                sums[way + other][b][v] =
+                    hn::MulAdd(hn::Load(f, row + subBlockSamples + v * floatLanes), ys,
+                               sums[way + other][b][v]);
         }
-        table += 2 * subBlockSamples;
-    }
+    };
+    std::size_t g = 0;
+    for (; g + modesAtOnce <= count; g += modesAtOnce)
+#pragma GCC unroll 2
+        for (std::size_t k = 0; k < modesAtOnce; ++k)
+            add(g + k, 2 * k);
+    if (g < count)
+        add(g, 0);
 #pragma GCC unroll 16
     for (std::size_t b = 0; b < Count; ++b)
 #pragma GCC unroll 16
-        for (std::size_t v = 0; v < tableVectors; ++v)
-            hn::StoreU(sums[b][v], f, output + b * subBlockSamples + v * floatLanes);
+        for (std::size_t v = 0; v < tableVectors; ++v) {
+            auto sum = sums[0][b][v];
+#pragma GCC unroll 16
+            for (std::size_t w = 1; w < Ways; ++w)
+                sum = hn::Add(sum, sums[w][b][v]);
+            hn::StoreU(sum, f, output + b * subBlockSamples + v * floatLanes);
+        }
 }
 
 void mix(const float* tables,
@@ -166,23 +205,23 @@ void mix(const float* tables,
     if constexpr (tableVectors <= 2) {
         switch (blocks) {
         case 1:
-            return mixSubBlocks<0, 1>(tables, x, y, count, output);
+            return mixSubBlocks<0, 1, 4>(tables, x, y, count, output);
         case 2:
-            return mixSubBlocks<0, 2>(tables, x, y, count, output);
+            return mixSubBlocks<0, 2, 2>(tables, x, y, count, output);
         case 3:
-            return mixSubBlocks<0, 3>(tables, x, y, count, output);
+            return mixSubBlocks<0, 3, 1>(tables, x, y, count, output);
         default:
-            return mixSubBlocks<0, 4>(tables, x, y, count, output);
+            return mixSubBlocks<0, 4, 1>(tables, x, y, count, output);
         }
     } else {
         constexpr std::size_t half = 2 * subBlockSamples;
         if (blocks == 1)
-            return mixSubBlocks<0, 1>(tables, x, y, count, output);
-        mixSubBlocks<0, 2>(tables, x, y, count, output);
+            return mixSubBlocks<0, 1, 4>(tables, x, y, count, output);
+        mixSubBlocks<0, 2, 1>(tables, x, y, count, output);
         if (blocks == 3)
-            mixSubBlocks<2, 1>(tables, x, y, count, output + half);
+            mixSubBlocks<2, 1, 4>(tables, x, y, count, output + half);
         if (blocks == 4)
-            mixSubBlocks<2, 2>(tables, x, y, count, output + half);
+            mixSubBlocks<2, 2, 1>(tables, x, y, count, output + half);
     }
 }
 
@@ -216,7 +255,6 @@ EnergySurvey survey(const float* HWY_RESTRICT energies,
             outside = hn::Or(outside, hn::Or(fading, hn::Not(hn::Lt(energy, largest))));
         }
         result.modes += static_cast<std::int32_t>(hwy::PopCount(bits));
-        result.changed = result.changed || masks[block] != bits;
         masks[block] = static_cast<std::uint16_t>(bits);
     }
     result.amplitudes = static_cast<double>(hn::GetLane(hn::SumOfLanes(f, amplitudes)));
@@ -233,7 +271,7 @@ HWY_AFTER_NAMESPACE();
 namespace idiophone {
 
 HWY_EXPORT(advanceBatch);
-HWY_EXPORT(look);
+HWY_EXPORT(lookBlocks);
 HWY_EXPORT(mix);
 HWY_EXPORT(survey);
 
@@ -249,10 +287,11 @@ void advanceModes(const ModeRotations& rotations,
 
 void lookAhead(const ModeRotations& rotations,
                std::size_t count,
-               const double* x,
-               const double* y,
+               std::size_t blocks,
+               const float* x,
+               const float* y,
                SubBlockStates& ahead) noexcept {
-    HWY_DYNAMIC_DISPATCH(look)(rotations, count, x, y, ahead);
+    HWY_DYNAMIC_DISPATCH(lookBlocks)(rotations, count, blocks, x, y, ahead);
 }
 
 void mixModes(const float* tables,

@@ -42,11 +42,12 @@ void advanceModes(const ModeRotations& rotations,
                   float* energies,
                   SubBlockStates& ahead) noexcept;
 
-/// Only fills `ahead`; the states stay where they are.
+/// Only fills the first `blocks` sub-blocks of `ahead`, from states in single precision.
 void lookAhead(const ModeRotations& rotations,
                std::size_t count,
-               const double* x,
-               const double* y,
+               std::size_t blocks,
+               const float* x,
+               const float* y,
                SubBlockStates& ahead) noexcept;
 
 /// Adds to `output` (16 · `blocks` samples) what a run of `count` modes of a batch sounds, whose
@@ -63,7 +64,6 @@ void mixModes(const float* tables,
 struct EnergySurvey {
     double amplitudes = 0;  ///< Σ |s| over the modes above τ
     std::int32_t modes = 0; ///< their number
-    bool changed = false;   ///< they are not the modes of the last survey
     bool faint = false;     ///< some state should become zero
 };
 

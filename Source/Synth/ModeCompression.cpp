@@ -10,19 +10,34 @@ namespace idiophone {
 namespace {
 
 constexpr double samePole = 1e-9;
+constexpr double turn = 2 * std::numbers::pi;
 
-bool canMerge(const ModalPole& first, const ModalPole& next, double compression) noexcept {
-    if (std::abs(next.stiffness - first.stiffness) <= samePole * first.stiffness)
-        return true;
-    if (!isOscillating(first) || !isOscillating(next))
-        return false;
-    const double frequency = dampedFrequency(first);
-    const double difference = std::abs(dampedFrequency(next) - frequency);
-    constexpr double turn = 2 * std::numbers::pi;
-    const double noticeable = turn * compression * discriminationHz(frequency / turn);
-    const double meanDecay = (first.damping + next.damping) / 4;
-    return difference <= noticeable && difference <= meanDecay;
-}
+/// The first mode of a group, with what all others are compared with.
+struct FirstMode {
+    explicit FirstMode(const ModalPole& first, double compression) noexcept
+        : pole(first), oscillates(isOscillating(first)),
+          frequency(oscillates ? dampedFrequency(first) : 0),
+          noticeable(oscillates ? turn * compression * discriminationHz(frequency / turn) : 0) {}
+
+    bool canMerge(const ModalPole& next) const noexcept {
+        if (std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
+            return true;
+        if (!oscillates || !isOscillating(next))
+            return false;
+        // In squares, as a root for every mode would cost more than all else.
+        const double meanDecay = (pole.damping + next.damping) / 4;
+        const double most = std::min(noticeable, meanDecay);
+        const double squared = next.stiffness - next.damping * next.damping / 4;
+        const double low = std::max(frequency - most, 0.0);
+        const double high = frequency + most;
+        return squared <= high * high && squared >= low * low;
+    }
+
+    ModalPole pole;
+    bool oscillates;
+    double frequency;
+    double noticeable;
+};
 
 } // namespace
 
@@ -37,14 +52,14 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        std::span<std::int32_t> groupStarts) noexcept {
     std::size_t groups = 0;
     std::size_t start = 0;
-    ModalPole first;
+    FirstMode first({}, compression);
     for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
         const ModalPole pole = law.pole(referenceEigenvalues[i]);
-        if (groups > 0 && i - start < largestGroup && canMerge(first, pole, compression))
+        if (groups > 0 && i - start < largestGroup && first.canMerge(pole))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;
-        first = pole;
+        first = FirstMode(pole, compression);
     }
     groupStarts[groups] = static_cast<std::int32_t>(referenceEigenvalues.size());
     return groups;
@@ -65,16 +80,10 @@ double mergedEigenvalue(std::span<const double> referenceEigenvalues,
     return mean * mean;
 }
 
-double mergedResidue(std::span<const double> residues,
-                     std::span<const double> referenceEigenvalues,
-                     const PoleLaw& law) noexcept {
-    double sum = 0;
-    for (const double residue : residues)
-        sum += residue;
-    if (referenceEigenvalues.front() == referenceEigenvalues.back())
-        return sum;
-
-    const std::size_t count = std::min(residues.size(), largestGroup);
+void findLostShares(std::span<const double> referenceEigenvalues,
+                    const PoleLaw& law,
+                    std::span<float> shares) noexcept {
+    const std::size_t count = std::min(referenceEigenvalues.size(), largestGroup);
     std::array<double, largestGroup> decays;
     std::array<double, largestGroup> frequencies;
     for (std::size_t i = 0; i < count; ++i) {
@@ -82,17 +91,30 @@ double mergedResidue(std::span<const double> residues,
         decays[i] = pole.damping / 2;
         frequencies[i] = dampedFrequency(pole);
     }
-    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave (Σr)² without rounding.
-    double lost = 0;
+    std::size_t pair = 0;
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j) {
             const double a = decays[i] + decays[j];
             const double delta = frequencies[i] - frequencies[j];
             const double both = a * a + delta * delta;
-            if (both > 0)
-                lost += 2 * residues[i] * residues[j] * delta * delta / both;
+            shares[pair++] = both > 0 ? static_cast<float>(delta * delta / both) : 0.0f;
         }
-    return std::copysign(std::sqrt(std::max(sum * sum - lost, 0.0)), sum);
+}
+
+float mergedResidue(std::span<const float> residues, std::span<const float> lostShares) noexcept {
+    double sum = 0;
+    for (const float residue : residues)
+        sum += static_cast<double>(residue);
+    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave (Σr)² without rounding.
+    double lost = 0;
+    std::size_t pair = 0;
+    for (std::size_t i = 0; i < residues.size(); ++i)
+        for (std::size_t j = i + 1; j < residues.size(); ++j)
+            lost += 2 * static_cast<double>(residues[i]) * static_cast<double>(residues[j]) *
+                    static_cast<double>(lostShares[pair++]);
+    if (lost == 0)
+        return static_cast<float>(sum);
+    return static_cast<float>(std::copysign(std::sqrt(std::max(sum * sum - lost, 0.0)), sum));
 }
 
 } // namespace idiophone

@@ -36,10 +36,19 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
 double mergedEigenvalue(std::span<const double> referenceEigenvalues,
                         std::span<const double> weights) noexcept;
 
-/// The residue that stands for a group: R² = Σ_ij r_i r_j a_ij²/(a_ij² + Δ_ij²), a_ij = α_i + α_j,
-/// Δ_ij = ω_i − ω_j, with the sign of Σr. Equal poles give Σr exactly.
-double mergedResidue(std::span<const double> residues,
-                     std::span<const double> referenceEigenvalues,
-                     const PoleLaw& law) noexcept;
+/// How many pairs a group of `modes` has.
+constexpr std::size_t pairsOf(std::size_t modes) noexcept {
+    return modes * (modes - 1) / 2;
+}
+
+/// What a group's modes lose of each other because their poles differ: Δ_ij²/(a_ij² + Δ_ij²) of
+/// each pair i < j, (0,1), (0,2), …, with a_ij = α_i + α_j and Δ_ij = ω_i − ω_j.
+void findLostShares(std::span<const double> referenceEigenvalues,
+                    const PoleLaw& law,
+                    std::span<float> shares) noexcept;
+
+/// The residue that stands for a group: R² = Σ_ij r_i r_j a_ij²/(a_ij² + Δ_ij²), with the sign of
+/// Σr. Equal poles give Σr exactly.
+float mergedResidue(std::span<const float> residues, std::span<const float> lostShares) noexcept;
 
 } // namespace idiophone

@@ -27,23 +27,38 @@ ModeFader::ModeFader(const ModalBank& bank, double sampleRateHz) : states(bank.e
 }
 
 void ModeFader::leave(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
-    fade(bank, modes, 1);
+    for (const std::int32_t mode : modes)
+        take(bank, mode, 1);
+    fade(bank, modes);
 }
 
 void ModeFader::enter(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
-    fade(bank, modes, -1);
+    for (const std::int32_t mode : modes)
+        take(bank, mode, -1);
+    fade(bank, modes);
 }
 
-void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes, float sign) noexcept {
+void ModeFader::change(ModalBank& bank,
+                       std::span<const std::int32_t> modes,
+                       std::span<const float> shares) noexcept {
+    for (std::size_t k = 0; k < modes.size(); ++k)
+        take(bank, modes[k], static_cast<double>(shares[k]));
+    fade(bank, modes);
+}
+
+void ModeFader::take(const ModalBank& bank, std::int32_t mode, double share) noexcept {
+    const auto g = static_cast<std::size_t>(mode);
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        states.x[c][g] = share * bank.state(g, c).x;
+        states.y[c][g] = share * bank.state(g, c).y;
+    }
+}
+
+/// Renders what was taken of these modes.
+void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
     if (modes.empty())
         return;
     channels = bank.channels();
-    for (std::size_t c = 0; c < channels; ++c)
-        for (const std::int32_t mode : modes) {
-            const auto g = static_cast<std::size_t>(mode);
-            states.x[c][g] = bank.state(g, c).x;
-            states.y[c][g] = bank.state(g, c).y;
-        }
     findRuns(modes, runs);
     alignas(64) std::array<std::array<float, cellSamples>, mostChannels> cell;
     for (std::size_t start = 0; start < window.size(); start += cellSamples) {
@@ -51,7 +66,7 @@ void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes, float
         bank.renderFrom(states, runs, {cell[0].data(), cell[1].data()});
         for (std::size_t c = 0; c < channels; ++c)
             for (std::size_t k = 0; k < cellSamples; ++k)
-                tails[c][start + k] += sign * window[start + k] * cell[c][k];
+                tails[c][start + k] += window[start + k] * cell[c][k];
     }
     // The modes between them are carried along, and must not fade into denormals.
     for (std::size_t c = 0; c < channels; ++c)

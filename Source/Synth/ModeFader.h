@@ -26,6 +26,11 @@ public:
     /// is taken away.
     void enter(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
 
+    /// The same for the share of each mode that is no longer rendered; a negative one fades in.
+    void change(ModalBank& bank,
+                std::span<const std::int32_t> modes,
+                std::span<const float> shares) noexcept;
+
     /// Adds the next cell of the fades and moves on.
     void addCell(const ChannelOutputs& cell) noexcept;
 
@@ -39,7 +44,8 @@ public:
     void reset() noexcept;
 
 private:
-    void fade(ModalBank& bank, std::span<const std::int32_t> modes, float sign) noexcept;
+    void take(const ModalBank& bank, std::int32_t mode, double share) noexcept;
+    void fade(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
 
     std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
     /// What is left to play in each channel, from its next sample.

@@ -19,8 +19,6 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, 8>;
-using Floats = hn::CappedTag<float, 16>;
-using HalfFloats = hn::Half<Floats>;
 using Vector = hn::Vec<Doubles>;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 
@@ -65,8 +63,12 @@ void rotations(const PoleArrays& arrays, std::size_t count, double sampleSeconds
         const auto perFrequency = hn::Div(hn::Set(d, 1.0), frequency);
         hn::Store(decay, d, arrays.decay + g);
         hn::Store(frequency, d, arrays.frequency + g);
-        hn::Store(hn::Mul(stiffness, perFrequency), d, arrays.displacementShare + g);
         hn::Store(hn::Mul(decay, perFrequency), d, arrays.velocityShare + g);
+
+        const auto halfTurns = hn::Mul(frequency, hn::Set(d, sampleSeconds / std::numbers::pi));
+        const auto octaves = hn::Mul(decay, hn::Set(d, -sampleSeconds * std::numbers::log2e));
+        hn::Store(hn::DemoteTo(f, halfTurns), f, arrays.halfTurnsPerSample + g);
+        hn::Store(hn::DemoteTo(f, octaves), f, arrays.octavesPerSample + g);
 
         const Complex sample = rotation(decay, frequency, sampleSeconds);
         hn::Store(hn::DemoteTo(f, sample.re), f, arrays.sampleRe + g);
@@ -111,92 +113,6 @@ void rotate(const double* HWY_RESTRICT decay,
     }
 }
 
-void turn(const double* HWY_RESTRICT decay,
-          const double* HWY_RESTRICT frequency,
-          std::size_t count,
-          double seconds,
-          double factor,
-          double* HWY_RESTRICT x,
-          double* HWY_RESTRICT y) {
-    const Floats f;
-    const HalfFloats half;
-    const hn::RepartitionToWide<Floats> d;
-    constexpr std::size_t wide = hn::MaxLanes(d);
-    const auto time = hn::Set(d, seconds);
-    const auto gain = hn::Set(f, static_cast<float>(factor));
-    for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
-        const auto scaled = [&](const double* values) HWY_ATTR {
-            return hn::Combine(f, hn::DemoteTo(half, hn::Mul(time, hn::Load(d, values + g + wide))),
-                               hn::DemoteTo(half, hn::Mul(time, hn::Load(d, values + g))));
-        };
-        const auto angle = scaled(frequency);
-        const auto fall = hn::Max(hn::Neg(scaled(decay)), hn::Set(f, -80.0f));
-        const auto size = hn::Mul(gain, hn::Exp(f, fall));
-        const auto re = hn::Mul(size, hn::Cos(f, angle));
-        const auto im = hn::Mul(size, hn::Sin(f, angle));
-        const auto moved = [&](auto reHalf, auto imHalf, std::size_t place) HWY_ATTR {
-            const auto turnRe = hn::PromoteTo(d, reHalf);
-            const auto turnIm = hn::PromoteTo(d, imHalf);
-            const auto xs = hn::Load(d, x + place);
-            const auto ys = hn::Load(d, y + place);
-            hn::Store(hn::NegMulAdd(turnIm, ys, hn::Mul(turnRe, xs)), d, x + place);
-            hn::Store(hn::MulAdd(turnIm, xs, hn::Mul(turnRe, ys)), d, y + place);
-        };
-        moved(hn::LowerHalf(half, re), hn::LowerHalf(half, im), g);
-        moved(hn::UpperHalf(half, re), hn::UpperHalf(half, im), g + wide);
-    }
-}
-
-struct FloatComplex {
-    hn::Vec<Floats> re, im;
-};
-
-HWY_INLINE FloatComplex product(FloatComplex a, FloatComplex b) {
-    return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
-            hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
-}
-
-void addMoved(const SampleRotations& rotations,
-              std::size_t count,
-              std::size_t samples,
-              double factor,
-              const double* HWY_RESTRICT x,
-              const double* HWY_RESTRICT y,
-              double* HWY_RESTRICT sumX,
-              double* HWY_RESTRICT sumY) {
-    const Floats f;
-    const HalfFloats half;
-    const hn::RepartitionToWide<Floats> d;
-    for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
-        FloatComplex move{hn::Set(f, static_cast<float>(factor)), hn::Zero(f)};
-        const FloatComplex turn{hn::Load(f, rotations.turnRe + g),
-                                hn::Load(f, rotations.turnIm + g)};
-        for (std::size_t turns = samples / subBlockSamples; turns > 0; --turns)
-            move = product(move, turn);
-        FloatComplex power{hn::Load(f, rotations.sampleRe + g),
-                           hn::Load(f, rotations.sampleIm + g)};
-        for (std::size_t rest = samples % subBlockSamples; rest > 0; rest /= 2) {
-            if (rest % 2 == 1)
-                move = product(move, power);
-            power = product(power, power);
-        }
-        const auto add = [&](auto re, auto im, std::size_t place) HWY_ATTR {
-            const auto moveRe = hn::PromoteTo(d, re);
-            const auto moveIm = hn::PromoteTo(d, im);
-            const auto xs = hn::Load(d, x + place);
-            const auto ys = hn::Load(d, y + place);
-            const auto toX =
-                hn::NegMulAdd(moveIm, ys, hn::MulAdd(moveRe, xs, hn::Load(d, sumX + place)));
-            const auto toY =
-                hn::MulAdd(moveIm, xs, hn::MulAdd(moveRe, ys, hn::Load(d, sumY + place)));
-            hn::Store(toX, d, sumX + place);
-            hn::Store(toY, d, sumY + place);
-        };
-        add(hn::LowerHalf(half, move.re), hn::LowerHalf(half, move.im), g);
-        add(hn::UpperHalf(half, move.re), hn::UpperHalf(half, move.im), g + hn::MaxLanes(d));
-    }
-}
-
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace idiophone
@@ -207,8 +123,6 @@ namespace idiophone {
 
 HWY_EXPORT(rotations);
 HWY_EXPORT(rotate);
-HWY_EXPORT(turn);
-HWY_EXPORT(addMoved);
 
 void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept {
     HWY_DYNAMIC_DISPATCH(rotations)(arrays, count, sampleSeconds);
@@ -222,27 +136,6 @@ void rotateModes(const double* decay,
                  double* x,
                  double* y) noexcept {
     HWY_DYNAMIC_DISPATCH(rotate)(decay, frequency, count, seconds, factor, x, y);
-}
-
-void turnModes(const double* decay,
-               const double* frequency,
-               std::size_t count,
-               double seconds,
-               double factor,
-               double* x,
-               double* y) noexcept {
-    HWY_DYNAMIC_DISPATCH(turn)(decay, frequency, count, seconds, factor, x, y);
-}
-
-void addMovedModes(const SampleRotations& rotations,
-                   std::size_t count,
-                   std::size_t samples,
-                   double factor,
-                   const double* x,
-                   const double* y,
-                   double* sumX,
-                   double* sumY) noexcept {
-    HWY_DYNAMIC_DISPATCH(addMoved)(rotations, count, samples, factor, x, y, sumX, sumY);
 }
 
 } // namespace idiophone

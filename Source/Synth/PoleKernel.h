@@ -8,13 +8,13 @@ namespace idiophone {
 
 /// Arrays over modes; see ModalBankKernel.h for the rotations and tables.
 struct PoleArrays {
-    const double* stiffness; ///< λ
-    const double* damping;   ///< d
-    double* decay;           ///< α = d/2
-    double* frequency;       ///< ω_d = √(λ − α²), 0 where over-damped
-    /// y of the state from motion: displacementShare z + velocityShare z'.
-    double* displacementShare; ///< λ/ω_d
-    double* velocityShare;     ///< α/ω_d
+    const double* stiffness;   ///< λ
+    const double* damping;     ///< d
+    double* decay;             ///< α = d/2
+    double* frequency;         ///< ω_d = √(λ − α²), 0 where over-damped
+    double* velocityShare;     ///< α/ω_d: y of the state after an impulse that makes x = 1
+    float* halfTurnsPerSample; ///< of ω_d
+    float* octavesPerSample;   ///< −α in powers of two
     float* sampleRe;           ///< ρ
     float* sampleIm;
     float* turnRe;
@@ -36,33 +36,5 @@ void rotateModes(const double* decay,
                  double factor,
                  double* x,
                  double* y) noexcept;
-
-/// The same for less than a sample, to single precision and in half the time.
-void turnModes(const double* decay,
-               const double* frequency,
-               std::size_t count,
-               double seconds,
-               double factor,
-               double* x,
-               double* y) noexcept;
-
-/// ρ and ρ¹⁶.
-struct SampleRotations {
-    const float* sampleRe;
-    const float* sampleIm;
-    const float* turnRe;
-    const float* turnIm;
-};
-
-/// Adds to sumX, sumY the states x, y after `samples` (below 64) of free motion, to single
-/// precision, times `factor`.
-void addMovedModes(const SampleRotations& rotations,
-                   std::size_t count,
-                   std::size_t samples,
-                   double factor,
-                   const double* x,
-                   const double* y,
-                   double* sumX,
-                   double* sumY) noexcept;
 
 } // namespace idiophone

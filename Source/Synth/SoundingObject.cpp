@@ -1,11 +1,13 @@
 #include "Synth/SoundingObject.h"
 
 #include "Synth/Listening.h"
+#include "Synth/ModeCompression.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace idiophone {
@@ -42,7 +44,9 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
-    referenceEigenvalues.resize(modes);
+    std::iota(groupStarts.begin(), groupStarts.end(), 0);
+    referenceEigenvalues = object->eigenvalues;
+    lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
             weights.resize(modes);
@@ -51,11 +55,10 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     mixedModes.reserve(modes);
     mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
-    for (Response& response : responses)
-        for (std::size_t c = 0; c < (object->radiation.empty() ? 1 : channels); ++c)
-            response.residues[c].resize(bank.paddedSize());
+    kicks = bank.emptyKicks();
+    bank.resize(modes);
     applySettings({});
-    regroup();
+    movePoles();
 }
 
 void SoundingObject::setDamping(double dampingPerSecond) noexcept {
@@ -76,6 +79,7 @@ void SoundingObject::setFrequencyRatio(double newRatio) noexcept {
 bool SoundingObject::beginCell(std::int64_t cell,
                                const SynthesisSettings& settings,
                                bool settingsChanged) noexcept {
+    takeInKicks(cell);
     cellIndex = cell;
     if (settingsChanged || controlsChanged)
         applySettings(settings);
@@ -92,7 +96,8 @@ void SoundingObject::survey() noexcept {
                                               faintEnergy, activeBlocks, scratch.aboveTau.data());
     // Under a contact nothing comes or goes; under a continuous force nothing goes.
     const bool forced = forcedCell == cellIndex - 1;
-    std::int32_t ringing = 0;
+    const bool follows = contacts.empty() && !forced;
+    std::int32_t ringing = follows ? found.modes : 0;
     for (const std::int32_t number : activeBlocks) {
         const auto b = static_cast<std::size_t>(number);
         if (forced)
@@ -101,7 +106,8 @@ void SoundingObject::survey() noexcept {
             blocks[b].rings = scratch.aboveTau[b];
             mixedIsRinging = false;
         }
-        ringing += std::popcount(blocks[b].rings);
+        if (!follows)
+            ringing += std::popcount(blocks[b].rings);
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks)
@@ -211,32 +217,47 @@ void SoundingObject::activate(std::size_t b) noexcept {
     if (blocks[b].active)
         return;
     blocks[b].active = true;
+    mixedIsRinging = false;
     const auto number = static_cast<std::int32_t>(b);
     activeBlocks.insert(std::lower_bound(activeBlocks.begin(), activeBlocks.end(), number), number);
 }
 
 void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
-    if (contacts.empty())
+    // Under a force nothing goes, whatever the share.
+    if (contacts.empty() && forcedCell != cellIndex - 1)
         chooseModes(share);
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
 
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    const ChannelOutputs outputs{sound[0].data(), sound[1].data()};
+    if (damping > 0 || bank.channels() != cell.channels()) {
+        alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+        const ChannelOutputs outputs{sound[0].data(), sound[1].data()};
+        renderCell(outputs);
+        addToCell(outputs, 0, cellSamples, cell);
+    } else {
+        renderCell({cell[0].data(), cell[bank.channels() - 1].data()});
+    }
+    soundContacts(cell);
+}
+
+void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
     const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
     bank.render(activeBlocks, mixedRuns, fallen, outputs);
     fader.addCell(outputs);
     if (damping > 0) {
-        const double fall = std::exp(-damping / sampleRate);
-        double factor = 1;
-        for (std::size_t k = 0; k < cellSamples; ++k) {
-            for (std::size_t c = 0; c < bank.channels(); ++c)
-                sound[c][k] *= static_cast<float>(factor);
-            factor *= fall;
-        }
+        fadeByDamper(outputs, cellSamples);
         fader.scale(static_cast<float>(fallen));
     }
-    addToCell(outputs, 0, cellSamples, cell);
-    soundContacts(cell);
+}
+
+/// What a damper leaves of the first `count` samples.
+void SoundingObject::fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept {
+    const double fall = std::exp(-damping / sampleRate);
+    double factor = 1;
+    for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            sound[c][k] *= static_cast<float>(factor);
+        factor *= fall;
+    }
 }
 
 /// Adds `count` samples from sample `from` of the cell on. What sounds in one channel is heard in
@@ -262,6 +283,7 @@ void SoundingObject::reset() noexcept {
     mixedRuns.clear();
     mixedIsRinging = true;
     contacts.clear();
+    keptKicks.reset();
     forcedCell = -1;
     ++responseVersion;
     fader.reset();

@@ -17,6 +17,7 @@
 #include <complex>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,7 @@ public:
     bool silent() const noexcept { return !ringing() && !fader.active(); }
     std::int32_t modesRinging() const noexcept { return demanded.modes; }
     std::int32_t modesMixed() const noexcept { return mixedLastCell; }
+    std::size_t channelsSounding() const noexcept { return bank.channels(); }
     /// The same with those that strikes have added since.
     std::int32_t modesMixedNow() const noexcept {
         return static_cast<std::int32_t>(mixedModes.size());
@@ -108,6 +110,8 @@ private:
     void listMixed() noexcept;
     void retireBlocks(std::int64_t grid) noexcept;
     void wakeBlocks() noexcept;
+    void renderCell(const ChannelOutputs& outputs) noexcept;
+    void fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept;
     void activate(std::size_t block) noexcept;
     bool bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
 
@@ -115,9 +119,18 @@ private:
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
     void fadeOutOfBand() noexcept;
-    void regroup() noexcept;
+    bool inBand(std::size_t g) const noexcept;
+    bool holdsAboveTau() const noexcept;
     double dampingLog(std::int64_t grid) const noexcept;
     float tauEnergy() const noexcept { return static_cast<float>(tauVelocity * tauVelocity); }
+
+    // SoundingObjectGroups.cpp: groups that follow the poles.
+    void regroup(std::size_t groups) noexcept;
+    void nameGroups(std::size_t groups) noexcept;
+    void shareGroups(std::size_t groups) noexcept;
+    void handOnFlags() noexcept;
+    void fadeChanges() noexcept;
+    void rebuildBlocks() noexcept;
 
     // SoundingObjectStrike.cpp: residues, contacts.
     bool valid(const StrikePoint& point) const noexcept;
@@ -125,36 +138,54 @@ private:
     void prepareBank() noexcept;
     void computeResidues(const Contact& contact) noexcept;
     void mergeResidues(std::size_t channel) noexcept;
+    void findLost() noexcept;
     void widen(double listening) noexcept;
     void findRadiation() noexcept;
-    void computeForced(const Contact& contact, std::complex<double> phase) noexcept;
+    void computeForced(const Contact& contact) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
     void admitWanted(std::int32_t allowance) noexcept;
     void listWanted(std::size_t most) noexcept;
     void admit(std::size_t g) noexcept;
-    void hold(Contact& contact, std::span<const ModeRun> modes) noexcept;
-    void moveContact(Contact& contact, double sign) noexcept;
     void soundContacts(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
-    void startKicks(double factor, double at, ModeStates& started) noexcept;
-    void endContact(double at, int kickSample) noexcept;
+    void startKicks(double sign, double at) noexcept;
+    void finishKicks(const Contact& contact, double end) noexcept;
+    BeforeSample beforeSample(double at) const noexcept;
+    KickMove kickMove(double seconds) const noexcept;
     void addKicks(int from, int until, const CellOutput& cell) noexcept;
     void addToCell(const ChannelOutputs& sound,
                    std::size_t from,
                    std::size_t count,
                    const CellOutput& cell) const noexcept;
-    void joinKicks(int from) noexcept;
-    void bringRestingUpToDate() noexcept;
+    void keepKicks(int from) noexcept;
+    void takeInKicks(std::int64_t grid) noexcept;
+    bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
+    void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
+
+    // SoundingObjectContact.cpp: contacts under way.
+    void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
+    /// What a contact adds to the residue of every mode, over what the other one does; 0 where that
+    /// differs from mode to mode.
+    static double shareOfResidues(const Contact& contact, const Contact& other) noexcept;
+    enum class Forced { freed, held };
+    void moveContacts(Forced become) noexcept;
+    void moveContact(Contact& contact, double factor, Forced become) noexcept;
     std::complex<double>
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
     // SoundingObjectForce.cpp: continuous contact.
     void admitForced(std::int32_t allowance) noexcept;
-    void findResponse(const StrikePoint& point,
-                      const std::array<float, 3>& direction,
-                      std::size_t which) noexcept;
+    bool valid(const ForcePlace& place) const noexcept;
+    void answer(const ForcePoint& at, ForceResponse& response) noexcept;
+    const ForceResponse& responseAt(const ForcePoint& at, ForceResponses& known) noexcept;
+    void answerAt(const ForcePlace& place,
+                  ForceResponses& known,
+                  ModeResidues& residues,
+                  ForceSound& sound) noexcept;
     void soundForce(std::span<const float, cellSamples> impulses,
+                    const ForceSound& start,
+                    const ForceSound& end,
                     const CellOutput& cell) const noexcept;
 
     std::shared_ptr<const ModalObject> object;
@@ -168,7 +199,7 @@ private:
     double requestedFrequencyRatio = 1;
     bool controlsChanged = true;
     PoleLaw law;
-    bool polesBehind = false; ///< the bank's poles are not yet those of `law`
+    bool polesBehind = false; ///< the bank is not yet that of `law` and `compression`
     double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
     double radiation = 0;     ///< 0 heard where struck, 1 from afar
     /// Frequency times size over the reference's: where the radiation table is to be read, and
@@ -182,13 +213,13 @@ private:
     std::int64_t dampingSince = 0;
     std::int64_t cellIndex = -1; ///< the cell begun last
 
-    // Groups, and the conditions under which they were formed.
+    // Groups.
     double weightScale;                       ///< of the radiation weights (Listening.h)
     std::vector<double> modeWeights;          ///< [M] mean-square shape
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
     std::vector<double> referenceEigenvalues; ///< [G]
-    PoleLaw groupedLaw;
-    double groupedCompression = 1;
+    std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)
+    std::optional<PoleLaw> lostSharesLaw;     ///< for which they hold
 
     ModalBank bank;
     ModeFader fader;
@@ -202,21 +233,15 @@ private:
     std::int32_t mixedLastCell = 0;
 
     std::vector<Contact> contacts;
+    ModeKicks kicks;                   ///< of the last strike or end of a contact
+    std::optional<KickMove> keptKicks; ///< on their way to the grid point where states take them in
 
-    /// What the object answers to an impulse of 1 N s at one place within the rest of a cell. The
-    /// end of one cell is the start of the next, and a contact that stays in its place needs no new
-    /// response.
-    struct Response {
-        StrikePoint point;
-        std::array<float, 3> direction{};
-        std::uint64_t version = 0; ///< of what it depends on besides; 0 is none
-        std::array<AlignedVector<float>, mostChannels> residues; ///< [G], padded with zeros
-        alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    };
-    std::array<Response, 2> responses; ///< at the start and at the end of the cell
     std::uint64_t responseVersion = 1;
     std::int64_t forcedCell = -1; ///< the last cell that was forced
 
+    static bool isSet(std::uint16_t bits, std::size_t g) noexcept {
+        return (bits >> (g % modeBlock) & 1u) != 0;
+    }
     /// Calls `visit` with the mode of each bit of a block.
     template <class Visit>
     static void forEachMode(std::size_t block, std::uint16_t bits, Visit visit) {

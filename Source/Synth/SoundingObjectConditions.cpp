@@ -1,4 +1,5 @@
 // What the settings make of a sounding object's poles.
+#include "Synth/LiveConditions.h"
 #include "Synth/ModeCompression.h"
 #include "Synth/SoundingObject.h"
 
@@ -9,42 +10,24 @@ namespace idiophone {
 
 namespace {
 
-constexpr double lowestHz = 20;
-constexpr double highestShareOfSampleRate = 0.49;
-
 // τ = 0 truncates nothing that could be heard after all: −360 dB of full scale.
 constexpr double smallestTauVelocity = 1e-18;
-
-double ratio(double value, double reference) noexcept {
-    return value > 0 && reference > 0 ? value / reference : 1;
-}
 
 } // namespace
 
 void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     controlsChanged = false;
-    const Material& reference = object->material;
-    const LiveMaterial material = settings.material.value_or(
-        LiveMaterial{reference.youngsModulusPa, reference.densityKgPerM3,
-                     reference.fluidDampingPerSecond, reference.viscoelasticDampingSeconds});
-    const double size = slotSizeRatio * settings.sizeRatio;
-    const double tuning = settings.frequencyRatio * requestedFrequencyRatio / size;
-    const double density = ratio(material.densityKgPerM3, reference.densityKgPerM3);
-    const double stiffness = ratio(material.youngsModulusPa, reference.youngsModulusPa);
-    const PoleLaw newLaw{stiffness / density * tuning * tuning, material.fluidDampingPerSecond,
-                         material.viscoelasticDampingSeconds};
+    const LiveConditions live =
+        liveConditions(object->material, settings, slotSizeRatio, requestedFrequencyRatio);
     const double newTau = std::max(settings.tau * metresPerSecondPerTau, smallestTauVelocity);
-    const double newGainRatio = 1 / (density * size * size * size);
-    if (newGainRatio != gainRatio || settings.radiation != radiation)
+    if (live.gainRatio != gainRatio || settings.radiation != radiation)
         ++responseVersion;
-    gainRatio = newGainRatio;
-    const double newRadiationRatio = std::sqrt(newLaw.eigenvalueRatio) * size;
-    compression = settings.compression;
+    gainRatio = live.gainRatio;
     radiation = settings.radiation;
 
-    const bool polesMove = newLaw != law;
+    const bool polesMove = live.law != law || settings.compression != compression;
     const bool dampingMoves = requestedDamping != damping;
-    const bool weightsMove = newRadiationRatio != wantedRadiationRatio;
+    const bool weightsMove = live.radiationRatio != wantedRadiationRatio;
     const bool contactsMove = polesMove || dampingMoves || weightsMove;
     const bool tauFalls = newTau < tauVelocity;
     if (!contactsMove && newTau == tauVelocity)
@@ -53,21 +36,20 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     // it is made free motion, and taken out again with those and the damping that hold from here
     // on.
     if (contactsMove)
-        for (Contact& contact : contacts)
-            moveContact(contact, 1);
-    wantedRadiationRatio = newRadiationRatio;
+        moveContacts(Forced::freed);
+    wantedRadiationRatio = live.radiationRatio;
     ++responseVersion;
     dampingLogBase = dampingLog(cellIndex);
     dampingSince = cellIndex;
     damping = requestedDamping;
     tauVelocity = newTau;
-    law = newLaw;
+    law = live.law;
+    compression = settings.compression;
     polesBehind = polesBehind || polesMove;
-    if (polesBehind && (ringing() || tauFalls))
+    if (polesBehind && (ringing() || holdsAboveTau()))
         movePoles();
     if (contactsMove)
-        for (Contact& contact : contacts)
-            moveContact(contact, -1);
+        moveContacts(Forced::held);
     if (polesMove || tauFalls)
         wakeBlocks();
 }
@@ -76,12 +58,29 @@ void SoundingObject::movePoles() noexcept {
     polesBehind = false;
     ++responseVersion;
     // Resting states move with the poles they had up to here.
+    bringRestingUpToDate(cellIndex);
+    const std::size_t groups =
+        groupModes(object->eigenvalues, law, compression, scratch.groupStarts);
+    if (groups == bank.size() &&
+        std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
+                   scratch.groupStarts.begin()))
+        fadeOutOfBand();
+    else
+        regroup(groups);
+    bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestSoundingHz,
+                   highestSoundingShare * sampleRate);
+}
+
+bool SoundingObject::inBand(std::size_t g) const noexcept {
+    return soundsAt(law.pole(referenceEigenvalues[g]), sampleRate);
+}
+
+/// What τ had cut, or what was out of band, may be heard again with other poles.
+bool SoundingObject::holdsAboveTau() const noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
-        if (!blocks[b].active)
-            bringUpToDate(b, cellIndex);
-    fadeOutOfBand();
-    bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestHz,
-                   highestShareOfSampleRate * sampleRate);
+        if (bank.energyOfLoudest(b) > tauEnergy())
+            return true;
+    return false;
 }
 
 /// What leaves the band fades with the pole it had: the new one would alias.
@@ -89,8 +88,7 @@ void SoundingObject::fadeOutOfBand() noexcept {
     scratch.leaving.clear();
     for (const std::int32_t g : mixedModes) {
         const auto mode = static_cast<std::size_t>(g);
-        const double hz = naturalFrequencyHz(law.pole(referenceEigenvalues[mode]));
-        if (hz >= lowestHz && hz < highestShareOfSampleRate * sampleRate)
+        if (inBand(mode))
             continue;
         scratch.leaving.push_back(g);
         Block& block = blocks[mode / modeBlock];
@@ -103,23 +101,6 @@ void SoundingObject::fadeOutOfBand() noexcept {
     fader.leave(bank, scratch.leaving);
     listMixed();
     retireBlocks(cellIndex);
-}
-
-void SoundingObject::regroup() noexcept {
-    groupedLaw = law;
-    groupedCompression = compression;
-    const std::size_t groups = groupModes(object->eigenvalues, law, compression, groupStarts);
-    for (std::size_t g = 0; g < groups; ++g) {
-        const auto first = static_cast<std::size_t>(groupStarts[g]);
-        const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        referenceEigenvalues[g] =
-            mergedEigenvalue(std::span(object->eigenvalues).subspan(first, count),
-                             std::span(modeWeights).subspan(first, count));
-    }
-    bank.resize(groups);
-    bank.setChannels(1);
-    std::fill(blocks.begin(), blocks.end(), Block{});
-    movePoles();
 }
 
 double SoundingObject::dampingLog(std::int64_t grid) const noexcept {

@@ -1,46 +1,55 @@
 // Continuous contact of a sounding object (DESIGN 5): output += force ∗ local impulse response, and
 // the states take in what the force did to them by the next grid point.
+#include "Synth/AllFinite.h"
 #include "Synth/ForceKernel.h"
 #include "Synth/SoundingObject.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace idiophone {
+
+bool SoundingObject::valid(const ForcePlace& place) const noexcept {
+    const auto makesSense = [&](const ForcePoint& at) {
+        return valid(at.point) && allFinite(at.direction);
+    };
+    return std::isfinite(place.way) && makesSense(place.points[0]) &&
+           (place.way == 0 || makesSense(place.points[1]));
+}
 
 bool SoundingObject::applyForce(const ForceCell& force,
                                 std::int32_t allowance,
                                 const CellOutput& cell) noexcept {
-    const auto isFinite = [](float value) { return std::isfinite(value); };
-    if (!valid(force.start) || !valid(force.end) || !std::ranges::all_of(force.newtons, isFinite) ||
-        !std::ranges::all_of(force.startDirection, isFinite) ||
-        !std::ranges::all_of(force.endDirection, isFinite))
+    const bool stays = force.start == force.end;
+    if (force.contact >= forceCapacity || !valid(force.start) || (!stays && !valid(force.end)) ||
+        !allFinite(force.newtons))
         return false;
+    takeInKicks(cellIndex + 1);
     prepareBank();
     widen(object->radiation.empty() ? 0 : radiation);
     forcedCell = cellIndex;
     admitForced(allowance);
 
     alignas(64) std::array<float, cellSamples> impulses;
+    const auto secondsPerSample = static_cast<float>(1 / sampleRate);
     for (std::size_t k = 0; k < cellSamples; ++k)
-        impulses[k] = force.newtons[k] / static_cast<float>(sampleRate);
-    std::swap(responses[0], responses[1]);
-    findResponse(force.start, force.startDirection, 0);
-    findResponse(force.end, force.endDirection, 1);
-    soundForce(impulses, cell);
-    bringRestingUpToDate();
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        bank.force(impulses, responses[0].residues[c].data(), responses[1].residues[c].data(),
-                   damping, c);
-    bank.measureAll();
-    if (mixedModes.size() < bank.audibleCount())
+        impulses[k] = force.newtons[k] * secondsPerSample;
+    ForceResponses& known = scratch.responses[force.contact];
+    alignas(64) ForceSound start, end;
+    answerAt(force.start, known, scratch.startResidues, start);
+    if (!stays)
+        answerAt(force.end, known, scratch.endResidues, end);
+    soundForce(impulses, start, stays ? start : end, cell);
+    bringRestingUpToDate(cellIndex + 1);
+    bank.force(impulses, scratch.startResidues, stays ? scratch.startResidues : scratch.endResidues,
+               damping);
+    if (!allMixed())
         listWhatRings();
     return true;
 }
 
 void SoundingObject::admitForced(std::int32_t allowance) noexcept {
-    if (mixedModes.size() == bank.audibleCount())
+    if (allMixed())
         return;
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         unsigned audible = 0;
@@ -48,70 +57,75 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
             audible |= (bank.audible(b * modeBlock + k) ? 1u : 0u) << k;
         scratch.wanted[b] = static_cast<std::uint16_t>(audible);
     }
-    std::copy_n(bank.energies(), bank.paddedSize(), scratch.kickEnergies.begin());
+    std::copy_n(bank.energies(), bank.paddedSize(), kicks.energies.begin());
     admitWanted(allowance);
 }
 
-/// Response 0 or 1 becomes that of a place, from the other one where that has it.
-void SoundingObject::findResponse(const StrikePoint& point,
-                                  const std::array<float, 3>& direction,
-                                  std::size_t which) noexcept {
-    const auto isThere = [&](const Response& response) {
-        return response.version == responseVersion && response.point == point &&
-               response.direction == direction;
-    };
-    Response& response = responses[which];
-    const Response& other = responses[1 - which];
-    if (isThere(response))
-        return;
-    response.point = point;
-    response.direction = direction;
-    response.version = responseVersion;
-    if (isThere(other)) {
+/// What the object answers between two points, in step with the way between them.
+void SoundingObject::answerAt(const ForcePlace& place,
+                              ForceResponses& known,
+                              ModeResidues& residues,
+                              ForceSound& sound) noexcept {
+    const ForceResponse& first = responseAt(place.points[0], known);
+    if (place.way == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
-            std::copy(other.residues[c].begin(), other.residues[c].end(),
-                      response.residues[c].begin());
-        response.sound = other.sound;
+            std::copy_n(first.residues[c].begin(), bank.paddedSize(), residues[c].begin());
+        sound = first.sound;
         return;
     }
-    computeResidues({.strike = {.point = point, .impulseNewtonSeconds = direction},
-                     .gainRatio = gainRatio,
-                     .listening = object->radiation.empty() ? 0 : radiation});
-    bank.impulseStates(scratch.forcedX.data(), scratch.forcedY.data());
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-            const double residue = scratch.groupResidues[c][g];
-            response.residues[c][g] = static_cast<float>(residue);
-            scratch.rendered.x[c][g] = residue * scratch.forcedX[g];
-            scratch.rendered.y[c][g] = residue * scratch.forcedY[g];
-        }
-    response.sound = {};
-    bank.sound(scratch.rendered, mixedRuns, subBlocks,
-               {response.sound[0].data(), response.sound[1].data()});
-    const double fall = std::exp(-damping / sampleRate);
-    double factor = 1;
-    for (std::size_t k = 0; k < cellSamples; ++k) {
-        for (auto& sound : response.sound)
-            sound[k] *= static_cast<float>(factor);
-        factor *= fall;
+    const ForceResponse& second = responseAt(place.points[1], known);
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        blendResponses(first.residues[c].data(), second.residues[c].data(), place.way,
+                       bank.paddedSize(), residues[c].data());
+        blendResponses(first.sound[c].data(), second.sound[c].data(), place.way, cellSamples,
+                       sound[c].data());
     }
 }
 
-void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
-                                const CellOutput& cell) const noexcept {
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        float* output = sound[c].data();
-        for (std::size_t b = 0; b < subBlocks; ++b) {
-            alignas(64) std::array<float, cellSamples> response;
-            for (std::size_t k = 0; k < cellSamples; ++k)
-                response[k] = responses[0].sound[c][k] +
-                              shareOfWay(b) * (responses[1].sound[c][k] - responses[0].sound[c][k]);
-            for (std::size_t k = b * subBlockSamples; k < (b + 1) * subBlockSamples; ++k)
-                for (std::size_t n = k; n < cellSamples; ++n)
-                    output[n] += impulses[k] * response[n - k];
+/// Of the four that a contact keeps, the one that was not used for longest gives way.
+const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
+                                                ForceResponses& known) noexcept {
+    ForceResponse* chosen = &known.front();
+    for (ForceResponse& response : known) {
+        if (response.object == this && response.version == responseVersion && response.at == at) {
+            chosen = &response;
+            break;
         }
+        if (response.lastUse < chosen->lastUse)
+            chosen = &response;
     }
+    if (chosen->object != this || chosen->version != responseVersion || chosen->at != at)
+        answer(at, *chosen);
+    chosen->lastUse = ++scratch.responseUses;
+    return *chosen;
+}
+
+void SoundingObject::answer(const ForcePoint& at, ForceResponse& response) noexcept {
+    response.object = this;
+    response.version = responseVersion;
+    response.at = at;
+    computeResidues({.strike = {.point = at.point, .impulseNewtonSeconds = at.direction},
+                     .gainRatio = gainRatio,
+                     .listening = object->radiation.empty() ? 0 : radiation});
+    bank.impulseStates(scratch.contact);
+    bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        std::copy_n(scratch.groupResidues[c].begin(), bank.paddedSize(),
+                    response.residues[c].begin());
+    response.sound = {};
+    bank.sound(scratch.kicks, mixedRuns, subBlocks,
+               {response.sound[0].data(), response.sound[1].data()});
+    if (damping > 0)
+        fadeByDamper({response.sound[0].data(), response.sound[1].data()}, cellSamples);
+}
+
+void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
+                                const ForceSound& start,
+                                const ForceSound& end,
+                                const CellOutput& cell) const noexcept {
+    alignas(64) ForceSound sound{};
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        convolveForce(impulses, start[c], end[c], sound[c]);
     addToCell({sound[0].data(), sound[1].data()}, 0, cellSamples, cell);
 }
 

@@ -1,8 +1,8 @@
 // What is heard of each group of modes when a sounding object is struck at a place.
 #include "Synth/Listening.h"
 #include "Synth/ModeCompression.h"
+#include "Synth/PointShapes.h"
 #include "Synth/SoundingObject.h"
-#include "Synth/StrikeKernel.h"
 
 #include <algorithm>
 
@@ -12,15 +12,9 @@ namespace idiophone {
 /// point, along the listening direction there, and of what the whole surface radiates.
 void SoundingObject::computeResidues(const Contact& contact) noexcept {
     const StrikePoint& struck = contact.strike.point;
-    ShapePoint point;
-    for (std::size_t k = 0; k < struck.weights.size(); ++k)
-        if (struck.weights[k] != 0) {
-            const auto row = static_cast<std::size_t>(struck.shapeRows[k]);
-            point.rows[point.used] = object->shapesAt(row).data();
-            point.weights[point.used++] = struck.weights[k];
-        }
-    projectShapes(point, contact.strike.impulseNewtonSeconds, listeningDirection(struck),
-                  object->modeCount(), scratch.struckGains.data(), scratch.heardGains.data());
+    projectShapes(pointShapes(*object, struck), contact.strike.impulseNewtonSeconds,
+                  listeningDirection(struck), object->modeCount(), scratch.struckGains.data(),
+                  scratch.heardGains.data());
     const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
     const auto far = static_cast<float>(weightScale * contact.gainRatio * contact.listening);
     if (far > 0)
@@ -28,35 +22,45 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         if (far > 0)
             for (std::size_t i = 0; i < object->modeCount(); ++i)
-                scratch.modeResidues[i] =
-                    static_cast<double>(scratch.struckGains[i] * (near * scratch.heardGains[i] +
-                                                                  far * radiationWeights[c][i]));
+                scratch.modeResidues[i] = scratch.struckGains[i] * (near * scratch.heardGains[i] +
+                                                                    far * radiationWeights[c][i]);
         else
             for (std::size_t i = 0; i < object->modeCount(); ++i)
-                scratch.modeResidues[i] =
-                    static_cast<double>(near * scratch.struckGains[i] * scratch.heardGains[i]);
+                scratch.modeResidues[i] = near * scratch.struckGains[i] * scratch.heardGains[i];
         mergeResidues(c);
     }
 }
 
 void SoundingObject::mergeResidues(std::size_t channel) noexcept {
     auto& residues = scratch.groupResidues[channel];
-    if (bank.size() == object->modeCount())
-        std::copy(scratch.modeResidues.begin(),
-                  scratch.modeResidues.begin() + static_cast<std::ptrdiff_t>(bank.size()),
-                  residues.begin());
-    else
+    const std::span<const float> modes(scratch.modeResidues);
+    if (bank.size() == object->modeCount()) {
+        std::copy_n(modes.begin(), bank.size(), residues.begin());
+    } else {
+        if (lostSharesLaw != law)
+            findLost();
+        std::span<const float> shares(lostShares);
         for (std::size_t g = 0; g < bank.size(); ++g) {
             const auto first = static_cast<std::size_t>(groupStarts[g]);
             const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
             residues[g] =
-                count == 1
-                    ? scratch.modeResidues[first]
-                    : mergedResidue(std::span(scratch.modeResidues).subspan(first, count),
-                                    std::span(object->eigenvalues).subspan(first, count), law);
+                count == 1 ? modes[first] : mergedResidue(modes.subspan(first, count), shares);
+            shares = shares.subspan(pairsOf(count));
         }
+    }
     std::fill(residues.begin() + static_cast<std::ptrdiff_t>(bank.size()),
-              residues.begin() + static_cast<std::ptrdiff_t>(bank.paddedSize()), 0.0);
+              residues.begin() + static_cast<std::ptrdiff_t>(bank.paddedSize()), 0.0f);
+}
+
+void SoundingObject::findLost() noexcept {
+    lostSharesLaw = law;
+    std::span<float> shares(lostShares);
+    for (std::size_t g = 0; g < bank.size(); ++g) {
+        const auto first = static_cast<std::size_t>(groupStarts[g]);
+        const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
+        findLostShares(std::span(object->eigenvalues).subspan(first, count), law, shares);
+        shares = shares.subspan(pairsOf(count));
+    }
 }
 
 /// Reads the table where frequencies or size moved. One channel hears the mean of the directions.

@@ -1,4 +1,5 @@
 // Strikes and contacts of a sounding object.
+#include "Synth/AllFinite.h"
 #include "Synth/ContactPulse.h"
 #include "Synth/SoundingObject.h"
 
@@ -14,10 +15,6 @@ namespace {
 
 constexpr double shortestContactSamples = 1e-3;
 
-bool finite(std::span<const float> values) noexcept {
-    return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
-}
-
 int firstSampleFrom(double time) noexcept {
     return static_cast<int>(std::ceil(time));
 }
@@ -31,20 +28,20 @@ bool SoundingObject::valid(const StrikePoint& point) const noexcept {
         if (point.weights[k] != 0 && (row < 0 || row >= rows))
             return false;
     }
-    return object->modeCount() > 0 && finite(point.weights) && finite(point.normal);
+    return object->modeCount() > 0 && allFinite(point.weights) && allFinite(point.normal);
 }
 
 bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noexcept {
-    return valid(strike.point) && finite(strike.impulseNewtonSeconds) &&
+    return valid(strike.point) && allFinite(strike.impulseNewtonSeconds) &&
            std::isfinite(strike.durationSeconds) && strike.durationSeconds >= 0 &&
            sampleInCell >= 0 && sampleInCell < cellSamples;
 }
 
-/// Groups are formed anew where nothing rings, and poles are those of the settings.
+/// Groups and poles are those of the settings. What is silent starts again in one channel.
 void SoundingObject::prepareBank() noexcept {
-    if (!ringing() && (groupedLaw != law || groupedCompression != compression))
-        regroup();
-    else if (polesBehind)
+    if (silent())
+        bank.setChannels(1);
+    if (polesBehind)
         movePoles();
 }
 
@@ -61,13 +58,11 @@ void SoundingObject::widen(double listening) noexcept {
     }
 }
 
-void SoundingObject::computeForced(const Contact& contact, std::complex<double> phase) noexcept {
+void SoundingObject::computeForced(const Contact& contact) noexcept {
     computeResidues(contact);
-    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
-                       .dampingPerSecond = damping,
-                       .phase = phase},
-                      scratch.forcedX.data(), scratch.forcedY.data(), scratch.steady.data(),
-                      scratch.swingRe.data(), scratch.swingIm.data());
+    bank.forcedStates(
+        {.contactSeconds = contact.strike.durationSeconds, .dampingPerSecond = damping},
+        scratch.contact);
 }
 
 bool SoundingObject::strike(const Strike& asked,
@@ -77,6 +72,7 @@ bool SoundingObject::strike(const Strike& asked,
     const bool isPulse = asked.durationSeconds * sampleRate >= shortestContactSamples;
     if (!valid(asked, sampleInCell) || (isPulse && contacts.size() == contactCapacity))
         return false;
+    takeInKicks(cellIndex + 1);
     prepareBank();
     Contact contact{.strike = asked,
                     .gainRatio = gainRatio,
@@ -88,62 +84,62 @@ bool SoundingObject::strike(const Strike& asked,
     seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
 
     if (isPulse) {
-        computeForced(contact, 1);
-        startKicks(-1, sampleInCell, scratch.kicks);
+        computeForced(contact);
+        startKicks(-1, sampleInCell);
     } else {
         computeResidues(contact);
-        bank.impulseStates(scratch.forcedX.data(), scratch.forcedY.data());
-        startKicks(1, sampleInCell, scratch.kicks);
+        bank.impulseStates(scratch.contact);
+        startKicks(1, sampleInCell);
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
-        computeForced(contact, 1); // joining took the arrays for the other contacts
+        computeForced(contact); // joining took the arrays for the other contacts
 
     int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
-        hold(contact, mixedRuns);
+        hold(contact, mixedRuns, 1);
         const double end = addForced(contact, cell);
-        if (end < cellSamples) {
+        if (end <= cellSamples) {
             addKicks(from, firstSampleFrom(end), cell);
-            endContact(end, from);
+            finishKicks(contact, end);
             from = firstSampleFrom(end);
         } else {
             contacts.push_back(contact);
         }
     }
     addKicks(from, cellSamples, cell);
-    joinKicks(from);
+    keepKicks(from);
     return true;
 }
 
-/// Kicks of `factor` times the forced states, which hold at time `at`, as of the first whole sample
-/// from there.
-void SoundingObject::startKicks(double factor, double at, ModeStates& started) noexcept {
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        for (std::size_t g = 0; g < bank.paddedSize(); ++g) {
-            const double residue = factor * scratch.groupResidues[c][g];
-            started.x[c][g] = residue * scratch.forcedX[g];
-            started.y[c][g] = residue * scratch.forcedY[g];
-        }
-    const double wait = (firstSampleFrom(at) - at) / sampleRate;
-    if (wait > 0)
-        bank.rotate(started, wait, std::exp(-damping * wait));
+BeforeSample SoundingObject::beforeSample(double at) const noexcept {
+    const double samples = firstSampleFrom(at) - at;
+    return {samples, std::exp(-damping * samples / sampleRate)};
 }
 
-/// Takes kicks of a whole sample on to the end of their contact, where the forced part becomes
-/// free.
-void SoundingObject::endContact(double at, int kickSample) noexcept {
-    startKicks(1, at, scratch.ended);
-    const int samples = firstSampleFrom(at) - kickSample;
-    bank.addMoved(scratch.kicks, static_cast<std::size_t>(samples),
-                  std::exp(-damping * samples / sampleRate), scratch.ended);
-    std::swap(scratch.kicks, scratch.ended);
+KickMove SoundingObject::kickMove(double seconds) const noexcept {
+    return {seconds, seconds * sampleRate, damping * seconds * std::numbers::log2e};
+}
+
+/// Kicks of the contact's states, which hold at time `at`, as of the first whole sample from there.
+void SoundingObject::startKicks(double sign, double at) noexcept {
+    const BeforeSample before = beforeSample(at);
+    bank.startKicks(scratch.contact, scratch.groupResidues, {before.samples, sign * before.factor},
+                    kicks);
+}
+
+/// Kicks of a contact that started in this cell and ended at `end`, as of the first whole sample
+/// from there.
+void SoundingObject::finishKicks(const Contact& contact, double end) noexcept {
+    bank.finishKicks(scratch.contact, scratch.groupResidues, beforeSample(end),
+                     kickMove(contact.strike.durationSeconds), kicks);
 }
 
 void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
-    bank.measureStates(scratch.kicks, scratch.kickEnergies.data());
-    surveyEnergies(scratch.kickEnergies.data(), bank.audibleWeights(), tauEnergy(), 0,
-                   bank.allBlocks(), scratch.wanted.data());
+    if (allMixed())
+        return;
+    surveyEnergies(kicks.energies.data(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
+                   scratch.wanted.data());
     admitWanted(allowance);
 }
 
@@ -166,8 +162,8 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     fader.enter(bank, scratch.leaving);
     findRuns(scratch.joining, scratch.joiningRuns);
     for (Contact& contact : contacts) {
-        computeForced(contact, 1);
-        hold(contact, scratch.joiningRuns);
+        computeForced(contact);
+        hold(contact, scratch.joiningRuns, 1);
     }
     listMixed();
     mixedIsRinging = false;
@@ -180,7 +176,7 @@ void SoundingObject::listWanted(std::size_t most) noexcept {
         forEachMode(b, scratch.wanted[b], [&](std::int32_t g) { scratch.joining.push_back(g); });
     if (scratch.joining.size() <= most)
         return;
-    keepLoudest(scratch.joining, scratch.kickEnergies.data(), most);
+    keepLoudest(scratch.joining, kicks.energies.data(), most);
     std::sort(scratch.joining.begin(), scratch.joining.end());
 }
 
@@ -198,44 +194,6 @@ void SoundingObject::admit(std::size_t g) noexcept {
         bank.silence(g);
     blocks[b].rings |= bit;
     blocks[b].mixed |= bit;
-}
-
-void SoundingObject::hold(Contact& contact, std::span<const ModeRun> modes) noexcept {
-    const ForcedAmplitudes parts{scratch.steady.data(), scratch.swingRe.data(),
-                                 scratch.swingIm.data()};
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        ForcedSum sum;
-        for (const ModeRun& run : modes)
-            sumForced(scratch.groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
-                      static_cast<std::size_t>(run.count), sum);
-        contact.steadyVelocity[c] += sum.steady;
-        contact.swing[c] += sum.swing;
-    }
-}
-
-std::complex<double>
-SoundingObject::phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept {
-    const double cells = static_cast<double>(cell - contact.startCell);
-    const double samples = cells * cellSamples + sample - contact.startSample;
-    const double turns = samples / (sampleRate * contact.strike.durationSeconds);
-    return std::polar(1.0, 2 * std::numbers::pi * turns);
-}
-
-void SoundingObject::moveContact(Contact& contact, double sign) noexcept {
-    computeForced(contact, phaseAt(contact, cellIndex, 0));
-    for (const std::int32_t number : activeBlocks) {
-        const auto b = static_cast<std::size_t>(number);
-        forEachMode(b, blocks[b].rings, [&](std::int32_t mode) {
-            const auto g = static_cast<std::size_t>(mode);
-            for (std::size_t c = 0; c < bank.channels(); ++c) {
-                const double residue = sign * scratch.groupResidues[c][g];
-                bank.add(g, {residue * scratch.forcedX[g], residue * scratch.forcedY[g]}, c);
-            }
-        });
-    }
-    contact.steadyVelocity = {};
-    contact.swing = {};
-    hold(contact, mixedRuns);
 }
 
 double SoundingObject::addForced(const Contact& contact, const CellOutput& cell) const noexcept {
@@ -263,32 +221,32 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
         return;
     const auto samples = static_cast<std::size_t>(until - from);
     alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
-    bank.sound(scratch.kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+    bank.sound(kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
                {sound[0].data(), sound[1].data()});
-    if (damping > 0) {
-        const double fall = std::exp(-damping / sampleRate);
-        double factor = 1;
-        for (std::size_t k = 0; k < samples; ++k) {
-            for (std::size_t c = 0; c < bank.channels(); ++c)
-                sound[c][k] *= static_cast<float>(factor);
-            factor *= fall;
-        }
-    }
+    if (damping > 0)
+        fadeByDamper({sound[0].data(), sound[1].data()}, samples);
     addToCell({sound[0].data(), sound[1].data()}, static_cast<std::size_t>(from), samples, cell);
 }
 
-/// Adds the kicks, which stand at sample `from`, to the states at the next grid point.
-void SoundingObject::joinKicks(int from) noexcept {
-    bringRestingUpToDate();
-    const int samples = cellSamples - from;
-    bank.join(scratch.kicks, static_cast<std::size_t>(samples),
-              std::exp(-damping * samples / sampleRate));
-    listWhatRings();
+/// Leaves the kicks, which stand at sample `from`, to be taken in at the next grid point: a cell
+/// with many strikes is dear enough.
+void SoundingObject::keepKicks(int from) noexcept {
+    keptKicks = kickMove((cellSamples - from) / sampleRate);
 }
 
-/// Before something is added to the states at the next grid point.
-void SoundingObject::bringRestingUpToDate() noexcept {
-    const std::int64_t grid = cellIndex + 1;
+/// Adds the kicks that were kept to the states, which stand at `grid`, where their cell ends.
+void SoundingObject::takeInKicks(std::int64_t grid) noexcept {
+    if (!keptKicks)
+        return;
+    bringRestingUpToDate(grid);
+    bank.join(kicks, *keptKicks);
+    keptKicks.reset();
+    if (!allMixed())
+        listWhatRings();
+}
+
+/// Before something is added to the states at a grid point.
+void SoundingObject::bringRestingUpToDate(std::int64_t grid) noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active && !bringUpToDate(b, grid)) {
             blocks[b].restsSince = grid;
@@ -317,10 +275,11 @@ void SoundingObject::soundContacts(const CellOutput& cell) noexcept {
             continue;
         }
         contacts.erase(contacts.begin() + static_cast<std::ptrdiff_t>(c));
-        computeForced(contact, 1);
-        startKicks(1, end, scratch.kicks);
+        takeInKicks(cellIndex + 1);
+        computeForced(contact);
+        startKicks(1, end);
         addKicks(firstSampleFrom(end), cellSamples, cell);
-        joinKicks(firstSampleFrom(end));
+        keepKicks(firstSampleFrom(end));
     }
 }
 

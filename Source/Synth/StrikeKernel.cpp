@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Synth/StrikeKernel.cpp"
@@ -17,7 +18,8 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::CappedTag<float, 16>;
-using Doubles = hn::CappedTag<double, 8>;
+using Doubles = hn::RepartitionToWide<Floats>;
+using HalfFloats = hn::Half<Floats>;
 
 HWY_INLINE hn::Vec<Floats> dot(hn::Vec<Floats> x,
                                hn::Vec<Floats> y,
@@ -64,72 +66,109 @@ void project(const ShapePoint& point,
     }
 }
 
-// The same closed form as ForcedResponse, which says why it is written so.
-void forced(const PulseInstant& pulse, const ForcedArrays& arrays, std::size_t count) {
-    const Doubles d;
-    const double rate = 1 / pulse.contactSeconds;
-    const double angular = 2 * std::numbers::pi * rate;
-    const double damper = pulse.dampingPerSecond;
-    const auto contactRate = hn::Set(d, rate);
-    const auto omega = hn::Set(d, angular);
-    const auto omegaSquared = hn::Set(d, angular * angular);
-    const auto delta = hn::Set(d, damper);
-    const auto phaseRe = hn::Set(d, pulse.phase.real());
-    const auto phaseIm = hn::Set(d, pulse.phase.imag());
-    const auto restRe = hn::Set(d, 1 - pulse.phase.real());
-    for (std::size_t g = 0; g < count; g += hn::MaxLanes(d)) {
-        const auto stiffness = hn::Load(d, arrays.stiffness + g);
-        const auto damping = hn::Load(d, arrays.damping + g);
-        const auto drag = hn::Mul(delta, hn::Add(delta, damping));
-        const auto constant = hn::Add(drag, stiffness); // P(δ)
-        const auto re = hn::Add(drag, hn::Sub(stiffness, omegaSquared));
-        const auto im = hn::Mul(omega, hn::Add(hn::Add(delta, delta), damping));
-        const auto inverse =
-            hn::Div(contactRate, hn::MulAdd(re, re, hn::Mul(im, im))); // 1/(T |P(δ + iΩ)|²)
-        const auto swingRe = hn::Neg(hn::Mul(inverse, hn::MulAdd(delta, re, hn::Mul(omega, im))));
-        const auto swingIm = hn::Mul(inverse, hn::MulSub(delta, im, hn::Mul(omega, re)));
-        const auto perConstant = hn::Div(hn::Set(d, 1.0), constant);
-        const auto steady = hn::Mul(hn::Mul(contactRate, delta), perConstant);
-        hn::Store(steady, d, arrays.steady + g);
-        hn::Store(swingRe, d, arrays.swingRe + g);
-        hn::Store(swingIm, d, arrays.swingIm + g);
+/// In units of the pulse's Ω, so that single precision does for all but λ − Ω², which is small near
+/// resonance.
+struct PoleInPulse {
+    hn::Vec<Floats> decay;
+    hn::Vec<Floats> frequency;
+    hn::Vec<Floats> excess; ///< λ − 1
+};
 
+HWY_INLINE PoleInPulse poleInPulse(const ForcedArrays& arrays, double perOmega, std::size_t g) {
+    const Floats f;
+    const Doubles d;
+    const HalfFloats half;
+    const auto scale = hn::Set(d, perOmega);
+    const auto both = [&](const double* values) HWY_ATTR {
+        return std::pair(hn::Mul(scale, hn::Load(d, values + g)),
+                         hn::Mul(scale, hn::Load(d, values + g + hn::MaxLanes(d))));
+    };
+    const auto demoted = [&](auto lower, auto upper) HWY_ATTR {
+        return hn::Combine(f, hn::DemoteTo(half, upper), hn::DemoteTo(half, lower));
+    };
+    const auto excess = [&](auto decay, auto frequency) HWY_ATTR {
+        const auto square = hn::MulSub(frequency, frequency, hn::Set(d, 1.0));
+        return hn::MulAdd(decay, decay, square);
+    };
+    const auto [decayLower, decayUpper] = both(arrays.decay);
+    const auto [frequencyLower, frequencyUpper] = both(arrays.frequency);
+    return {demoted(decayLower, decayUpper), demoted(frequencyLower, frequencyUpper),
+            demoted(excess(decayLower, frequencyLower), excess(decayUpper, frequencyUpper))};
+}
+
+// The same closed form as ForcedResponse, which says why it is written so, in units of Ω: there the
+// contact's rate 1/T is 1/2π.
+void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t count) {
+    const Floats f;
+    const ForcedArrays arrays = all;
+    constexpr double turn = 2 * std::numbers::pi;
+    const double perOmega = pulse.contactSeconds / turn;
+    const auto set = [&](double value) HWY_ATTR { return hn::Set(f, static_cast<float>(value)); };
+    const auto rate = set(1 / turn);
+    const auto delta = set(pulse.dampingPerSecond * perOmega);
+    const auto phaseRe = set(pulse.phase.real());
+    const auto phaseIm = set(pulse.phase.imag());
+    const auto rest = set(1 - pulse.phase.real());
+    const auto one = set(1);
+    for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
+        const PoleInPulse pole = poleInPulse(arrays, perOmega, g);
+        const auto damping = hn::Add(pole.decay, pole.decay);
+        const auto drag = hn::Mul(delta, hn::Add(delta, damping));
+        const auto stiffness =
+            hn::MulAdd(pole.frequency, pole.frequency, hn::Mul(pole.decay, pole.decay));
+        const auto constant = hn::Add(drag, stiffness); // P(δ)
+        const auto re = hn::Add(drag, pole.excess);     // P(δ + i)
+        const auto im = hn::Add(hn::Add(delta, delta), damping);
+        const auto perSquared = hn::Div(rate, hn::MulAdd(re, re, hn::Mul(im, im)));
+        const auto reciprocal = hn::Div(one, hn::Mul(constant, pole.frequency));
+        const auto perConstant = hn::Mul(reciprocal, pole.frequency);
+        const auto perFrequency = hn::Mul(reciprocal, constant);
+
+        const auto steady = hn::Mul(hn::Mul(rate, delta), perConstant);
+        const auto swingRe = hn::Neg(hn::Mul(perSquared, hn::MulAdd(delta, re, im)));
+        const auto swingIm = hn::Mul(perSquared, hn::MulSub(delta, im, re));
         const auto velocity =
             hn::Add(steady, hn::NegMulAdd(swingIm, phaseIm, hn::Mul(swingRe, phaseRe)));
-        const auto numeratorRe = hn::MulSub(constant, restRe, omegaSquared);
+        const auto numeratorRe = hn::MulSub(constant, rest, one);
         const auto numeratorIm = hn::NegMulAdd(constant, phaseIm, im);
-        const auto displacement = hn::Mul(hn::Mul(inverse, perConstant),
+        const auto displacement = hn::Mul(hn::Mul(perSquared, perConstant),
                                           hn::MulAdd(numeratorRe, re, hn::Mul(numeratorIm, im)));
-        hn::Store(velocity, d, arrays.x + g);
-        hn::Store(hn::MulAdd(hn::Load(d, arrays.displacementShare + g), displacement,
-                             hn::Mul(hn::Load(d, arrays.velocityShare + g), velocity)),
-                  d, arrays.y + g);
+        hn::Store(velocity, f, arrays.x + g);
+        hn::Store(hn::Mul(perFrequency,
+                          hn::MulAdd(stiffness, displacement, hn::Mul(pole.decay, velocity))),
+                  f, arrays.y + g);
+        hn::Store(steady, f, arrays.steady + g);
+        hn::Store(swingRe, f, arrays.swingRe + g);
+        hn::Store(swingIm, f, arrays.swingIm + g);
     }
 }
 
-void sum(const double* HWY_RESTRICT residues,
+void sum(const float* HWY_RESTRICT residues,
          const ForcedAmplitudes& arrays,
          std::size_t first,
          std::size_t count,
          ForcedSum& total) {
-    const Doubles d;
-    auto steady = hn::Zero(d);
-    auto swingRe = hn::Zero(d);
-    auto swingIm = hn::Zero(d);
+    const Floats f;
+    auto steady = hn::Zero(f);
+    auto swingRe = hn::Zero(f);
+    auto swingIm = hn::Zero(f);
     const std::size_t end = first + count;
     std::size_t g = first;
-    for (; g + hn::MaxLanes(d) <= end; g += hn::MaxLanes(d)) {
-        const auto residue = hn::LoadU(d, residues + g);
-        steady = hn::MulAdd(residue, hn::LoadU(d, arrays.steady + g), steady);
-        swingRe = hn::MulAdd(residue, hn::LoadU(d, arrays.swingRe + g), swingRe);
-        swingIm = hn::MulAdd(residue, hn::LoadU(d, arrays.swingIm + g), swingIm);
+    for (; g + hn::MaxLanes(f) <= end; g += hn::MaxLanes(f)) {
+        const auto residue = hn::LoadU(f, residues + g);
+        steady = hn::MulAdd(residue, hn::LoadU(f, arrays.steady + g), steady);
+        swingRe = hn::MulAdd(residue, hn::LoadU(f, arrays.swingRe + g), swingRe);
+        swingIm = hn::MulAdd(residue, hn::LoadU(f, arrays.swingIm + g), swingIm);
     }
-    total.steady += hn::GetLane(hn::SumOfLanes(d, steady));
-    total.swing += std::complex<double>(hn::GetLane(hn::SumOfLanes(d, swingRe)),
-                                        hn::GetLane(hn::SumOfLanes(d, swingIm)));
+    const auto sumOf = [](hn::Vec<Floats> lanes) HWY_ATTR {
+        return static_cast<double>(hn::GetLane(hn::SumOfLanes(Floats(), lanes)));
+    };
+    total.steady += sumOf(steady);
+    total.swing += std::complex<double>(sumOf(swingRe), sumOf(swingIm));
     for (; g < end; ++g) {
-        total.steady += residues[g] * arrays.steady[g];
-        total.swing += residues[g] * std::complex<double>(arrays.swingRe[g], arrays.swingIm[g]);
+        const auto residue = static_cast<double>(residues[g]);
+        total.steady += residue * static_cast<double>(arrays.steady[g]);
+        total.swing += residue * std::complex<double>(arrays.swingRe[g], arrays.swingIm[g]);
     }
 }
 
@@ -196,7 +235,7 @@ void forcedStates(const PulseInstant& pulse,
     HWY_DYNAMIC_DISPATCH(forced)(pulse, arrays, count);
 }
 
-void sumForced(const double* residues,
+void sumForced(const float* residues,
                const ForcedAmplitudes& arrays,
                std::size_t first,
                std::size_t count,

@@ -33,30 +33,28 @@ struct PulseInstant {
     std::complex<double> phase{1, 0}; ///< e^{iΩt}
 };
 
-/// Poles as in PoleArrays, and what comes out for a residue of 1: the state of the forced part
+/// Oscillating modes, −α ± iω, and what comes out for a residue of 1: the state of the forced part
 /// (ContactPulse.h) at that instant, and its amplitudes.
 struct ForcedArrays {
-    const double* stiffness;
-    const double* damping;
-    const double* displacementShare;
-    const double* velocityShare;
-    double* x;
-    double* y;
-    double* steady;  ///< G0
-    double* swingRe; ///< H
-    double* swingIm;
+    const double* decay;
+    const double* frequency;
+    float* x;
+    float* y;
+    float* steady;  ///< G0
+    float* swingRe; ///< H
+    float* swingIm;
 };
 
-/// `count` is in whole blocks. Modes that do not oscillate get y by their shares, too.
+/// `count` is in whole blocks.
 void forcedStates(const PulseInstant& pulse,
                   const ForcedArrays& arrays,
                   std::size_t count) noexcept;
 
 /// The amplitudes of ForcedArrays, as they came out.
 struct ForcedAmplitudes {
-    const double* steady;
-    const double* swingRe;
-    const double* swingIm;
+    const float* steady;
+    const float* swingRe;
+    const float* swingIm;
 };
 
 /// What of a forced part is heard: Σ r G0 and Σ r H over modes `first` to `first + count − 1`.
@@ -64,7 +62,7 @@ struct ForcedSum {
     double steady = 0;
     std::complex<double> swing;
 };
-void sumForced(const double* residues,
+void sumForced(const float* residues,
                const ForcedAmplitudes& arrays,
                std::size_t first,
                std::size_t count,

@@ -1,7 +1,9 @@
 // What a sounding object works with while it works: shared by all objects of a synthesiser, so that
-// it stays in the cache from one strike to the next. Nothing in it outlives a call.
+// it stays in the cache from one strike to the next. Nothing in it outlives a call but the
+// responses to forces, which say whose they are.
 #pragma once
 
+#include "Synth/ForceResponse.h"
 #include "Synth/ModalBank.h"
 
 #include <array>
@@ -17,36 +19,51 @@ struct SynthesisScratch {
         : struckGains(modes), heardGains(modes), modeResidues(modes) {
         const std::size_t padded = (modes + modeBlock - 1) / modeBlock * modeBlock;
         for (std::size_t c = 0; c < channels; ++c)
-            for (auto* array : {&kicks.x[c], &kicks.y[c], &ended.x[c], &ended.y[c], &rendered.x[c],
-                                &rendered.y[c], &groupResidues[c]})
+            for (auto* array :
+                 {&kicks.x[c], &kicks.y[c], &groupResidues[c], &startResidues[c], &endResidues[c]})
                 array->resize(padded);
-        for (auto* array : {&forcedX, &forcedY, &steady, &swingRe, &swingIm})
+        for (auto* array : {&contact.x, &contact.y, &contact.steady, &contact.swingRe,
+                            &contact.swingIm, &kicks.energies})
             array->resize(padded);
-        kickEnergies.resize(padded);
         aboveTau.resize(padded / modeBlock);
         wanted.resize(padded / modeBlock);
+        for (ForceResponses& contactResponses : responses)
+            for (ForceResponse& response : contactResponses)
+                for (std::size_t c = 0; c < channels; ++c)
+                    response.residues[c].resize(padded);
         for (auto* list : {&candidates, &joining, &leaving})
             list->reserve(modes);
         joiningRuns.reserve(modes);
+        groupStarts.resize(modes + 1);
+        groupShares.reserve(2 * modes);
+        fadingShares.resize(modes);
+        for (std::size_t c = 0; c < channels; ++c)
+            for (auto* array : {&states.x[c], &states.y[c]})
+                array->resize(padded);
     }
 
-    std::vector<float> struckGains;                                ///< [M] φ·J
-    std::vector<float> heardGains;                                 ///< [M] φ·ℓ
-    std::vector<double> modeResidues;                              ///< [M]
-    std::array<AlignedVector<double>, mostChannels> groupResidues; ///< [G], padded with zeros
-    ModeStates kicks;                       ///< states to add, at a whole sample of the cell
-    ModeStates ended;                       ///< what a contact's end adds to them
-    ModeStates rendered;                    ///< a copy that rendering may take on
-    AlignedVector<double> forcedX, forcedY; ///< [G] of a contact, for residues of 1
-    AlignedVector<double> steady;           ///< [G]
-    AlignedVector<double> swingRe, swingIm; ///< [G]
-    AlignedVector<float> kickEnergies;      ///< [G]
-    std::vector<std::uint16_t> aboveTau;    ///< per block: modes above τ
-    std::vector<std::uint16_t> wanted;      ///< per block: modes to mix
+    std::vector<float> struckGains;  ///< [M] φ·J
+    std::vector<float> heardGains;   ///< [M] φ·ℓ
+    std::vector<float> modeResidues; ///< [M]
+    ModeResidues groupResidues;      ///< [G]
+    UnitContact contact;             ///< [G]
+    ModeKicks kicks;                 ///< [G] that are not kept
+    ModeResidues startResidues;      ///< [G] where a force is at the start of a cell
+    ModeResidues endResidues;        ///< [G] where at the end
+    std::array<ForceResponses, forceCapacity> responses;
+    std::uint64_t responseUses = 0;      ///< so far
+    std::vector<std::uint16_t> aboveTau; ///< per block: modes above τ
+    std::vector<std::uint16_t> wanted;   ///< per block: modes to mix
     std::vector<std::int32_t> candidates;
     std::vector<std::int32_t> joining;
     std::vector<std::int32_t> leaving;
     std::vector<ModeRun> joiningRuns;
+
+    // Where groups change.
+    std::vector<std::int32_t> groupStarts; ///< [G+1] of the groups to come
+    std::vector<ModeShare> groupShares;    ///< what they take over
+    std::vector<float> fadingShares;       ///< [G] of the groups that were
+    ModeStates states;                     ///< [G]
 };
 
 } // namespace idiophone

@@ -32,7 +32,7 @@ struct SynthesisSettings {
     double qualitySlope = 1;   ///< S ≥ 0; infinity is greedy
     double modeBudget = 4096;  ///< Q ≥ 0: modes mixed per cell by all objects together
     double compression = 1;    ///< ≥ 0, times the discrimination curve; 0 merges equal poles only
-    double sizeRatio = 1;      ///< > 0: every object scaled by this
+    double sizeRatio = 1;      ///< 1e-6 to 1e6: every object scaled by this
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
     /// 0 to 1: from what is heard at the point struck to what the whole surface radiates to
     /// the listener, where the object knows; for strikes from now on.

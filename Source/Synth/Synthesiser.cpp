@@ -14,6 +14,11 @@ bool positive(double value) {
     return value > 0 && std::isfinite(value);
 }
 
+/// Within what the cube of a size, and its reciprocal, leave to single precision.
+bool validSize(double ratio) {
+    return ratio >= 1e-6 && ratio <= 1e6;
+}
+
 bool valid(const LiveMaterial& material) {
     return positive(material.youngsModulusPa) && positive(material.densityKgPerM3) &&
            material.fluidDampingPerSecond >= 0 && std::isfinite(material.fluidDampingPerSecond) &&
@@ -31,7 +36,7 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
     keepUnless(wanted.qualitySlope >= 0, wanted.qualitySlope, previous.qualitySlope);
     keepUnless(wanted.modeBudget >= 0, wanted.modeBudget, previous.modeBudget);
     keepUnless(wanted.compression >= 0, wanted.compression, previous.compression);
-    keepUnless(positive(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
+    keepUnless(validSize(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
     keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
                previous.radiation);
     keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
@@ -52,6 +57,8 @@ struct Synthesiser::Implementation {
 
     std::vector<SlotStatus> status;
     std::vector<std::int32_t> slotShares; ///< of every slot, 0 where silent
+    std::vector<char> isSounding;         ///< of every slot
+    std::int64_t mixedNow = 0;            ///< modes, with those that strikes have added
     // The slots that ring in this cell, and what they ask and get.
     std::vector<std::int32_t> sounding;
     std::vector<ModeDemand> demands;
@@ -61,6 +68,8 @@ struct Synthesiser::Implementation {
     void listSounding();
     void report();
     std::int32_t allowance(std::size_t slot) const;
+    template <class Act>
+    bool on(std::size_t slot, Act act);
 };
 
 Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
@@ -79,6 +88,7 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
                                  *all.scratch);
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());
+    all.isSounding.resize(slots.size());
     all.sounding.reserve(slots.size());
     all.demands.reserve(slots.size());
     all.shares.resize(slots.size());
@@ -116,18 +126,23 @@ void Synthesiser::beginCell(const CellOutput& cell) noexcept {
         all.slotShares[slot] = all.shares[k];
         all.objects[slot].mix(all.shares[k], cell);
     }
+    all.mixedNow = 0;
+    for (const SoundingObject& object : all.objects)
+        all.mixedNow += object.modesMixedNow();
     all.report();
 }
 
 void Synthesiser::Implementation::listSounding() {
     for (const std::int32_t slot : sounding)
         slotShares[static_cast<std::size_t>(slot)] = 0;
+    std::fill(isSounding.begin(), isSounding.end(), char{0});
     sounding.clear();
     demands.clear();
     for (std::size_t slot = 0; slot < objects.size(); ++slot) {
         if (!objects[slot].beginCell(nextCell, settings, settingsChanged))
             continue;
         sounding.push_back(static_cast<std::int32_t>(slot));
+        isSounding[slot] = 1;
         demands.push_back(objects[slot].demand());
     }
     settingsChanged = false;
@@ -140,21 +155,28 @@ void Synthesiser::Implementation::report() {
         const auto slot = static_cast<std::size_t>(sounded);
         const SoundingObject& object = objects[slot];
         status[slot] = {static_cast<float>(object.demand().amplitude), object.modesRinging(),
-                        object.modesMixed()};
+                        object.modesMixed(), object.channelsSounding()};
     }
 }
 
 std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
-    const bool counted = std::find(sounding.begin(), sounding.end(),
-                                   static_cast<std::int32_t>(slot)) != sounding.end();
-    const double objectsThen = static_cast<double>(sounding.size() + (counted ? 0 : 1));
+    const std::size_t objectsThen = sounding.size() + (isSounding[slot] ? 0 : 1);
     const double budget = std::min(settings.modeBudget, 1e9);
-    std::int64_t used = 0;
-    for (const SoundingObject& object : objects)
-        used += object.modesMixedNow();
-    const double unused = std::max(0.0, budget - static_cast<double>(used));
-    return std::max({slotShares[slot], static_cast<std::int32_t>(budget / objectsThen),
+    const double unused = std::max(0.0, budget - static_cast<double>(mixedNow));
+    return std::max({slotShares[slot],
+                     static_cast<std::int32_t>(budget / static_cast<double>(objectsThen)),
                      objects[slot].modesMixedNow() + static_cast<std::int32_t>(unused)});
+}
+
+/// What `act` does to one object, and what that changes for the others.
+template <class Act>
+bool Synthesiser::Implementation::on(std::size_t slot, Act act) {
+    SoundingObject& object = objects[slot];
+    const std::int32_t allowed = allowance(slot);
+    mixedNow -= object.modesMixedNow();
+    const bool done = act(object, allowed);
+    mixedNow += object.modesMixedNow();
+    return done;
 }
 
 bool Synthesiser::strike(std::size_t slot,
@@ -162,15 +184,18 @@ bool Synthesiser::strike(std::size_t slot,
                          double sampleInCell,
                          const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() &&
-           all.objects[slot].strike(strike, sampleInCell, all.allowance(slot), cell);
+    return slot < slotCount() && all.on(slot, [&](SoundingObject& object, std::int32_t allowed) {
+        return object.strike(strike, sampleInCell, allowed, cell);
+    });
 }
 
 bool Synthesiser::applyForce(std::size_t slot,
                              const ForceCell& force,
                              const CellOutput& cell) noexcept {
     auto& all = *implementation;
-    return slot < slotCount() && all.objects[slot].applyForce(force, all.allowance(slot), cell);
+    return slot < slotCount() && all.on(slot, [&](SoundingObject& object, std::int32_t allowed) {
+        return object.applyForce(force, allowed, cell);
+    });
 }
 
 void Synthesiser::reset() noexcept {
@@ -180,6 +205,8 @@ void Synthesiser::reset() noexcept {
     std::fill(all.status.begin(), all.status.end(), SlotStatus{});
     std::fill(all.slotShares.begin(), all.slotShares.end(), 0);
     all.sounding.clear();
+    std::fill(all.isSounding.begin(), all.isSounding.end(), char{0});
+    all.mixedNow = 0;
 }
 
 std::span<const Synthesiser::SlotStatus> Synthesiser::status() const noexcept {

@@ -112,7 +112,8 @@ TEST_CASE("Struck at its node, between vertices, a mode is 60 dB below its antin
     CHECK(levelDb(node, hz) < levelDb(antinode, hz) - 60);
 }
 
-TEST_CASE("A table struck at an edge or a corner sounds with more modes than in the middle (CG&A, Fig. 5)") {
+TEST_CASE("A table struck at an edge or a corner sounds with more modes than in the middle (CG&A, "
+          "Fig. 5)") {
     const Struck table(sheetMesh(1.2, 0.8, 600), {.name = "table",
                                                   .source = "test",
                                                   .material = referenceWood(),

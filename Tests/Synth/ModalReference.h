@@ -147,4 +147,21 @@ inline double errorDb(const std::vector<float>& signal,
     return 20 * std::log10(error / peak + 1e-30);
 }
 
+/// The largest part of any frame of 512 samples above 5 kHz, in dB of a full sinusoid.
+inline double broadbandDb(const std::vector<float>& signal, double sampleRate) {
+    constexpr std::size_t frame = 512;
+    double largest = 0;
+    for (std::size_t start = 0; start + frame <= signal.size(); start += frame / 4)
+        for (double hz = 5000; hz < 21000; hz += 700) {
+            std::complex<double> sum = 0;
+            for (std::size_t k = 0; k < frame; ++k) {
+                const double hann = 0.5 * (1 - std::cos(2 * std::numbers::pi * double(k) / frame));
+                const double angle = -2 * std::numbers::pi * hz * double(k) / sampleRate;
+                sum += hann * double(signal[start + k]) * std::polar(1.0, angle);
+            }
+            largest = std::max(largest, std::abs(sum) / (frame / 4.0));
+        }
+    return 20 * std::log10(largest);
+}
+
 } // namespace idiophone::test

@@ -29,8 +29,12 @@ ModalObject twoPlaces(const std::vector<double>& frequencies) {
     return object;
 }
 
-StrikePoint place(int row) {
-    return {.shapeRows = {row, 0, 0}, .weights = {1, 0, 0}, .normal = {0, 0, 1}};
+StrikePoint vertex(int row) {
+    return {.shapeRows = {row}, .weights = {1}, .normal = {0, 0, 1}};
+}
+
+ForcePlace place(int row) {
+    return {.points = {ForcePoint{.point = vertex(row)}}};
 }
 
 struct Scraped {
@@ -162,7 +166,7 @@ TEST_CASE("A force and strikes on the same object add up") {
                 synthesiser.applyForce(0, {.start = place(1), .end = place(1), .newtons = newtons},
                                        cell);
             if (strikes && c % 7 == 3) {
-                Strike strike{.point = place(0),
+                Strike strike{.point = vertex(0),
                               .impulseNewtonSeconds = {0, 0, -1e-3f},
                               .durationSeconds = 0.0011};
                 synthesiser.strike(0, strike, 11.25, cell);

@@ -142,3 +142,61 @@ TEST_CASE("Weights that move during a contact make no step") {
         CHECK(step < 0.05 * steepest);
     }
 }
+
+TEST_CASE("What fades in two channels goes on in both while the object is struck in a new tuning") {
+    ModalObject object = radiatingObject();
+    object.radiation.weights = {1, 1, 1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+    Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
+    SynthesisSettings settings = exactSettings();
+    settings.radiation = 1;
+    double loudest = 0;
+    for (int c = 0; c < 30; ++c) {
+        std::array<float, cellSamples> left{}, right{};
+        const CellOutput cell(left, right);
+        if (c == 20) { // all modes fade, and their frequencies move
+            settings.tau = 100 / metresPerSecondPerTau;
+            settings.frequencyRatio = 1.001;
+        }
+        synthesiser.setSettings(settings);
+        synthesiser.beginCell(cell);
+        Strike faint = unitStrike(1e-3);
+        faint.impulseNewtonSeconds[2] = -1e-9f;
+        if (c == 0 || c == 20)
+            synthesiser.strike(0, c == 0 ? unitStrike() : faint, 10, cell);
+        for (std::size_t k = 0; k < cellSamples; ++k) {
+            REQUIRE(std::abs(double(left[k]) + double(right[k])) < 1e-5 * radiationScale(object));
+            if (c == 21)
+                loudest = std::max(loudest, std::abs(double(right[k])));
+        }
+    }
+    CHECK(loudest > 0.01);
+}
+
+TEST_CASE(
+    "An object that was silent sounds in one channel again when it is struck to be heard near") {
+    std::vector<double> frequencies;
+    for (int k = 0; k < 1000; ++k)
+        frequencies.push_back(100 + 20 * k);
+    ModalObject object = ringingObject(frequencies, 60);
+    object.radiation.directions = {{1, 0, 0}, {0, 1, 0}};
+    object.radiation.frequencyRatios = {1};
+    object.radiation.weights.assign(2000, 0.5f);
+    Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
+    std::array<float, cellSamples> left{}, right{};
+    const CellOutput cell(left, right);
+    SynthesisSettings settings = exactSettings();
+    settings.tau = 1;
+    const auto strikeHeardFrom = [&](double radiation) {
+        settings.radiation = radiation;
+        synthesiser.setSettings(settings);
+        synthesiser.beginCell(cell);
+        synthesiser.strike(0, unitStrike(), 0, cell);
+        synthesiser.beginCell(cell);
+        return synthesiser.status()[0].channels;
+    };
+    CHECK(strikeHeardFrom(1) == 2);
+    for (int c = 0; c < 2000 && !synthesiser.silent(); ++c)
+        synthesiser.beginCell(cell);
+    REQUIRE(synthesiser.silent());
+    CHECK(strikeHeardFrom(0) == 1);
+}

@@ -168,3 +168,16 @@ TEST_CASE("Poles and dampers that move during a contact follow the forced equati
     }
     CHECK(20 * std::log10(error / peak) < -100);
 }
+
+TEST_CASE("A size whose cube or its reciprocal no number holds is ignored") {
+    const double size = GENERATE(1e-110, 1e-50, 1e50, 1e110);
+    const ModalObject object = ringingObject({440});
+    Synthesiser synthesiser({slotOf(object)}, sampleRate);
+    synthesiser.setSettings(exactSettings());
+    SynthesisSettings settings = exactSettings();
+    settings.sizeRatio = size;
+    synthesiser.setSettings(settings);
+    const auto output = render(synthesiser, {{0, unitStrike()}}, 10);
+    const ReferenceMode mode = referenceMode(object.material, 440, 1);
+    CHECK(errorDb(output, [&](double n) { return impulseVelocity(mode, n / sampleRate); }) < -110);
+}

@@ -1,0 +1,28 @@
+// What an object answers to an impulse of 1 N s at one point: kept from cell to cell while a
+// contact is near.
+#pragma once
+
+#include "Synth/ForceCell.h"
+#include "Synth/ModalBank.h"
+
+#include <array>
+#include <cstdint>
+
+namespace idiophone {
+
+/// What is heard of it within a cell, in each channel.
+using ForceSound = std::array<std::array<float, cellSamples>, mostChannels>;
+
+struct ForceResponse {
+    const void* object = nullptr; ///< whose it is
+    std::uint64_t version = 0;    ///< of what it depends on besides
+    std::uint64_t lastUse = 0;
+    ForcePoint at;
+    ModeResidues residues; ///< [G]
+    alignas(64) ForceSound sound{};
+};
+
+/// A contact's at the two points around where it starts a cell, and where it ends it.
+using ForceResponses = std::array<ForceResponse, 4>;
+
+} // namespace idiophone

@@ -1,0 +1,269 @@
+#include "Synth/KickKernel.h"
+
+#include <numbers>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Synth/KickKernel.cpp"
+#include <hwy/foreach_target.h> // compiles this file once for each target
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace idiophone {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, 16>;
+using Doubles = hn::RepartitionToWide<Floats>;
+using HalfFloats = hn::Half<Floats>;
+using Vector = hn::Vec<Floats>;
+constexpr std::size_t lanes = hn::MaxLanes(Floats());
+
+struct Complex {
+    Vector re, im;
+};
+
+HWY_INLINE Complex product(Complex a, Complex b) {
+    return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
+            hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
+}
+
+HWY_INLINE Complex load(const float* re, const float* im, std::size_t g) {
+    const Floats f;
+    return {hn::Load(f, re + g), hn::Load(f, im + g)};
+}
+
+/// c0 + z (c1 + z (c2 + …))
+template <std::size_t N>
+HWY_INLINE Vector polynomial(Vector z, const float (&coefficients)[N]) {
+    const Floats f;
+    auto sum = hn::Set(f, coefficients[N - 1]);
+#pragma GCC unroll 8
+    for (std::size_t k = N - 1; k > 0; --k)
+        sum = hn::MulAdd(sum, z, hn::Set(f, coefficients[k - 1]));
+    return sum;
+}
+
+// Minimax over |u| ≤ 1/2 in z = u²: sin πu / u within 1.4e-8, cos πu within 2.2e-10.
+constexpr float sine[] = {3.14159264f, -5.167710091f, 2.550077663f, -0.5982921687f, 0.07765940864f};
+constexpr float cosine[] = {0.9999999998f, -4.934802137f, 4.058709165f,
+                            -1.335212058f, 0.2349375609f, -0.0243967165f};
+// (2^u − 1)/u there: within 4e-9.
+constexpr float powers[] = {0.6931472057f,   0.2402264689f,   0.05550328773f,
+                            0.009618488958f, 0.001339993293f, 0.0001534581622f};
+
+/// 2^octaves for −120 ≤ octaves ≤ 0 as whole · (1 + part), where it is exact near 1.
+struct PowerOfTwo {
+    Vector whole, part;
+};
+
+HWY_INLINE PowerOfTwo powerOfTwo(Vector octaves) {
+    const Floats f;
+    const hn::RebindToSigned<Floats> i;
+    const auto bounded = hn::Max(octaves, hn::Set(f, -120.0f));
+    const auto nearest = hn::NearestInt(bounded);
+    const auto rest = hn::Sub(bounded, hn::ConvertTo(f, nearest));
+    const auto one = hn::BitCast(i, hn::Set(f, 1.0f));
+    return {hn::BitCast(f, hn::Add(one, hn::ShiftLeft<23>(nearest))),
+            hn::Mul(rest, polynomial(rest, powers))};
+}
+
+/// factor · ρ^samples for less than a sample: within the band the angle is less than half a turn,
+/// and sine and cosine need no reduction.
+HWY_INLINE Complex rotation(const KickModes& modes, const UnitKicks& unit, std::size_t g) {
+    const Floats f;
+    const auto samples = hn::Set(f, static_cast<float>(unit.samples));
+    const auto halfTurns = hn::Mul(samples, hn::Load(f, modes.halfTurnsPerSample + g));
+    const auto u = hn::Sub(hn::Min(halfTurns, hn::Set(f, 1.0f)), hn::Set(f, 0.5f));
+    const auto z = hn::Mul(u, u);
+    const auto power = powerOfTwo(hn::Mul(samples, hn::Load(f, modes.octavesPerSample + g)));
+    const auto whole = hn::Mul(hn::Set(f, static_cast<float>(unit.factor)), power.whole);
+    const auto size = hn::MulAdd(whole, power.part, whole);
+    return {hn::Neg(hn::Mul(size, hn::Mul(u, polynomial(z, sine)))),
+            hn::Mul(size, polynomial(z, cosine))};
+}
+
+/// Sine and cosine of half the angle ωt, and what is left of the amplitude: any time, in single
+/// precision.
+struct Motion {
+    Vector sin, cos;
+    PowerOfTwo left;
+};
+
+HWY_INLINE Motion motion(const KickModes& modes, const KickMove& move, std::size_t g) {
+    const Floats f;
+    const Doubles d;
+    const HalfFloats half;
+    const auto restOfTurn = [&](std::size_t place) HWY_ATTR {
+        const auto perTurn = hn::Set(d, move.seconds / (2 * std::numbers::pi));
+        const auto turns = hn::Mul(perTurn, hn::Load(d, modes.frequency + place));
+        return hn::DemoteTo(half, hn::Sub(turns, hn::Round(turns)));
+    };
+    const auto u = hn::Combine(f, restOfTurn(g + hn::MaxLanes(d)), restOfTurn(g));
+    const auto z = hn::Mul(u, u);
+    const auto octaves = hn::MulAdd(hn::Set(f, static_cast<float>(move.samples)),
+                                    hn::Load(f, modes.octavesPerSample + g),
+                                    hn::Set(f, static_cast<float>(-move.damperOctaves)));
+    return {hn::Mul(u, polynomial(z, sine)), polynomial(z, cosine), powerOfTwo(octaves)};
+}
+
+/// e^{(−α + iω)t}
+HWY_INLINE Complex moved(const Motion& motion) {
+    const auto size = hn::MulAdd(motion.left.whole, motion.left.part, motion.left.whole);
+    const auto twice = hn::Mul(hn::Add(motion.sin, motion.sin), size);
+    return {hn::NegMulAdd(twice, motion.sin, size), hn::Mul(twice, motion.cos)};
+}
+
+/// 1 − e^{(−α + iω)t}, precise where it is small.
+HWY_INLINE Complex change(const Motion& motion) {
+    const Floats f;
+    const auto whole = motion.left.whole;
+    const auto size = hn::MulAdd(whole, motion.left.part, whole);
+    const auto lost = hn::NegMulAdd(whole, motion.left.part, hn::Sub(hn::Set(f, 1.0f), whole));
+    const auto twice = hn::Mul(hn::Add(motion.sin, motion.sin), size);
+    return {hn::MulAdd(twice, motion.sin, lost), hn::Neg(hn::Mul(twice, motion.cos))};
+}
+
+HWY_INLINE Complex unitKick(const KickModes& modes, const UnitKicks& unit, std::size_t g) {
+    const Floats f;
+    const Complex kick = load(unit.x, unit.y, g);
+    if (unit.samples > 0)
+        return product(rotation(modes, unit, g), kick);
+    const auto factor = hn::Set(f, static_cast<float>(unit.factor));
+    return {hn::Mul(factor, kick.re), hn::Mul(factor, kick.im)};
+}
+
+void start(const KickModes& modes,
+           const UnitKicks& unit,
+           std::size_t count,
+           KickChannels channels,
+           float* HWY_RESTRICT energies) {
+    const Floats f;
+    for (std::size_t g = 0; g < count; g += lanes) {
+        const Complex kick = unitKick(modes, unit, g);
+        const auto energy = hn::MulAdd(kick.re, kick.re, hn::Mul(kick.im, kick.im));
+        auto loudest = hn::Zero(f);
+        for (const KickChannel& channel : channels) {
+            const auto residue = hn::Load(f, channel.residues + g);
+            hn::Store(hn::Mul(residue, kick.re), f, channel.x + g);
+            hn::Store(hn::Mul(residue, kick.im), f, channel.y + g);
+            loudest = hn::Max(loudest, hn::Mul(residue, residue));
+        }
+        hn::Store(hn::Mul(loudest, energy), f, energies + g);
+    }
+}
+
+void gather(const float* HWY_RESTRICT unitX,
+            const float* HWY_RESTRICT unitY,
+            double factor,
+            std::size_t count,
+            KickChannels channels) {
+    const Floats f;
+    const auto scale = hn::Set(f, static_cast<float>(factor));
+    for (std::size_t g = 0; g < count; g += lanes) {
+        const Complex unit = load(unitX, unitY, g);
+        for (const KickChannel& channel : channels) {
+            const auto residue = hn::Mul(scale, hn::Load(f, channel.residues + g));
+            hn::Store(hn::MulAdd(residue, unit.re, hn::Load(f, channel.x + g)), f, channel.x + g);
+            hn::Store(hn::MulAdd(residue, unit.im, hn::Load(f, channel.y + g)), f, channel.y + g);
+        }
+    }
+}
+
+void finish(const KickModes& modes,
+            const UnitKicks& end,
+            const KickMove& contact,
+            std::size_t count,
+            KickChannels channels) {
+    const Floats f;
+    for (std::size_t g = 0; g < count; g += lanes) {
+        const Complex kick = product(change(motion(modes, contact, g)), unitKick(modes, end, g));
+        for (const KickChannel& channel : channels) {
+            const auto residue = hn::Load(f, channel.residues + g);
+            hn::Store(hn::Mul(residue, kick.re), f, channel.x + g);
+            hn::Store(hn::Mul(residue, kick.im), f, channel.y + g);
+        }
+    }
+}
+
+/// Returns the sum in single precision.
+HWY_INLINE Vector addTo(double* HWY_RESTRICT values, Vector kick) {
+    const Floats f;
+    const Doubles d;
+    const HalfFloats half;
+    double* upper = values + hn::MaxLanes(d);
+    const auto low = hn::Add(hn::Load(d, values), hn::PromoteTo(d, hn::LowerHalf(half, kick)));
+    const auto high = hn::Add(hn::Load(d, upper), hn::PromoteTo(d, hn::UpperHalf(half, kick)));
+    hn::Store(low, d, values);
+    hn::Store(high, d, upper);
+    return hn::Combine(f, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
+}
+
+void join(const KickModes& modes,
+          const KickMove& move,
+          std::size_t count,
+          std::span<const KickedChannel> channels,
+          float* HWY_RESTRICT energies) {
+    const Floats f;
+    for (std::size_t g = 0; g < count; g += lanes) {
+        const Complex turn = moved(motion(modes, move, g));
+        auto loudest = hn::Zero(f);
+        for (const KickedChannel& channel : channels) {
+            const Complex kick = product(turn, load(channel.kickX, channel.kickY, g));
+            const auto x = addTo(channel.x + g, kick.re);
+            const auto y = addTo(channel.y + g, kick.im);
+            loudest = hn::Max(loudest, hn::MulAdd(x, x, hn::Mul(y, y)));
+        }
+        hn::Store(loudest, f, energies + g);
+    }
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace idiophone
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace idiophone {
+
+HWY_EXPORT(start);
+HWY_EXPORT(gather);
+HWY_EXPORT(finish);
+HWY_EXPORT(join);
+
+void startKicks(const KickModes& modes,
+                const UnitKicks& unit,
+                std::size_t count,
+                KickChannels channels,
+                float* energies) noexcept {
+    HWY_DYNAMIC_DISPATCH(start)(modes, unit, count, channels, energies);
+}
+
+void gatherKicks(const float* unitX,
+                 const float* unitY,
+                 double factor,
+                 std::size_t count,
+                 KickChannels channels) noexcept {
+    HWY_DYNAMIC_DISPATCH(gather)(unitX, unitY, factor, count, channels);
+}
+
+void finishKicks(const KickModes& modes,
+                 const UnitKicks& end,
+                 const KickMove& contact,
+                 std::size_t count,
+                 KickChannels channels) noexcept {
+    HWY_DYNAMIC_DISPATCH(finish)(modes, end, contact, count, channels);
+}
+
+void joinKicks(const KickModes& modes,
+               const KickMove& move,
+               std::size_t count,
+               std::span<const KickedChannel> channels,
+               float* energies) noexcept {
+    HWY_DYNAMIC_DISPATCH(join)(modes, move, count, channels, energies);
+}
+
+} // namespace idiophone
+#endif

@@ -1,0 +1,211 @@
+// What contacts do to the states of a modal bank.
+#include "Synth/ContactPulse.h"
+#include "Synth/ForceKernel.h"
+#include "Synth/ModalBank.h"
+#include "Synth/PoleKernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace idiophone {
+
+namespace {
+
+constexpr std::size_t cellSize = subBlocks * subBlockSamples;
+
+std::size_t index(std::int32_t number) noexcept {
+    return static_cast<std::size_t>(number);
+}
+
+ModalState operator*(double factor, const ModalState& state) noexcept {
+    return {factor * state.x, factor * state.y};
+}
+
+std::array<KickChannel, mostChannels> channelsOf(const ModeResidues& residues,
+                                                 ModeKicks& kicks) noexcept {
+    std::array<KickChannel, mostChannels> channels{};
+    for (std::size_t c = 0; c < mostChannels; ++c)
+        channels[c] = {residues[c].data(), kicks.x[c].data(), kicks.y[c].data()};
+    return channels;
+}
+
+} // namespace
+
+KickModes ModalBank::kickModes() const noexcept {
+    return {frequency.data(), halfTurnsPerSample.data(), octavesPerSample.data()};
+}
+
+void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept {
+    idiophone::forcedStates(pulse,
+                            {decay.data(), frequency.data(), unit.x.data(), unit.y.data(),
+                             unit.steady.data(), unit.swingRe.data(), unit.swingIm.data()},
+                            paddedSize());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const ForcedResponse response(pole(g), pulse.contactSeconds, pulse.dampingPerSecond);
+        const ModalState state = stateOf(pole(g), response.motion(pulse.phase));
+        unit.x[g] = static_cast<float>(state.x);
+        unit.y[g] = static_cast<float>(state.y);
+        unit.steady[g] = static_cast<float>(response.steadyVelocity());
+        unit.swingRe[g] = static_cast<float>(response.swingVelocity().real());
+        unit.swingIm[g] = static_cast<float>(response.swingVelocity().imag());
+    }
+}
+
+void ModalBank::impulseStates(UnitContact& unit) const noexcept {
+    std::fill_n(unit.x.begin(), paddedSize(), 1.0f);
+    for (std::size_t g = 0; g < paddedSize(); ++g)
+        unit.y[g] = static_cast<float>(velocityShare[g]);
+}
+
+void ModalBank::startKicks(const UnitContact& unit,
+                           const ModeResidues& residues,
+                           const BeforeSample& before,
+                           ModeKicks& kicks) const noexcept {
+    const auto channels = channelsOf(residues, kicks);
+    idiophone::startKicks(
+        kickModes(), {unit.x.data(), unit.y.data(), before.samples, before.factor}, paddedSize(),
+        std::span(channels).first(channelCount), kicks.energies.data());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const ModalState kick =
+            before.factor * (propagator(pole(g), before.samples * sampleSeconds) *
+                             ModalState{unit.x[g], unit.y[g]});
+        double largest = 0;
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState heard = static_cast<double>(residues[c][g]) * kick;
+            kicks.x[c][g] = static_cast<float>(heard.x);
+            kicks.y[c][g] = static_cast<float>(heard.y);
+            largest = std::max(largest, amplitudeBound(pole(g), heard));
+        }
+        kicks.energies[g] = static_cast<float>(largest * largest);
+    }
+}
+
+void ModalBank::clearKicks(ModeKicks& kicks) const noexcept {
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        std::fill_n(kicks.x[c].begin(), paddedSize(), 0.0f);
+        std::fill_n(kicks.y[c].begin(), paddedSize(), 0.0f);
+    }
+}
+
+void ModalBank::gatherKicks(const UnitContact& unit,
+                            const ModeResidues& residues,
+                            double factor,
+                            ModeKicks& kicks) const noexcept {
+    const auto channels = channelsOf(residues, kicks);
+    idiophone::gatherKicks(unit.x.data(), unit.y.data(), factor, paddedSize(),
+                           std::span(channels).first(channelCount));
+}
+
+void ModalBank::finishKicks(const UnitContact& unit,
+                            const ModeResidues& residues,
+                            const BeforeSample& before,
+                            const KickMove& contact,
+                            ModeKicks& kicks) const noexcept {
+    const auto channels = channelsOf(residues, kicks);
+    idiophone::finishKicks(kickModes(),
+                           {unit.x.data(), unit.y.data(), before.samples, before.factor}, contact,
+                           paddedSize(), std::span(channels).first(channelCount));
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const ModalState end{unit.x[g], unit.y[g]};
+        const ModalState start =
+            std::exp2(-contact.damperOctaves) * (propagator(pole(g), contact.seconds) * end);
+        const ModalState both =
+            before.factor * (propagator(pole(g), before.samples * sampleSeconds) *
+                             ModalState{end.x - start.x, end.y - start.y});
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const auto residue = static_cast<double>(residues[c][g]);
+            kicks.x[c][g] = static_cast<float>(residue * both.x);
+            kicks.y[c][g] = static_cast<float>(residue * both.y);
+        }
+    }
+}
+
+void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
+    setAside(states);
+    std::array<KickedChannel, mostChannels> channels{};
+    for (std::size_t c = 0; c < channelCount; ++c)
+        channels[c] = {kicks.x[c].data(), kicks.y[c].data(), states.x[c].data(),
+                       states.y[c].data()};
+    joinKicks(kickModes(), move, paddedSize(), std::span(channels).first(channelCount),
+              energy.data());
+    for (const HeavyMode& heavy : heavyModes) {
+        const std::size_t g = index(heavy.mode);
+        const Propagator motion = propagator(pole(g), move.seconds);
+        const double factor = std::exp2(-move.damperOctaves);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState moved = factor * (motion * ModalState{kicks.x[c][g], kicks.y[c][g]});
+            states.x[c][g] = heavy.aside[c].x + moved.x;
+            states.y[c][g] = heavy.aside[c].y + moved.y;
+        }
+        measure(g);
+    }
+}
+
+void ModalBank::sound(const ModeKicks& kicks,
+                      std::span<const ModeRun> runs,
+                      std::size_t subBlockCount,
+                      const ChannelOutputs& outputs) noexcept {
+    if (runs.empty())
+        return;
+    SubBlockStates ahead;
+    setAside(kicks);
+    const std::size_t last = index(runs.back().first + runs.back().count);
+    for (std::size_t first = index(runs.front().first) / modeBlock * modeBlock; first < last;
+         first += batchModes) {
+        const std::size_t modes = std::min(batchModes, paddedSize() - first);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            lookAhead(rotations(first), modes, subBlockCount, kicks.x[c].data() + first,
+                      kicks.y[c].data() + first, ahead);
+            for (const HeavyMode& heavy : heavyModes)
+                if (index(heavy.mode) >= first && index(heavy.mode) < first + modes)
+                    lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);
+            mixRuns(runs, first, first + modes, ahead, subBlockCount, outputs[c]);
+        }
+    }
+}
+
+void ModalBank::force(std::span<const float, cellSize> impulses,
+                      const ModeResidues& startResidues,
+                      const ModeResidues& endResidues,
+                      double dampingPerSecond) noexcept {
+    const double fall = std::exp(-dampingPerSecond * sampleSeconds);
+    setAside(states);
+    std::array<ForcedChannel, mostChannels> channels{};
+    for (std::size_t c = 0; c < channelCount; ++c)
+        channels[c] = {startResidues[c].data(), endResidues[c].data(), states.x[c].data(),
+                       states.y[c].data()};
+    forceModes({sampleRe.data(), sampleIm.data(), velocityShare.data()}, impulses.data(),
+               static_cast<float>(fall), paddedSize(), std::span(channels).first(channelCount),
+               energy.data());
+    for (const HeavyMode& heavy : heavyModes)
+        forceHeavy(heavy, impulses, startResidues, endResidues, fall);
+}
+
+void ModalBank::forceHeavy(const HeavyMode& heavy,
+                           std::span<const float, cellSize> impulses,
+                           const ModeResidues& startResidues,
+                           const ModeResidues& endResidues,
+                           double fall) noexcept {
+    const std::size_t g = index(heavy.mode);
+    const Propagator sample = propagator(pole(g), sampleSeconds);
+    for (std::size_t c = 0; c < channelCount; ++c) {
+        const auto start = static_cast<double>(startResidues[c][g]);
+        const auto way = static_cast<double>(endResidues[c][g]) - start;
+        ModalState moving;
+        for (std::size_t k = 0; k < cellSize; ++k) {
+            const double residue =
+                start + way * static_cast<double>(shareOfWay(k / subBlockSamples));
+            moving.x += residue * static_cast<double>(impulses[k]);
+            moving = fall * (sample * moving);
+        }
+        states.x[c][g] = heavy.aside[c].x + moving.x;
+        states.y[c][g] = heavy.aside[c].y + moving.y;
+    }
+    measure(g);
+}
+
+} // namespace idiophone

@@ -1,0 +1,91 @@
+// What contacts under way sound, and how they follow poles that move.
+#include "Synth/SoundingObject.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+
+/// `factor` times what the residues at hand sound is part of the contact from now on.
+void SoundingObject::hold(Contact& contact,
+                          std::span<const ModeRun> modes,
+                          double factor) noexcept {
+    const ForcedAmplitudes parts{scratch.contact.steady.data(), scratch.contact.swingRe.data(),
+                                 scratch.contact.swingIm.data()};
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        ForcedSum sum;
+        for (const ModeRun& run : modes)
+            sumForced(scratch.groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
+                      static_cast<std::size_t>(run.count), sum);
+        contact.steadyVelocity[c] += factor * sum.steady;
+        contact.swing[c] += factor * sum.swing;
+    }
+}
+
+std::complex<double>
+SoundingObject::phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept {
+    const double cells = static_cast<double>(cell - contact.startCell);
+    const double samples = cells * cellSamples + sample - contact.startSample;
+    const double turns = samples / (sampleRate * contact.strike.durationSeconds);
+    return std::polar(1.0, 2 * std::numbers::pi * turns);
+}
+
+double SoundingObject::shareOfResidues(const Contact& contact, const Contact& other) noexcept {
+    if (contact.listening != other.listening || contact.strike.point != other.strike.point)
+        return 0;
+    double along = 0;
+    double square = 0;
+    double otherSquare = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto impulse = static_cast<double>(contact.strike.impulseNewtonSeconds[k]);
+        const auto otherImpulse = static_cast<double>(other.strike.impulseNewtonSeconds[k]);
+        along += impulse * otherImpulse;
+        square += impulse * impulse;
+        otherSquare += otherImpulse * otherImpulse;
+    }
+    if (!(otherSquare > 0) || along * along < (1 - 1e-12) * square * otherSquare)
+        return 0;
+    return along / otherSquare * contact.gainRatio / other.gainRatio;
+}
+
+/// The forced parts of all contacts become free motion of the states at the grid point, of every
+/// mode, as the ends of the contacts will be those of every mode; or they are taken out of it.
+void SoundingObject::moveContacts(Forced become) noexcept {
+    if (contacts.empty())
+        return;
+    bringRestingUpToDate(cellIndex);
+    bank.clearKicks(scratch.kicks);
+    std::array<bool, contactCapacity> moved{};
+    for (std::size_t first = 0; first < contacts.size(); ++first) {
+        if (moved[first])
+            continue;
+        computeResidues(contacts[first]);
+        moveContact(contacts[first], 1, become);
+        for (std::size_t k = first + 1; k < contacts.size(); ++k) {
+            const double share = moved[k] ? 0 : shareOfResidues(contacts[k], contacts[first]);
+            if (share == 0)
+                continue;
+            moved[k] = true;
+            moveContact(contacts[k], share, become);
+        }
+    }
+    bank.join(scratch.kicks, {});
+}
+
+/// One of them, whose residues are `factor` times those at hand.
+void SoundingObject::moveContact(Contact& contact, double factor, Forced become) noexcept {
+    bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
+                       .dampingPerSecond = damping,
+                       .phase = phaseAt(contact, cellIndex, 0)},
+                      scratch.contact);
+    bank.gatherKicks(scratch.contact, scratch.groupResidues,
+                     become == Forced::freed ? factor : -factor, scratch.kicks);
+    if (become == Forced::freed)
+        return;
+    contact.steadyVelocity = {};
+    contact.swing = {};
+    hold(contact, mixedRuns, factor);
+}
+
+} // namespace idiophone
