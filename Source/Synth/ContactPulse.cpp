@@ -54,14 +54,16 @@ Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
 
 double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
                              double seconds) noexcept {
-    constexpr double tooNear = 0.01;
+    // Rounding must not decide where a contact is a resonance's period to the last bit.
+    constexpr double rounding = 1e-6;
+    constexpr double farEnough = 0.01 - rounding;
     double best = distanceFrom(ascendingResonancesHz, seconds);
     double chosen = seconds;
-    for (int step = 1; best < tooNear && step <= 6; ++step)
+    for (int step = 1; best < farEnough && step <= 6; ++step)
         for (const double shift : {0.005 * step, -0.005 * step}) {
             const double candidate = seconds * (1 + shift);
             const double distance = distanceFrom(ascendingResonancesHz, candidate);
-            if (distance > best && best < tooNear) {
+            if (distance > best + rounding && best < farEnough) {
                 best = distance;
                 chosen = candidate;
             }

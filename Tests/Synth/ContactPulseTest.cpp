@@ -48,6 +48,16 @@ TEST_CASE("A contact time within 1 % of a resonance's period moves away from it"
     CHECK(contactSecondsClearOf({}, 0.001) == 0.001);
 }
 
+TEST_CASE("Rounding does not decide where a contact time moves") {
+    const std::vector<double> resonances{1234.5};
+    const double period = 1 / resonances[0];
+    const double moved = contactSecondsClearOf(resonances, period);
+    for (const double towards : {0.0, 1.0}) {
+        const double near = std::nextafter(period, towards);
+        CHECK(std::abs(contactSecondsClearOf(resonances, near) / moved - 1) < 1e-9);
+    }
+}
+
 TEST_CASE("A contact time among resonances 1 % apart moves beyond them") {
     const std::vector<double> resonances{990.1, 1000, 1010.1};
     const double moved = contactSecondsClearOf(resonances, 0.001);
