@@ -34,8 +34,7 @@ ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcep
 } // namespace
 
 ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
-    static const ParameterValues defaults;
-    auto result = defaults;
+    ParameterValues result;
     copyInto(result, values,
              {material, size, tune, strikeAlong, strikeAcross, radiation, letRing, contact});
     if (static_cast<int>(values[material]) == customMaterial)

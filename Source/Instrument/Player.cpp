@@ -20,15 +20,6 @@ constexpr float matchingShare = 0.15f;        // of the way to the matching gain
 constexpr std::size_t pendingCapacity = 1024; // 113 chattering blows with modal pulses in 15 ms
 constexpr std::size_t lateCapacity = 256;     // notes between two blocks of sound
 
-enum ControllerNumber {
-    modulationController = 1,
-    sustainController = 64,
-    placeController = 74,
-    allSoundOff = 120,
-    resetControllers,
-    allNotesOff = 123
-};
-
 std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
     return {instrument.slots().begin(), instrument.slots().end()};
 }
@@ -38,10 +29,6 @@ std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
     for (const auto& slot : instrument.slots())
         modes.emplace_back(*slot.object, slot.sizeRatio);
     return modes;
-}
-
-bool isNoteOn(const MidiEvent& event) {
-    return (event.bytes[0] & 0xf0) == 0x90 && (event.bytes[2] & 0x7f) > 0;
 }
 
 /// The number of the first strike: 0 for the default seed, and far from one seed to the next.
@@ -96,89 +83,13 @@ void Player::process(const StereoSpan& output,
     // with the first sample there is.
     for (; next < events.size(); ++next) {
         follow(events[next]);
-        if (isNoteOn(events[next]) && late.size() < lateCapacity)
+        if (events[next].isNoteOn() && late.size() < lateCapacity)
             late.push_back(events[next]);
     }
 }
 
-// Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
-// the next grid point; what follows for the sound happens there.
-void Player::follow(const MidiEvent& event) {
-    const int kind = event.bytes[0] & 0xf0;
-    const int channel = event.bytes[0] & 0x0f;
-    const int first = event.bytes[1] & 0x7f;
-    const int second = event.bytes[2] & 0x7f;
-    if (isNoteOn(event))
-        keyDown(channel, first, second);
-    else if (kind == 0x80 || kind == 0x90)
-        keyUp(channel, first);
-    else if (kind == 0xa0)
-        held.setPressure(channel, first, second / 127.0);
-    else if (kind == 0xb0)
-        controller(channel, first, second);
-    else if (kind == 0xc0)
-        programChange = first;
-    else if (kind == 0xd0)
-        held.setPressure(channel, first / 127.0);
-    else if (kind == 0xe0)
-        bend = std::clamp((second * 128 + first - 8192) / 8191.0, -1.0, 1.0);
-}
-
-void Player::keyDown(int channel, int note, int velocity) {
-    keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
-    if (!strikes(current))
-        held.press(channel, note, velocity / 127.0);
-    if (const auto slot = playedInstrument->key(note).slot; slot >= 0)
-        slotSilenced[static_cast<std::size_t>(slot)] = false;
-}
-
-void Player::keyUp(int channel, int note) {
-    const auto index = static_cast<std::size_t>(note);
-    auto& down = keysDown[static_cast<std::size_t>(channel)];
-    if (sustainPedal && down[index])
-        keysSustained.set(index);
-    down.reset(index);
-    held.release(channel, note);
-}
-
-void Player::controller(int channel, int number, int value) {
-    switch (number) {
-    case modulationController:
-        held.setSpeedController(channel, value);
-        loudness.setSpeedController(value);
-        break;
-    case placeController:
-        held.setPlaceController(channel, value);
-        break;
-    case sustainController:
-        sustainPedal = value >= 64;
-        if (!sustainPedal)
-            keysSustained.reset();
-        break;
-    case allSoundOff:
-        std::fill(slotSilenced.begin(), slotSilenced.end(), true);
-        pending.clear();
-        late.clear();
-        [[fallthrough]];
-    case allNotesOff:
-        held.releaseAll();
-        keysDown = {};
-        keysSustained.reset();
-        break;
-    case resetControllers:
-        sustainPedal = false;
-        keysSustained.reset();
-        bend = 0;
-        held.resetControllers(channel);
-        loudness.setSpeedController(HeldContacts::controllerAtRest);
-        break;
-    default:
-        break;
-    }
-}
-
 void Player::strikeFor(const MidiEvent& event) {
-    if (!isNoteOn(event) || !strikes(current))
+    if (!event.isNoteOn() || !strikes(current))
         return;
     const int velocity = event.bytes[2] & 0x7f;
     const auto& key = playedInstrument->key(event.bytes[1]);

@@ -25,6 +25,8 @@ namespace idiophone {
 struct MidiEvent {
     int sampleOffset = 0;
     std::array<std::uint8_t, 3> bytes{};
+
+    bool isNoteOn() const { return (bytes[0] & 0xf0) == 0x90 && (bytes[2] & 0x7f) > 0; }
 };
 
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither

@@ -51,12 +51,16 @@ void PlayerCrossfade::followControllers(std::span<const MidiEvent> events) noexc
     constexpr std::uint8_t resetControllers = 121;
     for (const auto& event : events) {
         const int kind = event.bytes[0] & 0xf0;
-        if (kind == 0xb0 && event.bytes[1] == resetControllers)
-            controllers = atRest;
-        for (auto& controller : controllers)
-            if ((controller.bytes[0] & 0xf0) == kind &&
-                (kind == 0xe0 || controller.bytes[1] == event.bytes[1]))
-                controller.bytes = event.bytes;
+        const bool resets = kind == 0xb0 && event.bytes[1] == resetControllers;
+        for (std::size_t k = 0; k < controllers.size(); ++k) {
+            auto& known = controllers[k].bytes;
+            const bool sameChannel = known[0] == event.bytes[0];
+            const bool same = k < shared ? (known[0] & 0xf0) == kind : sameChannel;
+            if (resets && (k < shared || sameChannel))
+                known = atRest[k].bytes;
+            else if (same && (kind == 0xe0 || known[1] == event.bytes[1]))
+                known = event.bytes;
+        }
     }
 }
 

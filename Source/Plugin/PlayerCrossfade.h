@@ -7,6 +7,8 @@
 #include "Plugin/Handoff.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace idiophone {
@@ -52,12 +54,20 @@ private:
     ParameterValues fadingValues; ///< what held before the change, so that the fade keeps its sound
     std::array<float, BlockPieces::maximumSamples> fadingLeft{}, fadingRight{};
 
-    static constexpr MidiEvent pedalUp{.sampleOffset = 0, .bytes = {0xb0, 64, 0}};
-    static constexpr MidiEvent wheelAtRest{.sampleOffset = 0, .bytes = {0xe0, 0, 64}};
-    static constexpr MidiEvent speedAtRest{.sampleOffset = 0, .bytes = {0xb0, 1, 64}};
-    static constexpr MidiEvent placeAtRest{.sampleOffset = 0, .bytes = {0xb0, 74, 64}};
-    static constexpr std::array atRest{pedalUp, wheelAtRest, speedAtRest, placeAtRest};
-    std::array<MidiEvent, 4> controllers = atRest;
+    // The pedal and the wheel are the same for all channels, speed and place each channel's own.
+    static constexpr std::size_t shared = 2;
+    static constexpr auto atRest = [] {
+        std::array<MidiEvent, shared + 2 * 16> events{};
+        events[0].bytes = {0xb0, 64, 0};
+        events[1].bytes = {0xe0, 0, 64};
+        for (std::size_t channel = 0; channel < 16; ++channel) {
+            const auto status = static_cast<std::uint8_t>(0xb0 | channel);
+            events[shared + 2 * channel].bytes = {status, 1, 64};
+            events[shared + 2 * channel + 1].bytes = {status, 74, 64};
+        }
+        return events;
+    }();
+    std::array<MidiEvent, atRest.size()> controllers = atRest;
 };
 
 } // namespace idiophone

@@ -151,16 +151,18 @@ TEST_CASE("Pedal and pitch wheel stay where they are when the player changes") {
     CHECK(loudest({output.end() - 960, output.end()}) > 0.001f); // held by the pedal
 }
 
-TEST_CASE("Speed and place of held contacts stay where they are when the player changes") {
+TEST_CASE("Speed and place of each channel stay where they are when the player changes") {
     auto scraping = values;
     scraping.set(ParameterId::contact, scrapeContact);
     const MidiEvent speed{.sampleOffset = 0, .bytes = {0xb0, 1, 100}};
     const MidiEvent place{.sampleOffset = 0, .bytes = {0xb0, 74, 20}};
+    const MidiEvent otherSpeed{.sampleOffset = 0, .bytes = {0xb5, 1, 3}};
+    const MidiEvent otherPlace{.sampleOffset = 0, .bytes = {0xb5, 74, 120}};
     Handoff<Player> handoff;
     PlayerCrossfade sound(handoff);
     sound.install(testPlayer());
     std::vector<float> expected(4800), output(4800);
-    const std::array before{speed, place};
+    const std::array before{speed, place, otherSpeed, otherPlace};
     play(sound, std::span(output).first(64), before, scraping);
     sound.changeTo(testPlayer("other").release(), scraping);
     const std::array hold{strikeNote()};
@@ -170,7 +172,7 @@ TEST_CASE("Speed and place of held contacts stay where they are when the player 
              scraping);
 
     auto alone = testPlayer("other");
-    const std::array all{speed, place, strikeNote()};
+    const std::array all{speed, place, otherSpeed, otherPlace, strikeNote()};
     play(*alone, expected, all, scraping);
     CHECK(output == expected);
     CHECK(loudest(output) > 0);
