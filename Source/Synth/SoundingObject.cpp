@@ -76,9 +76,9 @@ void SoundingObject::setFrequencyRatio(double newRatio) noexcept {
     controlsChanged = true;
 }
 
-bool SoundingObject::beginCell(std::int64_t cell,
-                               const SynthesisSettings& settings,
-                               bool settingsChanged) noexcept {
+bool SoundingObject::beginSoundingCell(std::int64_t cell,
+                                       const SynthesisSettings& settings,
+                                       bool settingsChanged) noexcept {
     takeInKicks(cell);
     cellIndex = cell;
     if (settingsChanged || controlsChanged)

@@ -45,8 +45,14 @@ public:
 
     /// Moves to the grid point of cell `index`: applies what was set and drops modes at t_c
     /// (eq. 14). True where there is anything to mix.
-    bool
-    beginCell(std::int64_t index, const SynthesisSettings& settings, bool settingsChanged) noexcept;
+    bool beginCell(std::int64_t index,
+                   const SynthesisSettings& settings,
+                   bool settingsChanged) noexcept {
+        if (keptKicks || settingsChanged || controlsChanged || !silent())
+            return beginSoundingCell(index, settings, settingsChanged);
+        cellIndex = index;
+        return false;
+    }
 
     /// After `beginCell`: what quality scaling asks. Modes held by a contact are part of it.
     ModeDemand demand() const noexcept { return demanded; }
@@ -104,6 +110,9 @@ private:
     };
 
     // SoundingObject.cpp: which modes ring and are mixed.
+    bool beginSoundingCell(std::int64_t cell,
+                           const SynthesisSettings& settings,
+                           bool settingsChanged) noexcept;
     void survey() noexcept;
     void chooseModes(std::int32_t share) noexcept;
     void selectStrongest(std::size_t most) noexcept;
@@ -194,10 +203,16 @@ private:
     double sampleRate;
     double cellSeconds;
 
+    // What a cell in which nothing sounds looks at.
+    std::int64_t cellIndex = -1; ///< the cell begun last
+    bool controlsChanged = true;
+    std::vector<std::int32_t> activeBlocks; ///< ascending
+    std::vector<Contact> contacts;
+    std::optional<KickMove> keptKicks; ///< on their way to the grid point where states take them in
+
     // What was asked for, and what holds now.
     double requestedDamping = 0;
     double requestedFrequencyRatio = 1;
-    bool controlsChanged = true;
     PoleLaw law;
     bool polesBehind = false; ///< the bank is not yet that of `law` and `compression`
     double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
@@ -211,7 +226,6 @@ private:
     double damping = 0;     ///< δ
     double dampingLogBase = 0;
     std::int64_t dampingSince = 0;
-    std::int64_t cellIndex = -1; ///< the cell begun last
 
     // Groups.
     double weightScale;                       ///< of the radiation weights (Listening.h)
@@ -224,17 +238,14 @@ private:
     ModalBank bank;
     ModeFader fader;
     std::vector<Block> blocks;
-    std::vector<std::int32_t> activeBlocks; ///< ascending
-    std::vector<std::int32_t> mixedModes;   ///< ascending
+    std::vector<std::int32_t> mixedModes; ///< ascending
     std::vector<ModeRun> mixedRuns;
     std::array<std::vector<float>, mostChannels> radiationWeights; ///< [M]
     bool mixedIsRinging = true; ///< the modes mixed are those that ring
     ModeDemand demanded;
     std::int32_t mixedLastCell = 0;
 
-    std::vector<Contact> contacts;
-    ModeKicks kicks;                   ///< of the last strike or end of a contact
-    std::optional<KickMove> keptKicks; ///< on their way to the grid point where states take them in
+    ModeKicks kicks; ///< of the last strike or end of a contact
 
     std::uint64_t responseVersion = 1;
     std::int64_t forcedCell = -1; ///< the last cell that was forced

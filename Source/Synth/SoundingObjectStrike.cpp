@@ -114,7 +114,7 @@ bool SoundingObject::strike(const Strike& asked,
 
 BeforeSample SoundingObject::beforeSample(double at) const noexcept {
     const double samples = firstSampleFrom(at) - at;
-    return {samples, std::exp(-damping * samples / sampleRate)};
+    return {samples, damping > 0 ? std::exp(-damping * samples / sampleRate) : 1};
 }
 
 KickMove SoundingObject::kickMove(double seconds) const noexcept {
@@ -220,7 +220,9 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
     if (from >= until)
         return;
     const auto samples = static_cast<std::size_t>(until - from);
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound{};
+    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound;
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        sound[c].fill(0);
     bank.sound(kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
                {sound[0].data(), sound[1].data()});
     if (damping > 0)

@@ -119,23 +119,23 @@ void Synthesiser::beginCell(const CellOutput& cell) noexcept {
     for (std::size_t c = 0; c < cell.channels(); ++c)
         std::fill_n(cell[c].data(), cellSamples, 0.0f);
     all.listSounding();
+    all.mixedNow = 0;
     shareModeBudget(all.demands, all.settings.modeBudget, all.settings.qualitySlope, all.ranking,
                     all.shares);
     for (std::size_t k = 0; k < all.sounding.size(); ++k) {
         const auto slot = static_cast<std::size_t>(all.sounding[k]);
         all.slotShares[slot] = all.shares[k];
         all.objects[slot].mix(all.shares[k], cell);
+        all.mixedNow += all.objects[slot].modesMixedNow();
     }
-    all.mixedNow = 0;
-    for (const SoundingObject& object : all.objects)
-        all.mixedNow += object.modesMixedNow();
     all.report();
 }
 
 void Synthesiser::Implementation::listSounding() {
-    for (const std::int32_t slot : sounding)
+    for (const std::int32_t slot : sounding) {
         slotShares[static_cast<std::size_t>(slot)] = 0;
-    std::fill(isSounding.begin(), isSounding.end(), char{0});
+        isSounding[static_cast<std::size_t>(slot)] = 0;
+    }
     sounding.clear();
     demands.clear();
     for (std::size_t slot = 0; slot < objects.size(); ++slot) {
@@ -155,7 +155,7 @@ void Synthesiser::Implementation::report() {
         const auto slot = static_cast<std::size_t>(sounded);
         const SoundingObject& object = objects[slot];
         status[slot] = {static_cast<float>(object.demand().amplitude), object.modesRinging(),
-                        object.modesMixed(), object.channelsSounding()};
+                        object.modesMixed(), static_cast<std::int32_t>(object.channelsSounding())};
     }
 }
 

@@ -71,7 +71,7 @@ public:
         float amplitude = 0;           ///< summed amplitude of its modes, m/s
         std::int32_t modesRinging = 0; ///< above τ
         std::int32_t modesMixed = 0;   ///< of these, within its share of the budget
-        std::size_t channels = 0;      ///< in which it sounds; one is heard in both
+        std::int32_t channels = 0;     ///< in which it sounds; one is heard in both
     };
     /// As of the cell begun last.
     std::span<const SlotStatus> status() const noexcept;
