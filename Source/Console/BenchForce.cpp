@@ -39,7 +39,14 @@ public:
 
     ForcedObject(const std::shared_ptr<const ModalObject>& object, Contact contact)
         : synth({{object}}, benchSampleRateHz), path(pathOver(*object)), touched(contact) {
-        synth.setSettings({.tau = 0, .compression = 0, .material = {}});
+        // Undamped, as it must ring however many cells are timed.
+        const Material& own = object->material;
+        synth.setSettings({.tau = 0,
+                           .compression = 0,
+                           .material = LiveMaterial{.youngsModulusPa = own.youngsModulusPa,
+                                                    .densityKgPerM3 = own.densityKgPerM3,
+                                                    .fluidDampingPerSecond = 0,
+                                                    .viscoelasticDampingSeconds = 0}});
         std::mt19937 random(1);
         for (Cell& newtons : forces)
             for (float& newton : newtons)

@@ -39,7 +39,9 @@ StrikePoint PlaceBetween::point() const {
     const auto end = kept.begin() + static_cast<std::ptrdiff_t>(used);
     double leftOut = 0, sum = 1;
     if (used > mostShapeRows) {
-        std::stable_sort(kept.begin(), end, [](Row a, Row b) { return a.weight > b.weight; });
+        std::sort(kept.begin(), end, [](Row a, Row b) { // a stable sort would allocate
+            return a.weight != b.weight ? a.weight > b.weight : a.row < b.row;
+        });
         leftOut = kept[mostShapeRows].weight;
         sum = 0;
         for (std::size_t k = 0; k < mostShapeRows; ++k)
