@@ -6,54 +6,20 @@
 #define HWY_TARGET_INCLUDE "Synth/ForceKernel.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
 
-#include <hwy/highway.h>
+#include "Synth/SimdComplex-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace idiophone {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using Doubles = hn::RepartitionToWide<Floats>;
-using HalfFloats = hn::Half<Floats>;
 using Vector = hn::Vec<Floats>;
-
-struct Complex {
-    Vector re, im;
-};
-
-HWY_INLINE Complex product(Complex a, Complex b) {
-    return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
-            hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
-}
+using Complex = FloatComplex;
 
 /// a by + b
 HWY_INLINE Complex moveAndAdd(Complex a, Complex by, Complex b) {
     return {hn::NegMulAdd(a.im, by.im, hn::MulAdd(a.re, by.re, b.re)),
             hn::MulAdd(a.im, by.re, hn::MulAdd(a.re, by.im, b.im))};
-}
-
-HWY_INLINE Vector demoted(const double* values) {
-    const Floats f;
-    const Doubles d;
-    const HalfFloats half;
-    return hn::Combine(f, hn::DemoteTo(half, hn::Load(d, values + hn::MaxLanes(d))),
-                       hn::DemoteTo(half, hn::Load(d, values)));
-}
-
-/// Returns the sum in single precision.
-HWY_INLINE Vector addTo(double* values, Vector sum) {
-    const Floats f;
-    const Doubles d;
-    const HalfFloats half;
-    double* upper = values + hn::MaxLanes(d);
-    const auto low = hn::Add(hn::Load(d, values), hn::PromoteTo(d, hn::LowerHalf(half, sum)));
-    const auto high = hn::Add(hn::Load(d, upper), hn::PromoteTo(d, hn::UpperHalf(half, sum)));
-    hn::Store(low, d, values);
-    hn::Store(high, d, upper);
-    return hn::Combine(f, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
 }
 
 constexpr std::size_t hornerStep = 8; ///< samples
@@ -88,6 +54,15 @@ HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
     }
 }
 
+/// What the sub-blocks come to at the end of the last.
+HWY_INLINE Complex joined(const Complex (&sums)[subBlocks], Complex turn) {
+    Complex all = sums[0];
+#pragma GCC unroll 4
+    for (std::size_t b = 1; b < subBlocks; ++b)
+        all = moveAndAdd(all, turn, sums[b]);
+    return all;
+}
+
 /// What a force adds to a batch of modes.
 template <std::size_t Channels>
 struct Increments {
@@ -96,41 +71,43 @@ struct Increments {
 };
 
 /// Σ_k r ρ^(64 − k) f[k] for `count` modes from `first` on.
-template <std::size_t Channels>
+template <std::size_t Channels, bool Moves>
 HWY_INLINE void findIncrements(const ForcedModes& modes,
                                const float* HWY_RESTRICT impulses,
-                               float fall,
                                std::size_t first,
                                std::size_t count,
                                const ForcedChannel (&channels)[Channels],
                                Increments<Channels>& found) {
     const Floats f;
-    const auto damper = hn::Set(f, fall);
     for (std::size_t place = 0; place < count; place += hn::MaxLanes(f)) {
         const std::size_t g = first + place;
         Complex power[hornerStep + 1];
-        power[1] = {hn::Mul(damper, hn::Load(f, modes.sampleRe + g)),
-                    hn::Mul(damper, hn::Load(f, modes.sampleIm + g))};
+        power[1] = {hn::Load(f, modes.sampleRe + g), hn::Load(f, modes.sampleIm + g)};
 #pragma GCC unroll 8
         for (std::size_t k = 2; k <= hornerStep; ++k)
             power[k] = product(power[k / 2], power[k - k / 2]);
-        const Complex turn = product(power[hornerStep], power[hornerStep]);
-        const Complex half = product(turn, turn);
+        const Complex turn{hn::Load(f, modes.turnRe + g), hn::Load(f, modes.turnIm + g)};
         Complex sums[subBlocks];
         sumSubBlocks(impulses, power, sums);
+        Complex common{hn::Zero(f), hn::Zero(f)};
+        if (!Moves)
+            common = product(joined(sums, turn), power[1]);
 #pragma GCC unroll 2
         for (std::size_t c = 0; c < Channels; ++c) {
             const auto start = hn::Load(f, channels[c].startResidues + g);
-            const auto way = hn::Sub(hn::Load(f, channels[c].endResidues + g), start);
-            Complex heard[subBlocks];
+            Complex all;
+            if (Moves) {
+                const auto way = hn::Sub(hn::Load(f, channels[c].endResidues + g), start);
+                Complex heard[subBlocks];
 #pragma GCC unroll 4
-            for (std::size_t b = 0; b < subBlocks; ++b) {
-                const auto residue = hn::MulAdd(way, hn::Set(f, shareOfWay(b)), start);
-                heard[b] = {hn::Mul(residue, sums[b].re), hn::Mul(residue, sums[b].im)};
+                for (std::size_t b = 0; b < subBlocks; ++b) {
+                    const auto residue = hn::MulAdd(way, hn::Set(f, shareOfWay(b)), start);
+                    heard[b] = {hn::Mul(residue, sums[b].re), hn::Mul(residue, sums[b].im)};
+                }
+                all = product(joined(heard, turn), power[1]);
+            } else {
+                all = {hn::Mul(start, common.re), hn::Mul(start, common.im)};
             }
-            const Complex early = moveAndAdd(heard[0], turn, heard[1]);
-            const Complex late = moveAndAdd(heard[2], turn, heard[3]);
-            const Complex all = product(moveAndAdd(early, half, late), power[1]);
             hn::Store(all.re, f, found.x[c] + place);
             hn::Store(all.im, f, found.y[c] + place);
         }
@@ -161,10 +138,9 @@ HWY_INLINE void addIncrements(const double* HWY_RESTRICT velocityShare,
     }
 }
 
-template <std::size_t Channels>
+template <std::size_t Channels, bool Moves>
 void forceOn(const ForcedModes& modes,
              const float* impulses,
-             float fall,
              std::size_t count,
              std::span<const ForcedChannel> given,
              float* energies) {
@@ -175,21 +151,21 @@ void forceOn(const ForcedModes& modes,
     Increments<Channels> found;
     for (std::size_t first = 0; first < count; first += batchModes) {
         const std::size_t batch = std::min(batchModes, count - first);
-        findIncrements(modes, impulses, fall, first, batch, channels, found);
+        findIncrements<Channels, Moves>(modes, impulses, first, batch, channels, found);
         addIncrements(modes.velocityShare, first, batch, found, channels, energies);
     }
 }
 
 void force(const ForcedModes& modes,
            const float* impulses,
-           float fall,
            std::size_t count,
            std::span<const ForcedChannel> channels,
            float* energies) {
+    const bool moves = channels[0].startResidues != channels[0].endResidues;
     if (channels.size() == 1)
-        forceOn<1>(modes, impulses, fall, count, channels, energies);
+        (moves ? forceOn<1, true> : forceOn<1, false>)(modes, impulses, count, channels, energies);
     else
-        forceOn<2>(modes, impulses, fall, count, channels, energies);
+        (moves ? forceOn<2, true> : forceOn<2, false>)(modes, impulses, count, channels, energies);
 }
 
 void convolve(const float* HWY_RESTRICT impulses,
@@ -263,11 +239,10 @@ HWY_EXPORT(blend);
 
 void forceModes(const ForcedModes& modes,
                 const float* impulses,
-                float fall,
                 std::size_t count,
                 std::span<const ForcedChannel> channels,
                 float* energies) noexcept {
-    HWY_DYNAMIC_DISPATCH(force)(modes, impulses, fall, count, channels, energies);
+    HWY_DYNAMIC_DISPATCH(force)(modes, impulses, count, channels, energies);
 }
 
 void convolveForce(std::span<const float, subBlocks * subBlockSamples> impulses,

@@ -13,6 +13,8 @@ namespace idiophone {
 struct ForcedModes {
     const float* sampleRe; ///< ρ
     const float* sampleIm;
+    const float* turnRe; ///< ρ^16
+    const float* turnIm;
     const double* velocityShare; ///< α/ω_d
 };
 
@@ -27,11 +29,10 @@ struct ForcedChannel {
 
 /// Adds to the states x, y at the end of the cell what a force did to them: for impulses f[k] at
 /// sample k, b Σ_k r ρ^(64 − k) f[k] with b = 1 + iα/ω_d (DESIGN 5, Continuous contact). The
-/// residue r goes from start to end in steps of a sub-block. `fall` is e^(−δ/fs), the damper's
-/// share. `energies` become the states' |s|² in the louder channel.
+/// residue r goes from start to end in steps of a sub-block; a contact that stays gives the same
+/// array for both, in each channel. `energies` become the states' |s|² in the louder channel.
 void forceModes(const ForcedModes& modes,
                 const float* impulses,
-                float fall,
                 std::size_t count,
                 std::span<const ForcedChannel> channels,
                 float* energies) noexcept;

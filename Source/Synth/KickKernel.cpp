@@ -6,29 +6,16 @@
 #define HWY_TARGET_INCLUDE "Synth/KickKernel.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
 
-#include <hwy/highway.h>
+#include "Synth/SimdComplex-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace idiophone {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using Doubles = hn::RepartitionToWide<Floats>;
-using HalfFloats = hn::Half<Floats>;
 using Vector = hn::Vec<Floats>;
+using Complex = FloatComplex;
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
-
-struct Complex {
-    Vector re, im;
-};
-
-HWY_INLINE Complex product(Complex a, Complex b) {
-    return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
-            hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
-}
 
 HWY_INLINE Complex load(const float* re, const float* im, std::size_t g) {
     const Floats f;
@@ -186,19 +173,6 @@ void finish(const KickModes& modes,
             hn::Store(hn::Mul(residue, kick.im), f, channel.y + g);
         }
     }
-}
-
-/// Returns the sum in single precision.
-HWY_INLINE Vector addTo(double* HWY_RESTRICT values, Vector kick) {
-    const Floats f;
-    const Doubles d;
-    const HalfFloats half;
-    double* upper = values + hn::MaxLanes(d);
-    const auto low = hn::Add(hn::Load(d, values), hn::PromoteTo(d, hn::LowerHalf(half, kick)));
-    const auto high = hn::Add(hn::Load(d, upper), hn::PromoteTo(d, hn::UpperHalf(half, kick)));
-    hn::Store(low, d, values);
-    hn::Store(high, d, upper);
-    return hn::Combine(f, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
 }
 
 void join(const KickModes& modes,

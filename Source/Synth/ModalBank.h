@@ -222,8 +222,7 @@ private:
     void forceHeavy(const HeavyMode& heavy,
                     std::span<const float, subBlocks * subBlockSamples> impulses,
                     const ModeResidues& startResidues,
-                    const ModeResidues& endResidues,
-                    double fall) noexcept;
+                    const ModeResidues& endResidues) noexcept;
     static void lookAtHeavy(const HeavyMode& heavy,
                             std::size_t channel,
                             std::size_t place,

@@ -172,24 +172,31 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
                       const ModeResidues& startResidues,
                       const ModeResidues& endResidues,
                       double dampingPerSecond) noexcept {
-    const double fall = std::exp(-dampingPerSecond * sampleSeconds);
+    // The damper takes its share of each impulse by the end of the cell.
+    alignas(64) std::array<float, cellSize> fallen;
+    std::copy(impulses.begin(), impulses.end(), fallen.begin());
+    if (dampingPerSecond > 0) {
+        const double fall = std::exp(-dampingPerSecond * sampleSeconds);
+        double factor = 1;
+        for (std::size_t k = cellSize; k-- > 0;)
+            fallen[k] *= static_cast<float>(factor *= fall);
+    }
     setAside(states);
     std::array<ForcedChannel, mostChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
         channels[c] = {startResidues[c].data(), endResidues[c].data(), states.x[c].data(),
                        states.y[c].data()};
-    forceModes({sampleRe.data(), sampleIm.data(), velocityShare.data()}, impulses.data(),
-               static_cast<float>(fall), paddedSize(), std::span(channels).first(channelCount),
-               energy.data());
+    forceModes({sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data(),
+                velocityShare.data()},
+               fallen.data(), paddedSize(), std::span(channels).first(channelCount), energy.data());
     for (const HeavyMode& heavy : heavyModes)
-        forceHeavy(heavy, impulses, startResidues, endResidues, fall);
+        forceHeavy(heavy, fallen, startResidues, endResidues);
 }
 
 void ModalBank::forceHeavy(const HeavyMode& heavy,
                            std::span<const float, cellSize> impulses,
                            const ModeResidues& startResidues,
-                           const ModeResidues& endResidues,
-                           double fall) noexcept {
+                           const ModeResidues& endResidues) noexcept {
     const std::size_t g = index(heavy.mode);
     const Propagator sample = propagator(pole(g), sampleSeconds);
     for (std::size_t c = 0; c < channelCount; ++c) {
@@ -200,7 +207,7 @@ void ModalBank::forceHeavy(const HeavyMode& heavy,
             const double residue =
                 start + way * static_cast<double>(shareOfWay(k / subBlockSamples));
             moving.x += residue * static_cast<double>(impulses[k]);
-            moving = fall * (sample * moving);
+            moving = sample * moving;
         }
         states.x[c][g] = heavy.aside[c].x + moving.x;
         states.y[c][g] = heavy.aside[c].y + moving.y;

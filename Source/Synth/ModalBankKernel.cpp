@@ -6,29 +6,16 @@
 #define HWY_TARGET_INCLUDE "Synth/ModalBankKernel.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
 
-#include <hwy/highway.h>
+#include "Synth/SimdComplex-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace idiophone {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using Doubles = hn::RepartitionToWide<Floats>;
-using HalfFloats = hn::Half<Floats>;
 constexpr std::size_t floatLanes = hn::MaxLanes(Floats());
 constexpr std::size_t doubleLanes = hn::MaxLanes(Doubles());
 constexpr std::size_t tableVectors = subBlockSamples / floatLanes;
-
-HWY_INLINE hn::Vec<Floats> demoted(const double* HWY_RESTRICT values) {
-    const Floats f;
-    const Doubles d;
-    const HalfFloats h;
-    return hn::Combine(f, hn::DemoteTo(h, hn::Load(d, values + doubleLanes)),
-                       hn::DemoteTo(h, hn::Load(d, values)));
-}
 
 /// Stores the states at the start of the first sub-blocks and leaves those at the end of the last.
 template <std::size_t Blocks>

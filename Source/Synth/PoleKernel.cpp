@@ -9,27 +9,17 @@
 #include <hwy/foreach_target.h> // compiles this file once for each target
 
 #include <hwy/contrib/math/math-inl.h>
-#include <hwy/highway.h>
+
+#include "Synth/SimdComplex-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace idiophone {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Doubles>;
+using Complex = DoubleComplex;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
-
-struct Complex {
-    Vector re, im;
-};
-
-HWY_INLINE Complex product(Complex a, Complex b) {
-    return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)),
-            hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
-}
 
 /// e^{(−α + iω)t}. The angle is first taken to within half a turn, beyond which the library's sine
 /// loses precision.
@@ -106,8 +96,8 @@ void rotate(const double* HWY_RESTRICT decay,
     const auto gain = hn::Set(d, factor);
     for (std::size_t g = 0; g < count; g += lanes) {
         const Complex turn = rotation(hn::Load(d, decay + g), hn::Load(d, frequency + g), seconds);
-        const Complex state = product({hn::Mul(gain, turn.re), hn::Mul(gain, turn.im)},
-                                      {hn::Load(d, x + g), hn::Load(d, y + g)});
+        const Complex state = product(Complex{hn::Mul(gain, turn.re), hn::Mul(gain, turn.im)},
+                                      Complex{hn::Load(d, x + g), hn::Load(d, y + g)});
         hn::Store(state.re, d, x + g);
         hn::Store(state.im, d, y + g);
     }

@@ -96,18 +96,16 @@ void SoundingObject::survey() noexcept {
                                               faintEnergy, activeBlocks, scratch.aboveTau.data());
     // Under a contact nothing comes or goes; under a continuous force nothing goes.
     const bool forced = forcedCell == cellIndex - 1;
-    const bool follows = contacts.empty() && !forced;
-    std::int32_t ringing = follows ? found.modes : 0;
+    std::int32_t ringing = found.modes;
     for (const std::int32_t number : activeBlocks) {
-        const auto b = static_cast<std::size_t>(number);
-        if (forced)
-            scratch.aboveTau[b] |= blocks[b].rings;
-        if (contacts.empty() && blocks[b].rings != scratch.aboveTau[b]) {
-            blocks[b].rings = scratch.aboveTau[b];
-            mixedIsRinging = false;
-        }
-        if (!follows)
-            ringing += std::popcount(blocks[b].rings);
+        Block& block = blocks[static_cast<std::size_t>(number)];
+        const std::uint16_t above = scratch.aboveTau[static_cast<std::size_t>(number)];
+        if (block.rings == above)
+            continue;
+        const unsigned rings = contacts.empty() ? above | (forced ? block.rings : 0u) : block.rings;
+        ringing += std::popcount(rings) - std::popcount(above);
+        mixedIsRinging = mixedIsRinging && rings == block.rings;
+        block.rings = static_cast<std::uint16_t>(rings);
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks)

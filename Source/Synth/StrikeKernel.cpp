@@ -8,18 +8,12 @@
 #define HWY_TARGET_INCLUDE "Synth/StrikeKernel.cpp"
 #include <hwy/foreach_target.h> // compiles this file once for each target
 
-#include <hwy/highway.h>
+#include "Synth/SimdComplex-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace idiophone {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, 16>;
-using Doubles = hn::RepartitionToWide<Floats>;
-using HalfFloats = hn::Half<Floats>;
 
 HWY_INLINE hn::Vec<Floats> dot(hn::Vec<Floats> x,
                                hn::Vec<Floats> y,
