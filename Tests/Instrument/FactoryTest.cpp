@@ -1,12 +1,13 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Player.h"
+#include "LoudnessPhrase.h"
+#include "Support/Level.h"
 #include "Support/PoleFit.h"
 #include "Support/RenderNotes.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 #include <cmath>
-#include <ebur128.h>
 #include <set>
 
 using namespace idiophone;
@@ -37,28 +38,6 @@ std::vector<float> renderBoth(Player& player,
     sound.left.insert(sound.left.end(), sound.right.begin(), sound.right.end());
     applyLevel(sound.left, preset);
     return sound.left;
-}
-
-/// Eight notes spread over the preset's keys, two a second, at one velocity.
-std::vector<MidiEvent> scale(const Preset& preset, int velocity) {
-    std::vector<MidiEvent> events;
-    for (int i = 0; i < 8; ++i) {
-        const int note = preset.keyMap.lowestNote +
-                         (preset.keyMap.highestNote - preset.keyMap.lowestNote) * i / 7;
-        const int time = static_cast<int>(i * sampleRateHz / 2);
-        events.push_back(midi(time, 0x90, note, velocity));
-        events.push_back(midi(time + static_cast<int>(sampleRateHz / 2) - 100, 0x80, note, 0));
-    }
-    return events;
-}
-
-double loudness(std::span<const float> sound) {
-    auto* state = ebur128_init(1, static_cast<unsigned long>(sampleRateHz), EBUR128_MODE_I);
-    ebur128_add_frames_float(state, sound.data(), sound.size());
-    double result = 0;
-    ebur128_loudness_global(state, &result);
-    ebur128_destroy(&state);
-    return result;
 }
 
 } // namespace
@@ -100,7 +79,8 @@ TEST_CASE("Every xylophone key sounds within 1 cent of equal temperament") {
 TEST_CASE("Radiation parts left and right of every factory preset, by no more than 12 dB") {
     for (const auto& preset : factoryPresets()) {
         auto player = playerFor(preset);
-        const auto sound = renderStereo(*player, scale(preset, 100), 48000, 480, preset.parameters);
+        const auto sound = renderStereo(*player, loudnessPhrase(preset.keyMap, 100, sampleRateHz),
+                                        48000, 480, preset.parameters);
         std::vector<float> side(sound.left.size());
         for (std::size_t i = 0; i < side.size(); ++i)
             side[i] = (sound.left[i] - sound.right[i]) / 2;
@@ -115,10 +95,10 @@ TEST_CASE("Factory presets are within 2 LU of one another at velocity 100") {
     std::vector<double> loudnesses;
     for (const auto& preset : factoryPresets()) {
         auto player = playerFor(preset);
-        auto sound = render(*player, scale(preset, 100),
+        auto sound = render(*player, loudnessPhrase(preset.keyMap, 100, sampleRateHz),
                             static_cast<std::size_t>(4.5 * sampleRateHz), 480, preset.parameters);
         applyLevel(sound, preset);
-        loudnesses.push_back(loudness(sound));
+        loudnesses.push_back(integratedLufs(sound, 1, sampleRateHz));
         UNSCOPED_INFO(preset.name << ": " << loudnesses.back() << " LUFS");
     }
     const auto [lowest, highest] = std::ranges::minmax(loudnesses);

@@ -3,13 +3,13 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Mallet.h"
 #include "Instrument/Player.h"
+#include "LoudnessPhrase.h"
 #include "Object/Material.h"
 #include "Support/RenderNotes.h"
-#include "Support/SyntheticObject.h"
+#include "TestInstruments.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <ebur128.h>
 #include <memory>
 #include <optional>
 
@@ -23,18 +23,6 @@ constexpr double sampleRateHz = 48000;
 
 constexpr std::size_t seeds = 8;
 
-/// Eight notes spread over the keys, two a second.
-std::vector<MidiEvent> phrase(const KeyMap& map, int velocity) {
-    std::vector<MidiEvent> events;
-    for (int i = 0; i < 8; ++i) {
-        const int note = map.lowestNote + (map.highestNote - map.lowestNote) * i / 7;
-        const int time = static_cast<int>(i * sampleRateHz / 2);
-        events.push_back(midi(time, 0x90, note, velocity));
-        events.push_back(midi(time + static_cast<int>(sampleRateHz / 2) - 100, 0x80, note, 0));
-    }
-    return events;
-}
-
 double measuredLufs(const StereoSound& sound, double gainDb) {
     const auto gain = static_cast<float>(std::pow(10, gainDb / 20));
     std::vector<float> interleaved;
@@ -42,12 +30,7 @@ double measuredLufs(const StereoSound& sound, double gainDb) {
         interleaved.push_back(gain * sound.left[i]);
         interleaved.push_back(gain * sound.right[i]);
     }
-    auto* meter = ebur128_init(2, static_cast<unsigned long>(sampleRateHz), EBUR128_MODE_I);
-    ebur128_add_frames_float(meter, interleaved.data(), sound.left.size());
-    double result = 0;
-    ebur128_loudness_global(meter, &result);
-    ebur128_destroy(&meter);
-    return result;
+    return integratedLufs(interleaved, 2, sampleRateHz);
 }
 
 /// A preset played and measured, its keys doing what `kind` says.
@@ -71,7 +54,7 @@ public:
         for (auto& player : voices) {
             player->reset();
             const auto sound =
-                renderStereo(*player, phrase(map, velocity),
+                renderStereo(*player, loudnessPhrase(map, velocity, sampleRateHz),
                              static_cast<std::size_t>(4.5 * sampleRateHz), 4800, parameters);
             power += std::pow(10, measuredLufs(sound, gainDb) / 10);
         }
@@ -147,15 +130,7 @@ std::shared_ptr<const Instrument> synthetic(std::size_t modes) {
     std::vector<double> hz;
     for (std::size_t i = 0; i < modes; ++i)
         hz.push_back(100 + 20000.0 * static_cast<double>(i) / static_cast<double>(modes));
-    static std::vector<std::shared_ptr<const ModalObject>> kept;
-    ObjectLibrary library;
-    kept.push_back(library.add("x", syntheticObject(hz)));
-    KeyMap map;
-    map.kind = KeyMapKind::zones;
-    map.lowestNote = 36;
-    map.highestNote = 96;
-    map.object = "x";
-    return Instrument::build(map, library).value();
+    return keysOn(syntheticObject(hz), KeyMapKind::zones, 36, 96);
 }
 
 } // namespace

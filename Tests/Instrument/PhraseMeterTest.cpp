@@ -1,12 +1,13 @@
 #include "Instrument/PhraseMeter.h"
+#include "LoudnessPhrase.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
-#include <ebur128.h>
 #include <numbers>
 #include <vector>
 
 using namespace idiophone;
+using namespace idiophone::test;
 
 namespace {
 
@@ -27,12 +28,7 @@ measuredLufs(const PhraseMeter::NoteFigures& amplitudes, double hz, double decay
                 std::sin(std::numbers::pi * (2 * hz * seconds + static_cast<double>(note) / 2));
         }
     }
-    auto* meter = ebur128_init(1, static_cast<unsigned long>(sampleRateHz), EBUR128_MODE_I);
-    ebur128_add_frames_double(meter, sound.data(), sound.size());
-    double result = 0;
-    ebur128_loudness_global(meter, &result);
-    ebur128_destroy(&meter);
-    return result;
+    return integratedLufs(std::vector<float>(sound.begin(), sound.end()), 1, sampleRateHz);
 }
 
 } // namespace

@@ -56,11 +56,4 @@ inline std::vector<float> render(Player& player,
     return output.left;
 }
 
-inline float peak(std::span<const float> signal) {
-    float highest = 0;
-    for (const float sample : signal)
-        highest = std::max(highest, std::abs(sample));
-    return highest;
-}
-
 } // namespace idiophone::test

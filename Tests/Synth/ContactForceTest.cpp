@@ -1,5 +1,6 @@
 #include "Synth/ContactForce.h"
 
+#include "Support/Level.h"
 #include "Support/Periodogram.h"
 
 #include <algorithm>
@@ -40,13 +41,6 @@ std::vector<float> steadyForce(ContactForce& contact, const ContactMotion& motio
             result.insert(result.end(), cell.begin(), cell.end());
     }
     return result;
-}
-
-double rms(std::span<const float> samples) {
-    double sum = 0;
-    for (const float sample : samples)
-        sum += static_cast<double>(sample) * sample;
-    return std::sqrt(sum / static_cast<double>(samples.size()));
 }
 
 bool isSilent(std::span<const float> samples) {

@@ -2,6 +2,7 @@
 // form a sample in double precision, and the tools to play the same strikes on the synthesiser.
 #pragma once
 
+#include "Support/Phasor.h"
 #include "Support/SyntheticObject.h"
 #include "Synth/Synthesiser.h"
 
@@ -12,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace idiophone::test {
@@ -148,18 +150,13 @@ inline double errorDb(const std::vector<float>& signal,
 }
 
 /// The largest part of any frame of 512 samples above 5 kHz, in dB of a full sinusoid.
-inline double broadbandDb(const std::vector<float>& signal, double sampleRate) {
+inline double broadbandDb(std::span<const float> signal, double sampleRate) {
     constexpr std::size_t frame = 512;
     double largest = 0;
     for (std::size_t start = 0; start + frame <= signal.size(); start += frame / 4)
         for (double hz = 5000; hz < 21000; hz += 700) {
-            std::complex<double> sum = 0;
-            for (std::size_t k = 0; k < frame; ++k) {
-                const double hann = 0.5 * (1 - std::cos(2 * std::numbers::pi * double(k) / frame));
-                const double angle = -2 * std::numbers::pi * hz * double(k) / sampleRate;
-                sum += hann * double(signal[start + k]) * std::polar(1.0, angle);
-            }
-            largest = std::max(largest, std::abs(sum) / (frame / 4.0));
+            const auto phasor = phasorAt(signal.subspan(start, frame), hz, sampleRate);
+            largest = std::max(largest, std::abs(phasor) / (frame / 2.0));
         }
     return 20 * std::log10(largest);
 }

@@ -1,26 +1,9 @@
 #include "ModalReference.h"
+#include "Support/AllocationCounter.h"
 
-#include <atomic>
+#include <array>
 #include <catch2/catch_test_macros.hpp>
-#include <cstdlib>
-#include <new>
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size > 0 ? size : 1))
-        return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
+#include <cmath>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -39,7 +22,7 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting alloca
     const CellOutput cell(left, right);
     SynthesisSettings settings;
     settings.material = LiveMaterial{1e10, 1000, 30, 1e-7};
-    const long before = allocations.load();
+    const AllocationCounter counter;
     for (int c = 0; c < 4000; ++c) {
         const auto step = static_cast<std::size_t>(c);
         settings.tau = step % 300 < 150 ? 0.01 : 5;
@@ -61,6 +44,6 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting alloca
         if (step == 3900)
             synthesiser.reset();
     }
-    const long during = allocations.load() - before;
-    CHECK(during == 0);
+    const long allocations = counter.allocations();
+    CHECK(allocations == 0);
 }

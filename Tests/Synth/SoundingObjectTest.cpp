@@ -112,7 +112,7 @@ TEST_CASE("Dropping by tau and lifting it again makes no broadband sound above -
         settings.tau = cell % 40 < 20 ? 0 : 1e6;
         synthesiser.setSettings(settings);
     });
-    CHECK(broadbandDb({output.begin() + 640, output.end()}, sampleRate) < -80);
+    CHECK(broadbandDb(std::span(output).subspan(640), sampleRate) < -80);
 }
 
 TEST_CASE("Restriking while modes fade keeps the exact sound afterwards") {

@@ -1,0 +1,121 @@
+// How a held contact ends: released, silenced, or giving way to another.
+#include "HeldKeys.h"
+#include "Support/Level.h"
+#include "Support/Phasor.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <cmath>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+/// What of a signal lies above 8 kHz at its loudest, a hundredth of a second at a time.
+double highsDb(std::span<const float> signal) {
+    constexpr std::size_t length = 512;
+    double loudest = 0;
+    for (std::size_t from = 0; from + length <= signal.size(); from += 64) {
+        double power = 0;
+        for (double hz = 8000; hz < 20000; hz += 250)
+            power += std::norm(phasorAt(signal.subspan(from, length), hz, playRateHz));
+        loudest = std::max(loudest, power);
+    }
+    return 10 * std::log10(loudest);
+}
+
+} // namespace
+
+TEST_CASE("The force is gone 10 ms after the key, and silence follows, at every sample rate") {
+    const double rateHz = GENERATE(8000, 11025, 48000, 96000, 192000);
+    const auto instrument = shortBars();
+    const auto samples = [rateHz](double seconds) { return static_cast<int>(seconds * rateHz); };
+    const int grid = samples(0.2) / cellSamples * cellSamples;
+    for (const int release : {grid, grid + 1, grid + 33, grid + cellSamples - 1}) {
+        Player player(instrument, rateHz);
+        const auto sound = render(player, {midi(0, 0x90, 60, 127), midi(release, 0x80, 60, 0)},
+                                  static_cast<std::size_t>(2 * grid), 64, scraping());
+        const auto from = [&](double seconds) {
+            return std::span(sound).subspan(static_cast<std::size_t>(release + samples(seconds)),
+                                            static_cast<std::size_t>(samples(0.002)));
+        };
+        const auto held = rms(std::span(sound).subspan(static_cast<std::size_t>(grid / 2),
+                                                       static_cast<std::size_t>(grid / 4)));
+        CHECK(held > 1e-6);
+        // The modes fall by 1 dB in 0.23 ms: by 60 dB within 14 ms.
+        CHECK(rms(from(0.01 + 0.014)) < 2e-3 * held);
+        // As they fall when nothing drives them.
+        const double fallDb = 20 * std::log10(rms(from(0.010)) / rms(from(0.014)));
+        INFO(rateHz << " Hz, released at +" << release - grid << ": fell by " << fallDb << " dB");
+        CHECK(fallDb > 14);
+        CHECK(player.silent());
+    }
+}
+
+TEST_CASE("Of one key more than there are contacts the oldest gives way") {
+    std::vector<MidiEvent> events;
+    for (int i = 0; i <= static_cast<int>(HeldContacts::capacity); ++i)
+        events.push_back(midi(100 * i, 0x90, 40 + i, 100));
+    Player player(shortBars(), playRateHz);
+    render(player, events, 19200, 480, scraping());
+    const auto status = player.synthesiser().status();
+    CHECK(status[0].amplitude == 0);
+    for (std::size_t slot = 1; slot <= HeldContacts::capacity; ++slot)
+        CHECK(status[slot].amplitude > 0);
+}
+
+TEST_CASE("What gives way and what is silenced fades as what is released") {
+    const auto instrument = plate({{-0.9, 0.9, 0}, {0, 0.9, 0}});
+    auto parameters = scraping(rollContact);
+    parameters.set(ParameterId::contactForce, 20);
+    const MidiEvent loud = midi(0, 0x90, 60, 127);
+    const auto highsAfter = [&](const std::vector<MidiEvent>& events) {
+        const auto sound = play(instrument, events, 25200, parameters);
+        return highsDb(std::span(sound).subspan(23600));
+    };
+    std::vector<MidiEvent> crowd{loud};
+    for (int i = 0; i < static_cast<int>(HeldContacts::capacity) - 1; ++i)
+        crowd.push_back(midi(10, 0x90, 70 + i, 1));
+    const double heldDb = highsAfter(crowd);
+    crowd.push_back(midi(24000, 0x90, 90, 1));
+    const double stolenDb = highsAfter(crowd);
+    const double releasedDb = highsAfter({loud, midi(24000, 0x80, 60, 0)});
+    const double silencedDb = highsAfter({loud, midi(24000, 0xb0, 120, 0)});
+    INFO("held " << heldDb << " dB above 8 kHz, stolen " << stolenDb << ", released " << releasedDb
+                 << ", silenced " << silencedDb);
+    CHECK(stolenDb < heldDb + 3);
+    CHECK(releasedDb < heldDb + 3);
+    // The damper takes hold at once. A force that is cut off gives about the peak itself.
+    const double peakDb = 20 * std::log10(peak(play(instrument, {loud}, 25200, parameters)));
+    CHECK(silencedDb < peakDb - 30);
+}
+
+TEST_CASE("A key that comes back while it fades out begins as from silence") {
+    const auto instrument = plate();
+    const auto highsAfter = [&](const std::vector<MidiEvent>& events) {
+        const auto sound = play(instrument, events, 25200, scraping(rollContact));
+        return highsDb(std::span(sound).subspan(23600));
+    };
+    const MidiEvent again = midi(24300, 0x90, 60, 127);
+    const double freshDb = highsAfter({again});
+    const double backDb = highsAfter({midi(0, 0x90, 60, 127), midi(24000, 0x80, 60, 0), again});
+    INFO("from silence " << freshDb << " dB above 8 kHz, back " << backDb);
+    CHECK(backDb < freshDb + 3);
+}
+
+TEST_CASE("All sound off, all notes off and the choice of strikes end a held contact") {
+    const auto instrument = shortBars();
+    const auto silentAfter = [&](const MidiEvent& event, const ParameterValues& then) {
+        Player player(instrument, playRateHz);
+        render(player, {midi(0, 0x90, 60, 127)}, 9600, 480, scraping());
+        CHECK_FALSE(player.silent());
+        render(player, {event}, 4800, 480, then);
+        return player.silent();
+    };
+    CHECK(silentAfter(midi(0, 0xb0, 120, 0), scraping()));
+    CHECK(silentAfter(midi(0, 0xb0, 123, 0), scraping()));
+    CHECK(silentAfter(midi(0, 0xe0, 0, 64), ParameterValues()));
+    CHECK_FALSE(silentAfter(midi(0, 0xe0, 0, 64), scraping()));
+}

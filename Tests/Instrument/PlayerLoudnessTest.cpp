@@ -1,0 +1,73 @@
+// What a player does with the gain that matches loudness.
+#include "Instrument/LoudnessMatch.h"
+#include "Instrument/Player.h"
+#include "Support/Level.h"
+#include "Support/RenderNotes.h"
+#include "TestInstruments.h"
+
+#include <algorithm>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+} // namespace
+
+TEST_CASE("Matching loudness multiplies by the gain that is predicted, at once from the start") {
+    const auto instrument = bars();
+    ParameterValues own;
+    own.set(ParameterId::strikeSpread, 0);
+    ParameterValues hard = own;
+    hard.set(ParameterId::malletMass, 80);
+    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    hard.set(ParameterId::matchLoudness, 1);
+    match.prepare(hard);
+    hard.set(ParameterId::matchLoudness, 0);
+    const double gain = std::pow(10, match.gainDb() / 20);
+    CHECK(gain < 0.7);
+    const std::vector events{midi(10, 0x90, 64, 100), midi(700, 0x90, 69, 100)};
+    Player plain(instrument, sampleRateHz, {}, 1, own);
+    Player matching(instrument, sampleRateHz, {}, 1, own);
+    const auto before = render(plain, events, 9600, 333, hard);
+    hard.set(ParameterId::matchLoudness, 1);
+    const auto after = render(matching, events, 9600, 480, hard);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        REQUIRE(double(after[i]) == Approx(gain * double(before[i])).margin(1e-7).epsilon(1e-4));
+}
+
+TEST_CASE("A mallet that changes while loudness is matched moves the gain without a step") {
+    const auto instrument = bars();
+    ParameterValues own;
+    own.set(ParameterId::matchLoudness, 1);
+    own.set(ParameterId::strikeSpread, 0);
+    ParameterValues heavy = own;
+    heavy.set(ParameterId::malletMass, 200);
+    const auto ringing = [&](int blockSize) {
+        Player player(instrument, sampleRateHz, {}, 1, own);
+        auto sound = render(player, {midi(0, 0x90, 64, 100)}, 9600, blockSize, own);
+        const auto later = render(player, {}, 9600, blockSize, heavy);
+        sound.insert(sound.end(), later.begin(), later.end());
+        return sound;
+    };
+    const auto sound = ringing(480);
+    CHECK(sound == ringing(64));
+    Player still(instrument, sampleRateHz, {}, 1, own);
+    const auto unchanged = render(still, {midi(0, 0x90, 64, 100)}, 19200, 480, own);
+    double last = 1, steepest = 0;
+    for (std::size_t i = 9000; i < sound.size(); ++i) {
+        if (std::abs(unchanged[i]) < 0.02f * peak(unchanged))
+            continue;
+        const double ratio = double(sound[i]) / double(unchanged[i]);
+        steepest = std::max(steepest, std::abs(ratio - last));
+        last = ratio;
+    }
+    CHECK(last < 0.5);
+    CHECK(steepest < 0.02);
+}

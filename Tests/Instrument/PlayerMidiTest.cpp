@@ -1,0 +1,109 @@
+// What a player makes of MIDI messages other than strikes: releases, pedal, wheel and the rest.
+#include "Instrument/Player.h"
+#include "Support/Level.h"
+#include "Support/PoleFit.h"
+#include "Support/RenderNotes.h"
+#include "TestInstruments.h"
+
+#include <algorithm>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+} // namespace
+
+TEST_CASE("With let-ring off a released key falls by 60 dB in the release time, else it rings on") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.2);
+    parameters.set(ParameterId::strikeSpread, 0);
+    const std::vector events{midi(0, 0x90, 69, 100), midi(4801, 0x80, 69, 0)};
+    const std::size_t atRelease = 4864; // the first grid point at or after the stamp
+    Player damped(bars(), sampleRateHz);
+    Player held(bars(), sampleRateHz);
+    const auto released = render(damped, events, 24000, 256, parameters);
+    const auto ringing = render(held, {events[0]}, 24000, 256, parameters);
+    const auto ratioAt = [&](std::size_t sample) {
+        return 20 * std::log10(rms(std::span(released).subspan(sample, 480)) /
+                               rms(std::span(ringing).subspan(sample, 480)));
+    };
+    CHECK(std::equal(released.begin(), released.begin() + atRelease, ringing.begin()));
+    CHECK(ratioAt(atRelease + 4800 - 240) == Approx(-30).margin(0.2));
+    CHECK(ratioAt(atRelease + 9600 - 240) == Approx(-60).margin(0.2));
+
+    parameters.set(ParameterId::letRing, 1);
+    Player letRing(bars(), sampleRateHz);
+    CHECK(render(letRing, events, 24000, 256, parameters) == ringing);
+}
+
+TEST_CASE("The sustain pedal holds released keys until it is lifted") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.05);
+    const std::vector events{midi(0, 0xb0, 64, 127), midi(10, 0x90, 69, 100),
+                             midi(500, 0x80, 69, 0), midi(9600, 0xb0, 64, 0)};
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player, events, 19200, 256, parameters);
+    const auto at = [&](std::size_t sample) { return rms(std::span(sound).subspan(sample, 480)); };
+    CHECK(at(9000) > 0.3 * at(1000));
+    CHECK(at(12500) < 0.001 * at(9000));
+}
+
+TEST_CASE("A key struck again just after its release is not damped") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.02);
+    Player player(bars(), sampleRateHz);
+    const std::vector events{midi(0, 0x90, 69, 100), midi(4805, 0x80, 69, 0),
+                             midi(4810, 0x90, 69, 100)};
+    const auto sound = render(player, events, 14400, 256, parameters);
+    CHECK(rms(std::span(sound).subspan(13000, 960)) >
+          0.3 * rms(std::span(sound).subspan(5200, 960)));
+}
+
+TEST_CASE("The pitch wheel bends by its range, and reset controllers brings the pitch back") {
+    Player player(bars(), sampleRateHz);
+    const std::vector events{midi(0, 0x90, 69, 100), midi(0, 0xe0, 127, 127),
+                             midi(24000, 0xb0, 121, 0)};
+    const auto sound = render(player, events, 48000, 256);
+    const auto bent =
+        fitPole(std::span(sound).first(24000), sampleRateHz, 440 * std::exp2(2 / 12.0), 0.05);
+    CHECK(std::abs(cents(bent.frequencyHz, 440) - 200) < 0.5);
+    const auto back = fitPole(std::span(sound).subspan(24064), sampleRateHz, 440, 0.05);
+    CHECK(std::abs(cents(back.frequencyHz, 440)) < 0.5);
+}
+
+TEST_CASE("All sound off silences within 50 ms, and the next note sounds again") {
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player,
+                              {midi(0, 0x90, 69, 127), midi(0, 0x90, 60, 127),
+                               midi(4800, 0xb0, 120, 0), midi(9600, 0x90, 69, 127)},
+                              14400, 256);
+    CHECK(peak(std::span(sound).subspan(7200, 2400)) < 1e-4f * peak(sound));
+    CHECK(peak(std::span(sound).subspan(9600)) > 0.5f * peak(sound));
+}
+
+TEST_CASE("Notes outside the keys, and messages that mean nothing here, are silent") {
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player,
+                              {midi(0, 0x90, 20, 127), midi(1, 0xa0, 69, 127), midi(2, 0xd0, 99, 0),
+                               midi(3, 0x90, 69, 0), midi(4, 0xf8, 0, 0)},
+                              1000, 256);
+    CHECK(peak(sound) == 0);
+    CHECK_FALSE(player.takeProgramChange());
+}
+
+TEST_CASE("A program change is reported once") {
+    Player player(bars(), sampleRateHz);
+    render(player, {midi(0, 0xc0, 5, 0)}, 100, 50);
+    CHECK(player.takeProgramChange() == 5);
+    CHECK_FALSE(player.takeProgramChange());
+}
