@@ -37,12 +37,13 @@ Result<Fundamental> findFundamental(const BarSpecification& bar,
     if (!modes)
         return failure(modes.error().message);
     const Eigen::MatrixXd shapes = midSurfaceShapes(modes->shapes);
+    const Eigen::VectorXd masses = model.mass.diagonal();
     Fundamental best;
     double greatest = 0.5; // less likeness is another mode
     for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode) {
         double cross = 0, own = 0, ideal = 0;
         for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v) {
-            const double mass = model.mass(6 * v);
+            const double mass = masses(6 * v);
             const double theory = freeBeamShape(mesh.vertices(v, 0) / lengthMetres);
             cross += mass * theory * shapes(3 * v + 2, mode);
             own += mass * shapes.col(mode).segment<3>(3 * v).squaredNorm();
@@ -72,8 +73,7 @@ double cents(double frequencyHz, double referenceHz) {
 }
 
 double dampedFrequencyHz(double eigenvalue, const Material& material) {
-    const double alpha =
-        (material.fluidDampingPerSecond + material.viscoelasticDampingSeconds * eigenvalue) / 2;
+    const double alpha = material.damping.perSecond(eigenvalue) / 2;
     return std::sqrt(std::max(0.0, eigenvalue - alpha * alpha)) / (2 * std::numbers::pi);
 }
 
@@ -144,6 +144,7 @@ Result<TunedBar> tuneBar(const BarSpecification& bar, const AnalysisControl& con
                                   {.name = bar.name,
                                    .source = "rectangular bar, a sheet of its height",
                                    .material = bar.material,
+                                   .method = AnalysisMethod::twoLayer,
                                    .thicknessMetres = bar.heightMetres,
                                    .maxFrequencyHz = bar.maxFrequencyHz,
                                    .shapeVertices = evenSheetVertices(

@@ -1,14 +1,13 @@
 #include "Analysis/Eigensolver.h"
 
+#include "Analysis/BlockLanczos.h"
+#include "Analysis/MassSpace.h"
 #include "Analysis/ShiftedFactor.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Spectra/SymEigsShiftSolver.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -25,14 +24,16 @@ constexpr double countingShare = 0.05; ///< of the progress
 constexpr std::string_view cannotFactorise =
     "The stiffness matrix cannot be factorised; the mesh is too badly shaped.";
 
-/// Thrown through Spectra's iteration, which has no other way out; never leaves this file.
+/// Thrown out of iterations; never leaves this file.
 struct Cancelled {};
 
-/// Beyond this a basis costs more than another factorisation, and one step of dense algebra on it
-/// more than a cancelling user's patience: n k² is what both go with.
-Index modesPerSlice(Index rows) {
-    return std::clamp(static_cast<Index>(std::sqrt(5e8 / static_cast<double>(rows))), Index{40},
-                      Index{220});
+/// A slice costs some three factorisations, and about 7 n products a mode for each mode that shares
+/// its basis; fewer than 60 would spend more on modes outside, and more than 220 try a cancelling
+/// user's patience with one step of dense algebra.
+Index modesPerSlice(Index rows, double factorisationProducts) {
+    return std::clamp(
+        static_cast<Index>(std::sqrt(3 * factorisationProducts / (7 * static_cast<double>(rows)))),
+        Index{60}, Index{220});
 }
 
 double lambdaOf(double frequencyHz) {
@@ -40,38 +41,9 @@ double lambdaOf(double frequencyHz) {
     return omega * omega;
 }
 
-/// A = M^-1/2 K M^-1/2, lower triangle.
-Eigen::SparseMatrix<double> massScaled(const VibrationModel& model) {
-    const VectorXd scale = model.mass.cwiseSqrt().cwiseInverse();
-    Eigen::SparseMatrix<double> scaled = model.stiffness;
-    for (Index column = 0; column < scaled.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(scaled, column); entry; ++entry)
-            entry.valueRef() *= scale(entry.row()) * scale(entry.col());
-    return scaled;
-}
-
-/// The part of X (or x) that is orthogonal to the orthonormal columns of the basis, twice for
-/// rounding.
-template <class Block>
-void projectOut(const Eigen::Ref<const MatrixXd>& basis, Block& block) {
-    if (basis.cols() == 0)
-        return;
-    for (int pass = 0; pass < 2; ++pass)
-        block -= basis * (basis.transpose() * block).eval();
-}
-
-MatrixXd orthonormalised(const MatrixXd& block) {
-    const Eigen::HouseholderQR<MatrixXd> qr(block);
-    return qr.householderQ() * MatrixXd::Identity(block.rows(), block.cols());
-}
-
-MatrixXd fixedRandomBlock(Index rows, Index columns, unsigned seed) {
-    std::mt19937 generator(seed);
-    MatrixXd block(rows, columns);
-    for (double& value : block.reshaped())
-        value = static_cast<double>(generator()) / 4294967296.0 - 0.5;
-    return block;
-}
+struct Fault {
+    std::string message;
+};
 
 /// Eigenvalues between `low` and `high` (in λ), `below` of them below `low`.
 struct Slice {
@@ -79,17 +51,12 @@ struct Slice {
     Index below = 0, count = 0;
 };
 
-struct EigenBlock {
-    VectorXd values;
-    MatrixXd vectors; ///< orthonormal
-};
-
 class BandSolver {
 public:
     BandSolver(const VibrationModel& model,
                const FrequencyBand& band,
                const AnalysisControl& control)
-        : matrix_(massScaled(model)), factor_(matrix_, model.rowsPerVertex, control), band_(band),
+        : model_(model), space_(model.mass), factor_(model, control), band_(band),
           control_(control) {}
 
     Result<EigenBlock> solve();
@@ -97,45 +64,26 @@ public:
     Index factoriseAndCount(double lambda);
 
 private:
-    struct DeflatedInverse;
-
     EigenBlock solveDense();
     MatrixXd zeroSpace();
     void split(const Slice& slice, std::vector<Slice>& slices);
-    EigenBlock solveSlice(const Slice& slice, const MatrixXd& deflated);
-    EigenBlock rayleighRitz(const MatrixXd& basis) const;
+    EigenBlock solveSlice(const Slice& slice,
+                          const MatrixXd& deflated,
+                          const Eigen::Ref<const MatrixXd>& before);
+    void orthonormalise(MatrixXd& block) const;
+    MatrixXd stiffnessTimes(const MatrixXd& block) const;
     void checkCancelled() const;
     void countOperation();
 
-    Eigen::SparseMatrix<double> matrix_;
+    Index rows() const { return model_.stiffness.rows(); }
+
+    const VibrationModel& model_;
+    MassSpace space_;
     ShiftedFactor factor_;
     FrequencyBand band_;
     const AnalysisControl& control_;
     Index zeroModes_ = 0;
     double operations_ = 0, expectedOperations_ = 1, counts_ = 0;
-};
-
-struct Fault {
-    std::string message;
-};
-
-/// x ↦ P (A − σI)⁻¹ P x, P leaving out the vectors already found.
-struct BandSolver::DeflatedInverse {
-    using Scalar = double;
-    BandSolver& solver;
-    const MatrixXd& found;
-
-    Index rows() const { return solver.matrix_.rows(); }
-    Index cols() const { return solver.matrix_.cols(); }
-    void set_shift(double) {} // the factor stands already
-    void perform_op(const double* in, double* out) const {
-        solver.countOperation();
-        VectorXd x = Eigen::Map<const VectorXd>(in, rows());
-        projectOut(found, x);
-        VectorXd y = solver.factor_.solve(x);
-        projectOut(found, y);
-        Eigen::Map<VectorXd>(out, rows()) = y;
-    }
 };
 
 void BandSolver::checkCancelled() const {
@@ -145,10 +93,9 @@ void BandSolver::checkCancelled() const {
 
 void BandSolver::countOperation() {
     checkCancelled();
-    if (static_cast<long>(++operations_) % 16 == 0)
-        control_.report(countingShare + (0.99 - countingShare) *
-                                            (1 - std::exp(-2 * operations_ / expectedOperations_)),
-                        "Solving for modes");
+    control_.report(countingShare + (0.99 - countingShare) *
+                                        (1 - std::exp(-2 * ++operations_ / expectedOperations_)),
+                    "Solving for modes");
 }
 
 Index BandSolver::factoriseAndCount(double lambda) {
@@ -162,15 +109,20 @@ Index BandSolver::factoriseAndCount(double lambda) {
     return factor_.eigenvaluesBelow();
 }
 
-EigenBlock BandSolver::rayleighRitz(const MatrixXd& basis) const {
-    const MatrixXd image = matrix_.selfadjointView<Eigen::Lower>() * basis;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(basis.transpose() * image);
-    return {small.eigenvalues(), basis * small.eigenvectors()};
+void BandSolver::orthonormalise(MatrixXd& block) const {
+    if (space_.orthonormalise(block).size() != block.cols() * block.cols())
+        throw Fault{"The eigenvalue solver met dependent vectors."};
+}
+
+MatrixXd BandSolver::stiffnessTimes(const MatrixXd& block) const {
+    return model_.stiffness.selfadjointView<Eigen::Lower>() * block;
 }
 
 EigenBlock BandSolver::solveDense() {
-    const MatrixXd dense = MatrixXd(matrix_).selfadjointView<Eigen::Lower>();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(dense);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(model_.stiffness),
+                                                                    MatrixXd(model_.mass));
+    if (solver.info() != Eigen::Success)
+        throw Fault{"The eigenvalue solver did not converge."};
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
@@ -179,17 +131,20 @@ EigenBlock BandSolver::solveDense() {
 /// Lanczos process would find hundreds of equal eigenvalues one copy at a time.
 MatrixXd BandSolver::zeroSpace() {
     if (zeroModes_ == 0)
-        return MatrixXd(matrix_.rows(), 0);
-    if (static_cast<double>(matrix_.rows()) * static_cast<double>(zeroModes_) * 8 > workLimitBytes)
+        return MatrixXd(rows(), 0);
+    if (static_cast<double>(rows()) * static_cast<double>(zeroModes_) * 8 > workLimitBytes)
         throw Fault{"The mesh has " + std::to_string(zeroModes_) +
                     " zero modes in this model, too many to separate; use the two-layer method."};
     const double edge = lambdaOf(band_.lowestHz);
     factoriseAndCount(-edge);
-    MatrixXd basis = orthonormalised(fixedRandomBlock(matrix_.rows(), zeroModes_, 1));
+    MatrixXd basis = fixedRandomBlock(rows(), zeroModes_, 1);
+    orthonormalise(basis);
+    const VectorXd perRootMass = model_.mass.diagonal().cwiseSqrt().cwiseInverse();
     for (int step = 0; step < 60; ++step) {
         checkCancelled();
-        basis = orthonormalised(factor_.solve(basis));
-        const MatrixXd image = matrix_.selfadjointView<Eigen::Lower>() * basis;
+        basis = factor_.solve(space_.times(basis));
+        orthonormalise(basis);
+        const MatrixXd image = perRootMass.asDiagonal() * stiffnessTimes(basis);
         if (image.colwise().norm().maxCoeff() <= 1e-6 * edge + 1e-15 * factor_.norm())
             break;
     }
@@ -202,61 +157,61 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
     if (slice.count == 0)
         return;
     const double low = std::sqrt(std::max(slice.low, 0.0)), high = std::sqrt(slice.high);
-    if (slice.count > modesPerSlice(matrix_.rows()) && high - low > 1e-3 * high)
+    if (slice.count > 3 * modesPerSlice(rows(), factor_.products()) / 2 && high - low > 1e-3 * high)
         for (const double share : {0.5, 0.47, 0.53, 0.44, 0.56, 0.41, 0.59, 0.38, 0.62}) {
             const double cut = std::pow(low + share * (high - low), 2);
             const Index left = factoriseAndCount(cut) - slice.below;
-            if (factoriseAndCount(cut * (1 + 1e-6)) - slice.below != left)
+            if (factor_.shift() != cut)
                 continue;
-            split({slice.low, cut, slice.below, left}, slices);
-            split({cut, slice.high, slice.below + left, slice.count - left}, slices);
+            const double above = cut * (1 + 1e-6), middle = (cut + above) / 2;
+            if (factoriseAndCount(above) - slice.below != left || factor_.shift() != above)
+                continue;
+            split({slice.low, middle, slice.below, left}, slices);
+            split({middle, slice.high, slice.below + left, slice.count - left}, slices);
             return;
         }
     slices.push_back(slice);
 }
 
-EigenBlock BandSolver::solveSlice(const Slice& slice, const MatrixXd& deflated) {
+EigenBlock BandSolver::solveSlice(const Slice& slice,
+                                  const MatrixXd& deflated,
+                                  const Eigen::Ref<const MatrixXd>& before) {
     // The `count` eigenvalues nearest to the shift are exactly those of the slice: from its middle,
     // or for the lowest slice, whose zero modes are deflated, from below.
     const bool lowest = slice.below == zeroModes_;
-    const double shift = lowest ? -lambdaOf(band_.lowestHz) : (slice.low + slice.high) / 2;
-    factoriseAndCount(shift);
-    const double sigma = factor_.shift(), n = static_cast<double>(matrix_.rows());
+    factoriseAndCount(lowest ? -lambdaOf(band_.lowestHz) : (slice.low + slice.high) / 2);
     MatrixXd found = deflated;
-    for (unsigned pass = 0; found.cols() < deflated.cols() + slice.count; ++pass) {
+    unsigned pass = 0;
+    for (; found.cols() < deflated.cols() + slice.count; ++pass) {
         const Index missing = slice.count - (found.cols() - deflated.cols());
-        const Index room = matrix_.rows() - found.cols();
-        const Index basisSize = std::min(room, missing + std::max<Index>(24, missing * 7 / 10));
-        if (pass > 40 || basisSize <= missing)
+        if (pass > 40)
             throw Fault{"The eigenvalue solver did not converge."};
-        if (n * static_cast<double>(basisSize + found.cols()) * 8 > workLimitBytes)
+        if (static_cast<double>(rows()) *
+                static_cast<double>(largestBasis(missing) + found.cols()) * 8 >
+            workLimitBytes)
             throw Fault{"The analysis would need more than 3 GB; lower the band or the mesh."};
-        DeflatedInverse inverse{*this, found};
-        Spectra::SymEigsShiftSolver<DeflatedInverse> lanczos(inverse, missing, basisSize, sigma);
-        VectorXd start = fixedRandomBlock(matrix_.rows(), 1, 7 + pass);
-        projectOut(found, start);
-        lanczos.init(start.data());
-        lanczos.compute(Spectra::SortRule::LargestMagn, 60, 1e-11, Spectra::SortRule::SmallestAlge);
-        // What a degenerate mode's missing copies made room for lies outside the slice.
-        const VectorXd values = lanczos.eigenvalues();
-        const MatrixXd vectors = lanczos.eigenvectors();
-        std::vector<Index> inside;
-        for (Index i = 0; i < values.size(); ++i)
-            if (values(i) > slice.low * (1 - 1e-9) && values(i) < slice.high * (1 + 1e-9))
-                inside.push_back(i);
-        if (inside.empty())
+        auto fresh = nearestModes(factor_, space_, found,
+                                  {.low = slice.low,
+                                   .high = slice.high,
+                                   .wanted = missing,
+                                   .seed = 7 + pass,
+                                   .step = [&] { countOperation(); }});
+        if (fresh.values.size() == 0)
             continue;
-        MatrixXd fresh = vectors(Eigen::all, inside);
-        projectOut(found, fresh);
-        fresh = orthonormalised(fresh);
-        const Index before = found.cols();
-        found.conservativeResize(Eigen::NoChange, before + fresh.cols());
-        found.rightCols(fresh.cols()) = fresh;
+        space_.projectOut(found, fresh.vectors);
+        space_.projectOut(before, fresh.vectors);
+        orthonormalise(fresh.vectors);
+        const Index had = found.cols(), more = std::min(fresh.vectors.cols(), missing);
+        found.conservativeResize(Eigen::NoChange, had + more);
+        found.rightCols(more) = fresh.vectors.leftCols(more);
     }
-    // One more inverse iteration damps what remains of stiff modes far outside the band.
-    MatrixXd basis = factor_.solve(found.rightCols(slice.count));
-    projectOut(deflated, basis);
-    return rayleighRitz(orthonormalised(basis));
+    const MatrixXd vectors = found.rightCols(slice.count);
+    const MatrixXd image = stiffnessTimes(vectors);
+    if (pass <= 1)
+        return {vectors.cwiseProduct(image).colwise().sum(), vectors};
+    // Modes near one another that were found apart are mixed a little.
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(vectors.transpose() * image);
+    return {small.eigenvalues(), vectors * small.eigenvectors()};
 }
 
 Result<EigenBlock> BandSolver::solve() {
@@ -276,7 +231,7 @@ Result<EigenBlock> BandSolver::solve() {
                         std::to_string(std::lround(band_.highestHz)) +
                         " Hz, more than the limit of " + std::to_string(band_.maximumModes) +
                         "; lower the highest frequency or choose a coarser mesh."};
-        const Index n = matrix_.rows();
+        const Index n = rows();
         if (n <= denseUpTo || upTo > n * 3 / 4) {
             if (n > 3000)
                 throw Fault{"Nearly all modes of the mesh lie in the band; lower the highest "
@@ -290,15 +245,18 @@ Result<EigenBlock> BandSolver::solve() {
         std::vector<Slice> slices;
         split({bottom, top, zeroModes_, count}, slices);
         const MatrixXd zeros = zeroSpace();
-        Index filled = 0;
-        MatrixXd previous = zeros;
+        Index filled = 0, previous = 0;
         for (const auto& slice : slices) {
-            const EigenBlock block = solveSlice(slice, previous);
+            // Modes of the slice before lie near enough for what the iteration leaves of them to be
+            // seen; those further off are orthogonal by themselves.
+            const bool lowest = slice.below == zeroModes_;
+            const EigenBlock block =
+                solveSlice(slice, lowest ? zeros : MatrixXd(n, 0),
+                           all.vectors.middleCols(filled - previous, previous));
             all.values.segment(filled, slice.count) = block.values;
             all.vectors.middleCols(filled, slice.count) = block.vectors;
             filled += slice.count;
-            // Slices further off differ enough for their vectors to be orthogonal by themselves.
-            previous = block.vectors;
+            previous = slice.count;
         }
         return all;
     } catch (const Cancelled&) {
@@ -326,12 +284,13 @@ solveModes(const VibrationModel& model, const FrequencyBand& band, const Analysi
     for (Index i = 0; i < all->values.size(); ++i)
         if (all->values(i) >= lambdaOf(band.lowestHz) && all->values(i) <= lambdaOf(band.highestHz))
             inBand.push_back(i);
+    // Rounding may put equal ones, each with a quotient of its own, in any order.
+    std::ranges::stable_sort(inBand, {}, [&](Index i) { return all->values(i); });
     const Index lowerThanBand = (all->values.array() < lambdaOf(band.lowestHz)).count();
-    const bool holdsZeroModes = all->values.size() == model.mass.size(); // the dense solver's
+    const bool holdsZeroModes = all->values.size() == model.mass.rows(); // the dense solver's
     modes.belowBand = lowerThanBand - (holdsZeroModes ? modes.zeroModes : 0);
     modes.eigenvalues = all->values(inBand);
-    modes.shapes = model.mass.cwiseSqrt().cwiseInverse().asDiagonal() *
-                   MatrixXd(all->vectors(Eigen::all, inBand));
+    modes.shapes = all->vectors(Eigen::all, inBand);
     for (auto shape : modes.shapes.colwise()) {
         Index largest = 0;
         shape.cwiseAbs().maxCoeff(&largest);
@@ -342,9 +301,8 @@ solveModes(const VibrationModel& model, const FrequencyBand& band, const Analysi
 }
 
 Result<Index> countModesBelow(const VibrationModel& model, double frequencyHz) {
-    const Eigen::SparseMatrix<double> matrix = massScaled(model);
     const AnalysisControl control;
-    ShiftedFactor factor(matrix, model.rowsPerVertex, control);
+    ShiftedFactor factor(model, control);
     if (factor.factorise(lambdaOf(frequencyHz)) != ShiftedFactor::Outcome::done)
         return failure(std::string(cannotFactorise));
     return factor.eigenvaluesBelow();

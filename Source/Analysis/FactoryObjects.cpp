@@ -21,6 +21,7 @@ Result<ModalObject> makePlate(const AnalysisControl& control) {
                    {.name = "plate",
                     .source = "generated steel plate, 300 x 200 x 3 mm",
                     .material = steel(),
+                    .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.003,
                     // Beyond, a wavelength has fewer than eight edges.
                     .maxFrequencyHz = 22000,
@@ -36,6 +37,7 @@ Result<ModalObject> makeRing(const AnalysisControl& control) {
                    {.name = "ring",
                     .source = "generated steel hoop, radius 70 mm, 15 x 4 mm",
                     .material = steel(),
+                    .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.004},
                    control);
 }

@@ -1,24 +1,21 @@
 #include "Analysis/ModalAnalysis.h"
 
-#include "Analysis/Eigensolver.h"
-#include "Analysis/Radiation.h"
+#include "Analysis/BodyModel.h"
+#include "Analysis/MethodChoice.h"
+#include "Analysis/SolidBody.h"
 #include "Analysis/SpringMassModel.h"
 #include "Analysis/TwoLayerShell.h"
+#include "Geometry/MeshCheck.h"
 #include "Geometry/MeshRepair.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace idiophone {
 namespace {
-
-constexpr std::array<std::pair<AnalysisMethod, std::string_view>, 3> methodNames{
-    {{AnalysisMethod::twoLayer, "two-layer"},
-     {AnalysisMethod::springMass, "spring-mass"},
-     {AnalysisMethod::vanGelder, "van-gelder"}}};
 
 std::string faultOf(const AnalysisSettings& settings) {
     if (!(settings.thicknessMetres > 0) || !(settings.thicknessMetres < 1e3))
@@ -29,38 +26,31 @@ std::string faultOf(const AnalysisSettings& settings) {
                "10 MHz.";
     if (settings.maximumModes < 1)
         return "The limit on the number of modes must be positive.";
+    if (settings.elementBudget < 1)
+        return "The number of elements must be positive.";
     return {};
 }
 
-VibrationModel modelOf(const Mesh& mesh, const AnalysisSettings& settings) {
-    if (settings.method == AnalysisMethod::twoLayer)
-        return twoLayerShell(mesh, settings.material, settings.thicknessMetres);
-    return springMassModel(mesh, settings.material, settings.thicknessMetres,
-                           settings.method == AnalysisMethod::springMass
-                               ? SpringStiffness::literal
-                               : SpringStiffness::vanGelder);
+/// The sentences that are not empty, one after another.
+std::string joined(std::initializer_list<std::string> sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences)
+        if (!sentence.empty())
+            text += (text.empty() ? "" : " ") + sentence;
+    return text;
 }
 
-/// Of the masses that the model has: for two layers, those at ± t/√12, which is a plate's inertia.
-MassProperties massProperties(const Mesh& mesh, const AnalysisSettings& settings) {
-    const Eigen::VectorXd masses =
-        settings.material.densityKgPerM3 * settings.thicknessMetres * vertexAreas(mesh);
-    MassProperties result{.massKg = masses.sum(), .centreMetres = {}, .inertiaKgM2 = {}};
-    const Eigen::RowVector3d centre = masses.transpose() * mesh.vertices / result.massKg;
-    const double offset = settings.method == AnalysisMethod::twoLayer
-                              ? layerOffsetMetres(settings.thicknessMetres)
-                              : 0;
-    const Eigen::MatrixXd normals = vertexNormals(mesh);
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero(); // Σ m x xᵀ
-    for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v)
-        for (const double side : {-offset, offset}) {
-            const Eigen::RowVector3d x = mesh.vertices.row(v) + side * normals.row(v) - centre;
-            second += masses(v) / 2 * x.transpose() * x;
-        }
-    const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
-    Eigen::Map<Eigen::RowVector3d>(result.centreMetres.data()) = centre;
-    Eigen::Map<Eigen::Matrix3d>(result.inertiaKgM2.data()) = inertia; // symmetric: either order
-    return result;
+/// The method asked for, if the mesh allows it, or the one that suits the mesh.
+Result<MethodChoice>
+methodFor(const Mesh& mesh, const AnalysisSettings& settings, const std::atomic<bool>* cancelled) {
+    if (settings.method && *settings.method != AnalysisMethod::tetrahedra)
+        return MethodChoice{*settings.method, {}};
+    const MeshCheck check = checkMesh(mesh, cancelled);
+    if (!settings.method)
+        return chooseMethod(check, settings.thicknessMetres);
+    if (!check.isSolid())
+        return failure("Finite elements need a body to fill: " + whyNotSolid(check) + ".");
+    return MethodChoice{AnalysisMethod::tetrahedra, {}};
 }
 
 /// The vertices of the repaired mesh that carry shapes, ascending; all when none are named.
@@ -105,61 +95,92 @@ bool isTooThick(const Mesh& mesh, double thicknessMetres) {
     return false;
 }
 
-std::string
-notesOn(const RepairedMesh& repaired, const AnalysisSettings& settings, const Modes& modes) {
-    std::string notes = repaired.report.text();
-    const auto add = [&](const std::string& sentence) {
-        notes += (notes.empty() ? "" : " ") + sentence;
-    };
-    const Eigen::Index rigid = 6 * static_cast<Eigen::Index>(repaired.report.components);
-    if (modes.zeroModes > rigid)
-        add("The model has " + std::to_string(modes.zeroModes) + " zero modes where " +
-            std::to_string(rigid) +
-            " are rigid motion: flat parts bend freely in it; the two-layer method does not.");
-    if (modes.belowBand > 0)
-        add(std::to_string(modes.belowBand) + " modes below " +
-            std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.");
-    if (settings.method == AnalysisMethod::twoLayer &&
-        isTooThick(repaired.mesh, settings.thicknessMetres))
-        add("The shell is thicker than its curvature allows in places; pitches may be off there.");
-    return notes;
+/// The shell's model, and where its points lie.
+BodyModel shellBody(const Mesh& mesh, AnalysisMethod method, const AnalysisSettings& settings) {
+    BodyModel body;
+    body.surface = mesh;
+    body.thicknessMetres = settings.thicknessMetres;
+    body.material = settings.material;
+    if (method == AnalysisMethod::twoLayer) {
+        body.model = twoLayerShell(mesh, settings.material, settings.thicknessMetres);
+        const Eigen::MatrixXd offsets =
+            layerOffsetMetres(settings.thicknessMetres) * vertexNormals(mesh);
+        body.pointsMetres.resize(2 * mesh.vertexCount(), 3);
+        for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v) {
+            body.pointsMetres.row(2 * v) = mesh.vertices.row(v) + offsets.row(v);
+            body.pointsMetres.row(2 * v + 1) = mesh.vertices.row(v) - offsets.row(v);
+        }
+        if (isTooThick(mesh, settings.thicknessMetres))
+            body.notes =
+                "The shell is thicker than its curvature allows in places; pitches may be off "
+                "there.";
+    } else {
+        body.model =
+            springMassModel(mesh, settings.material, settings.thicknessMetres,
+                            method == AnalysisMethod::springMass ? SpringStiffness::literal
+                                                                 : SpringStiffness::vanGelder);
+        body.pointsMetres = mesh.vertices;
+    }
+    return body;
 }
 
-/// `shapes` [3N×M] are those of all vertices, of which `vertices` keep theirs.
-void storeModes(const Eigen::VectorXd& eigenvalues,
-                const Eigen::MatrixXd& shapes,
-                const std::vector<int>& vertices,
-                ModalObject& object) {
-    object.shapes.reserve(vertices.size() * static_cast<std::size_t>(shapes.cols()) * 3);
-    for (const int vertex : vertices)
-        for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode)
-            for (Eigen::Index axis = 0; axis < 3; ++axis)
-                object.shapes.push_back(
-                    static_cast<float>(shapes(3 * Eigen::Index{vertex} + axis, mode)));
-    object.shapeVertices.assign(vertices.begin(), vertices.end());
-    object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
+/// What is to be solved, up to which frequency.
+struct PreparedBody {
+    BodyModel body;
+    double maxFrequencyHz = 0;
+};
+
+Result<PreparedBody> preparedShell(const RepairedMesh& repaired,
+                                   AnalysisMethod method,
+                                   const AnalysisSettings& settings) {
+    const int limit =
+        method == AnalysisMethod::twoLayer ? twoLayerVertexLimit : springMassVertexLimit;
+    if (repaired.mesh.vertexCount() > limit)
+        return failure("The mesh has " + std::to_string(repaired.mesh.vertexCount()) +
+                       " vertices after repair, and the " + std::string(methodName(method)) +
+                       " method takes at most " + std::to_string(limit) +
+                       "; simplify the mesh first.");
+    return PreparedBody{shellBody(repaired.mesh, method, settings), settings.maxFrequencyHz};
 }
 
-void storeMesh(const Mesh& mesh, ModalObject& object) {
-    for (const auto& vertex : mesh.vertices.rowwise())
-        for (const double coordinate : vertex)
-            object.vertices.push_back(static_cast<float>(coordinate));
-    for (const auto& face : mesh.faces.rowwise())
-        object.faces.insert(object.faces.end(), face.begin(), face.end());
+Result<PreparedBody>
+preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+    auto solid = solidBody(mesh,
+                           {.material = settings.material,
+                            .law = elasticLaw(settings.material),
+                            .maxFrequencyHz = settings.maxFrequencyHz,
+                            .elementBudget = settings.elementBudget},
+                           control);
+    if (!solid)
+        return failure(solid.error().message);
+    if (solid->maxFrequencyHz < settings.maxFrequencyHz) {
+        auto& notes = solid->body.notes;
+        notes += (notes.empty() ? "" : " ") + std::string("The band ends at ") +
+                 std::to_string(std::lround(solid->maxFrequencyHz)) +
+                 " Hz, the highest that elements of an affordable size follow.";
+    }
+    return PreparedBody{std::move(solid->body), solid->maxFrequencyHz};
+}
+
+/// Ascending vertices of `surface` nearest to these of the repaired mesh, which it may replace.
+std::vector<int>
+nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int>& vertices) {
+    std::vector<int> nearest;
+    for (const int vertex : vertices) {
+        Eigen::Index found = 0;
+        (surface.vertices.rowwise() - repaired.vertices.row(vertex))
+            .rowwise()
+            .squaredNorm()
+            .minCoeff(&found);
+        nearest.push_back(static_cast<int>(found));
+    }
+    std::ranges::sort(nearest);
+    const auto repeated = std::ranges::unique(nearest);
+    nearest.erase(repeated.begin(), repeated.end());
+    return nearest;
 }
 
 } // namespace
-
-std::string_view methodName(AnalysisMethod method) {
-    return std::ranges::find(methodNames, method, &decltype(methodNames)::value_type::first)
-        ->second;
-}
-
-std::optional<AnalysisMethod> findMethod(std::string_view name) {
-    const auto* found =
-        std::ranges::find(methodNames, name, &decltype(methodNames)::value_type::second);
-    return found == methodNames.end() ? std::nullopt : std::optional(found->first);
-}
 
 Result<ModalObject>
 analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
@@ -176,61 +197,38 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisContro
     const auto vertices = shapeVertices(settings, *repaired);
     if (!vertices)
         return failure(vertices.error().message);
-    const int limit =
-        settings.method == AnalysisMethod::twoLayer ? twoLayerVertexLimit : springMassVertexLimit;
-    if (repaired->mesh.vertexCount() > limit)
-        return failure("The mesh has " + std::to_string(repaired->mesh.vertexCount()) +
-                       " vertices after repair, and the " +
-                       std::string(methodName(settings.method)) + " method takes at most " +
-                       std::to_string(limit) + "; simplify the mesh first.");
+    const auto choice = methodFor(repaired->mesh, settings, control.cancelled);
+    if (!choice)
+        return failure(choice.error().message);
     if (control.isCancelled())
         return failure(std::string(cancelledMessage));
 
-    const auto modes = solveModes(modelOf(repaired->mesh, settings),
-                                  {.lowestHz = settings.lowestFrequencyHz,
-                                   .highestHz = settings.maxFrequencyHz,
-                                   .maximumModes = settings.maximumModes},
-                                  control);
-    if (!modes)
-        return failure(modes.error().message);
-    if (modes->eigenvalues.size() == 0)
-        return failure("The object has no mode between " +
-                       std::to_string(std::lround(settings.lowestFrequencyHz)) + " and " +
-                       std::to_string(std::lround(settings.maxFrequencyHz)) +
-                       " Hz; check its size and its unit.");
-    ModalObject object;
-    object.name = settings.name;
-    object.material = settings.material;
-    object.body = BodyKind::shell;
-    object.thicknessMetres = settings.thicknessMetres;
-    object.method = methodName(settings.method);
-    object.bandHz = settings.maxFrequencyHz;
-    const Eigen::MatrixXd shapes = settings.method == AnalysisMethod::twoLayer
-                                       ? midSurfaceShapes(modes->shapes)
-                                       : modes->shapes;
-    storeModes(modes->eigenvalues, shapes, *vertices, object);
-    storeMesh(repaired->mesh, object);
-    object.mass = massProperties(repaired->mesh, settings);
-    control.report(0.99, "Computing radiation");
-    auto radiation = radiationOf({.mesh = repaired->mesh,
-                                  .shapes = shapes,
-                                  .eigenvalues = modes->eigenvalues,
-                                  .thicknessMetres = settings.thicknessMetres,
-                                  .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
-                                 {}, control);
-    if (!radiation)
-        return failure(radiation.error().message);
-    object.radiation = std::move(*radiation);
-    object.provenance = {
-        .source = settings.source,
-        .software = "Idiophone " IDIOPHONE_VERSION,
-        .notes = notesOn(*repaired, settings, *modes),
-        .analysisSeconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-        .analysedVertices = repaired->mesh.vertexCount(),
-        .zeroModes = modes->zeroModes};
+    auto prepared = choice->method == AnalysisMethod::tetrahedra
+                        ? preparedSolid(repaired->mesh, settings, control)
+                        : preparedShell(*repaired, choice->method, settings);
+    if (!prepared)
+        return failure(prepared.error().message);
+    BodyModel& body = prepared->body;
+    body.method = methodName(choice->method);
+    body.components = connectedComponents(repaired->mesh).count;
+    body.notes = joined({repaired->report.text(), choice->reason, body.notes});
+    auto object =
+        solveBody(body,
+                  {.name = settings.name,
+                   .source = settings.source,
+                   .lowestFrequencyHz = settings.lowestFrequencyHz,
+                   .maxFrequencyHz = prepared->maxFrequencyHz,
+                   .maximumModes = settings.maximumModes,
+                   .shapeVertices = settings.shapeVertices.empty()
+                                        ? std::vector<int>{}
+                                        : nearestVertices(body.surface, repaired->mesh, *vertices)},
+                  control);
+    if (!object)
+        return object;
+    object->provenance.analysisSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     control.report(1, "Done");
-    return validated(std::move(object));
+    return object;
 }
 
 } // namespace idiophone

@@ -3,34 +3,25 @@
 #pragma once
 
 #include "Analysis/AnalysisControl.h"
+#include "Analysis/AnalysisMethod.h"
 #include "Geometry/Mesh.h"
 #include "Object/ModalObject.h"
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace idiophone {
-
-enum class AnalysisMethod {
-    twoLayer,   ///< TwoLayerShell, the default
-    springMass, ///< as published, k = Y t
-    vanGelder   ///< the same with k = Y t (A1 + A2)/L²
-};
-
-/// "two-layer", "spring-mass", "van-gelder": as objects and the console name them.
-std::string_view methodName(AnalysisMethod method);
-std::optional<AnalysisMethod> findMethod(std::string_view name);
 
 struct AnalysisSettings {
     std::string name;
     std::string source; ///< mesh file or generator, for the object's provenance
     Material material;
-    AnalysisMethod method = AnalysisMethod::twoLayer;
-    double thicknessMetres = 0.005;
+    std::optional<AnalysisMethod> method = {}; ///< empty: the one that suits the mesh
+    double thicknessMetres = 0.005;            ///< of a shell
     double lowestFrequencyHz = 20;
     double maxFrequencyHz = 44000;
     int maximumModes = 5000;             ///< an object with more in the band is refused
+    int elementBudget = 12000;           ///< tetrahedra, about: see SolidBodySettings
     bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
     double weldTolerance = 1e-7;         ///< see RepairSettings
     std::vector<int> shapeVertices = {}; ///< input vertices whose shapes to keep; empty: all
@@ -41,10 +32,12 @@ inline constexpr int twoLayerVertexLimit = 20000;
 inline constexpr int springMassVertexLimit = 40000;
 
 /// The modal object of the repaired mesh, holding every mode in the band; it passes `validated`.
-/// `provenance.notes` says in plain words what repair did and what to beware of (more than the six
-/// rigid zero modes, for one). The same input gives the same object, but for the time it took.
-/// Errors are one sentence: settings out of range, an unusable or too large mesh, no mode in the
-/// band, too many modes, or `cancelledMessage`.
+/// Finite elements may remesh the surface, whose vertices nearest to the `shapeVertices` then carry
+/// the shapes, and end the band below what was asked for (`bandHz`, and a note). `provenance.notes`
+/// says in plain words what repair did, which method was chosen and why, and what to beware of
+/// (more than the six rigid zero modes, for one). The same input gives the same object, but for the
+/// time it took. Errors are one sentence: settings out of range, an unusable or too large mesh, no
+/// mode in the band, too many modes, or `cancelledMessage`.
 Result<ModalObject>
 analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control = {});
 

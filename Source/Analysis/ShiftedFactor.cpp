@@ -18,56 +18,52 @@ double oneNorm(const Eigen::SparseMatrix<double>& lower) {
 
 } // namespace
 
-ShiftedFactor::ShiftedFactor(const Eigen::SparseMatrix<double>& lower,
-                             int blockSize,
-                             const AnalysisControl& control)
-    : lower_(lower), control_(control), norm_(oneNorm(lower)) {
-    if (blockSize == 6)
-        factor_ = std::make_unique<Factor>(std::in_place_type<BlockLdlt<6>>, lower);
-    else if (blockSize == 3)
-        factor_ = std::make_unique<Factor>(std::in_place_type<BlockLdlt<3>>, lower);
-    else
-        factor_ = std::make_unique<Factor>(std::in_place_type<BlockLdlt<1>>, lower);
-}
+ShiftedFactor::ShiftedFactor(const VibrationModel& model, const AnalysisControl& control)
+    : model_(model), control_(control),
+      factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex),
+      norm_(oneNorm(model.stiffness) / model.mass.diagonal().minCoeff()) {}
 
 ShiftedFactor::Outcome ShiftedFactor::factorise(double shift) {
+    if (isDone_ && shift == asked_)
+        return Outcome::done;
+    isDone_ = false;
+    asked_ = shift;
     double nudge = 0;
     for (int attempt = 0; attempt < 8; ++attempt) {
         shift_ = shift * (1 + nudge);
-        const auto pivots = std::visit(
-            [&](auto& f) { return f.factorise(shift_, [&] { return control_.isCancelled(); }); },
-            *factor_);
+        const Eigen::SparseMatrix<double> shifted = model_.stiffness - shift_ * model_.mass;
+        const auto pivots = factor_.factorise(shifted, [&] { return control_.isCancelled(); });
         if (pivots == LdltOutcome::stopped)
             return Outcome::cancelled;
-        if (pivots == LdltOutcome::done && isAccurate())
+        if (pivots == LdltOutcome::done && isAccurate(shifted)) {
+            isDone_ = true;
             return Outcome::done;
+        }
         nudge = nudge == 0 ? 1e-4 : 2 * nudge;
     }
     return Outcome::failed;
 }
 
 Eigen::Index ShiftedFactor::eigenvaluesBelow() const {
-    return std::visit([](const auto& factor) { return factor.negativePivots(); }, *factor_);
+    return factor_.negativePivots();
 }
 
 Eigen::MatrixXd ShiftedFactor::solve(Eigen::MatrixXd right) const {
-    for (auto column : right.colwise())
-        std::visit([&](const auto& factor) { factor.solveInPlace(column); }, *factor_);
+    factor_.solveInPlace(right);
     return right;
 }
 
-bool ShiftedFactor::isAccurate() const {
+bool ShiftedFactor::isAccurate(const Eigen::SparseMatrix<double>& shifted) const {
     // Pivots are not exchanged between blocks, so an indefinite matrix may lose digits: the
     // backward error of one solve tells.
-    Eigen::VectorXd right(lower_.rows());
+    Eigen::VectorXd right(shifted.rows());
     for (Eigen::Index i = 0; i < right.size(); ++i)
         right(i) = std::cos(1.7 * static_cast<double>(i) + 0.3);
     const Eigen::VectorXd x = solve(right);
     if (!x.allFinite())
         return false;
-    const Eigen::VectorXd residual =
-        lower_.selfadjointView<Eigen::Lower>() * x - shift_ * x - right;
-    return residual.norm() <= 1e-11 * (norm_ + std::abs(shift_)) * x.norm() + 1e-11 * right.norm();
+    const Eigen::VectorXd residual = shifted.selfadjointView<Eigen::Lower>() * x - right;
+    return residual.norm() <= 1e-11 * oneNorm(shifted) * x.norm() + 1e-11 * right.norm();
 }
 
 } // namespace idiophone

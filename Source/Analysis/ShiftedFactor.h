@@ -1,47 +1,48 @@
-// The factorisation A − σI = L D Lᵀ of a sparse symmetric matrix: solves for the Lanczos process,
-// and counts eigenvalues below σ. Internal to Analysis.
+// The factorisation K − σM = L D Lᵀ of a model's matrices: solves for the Lanczos process, and
+// counts eigenvalues below σ. Internal to Analysis.
 #pragma once
 
 #include "Analysis/AnalysisControl.h"
-#include "Analysis/BlockLdlt.h"
+#include "Analysis/SupernodalLdlt.h"
+#include "Analysis/VibrationModel.h"
 
-#include <memory>
-#include <variant>
+#include <Eigen/SparseCore>
 
 namespace idiophone {
 
 class ShiftedFactor {
 public:
-    /// Keeps references to the lower triangle [n×n] and the control. `blockSize` (1, 3 or 6; others
-    /// count as 1) is how many rows belong to one vertex. Orders the matrix once for all shifts.
-    ShiftedFactor(const Eigen::SparseMatrix<double>& lower,
-                  int blockSize,
-                  const AnalysisControl& control);
+    /// Keeps references to the model, and to the control. Orders the matrices once for all shifts.
+    ShiftedFactor(const VibrationModel& model, const AnalysisControl& control);
 
     enum class Outcome { done, failed, cancelled };
 
     /// Factorises at σ, or at a shift within 1 % of it (away from zero) where the pivots at σ
-    /// itself are too small to be trusted. Not thread-safe.
+    /// itself are too small to be trusted. Nothing to do if σ is as before. Not thread-safe.
     Outcome factorise(double shift);
 
     double shift() const { return shift_; }
-    double norm() const { return norm_; } ///< ‖A‖₁
+    /// An upper bound of the stiffest eigenvalue's order of magnitude: ‖K‖₁ over the least diagonal
+    /// mass.
+    double norm() const { return norm_; }
 
     /// The number of eigenvalues below the shift: negative pivots, by Sylvester's law of inertia.
     Eigen::Index eigenvaluesBelow() const;
 
-    /// (A − σI)⁻¹ b for each column [n×m].
+    /// How many multiplications a factorisation takes.
+    double products() const { return factor_.products(); }
+
+    /// (K − σM)⁻¹ b for each column [n×m].
     Eigen::MatrixXd solve(Eigen::MatrixXd right) const;
 
 private:
-    bool isAccurate() const;
+    bool isAccurate(const Eigen::SparseMatrix<double>& shifted) const;
 
-    using Factor = std::variant<BlockLdlt<1>, BlockLdlt<3>, BlockLdlt<6>>;
-
-    const Eigen::SparseMatrix<double>& lower_;
+    const VibrationModel& model_;
     const AnalysisControl& control_;
-    std::unique_ptr<Factor> factor_;
-    double shift_ = 0;
+    SupernodalLdlt factor_;
+    double shift_ = 0, asked_ = 0;
+    bool isDone_ = false;
     double norm_ = 0;
 };
 

@@ -32,7 +32,7 @@ VibrationModel springMassModel(const Mesh& mesh,
     }
     const Eigen::VectorXd masses = material.densityKgPerM3 * thicknessMetres * vertexAreas(mesh);
     return {.stiffness = springs.matrix(3 * mesh.vertexCount()),
-            .mass = masses.transpose().replicate(3, 1).reshaped(),
+            .mass = diagonalMass(masses.transpose().replicate(3, 1).reshaped()),
             .rowsPerVertex = 3};
 }
 

@@ -3,6 +3,8 @@
 #include "Analysis/SpringAssembly.h"
 #include "Analysis/SpringMassModel.h"
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 namespace idiophone {
@@ -45,6 +47,37 @@ void addBraces(SpringAssembly& springs,
                    {6 * edge.a, 6 * edge.a + 3, 6 * edge.b, 6 * edge.b + 3}, {-n1, n2, -n2, n1});
 }
 
+/// The plane-stress triangle of one strain, as three springs that each pull on all its corners: one
+/// for the change of area, two for the change of shape. On an equilateral triangle with ν = 1/3
+/// they are the three springs along its edges, which on others could not be isotropic.
+void addTriangle(SpringAssembly& springs,
+                 const Eigen::MatrixXd& points,
+                 const Eigen::RowVector3i& corners,
+                 int layer,
+                 const Material& material,
+                 double thicknessMetres) {
+    const auto point = [&](int k) { return Eigen::Vector3d(points.row(corners(k % 3))); };
+    const Eigen::Vector3d doubleArea = (point(1) - point(0)).cross(point(2) - point(0));
+    const double area = doubleArea.norm() / 2;
+    const Eigen::Vector3d normal = doubleArea / (2 * area);
+    const Eigen::Vector3d e1 = (point(1) - point(0)).normalized(), e2 = normal.cross(e1);
+    std::array<int, 3> rows{};
+    std::array<Eigen::Vector3d, 3> areaChange, stretch, shear;
+    for (int k = 0; k < 3; ++k) {
+        rows[k] = 6 * corners(k) + 3 * layer;
+        const Eigen::Vector3d gradient = normal.cross(point(k + 2) - point(k + 1)) / (2 * area);
+        const double g1 = gradient.dot(e1), g2 = gradient.dot(e2);
+        areaChange[k] = gradient;
+        stretch[k] = g1 * e1 - g2 * e2;
+        shear[k] = g2 * e1 + g1 * e2;
+    }
+    const double nu = material.poissonRatio;
+    const double perStrain2 = material.youngsModulusPa * thicknessMetres * area / 2;
+    springs.add<3>(perStrain2 / (1 - nu), rows, areaChange);
+    springs.add<3>(perStrain2 / (1 + nu), rows, stretch);
+    springs.add<3>(perStrain2 / (1 + nu), rows, shear);
+}
+
 } // namespace
 
 double layerOffsetMetres(double thicknessMetres) {
@@ -62,15 +95,12 @@ VibrationModel twoLayerShell(const Mesh& mesh, const Material& material, double 
     springs.reserve(edges.size() * 120 + static_cast<std::size_t>(mesh.vertexCount()) * 21);
     for (const auto& edge : edges) {
         const double length = (mesh.vertices.row(edge.b) - mesh.vertices.row(edge.a)).norm();
-        const double k = springStiffness(edge, length, material.youngsModulusPa,
-                                         thicknessMetres / 2, SpringStiffness::vanGelder);
-        for (const auto layer : {0, 1}) {
-            const auto& points = layer == 0 ? layers.upper : layers.lower;
-            const Eigen::Vector3d n = (points.row(edge.b) - points.row(edge.a)).normalized();
-            springs.add<2>(k, {6 * edge.a + 3 * layer, 6 * edge.b + 3 * layer}, {-n, n});
-        }
         addBraces(springs, layers, edge, length, shearStiffness(material, thicknessMetres, length));
     }
+    for (const auto face : mesh.faces.rowwise())
+        for (const auto layer : {0, 1})
+            addTriangle(springs, layer == 0 ? layers.upper : layers.lower, face, layer, material,
+                        thicknessMetres / 2);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         const Eigen::Vector3d n = normals.row(v);
         springs.add<2>(material.youngsModulusPa * areas(v) / (2 * offset), {6 * v, 6 * v + 3},
@@ -78,7 +108,7 @@ VibrationModel twoLayerShell(const Mesh& mesh, const Material& material, double 
     }
     const Eigen::VectorXd halves = material.densityKgPerM3 * thicknessMetres / 2 * areas;
     return {.stiffness = springs.matrix(6 * mesh.vertexCount()),
-            .mass = halves.transpose().replicate(6, 1).reshaped(),
+            .mass = diagonalMass(halves.transpose().replicate(6, 1).reshaped()),
             .rowsPerVertex = 6};
 }
 

@@ -1,5 +1,6 @@
-// The shell as two sheets of springs: still springs and masses, but with stiffness against bending.
-// Good for bars, plates, bowls and other sheets of one thickness; not for solids.
+// The shell as two sheets of springs: still springs and masses, but with stiffness against bending,
+// on triangles of any shape. Good for bars, plates, bowls and other sheets of one thickness; not for
+// solids.
 #pragma once
 
 #include "Analysis/VibrationModel.h"
@@ -9,10 +10,12 @@
 namespace idiophone {
 
 /// The mesh is the mid-surface; copies of it lie at ± t/√12 along the vertex normals, each with
-/// half of the mass and half of the van Gelder stiffness, so that membrane stiffness Y t and
-/// bending stiffness Y t³/12 are both right. At every vertex a post joins the layers; at every edge
-/// a pair of crossed braces resists transverse shear with G = Y/(2(1+ν)), ν the material's, and
-/// Cowper's shear coefficient. Within the layers the springs make Poisson's ratio 1/3.
+/// half of the mass and half of the stiffness, so that membrane stiffness Y t and bending stiffness
+/// Y t³/12 are both right. Each triangle of a layer has three springs that pull on all its corners,
+/// one against change of area and two against change of shape: together the plane-stress triangle
+/// of the material's ν, which for equilateral triangles and ν = 1/3 is that of springs along the
+/// edges. At every vertex a post joins the layers; at every edge a pair of crossed braces resists
+/// transverse shear with G = Y/(2(1+ν)) and Cowper's shear coefficient.
 ///
 /// The two braces of an edge work on the difference of their elongations: their sum, which would
 /// stiffen the membrane, is left free.

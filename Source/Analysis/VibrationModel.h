@@ -9,9 +9,16 @@ namespace idiophone {
 
 /// n degrees of freedom; the order of its rows is the model's own.
 struct VibrationModel {
-    Eigen::SparseMatrix<double> stiffness; ///< [n×n] symmetric, lower triangle only, in N/m
-    Eigen::VectorXd mass;                  ///< [n] the diagonal of M in kg, > 0
-    int rowsPerVertex = 1;                 ///< consecutive rows that belong to one vertex
+    Eigen::SparseMatrix<double> stiffness; ///< [n×n] K: symmetric, lower triangle only, in N/m
+    Eigen::SparseMatrix<double> mass; ///< [n×n] M: positive definite, lower triangle only, in kg
+    int rowsPerVertex = 1;            ///< consecutive rows that belong to one vertex
 };
+
+/// The mass matrix of a lumped model: masses [n] in kg, > 0, on the diagonal.
+inline Eigen::SparseMatrix<double> diagonalMass(const Eigen::VectorXd& masses) {
+    Eigen::SparseMatrix<double> mass(masses.size(), masses.size());
+    mass = masses.asDiagonal();
+    return mass;
+}
 
 } // namespace idiophone

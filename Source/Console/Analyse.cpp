@@ -2,16 +2,17 @@
 #include "Console/Command.h"
 #include "Console/Interrupt.h"
 #include "Console/JsonText.h"
-#include "Console/MaterialFile.h"
+#include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
 #include "Console/OutputCheck.h"
 #include "Console/ProgressLine.h"
+#include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
 #include "Object/ModalObjectFile.h"
 
 #include <iomanip>
 #include <iostream>
-#include <map>
+#include <optional>
 
 namespace idiophone {
 namespace {
@@ -23,41 +24,59 @@ struct Options {
     std::filesystem::path output;
     std::string name;
     std::string material = "Steel";
-    std::string method = "two-layer";
+    std::string method = "auto";
     double thicknessMetres = 0.005;
     double maxFrequencyHz = 44000;
-    double metresPerUnit = 1;
+    int elementBudget = AnalysisSettings{}.elementBudget;
+    std::optional<std::string> unit;
     bool largestPart = false;
     bool json = false;
 };
-
-const std::map<std::string, double> units{{"m", 1}, {"cm", 0.01}, {"mm", 0.001}};
 
 Result<AnalysisSettings> settingsFrom(const Options& options) {
     const auto material = findOrReadMaterial(options.material);
     if (!material)
         return tl::unexpected(material.error());
     const auto method = findMethod(options.method);
-    if (!method)
+    if (!method && options.method != "auto")
         return failure("--method " + options.method +
-                       ": it is none of two-layer, spring-mass and van-gelder");
+                       ": it is none of auto, fem, two-layer, spring-mass and van-gelder");
     return AnalysisSettings{.name =
                                 options.name.empty() ? options.mesh.stem().string() : options.name,
                             .source = options.mesh.filename().string(),
                             .material = *material,
-                            .method = *method,
+                            .method = method,
                             .thicknessMetres = options.thicknessMetres,
                             .maxFrequencyHz = options.maxFrequencyHz,
+                            .elementBudget = options.elementBudget,
                             .largestComponentOnly = options.largestPart};
+}
+
+/// The unit asked for, or a guess, which is worth a sentence where it is not metres.
+Result<UnitGuess> unitOf(const Mesh& meshInFileUnits, const Options& options) {
+    if (!options.unit) {
+        UnitGuess guess = guessLengthUnit(meshInFileUnits);
+        if (guess.isSure && guess.unit.metresPerUnit == 1)
+            guess.sentence.clear();
+        return guess;
+    }
+    const auto unit = lengthUnitNamed(*options.unit);
+    if (!unit)
+        return failure("--unit " + *options.unit + ": it is none of m, cm, mm, in and ft");
+    return UnitGuess{.unit = *unit, .isSure = true, .sentence = {}};
 }
 
 Result<ModalObject> analyseFile(const Options& options) {
     const auto settings = settingsFrom(options);
     if (!settings)
         return tl::unexpected(settings.error());
-    const auto mesh = readMesh(options.mesh, options.metresPerUnit);
+    auto mesh = readMesh(options.mesh);
     if (!mesh)
         return tl::unexpected(mesh.error());
+    const auto unit = unitOf(*mesh, options);
+    if (!unit)
+        return tl::unexpected(unit.error());
+    mesh->vertices *= unit->unit.metresPerUnit;
     ProgressLine progress(options.mesh.filename().string());
     auto object = analyse(
         *mesh, *settings,
@@ -65,6 +84,10 @@ Result<ModalObject> analyseFile(const Options& options) {
          .cancelled = &interruptRequested()});
     if (!object && object.error().message != cancelledMessage)
         return failure(options.mesh.string() + ": " + object.error().message);
+    if (object && !unit->sentence.empty()) {
+        auto& notes = object->provenance.notes;
+        notes = unit->sentence + (notes.empty() ? "" : " ") + notes;
+    }
     return object;
 }
 
@@ -118,14 +141,20 @@ void addAnalyse(CLI::App& program, Action& chosen) {
     command->add_option("--thickness", options->thicknessMetres, "Of the shell, in metres")
         ->check(numberBetween(1e-6, 10))
         ->capture_default_str();
-    command->add_option("--method", options->method, "two-layer, spring-mass or van-gelder")
+    command
+        ->add_option("--method", options->method,
+                     "auto (what suits the mesh), fem, two-layer, spring-mass or van-gelder")
         ->capture_default_str();
     command->add_option("--max-frequency", options->maxFrequencyHz, "End of the band, in Hz")
         ->check(numberBetween(100, 1e6))
         ->capture_default_str();
-    command->add_option("--unit", options->metresPerUnit, "Of the mesh file: m, cm or mm")
-        ->transform(CLI::CheckedTransformer(units))
-        ->default_str("m");
+    command
+        ->add_option("--elements", options->elementBudget,
+                     "About how many tetrahedra a solid may have; fewer end its band earlier")
+        ->check(CLI::Range(100, 200000))
+        ->capture_default_str();
+    command->add_option("--unit", options->unit,
+                        "Of the mesh file: m, cm, mm, in or ft; else guessed from its size");
     command->add_flag("--largest-part", options->largestPart,
                       "Leaves all but the largest connected part out");
     command->add_flag("--json", options->json, "Reports as JSON");

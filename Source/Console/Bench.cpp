@@ -3,7 +3,7 @@
 #include "Console/JsonText.h"
 #include "Console/OutputCheck.h"
 #include "Console/ProgressLine.h"
-#include "Console/TextFile.h"
+#include "Object/TextFile.h"
 
 #include <algorithm>
 #include <iostream>

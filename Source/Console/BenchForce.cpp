@@ -41,12 +41,12 @@ public:
         : synth({{object}}, benchSampleRateHz), path(pathOver(*object)), touched(contact) {
         // Undamped, as it must ring however many cells are timed.
         const Material& own = object->material;
-        synth.setSettings({.tau = 0,
-                           .compression = 0,
-                           .material = LiveMaterial{.youngsModulusPa = own.youngsModulusPa,
-                                                    .densityKgPerM3 = own.densityKgPerM3,
-                                                    .fluidDampingPerSecond = 0,
-                                                    .viscoelasticDampingSeconds = 0}});
+        synth.setSettings(
+            {.tau = 0,
+             .compression = 0,
+             .material = LiveMaterial{.youngsModulusPa = own.youngsModulusPa,
+                                      .densityKgPerM3 = own.densityKgPerM3,
+                                      .damping = {.fluidPerSecond = 0, .viscoelasticSeconds = 0}}});
         std::mt19937 random(1);
         for (Cell& newtons : forces)
             for (float& newton : newtons)

@@ -100,7 +100,7 @@ struct SizeContest {
 /// largest value there, in dB. Damping is so light that these seconds are not silence.
 double errorAfterTenSecondsDb(std::size_t modes) {
     const auto eigenvalues = spreadEigenvalues(modes);
-    const PoleLaw law{.eigenvalueRatio = 1, .fluidDampingPerSecond = 0.3};
+    const PoleLaw law{.eigenvalueRatio = 1, .damping = {.fluidPerSecond = 0.3}};
     FullBank bank(eigenvalues, law);
     const std::size_t cells = cellsIn(10);
     constexpr std::size_t compared = 16;

@@ -42,6 +42,7 @@ Result<void> measure(const Plate& plate, BenchSection& section) {
                                 {.name = "plate",
                                  .source = "generated steel plate, 3 mm",
                                  .material = steel,
+                                 .method = AnalysisMethod::twoLayer,
                                  .thicknessMetres = 0.003,
                                  .maxFrequencyHz = 22000});
     if (!object)

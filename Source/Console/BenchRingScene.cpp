@@ -26,6 +26,7 @@ Result<ModalObject> makeRing() {
                    {.name = "ring",
                     .source = "generated hollow steel ring, radius 50 mm",
                     .material = *findMaterial("Steel"),
+                    .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.001,
                     .maxFrequencyHz = 22000});
 }
@@ -35,13 +36,14 @@ Result<ModalObject> makeTable() {
                    {.name = "table",
                     .source = "generated wooden sheet, 1.2 x 0.8 m x 20 mm",
                     .material = *findMaterial("Wood"),
+                    .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.020,
                     .maxFrequencyHz = 22000});
 }
 
 std::shared_ptr<const ModalObject> undamped(ModalObject object) {
-    object.material.fluidDampingPerSecond = 0;
-    object.material.viscoelasticDampingSeconds = 0;
+    object.material.damping.fluidPerSecond = 0;
+    object.material.damping.viscoelasticSeconds = 0;
     return std::make_shared<const ModalObject>(std::move(object));
 }
 
@@ -53,8 +55,8 @@ ModalObject variedRing(const ModalObject& ring, std::minstd_rand& random) {
     for (auto* values : {&varied.eigenvalues, &varied.bending})
         for (double& value : *values)
             value *= stiffness;
-    varied.material.fluidDampingPerSecond *= std::exp2(2 * share(random) - 1);
-    varied.material.viscoelasticDampingSeconds *= std::exp2(2 * share(random) - 1);
+    varied.material.damping.fluidPerSecond *= std::exp2(2 * share(random) - 1);
+    varied.material.damping.viscoelasticSeconds *= std::exp2(2 * share(random) - 1);
     return varied;
 }
 

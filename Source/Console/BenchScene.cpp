@@ -76,8 +76,8 @@ std::shared_ptr<const ModalObject>
 longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz) {
     ModalObject object = body;
     object.name = "long-ringing " + body.name;
-    object.material.fluidDampingPerSecond = 0.2;
-    object.material.viscoelasticDampingSeconds = 0;
+    object.material.damping.fluidPerSecond = 0.2;
+    object.material.damping.viscoelasticSeconds = 0;
     object.bending.clear();
     object.radiation = {};
     object.eigenvalues.clear();
@@ -94,9 +94,7 @@ longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz) {
 }
 
 PoleLaw benchPoleLaw(const Material& material) {
-    return {.eigenvalueRatio = 1,
-            .fluidDampingPerSecond = material.fluidDampingPerSecond,
-            .viscoelasticDampingSeconds = material.viscoelasticDampingSeconds};
+    return {.eigenvalueRatio = 1, .damping = material.damping};
 }
 
 } // namespace idiophone

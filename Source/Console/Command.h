@@ -21,6 +21,7 @@ void addMesh(CLI::App& program, Action& chosen);
 void addFactory(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
 void addBench(CLI::App& program, Action& chosen);
-void addLists(CLI::App& program, Action& chosen); ///< presets, materials, parameters
+void addMaterials(CLI::App& program, Action& chosen);
+void addLists(CLI::App& program, Action& chosen); ///< presets, parameters
 
 } // namespace idiophone

@@ -1,6 +1,6 @@
 #include "Console/ImpulseFile.h"
 
-#include "Console/TextFile.h"
+#include "Object/TextFile.h"
 
 #include <algorithm>
 #include <cmath>

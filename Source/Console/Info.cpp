@@ -1,6 +1,6 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
-#include "Console/MaterialFile.h"
+#include "Console/MaterialChoice.h"
 #include "Object/ModalObjectFile.h"
 #include "Synth/ModalPole.h"
 #include "Synth/ModeCompression.h"
@@ -28,20 +28,21 @@ struct ModeFigures {
 };
 
 PoleLaw lawOf(const ModalObject& object) {
-    return {.eigenvalueRatio = 1,
-            .fluidDampingPerSecond = object.material.fluidDampingPerSecond,
-            .viscoelasticDampingSeconds = object.material.viscoelasticDampingSeconds};
+    return {.eigenvalueRatio = 1, .damping = object.material.damping};
 }
 
-ModeFigures figuresOf(const ModalObject& object, double eigenvalue) {
-    const auto pole = lawOf(object).pole(eigenvalue);
+ModeFigures figuresOf(const ModalObject& object, std::size_t mode) {
+    const auto pole = lawOf(object).pole(object.eigenvalues[mode], object.dampingRatio(mode));
     return {.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
             .decaySeconds = std::log(1000.0) / decayBound(pole)};
 }
 
 std::size_t countGroups(const ModalObject& object) {
     std::vector<std::int32_t> starts(object.modeCount() + 1);
-    return groupModes(object.eigenvalues, lawOf(object), 1, starts);
+    std::vector<double> dampingRatios(object.modeCount());
+    for (std::size_t mode = 0; mode < dampingRatios.size(); ++mode)
+        dampingRatios[mode] = object.dampingRatio(mode);
+    return groupModes(object.eigenvalues, lawOf(object), 1, starts, dampingRatios);
 }
 
 /// JSON has no infinity, which is the T60 of a material without damping.
@@ -51,11 +52,11 @@ ordered_json finiteOrNull(double value) {
 
 ordered_json describe(const ModalObject& object) {
     ordered_json modes = ordered_json::array();
-    for (const double eigenvalue : object.eigenvalues) {
-        const auto figures = figuresOf(object, eigenvalue);
+    for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
+        const auto figures = figuresOf(object, mode);
         modes.push_back({{"frequency_hz", figures.frequencyHz},
                          {"t60_s", finiteOrNull(figures.decaySeconds)},
-                         {"eigenvalue", eigenvalue}});
+                         {"eigenvalue", object.eigenvalues[mode]}});
     }
     return {{"name", object.name},
             {"vertices", object.vertexCount()},
@@ -67,6 +68,7 @@ ordered_json describe(const ModalObject& object) {
             {"body", object.body == BodyKind::shell ? "shell" : "solid"},
             {"thickness_m", object.thicknessMetres},
             {"band_hz", object.bandHz},
+            {"measured_decays", !object.decaysPerSecond.empty()},
             {"material", describe(object.material)},
             {"mass_kg", object.mass.massKg},
             {"centre_m", object.mass.centreMetres},
@@ -84,7 +86,7 @@ ordered_json describe(const ModalObject& object) {
 void printModes(const ModalObject& object) {
     std::cout << "\n    Hz          T60 s\n";
     for (std::size_t mode = 0; mode < std::min(modesShown, object.modeCount()); ++mode) {
-        const auto figures = figuresOf(object, object.eigenvalues[mode]);
+        const auto figures = figuresOf(object, mode);
         std::cout << "    " << std::left << std::setw(12) << std::setprecision(2)
                   << figures.frequencyHz << std::setprecision(3) << figures.decaySeconds << '\n';
     }

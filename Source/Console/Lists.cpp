@@ -1,6 +1,5 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
-#include "Console/MaterialFile.h"
 #include "Instrument/FactoryContent.h"
 #include "Parameters/ParameterTable.h"
 
@@ -12,8 +11,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<const char*, 5> scaleNames{"linear", "logarithmic", "steps", "on-off",
-                                                "choice"};
+constexpr std::array<const char*, 6> scaleNames{"linear", "logarithmic", "steps",
+                                                "on-off", "choice",      "cubic"};
 
 ordered_json describePresets() {
     ordered_json list = ordered_json::array();
@@ -25,24 +24,6 @@ ordered_json describePresets() {
 void printPresets() {
     for (const auto& preset : factoryPresets())
         std::cout << std::left << std::setw(22) << preset.name << preset.description << '\n';
-}
-
-ordered_json describeMaterials() {
-    ordered_json list = ordered_json::array();
-    for (const auto& material : materialLibrary())
-        list.push_back(describe(material));
-    return list;
-}
-
-void printMaterials() {
-    std::cout << "                E GPa   kg/m3   nu      gamma 1/s  eta s      T60 at 440 Hz\n";
-    for (const auto& material : materialLibrary())
-        std::cout << std::left << std::setw(16) << material.name << std::setw(8)
-                  << material.youngsModulusPa / 1e9 << std::setw(8) << material.densityKgPerM3
-                  << std::setw(8) << material.poissonRatio << std::setw(11)
-                  << material.fluidDampingPerSecond << std::setw(11)
-                  << material.viscoelasticDampingSeconds << std::setprecision(3)
-                  << decaySeconds(material, 440) << std::setprecision(6) << " s\n";
 }
 
 ordered_json describe(const ParameterInfo& info) {
@@ -117,7 +98,6 @@ void addList(CLI::App& program,
 
 void addLists(CLI::App& program, Action& chosen) {
     addList(program, chosen, "presets", "Lists the factory presets", describePresets, printPresets);
-    addList(program, chosen, "materials", "Lists the materials", describeMaterials, printMaterials);
     addList(program, chosen, "parameters", "Lists the parameters that --set takes",
             describeParameters, printParameters);
 }

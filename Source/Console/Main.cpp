@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
     program.set_version_flag("--version", "Idiophone " IDIOPHONE_VERSION);
     Action chosen;
     for (const auto add : {addAnalyse, addInfo, addStrike, addRender, addMesh, addFactory, addBench,
-                           addSurface, addLists})
+                           addSurface, addMaterials, addLists})
         add(program, chosen);
     try {
         program.parse(argc, argv);

@@ -1,6 +1,6 @@
 #include "Console/MidiSong.h"
 
-#include "Console/TextFile.h"
+#include "Object/TextFile.h"
 
 #include <algorithm>
 #include <juce_audio_basics/juce_audio_basics.h>

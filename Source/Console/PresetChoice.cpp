@@ -1,6 +1,6 @@
 #include "Console/PresetChoice.h"
 
-#include "Console/TextFile.h"
+#include "Object/TextFile.h"
 #include "Instrument/FactoryContent.h"
 
 #include <iostream>

@@ -4,7 +4,7 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/PresetChoice.h"
 #include "Console/SongRender.h"
-#include "Console/TextFile.h"
+#include "Object/TextFile.h"
 
 #include <iostream>
 

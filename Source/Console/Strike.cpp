@@ -1,6 +1,6 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
-#include "Console/MaterialFile.h"
+#include "Console/MaterialChoice.h"
 #include "Console/OptionChecks.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/SongRender.h"
@@ -72,6 +72,12 @@ ModalObject withMaterial(ModalObject object, const Material& material) {
     const auto& before = object.material;
     const double densityRatio = material.densityKgPerM3 / before.densityKgPerM3;
     const double eigenvalueRatio = material.youngsModulusPa / before.youngsModulusPa / densityRatio;
+    for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode)
+        object.decaysPerSecond[mode] =
+            object.dampingRatio(mode) / 2 *
+            material.damping.perSecond(eigenvalueRatio * object.eigenvalues[mode]);
+    if (material.damping == DampingLaw{})
+        object.decaysPerSecond.clear();
     for (auto* parts : {&object.eigenvalues, &object.bending})
         for (double& eigenvalue : *parts)
             eigenvalue *= eigenvalueRatio;

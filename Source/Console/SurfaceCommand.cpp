@@ -2,7 +2,7 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/OptionChecks.h"
-#include "Console/TextFile.h"
+#include "Object/TextFile.h"
 #include "Console/WavReader.h"
 #include "Instrument/SurfaceFile.h"
 

@@ -32,7 +32,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
     if (info.scale == ParameterScale::onOff)
         makeSwitch();
     else if (info.scale == ParameterScale::choice)
-        makeList();
+        addAndMakeVisible(*(list = std::make_unique<ChoiceList>(info, view)));
     else
         makeSlider();
     refresh();
@@ -69,17 +69,6 @@ void ParameterControl::makeSwitch() {
     addAndMakeVisible(*toggle);
 }
 
-void ParameterControl::makeList() {
-    list = std::make_unique<juce::ComboBox>();
-    list->setTitle(getTitle());
-    list->setTooltip(juce::String::fromUTF8(info.description));
-    int id = 1;
-    for (const auto choice : choiceNames(info.parameter))
-        list->addItem(juce::String::fromUTF8(choice.data(), static_cast<int>(choice.size())), id++);
-    list->onChange = [this] { changeOnce(list->getSelectedId() - 1); };
-    addAndMakeVisible(*list);
-}
-
 void ParameterControl::makeValueText() {
     value.setFont(DarkLook::textFont());
     value.setJustificationType(juce::Justification::centredRight);
@@ -106,6 +95,8 @@ void ParameterControl::typed() {
 }
 
 void ParameterControl::refresh() {
+    if (list != nullptr)
+        list->refresh();
     const double now = view.parameterValue(info.parameter);
     if (now == shown)
         return;
@@ -117,8 +108,6 @@ void ParameterControl::refresh() {
         slider->setValue(now, juce::dontSendNotification);
     if (toggle != nullptr)
         toggle->setToggleState(now != 0, juce::dontSendNotification);
-    if (list != nullptr)
-        list->setSelectedId(static_cast<int>(now) + 1, juce::dontSendNotification);
 }
 
 void ParameterControl::resized() {

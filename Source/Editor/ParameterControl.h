@@ -2,6 +2,7 @@
 // list to change it.
 #pragma once
 
+#include "Editor/ChoiceList.h"
 #include "Editor/ProcessorView.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
@@ -21,7 +22,6 @@ public:
 private:
     void makeSlider();
     void makeSwitch();
-    void makeList();
     void makeValueText();
     void changeOnce(double value);
     void typed();
@@ -32,7 +32,7 @@ private:
     juce::Label name, value;
     std::unique_ptr<juce::Slider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;
-    std::unique_ptr<juce::ComboBox> list;
+    std::unique_ptr<ChoiceList> list;
 };
 
 } // namespace idiophone

@@ -17,7 +17,9 @@ struct Layout {
 
 using enum ParameterId;
 const Layout layouts[] = {
-    {"Material", 0, {material, youngsModulus, density, fluidDamping, viscoelasticDamping, size}},
+    {"Material",
+     0,
+     {material, youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor, size}},
     {"Playing", 0, {letRing, releaseTime, tune, bendRange}},
     {"Mallet",
      1,
@@ -60,7 +62,7 @@ void ParameterPanel::paint(juce::Graphics& g) {
 }
 
 void ParameterPanel::resized() {
-    constexpr int mostRows = 10, mostHeadings = 2;
+    constexpr int mostRows = 11, mostHeadings = 2;
     const int rowHeight =
         juce::jlimit(30, 52, (getHeight() - 2 * padding - mostHeadings * headingHeight) / mostRows);
     columns.clear();

@@ -38,6 +38,14 @@ public:
     virtual void changeParameter(ParameterId parameter, double value) = 0;
     virtual void endParameterChange(ParameterId parameter) = 0;
 
+    /// Reads the user's materials anew and returns their names. What cannot be read is left out,
+    /// and is what the status says.
+    virtual std::vector<std::string> readUserMaterials() = 0;
+    /// Which of those read last has the figures that are played; −1 where none.
+    virtual int userMaterialIndex() const = 0;
+    /// Plays the figures of that one as the custom material's.
+    virtual void chooseUserMaterial(int index) = 0;
+
     /// Velocity 1 to 127; 0 releases.
     virtual void playNote(int midiNote, int velocity) = 0;
     virtual KeyRange keyRange() const = 0; ///< the notes that sound

@@ -1,5 +1,6 @@
-// Makes a mesh from a file fit for analysis: welds, drops what is degenerate, orients, and says in
-// plain words what it did. It does not remesh, and does not close holes: open meshes are fine.
+// Makes a mesh from a file fit for analysis: welds, drops what is degenerate, joins T-junctions,
+// orients, and says in plain words what it did. It does not remesh, and does not close holes: open
+// meshes are fine.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -14,6 +15,10 @@ struct RepairSettings {
     double weldTolerance =
         1e-7; ///< vertices this near are one, as a share of the bounding diagonal
     bool largestComponentOnly = false; ///< keep the component with the greatest area alone
+    /// Cut the mesh apart where more than two faces meet at an edge, where several fans of faces
+    /// meet at a vertex, and where a one-sided surface closes, as remeshing needs it. What was held
+    /// together there alone comes apart, so analysis leaves this off.
+    bool cutIntoManifold = false;
 };
 
 /// What repair found and did; counts of what the mesh holds now come after what was done.
@@ -21,12 +26,16 @@ struct RepairReport {
     int weldedVertices = 0;
     int degenerateFaces = 0;      ///< dropped: two corners in one vertex, or no area
     int duplicateFaces = 0;       ///< dropped: the same three vertices as another face
+    int joinedVertices = 0;       ///< put into an edge of another face on which they lay
     int unreferencedVertices = 0; ///< dropped: no face (left) names them
     int flippedFaces = 0;         ///< turned to agree with their neighbours, or outward
+    int cutVertices = 0;          ///< added so that the mesh became a manifold
     int droppedComponents = 0;
     int components = 0;
+    int hollows = 0;          ///< closed surfaces inside another, which bound a hollow in it
     int boundaryEdges = 0;    ///< 0 when closed
     int nonManifoldEdges = 0; ///< edges of more than two faces
+    int oneSidedEdges = 0;    ///< where no turning made neighbours agree
 
     bool changedAnything() const;
     /// Sentences for people, such as "Welded 36 vertices. Open: 40 boundary edges."; may be empty.
@@ -39,9 +48,15 @@ struct RepairedMesh {
     std::vector<int> vertexOfInput; ///< for each input vertex its vertex in `mesh`, or −1
 };
 
-/// Vertices and faces keep their order, so that a sound mesh comes out as it went in. Faces are
-/// oriented consistently across every edge of exactly two faces, and outward where a surface is
-/// closed. Fails, in one sentence, when indices or values are invalid or no face is left.
+/// Vertices and faces keep their order, so that a sound mesh comes out as it went in. In the result
+/// no face is degenerate or a duplicate, and every vertex has a face. Faces agree across every edge
+/// of exactly two faces (but for one-sided ones), and closed surfaces look outward, those inside
+/// another into the hollow. A vertex on the edge of a single face, nearer than ten times the weld
+/// tolerance, is put into that edge; not in soups of more than 200,000 such edges. With
+/// `cutIntoManifold` every edge has one or two faces, which run along it in opposite directions,
+/// and the faces at every vertex form one fan. Fails, in one sentence, when indices or values are
+/// invalid, no face is left, or the mesh is larger than 10⁹ m or smaller than 10⁻⁹ m. n log n for n
+/// faces.
 Result<RepairedMesh> repairMesh(const Mesh& mesh, const RepairSettings& settings = {});
 
 } // namespace idiophone

@@ -28,6 +28,14 @@ Mesh gridPlateMesh(double lengthMetres, double widthMetres, int columns, int row
 /// A flat disc in the xy plane: rings of 6, 12, 18, … vertices about the middle.
 Mesh discMesh(double radiusMetres, int rings);
 
+/// A flat ring in the xy plane: `rows` + 1 circles of `around` vertices, every other one turned by
+/// half a spacing.
+Mesh annulusMesh(double innerRadiusMetres, double outerRadiusMetres, int around, int rows);
+
+/// The closed surface of a solid sheet: the flat mesh at z = ± thickness/2 and walls of `layers`
+/// rows along its boundary. Vertices are those of the top, those of the bottom, then the walls'.
+Mesh extrudedMesh(const Mesh& flatMesh, double thicknessMetres, int layers = 1);
+
 /// The closed surface of a box centred at the origin, each side a grid cut into triangles.
 Mesh boxMesh(const Eigen::Vector3d& sizeMetres, const Eigen::Vector3i& segments);
 
@@ -40,5 +48,8 @@ Mesh torusMesh(double radiusMetres, double sectionRadiusMetres, int sections, in
 
 /// An open cylinder (a hoop) about the z axis, `around` even, triangles in shifted rows.
 Mesh hoopMesh(double radiusMetres, double heightMetres, int around, int rows);
+
+/// Two closed surfaces with a solid wall between: a hollow sphere of this mean radius.
+Mesh hollowSphereMesh(double radiusMetres, double thicknessMetres, int level);
 
 } // namespace idiophone

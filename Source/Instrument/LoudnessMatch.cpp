@@ -1,10 +1,13 @@
 #include "Instrument/LoudnessMatch.h"
 
+#include "Instrument/SettingsOfParameters.h"
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace idiophone {
@@ -18,16 +21,21 @@ constexpr double farthestFromMiddleDb = 1.5;
 
 void copyInto(ParameterValues& to,
               const ParameterValues& from,
-              std::initializer_list<ParameterId> parameters) noexcept {
+              std::span<const ParameterId> parameters) noexcept {
     for (const auto parameter : parameters)
         to.set(parameter, from[parameter]);
 }
 
+void copyInto(ParameterValues& to,
+              const ParameterValues& from,
+              std::initializer_list<ParameterId> parameters) noexcept {
+    copyInto(to, from, std::span(parameters.begin(), parameters.size()));
+}
+
 /// `now` with the preset's material and mallet.
 ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcept {
-    copyInto(now, own,
-             {material, youngsModulus, density, fluidDamping, viscoelasticDamping, mallet,
-              malletHardness, malletMass, malletRadius});
+    copyInto(now, own, materialFigures);
+    copyInto(now, own, {material, mallet, malletHardness, malletMass, malletRadius});
     return now;
 }
 
@@ -38,7 +46,7 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     copyInto(result, values,
              {material, size, tune, strikeAlong, strikeAcross, radiation, letRing, contact});
     if (static_cast<int>(values[material]) == customMaterial)
-        copyInto(result, values, {youngsModulus, density, fluidDamping, viscoelasticDamping});
+        copyInto(result, values, materialFigures);
     if (values[letRing] == 0)
         copyInto(result, values, {releaseTime});
     if (!strikes(values)) {

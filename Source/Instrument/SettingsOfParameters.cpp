@@ -7,22 +7,36 @@ namespace {
 
 using enum ParameterId;
 
+constexpr double pascalsPerGigapascal = 1e9;
+constexpr double secondsPerMicrosecond = 1e-6;
+
 std::optional<LiveMaterial> liveMaterial(const ParameterValues& values) {
     if (static_cast<int>(values[material]) == customMaterial)
-        return LiveMaterial{.youngsModulusPa = values[youngsModulus] * 1e9,
-                            .densityKgPerM3 = values[density],
-                            .fluidDampingPerSecond = values[fluidDamping],
-                            .viscoelasticDampingSeconds = values[viscoelasticDamping] * 1e-6};
+        return LiveMaterial{
+            .youngsModulusPa = values[youngsModulus] * pascalsPerGigapascal,
+            .densityKgPerM3 = values[density],
+            .damping = {.fluidPerSecond = values[fluidDamping],
+                        .viscoelasticSeconds = values[viscoelasticDamping] * secondsPerMicrosecond,
+                        .lossFactor = values[lossFactor]}};
     const auto* chosen = chosenLibraryMaterial(values);
     if (chosen == nullptr)
         return std::nullopt;
     return LiveMaterial{.youngsModulusPa = chosen->youngsModulusPa,
                         .densityKgPerM3 = chosen->densityKgPerM3,
-                        .fluidDampingPerSecond = chosen->fluidDampingPerSecond,
-                        .viscoelasticDampingSeconds = chosen->viscoelasticDampingSeconds};
+                        .damping = chosen->damping};
 }
 
 } // namespace
+
+ParameterValues withCustomMaterial(ParameterValues values, const Material& own) {
+    values.set(material, customMaterial);
+    values.set(youngsModulus, own.youngsModulusPa / pascalsPerGigapascal);
+    values.set(density, own.densityKgPerM3);
+    values.set(fluidDamping, own.damping.fluidPerSecond);
+    values.set(viscoelasticDamping, own.damping.viscoelasticSeconds / secondsPerMicrosecond);
+    values.set(lossFactor, own.damping.lossFactor);
+    return values;
+}
 
 SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones) {
     const double slope = values[qualitySlope];

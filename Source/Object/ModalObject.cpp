@@ -25,6 +25,8 @@ std::string sizesFault(const ModalObject& object) {
         return "the size of the mode shapes is not vertices x modes x 3";
     if (!object.bending.empty() && object.bending.size() != object.modeCount())
         return "the bending parts are not one for each mode";
+    if (!object.decaysPerSecond.empty() && object.decaysPerSecond.size() != object.modeCount())
+        return "the decays are not one for each mode";
     return {};
 }
 
@@ -41,6 +43,19 @@ std::string eigenvaluesFault(const ModalObject& object) {
     for (std::size_t mode = 0; mode < object.bending.size(); ++mode)
         if (object.bending[mode] < 0 || object.bending[mode] > object.eigenvalues[mode])
             return "a bending part is not between 0 and its eigenvalue";
+    return {};
+}
+
+std::string decaysFault(const ModalObject& object) {
+    // Nothing vibrates that dies away faster than a nanosecond.
+    constexpr double fastestPerSecond = 1e9;
+    for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode) {
+        const double decay = object.decaysPerSecond[mode];
+        if (!(decay > 0 && decay <= fastestPerSecond))
+            return "a decay is not between 0 and 1e9 per second";
+        if (!(object.material.damping.perSecond(object.eigenvalues[mode]) > 0))
+            return "its modes have decays, but its material has no damping that they could keep to";
+    }
     return {};
 }
 
@@ -86,7 +101,7 @@ Result<ModalObject> validated(ModalObject object) {
     if (auto material = validated(object.material); !material)
         return failure(material.error().message);
     for (const auto fault :
-         {sizesFault, eigenvaluesFault, geometryFault, radiationFault, scalarsFault})
+         {sizesFault, eigenvaluesFault, decaysFault, geometryFault, radiationFault, scalarsFault})
         if (const auto sentence = fault(object); !sentence.empty())
             return failure(sentence);
     return object;

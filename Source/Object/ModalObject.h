@@ -48,6 +48,9 @@ struct ModalObject {
     std::vector<float> vertices;             ///< [N,3] in metres
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
     std::vector<double> bending;             ///< empty, or [M] bending part of λ (0 ≤ b ≤ λ)
+    /// Empty: modes decay by the material's law. Or [M] the α > 0 measured of each at the reference
+    /// material, whose law then damps every mode.
+    std::vector<double> decaysPerSecond;
     RadiationTable radiation;                ///< of the whole surface, or empty
 
     MassProperties mass;
@@ -57,6 +60,14 @@ struct ModalObject {
     std::size_t shapeVertexCount() const { return shapeVertices.size(); }
     std::size_t vertexCount() const { return vertices.size() / 3; }
     std::size_t faceCount() const { return faces.size() / 3; }
+
+    /// By what the damping of a mode exceeds that of the material's law, 2α/d(λ), which it keeps
+    /// when the material changes; 1 where no decays were measured. Any thread.
+    double dampingRatio(std::size_t mode) const noexcept {
+        return decaysPerSecond.empty()
+                   ? 1
+                   : 2 * decaysPerSecond[mode] / material.damping.perSecond(eigenvalues[mode]);
+    }
 
     /// [M,3] shapes of all modes at row `shapeRow` of `shapeVertices`.
     std::span<const float> shapesAt(std::size_t shapeRow) const {

@@ -46,6 +46,8 @@ public:
         object.faces = values<std::int32_t>("faces", "I32", 2);
         if (container.tensors.contains("bending"))
             object.bending = values<double>("bending", "F64", 1);
+        if (container.tensors.contains("decay_per_s"))
+            object.decaysPerSecond = values<double>("decay_per_s", "F64", 1);
         object.radiation = radiation();
         return object;
     }
@@ -111,8 +113,10 @@ private:
                 .youngsModulusPa = number(m, "youngs_modulus_pa"),
                 .densityKgPerM3 = number(m, "density_kg_per_m3"),
                 .poissonRatio = number(m, "poisson_ratio"),
-                .fluidDampingPerSecond = number(m, "fluid_damping_per_s"),
-                .viscoelasticDampingSeconds = number(m, "viscoelastic_damping_s"),
+                .damping = {.fluidPerSecond = number(m, "fluid_damping_per_s"),
+                            .viscoelasticSeconds = number(m, "viscoelastic_damping_s"),
+                            // Files from before there was one have none.
+                            .lossFactor = m.contains("loss_factor") ? number(m, "loss_factor") : 0},
                 .friction = number(m, "friction"),
                 .restitution = number(m, "restitution"),
                 .roughness = number(m, "roughness"),
@@ -203,8 +207,9 @@ json describe(const Material& m) {
             {"youngs_modulus_pa", m.youngsModulusPa},
             {"density_kg_per_m3", m.densityKgPerM3},
             {"poisson_ratio", m.poissonRatio},
-            {"fluid_damping_per_s", m.fluidDampingPerSecond},
-            {"viscoelastic_damping_s", m.viscoelasticDampingSeconds},
+            {"fluid_damping_per_s", m.damping.fluidPerSecond},
+            {"viscoelastic_damping_s", m.damping.viscoelasticSeconds},
+            {"loss_factor", m.damping.lossFactor},
             {"friction", m.friction},
             {"restitution", m.restitution},
             {"roughness", m.roughness},
@@ -283,6 +288,8 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
     writer.add("eigenvalues", "F64", {modes}, object.eigenvalues);
     if (!object.bending.empty())
         writer.add("bending", "F64", {modes}, object.bending);
+    if (!object.decaysPerSecond.empty())
+        writer.add("decay_per_s", "F64", {modes}, object.decaysPerSecond);
     const auto& radiation = object.radiation;
     const auto directions = radiation.directions.size(), ratios = radiation.frequencyRatios.size();
     if (!radiation.empty())

@@ -1,11 +1,14 @@
 #include "Parameters/ParameterTable.h"
 
+#include "Parameters/MaterialNames.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <iomanip>
 #include <locale>
 #include <sstream>
+#include <vector>
 
 namespace idiophone {
 namespace {
@@ -24,7 +27,7 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
     {compression, "compression", "Mode compression", "x", linear, 0, 4, 1, 2, 1,
      "How far apart modes may lie to be merged, in units of what the ear discriminates", nullptr},
     {material, "material", "Material", "", choice, 0, 63, ownMaterial, 0, 1,
-     "What the objects are made of; Custom takes the four figures below", nullptr},
+     "What the objects are made of; Custom takes the five figures below", nullptr},
     {youngsModulus, "young", "Young's modulus", "GPa", logarithmic, 0.01, 1000, 12.5, 4, 1,
      "Stiffness of the custom material: pitch rises with its square root", nullptr},
     {density, "density", "Density", "kg/m3", logarithmic, 10, 25000, 850, 4, 1,
@@ -86,12 +89,9 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "How rough the surface is that scrapes or rolls", nullptr},
     {rollCoupling, "roll_coupling", "Roll coupling", "%", linear, 0, 100, 0, 1, 2,
      "How much a roll drives the object's lowest modes; at 100 as hard as a scrape does", nullptr},
+    {lossFactor, "loss_factor", "Loss factor", "", cubic, 0, 0.5, 0, 3, 3,
+     "Damping of the custom material that grows with frequency: 1/Q, the same for all modes", nullptr},
 }};
-
-// Appended to only: automation stores the number. Library names in the order of materialLibrary().
-constexpr std::array<std::string_view, 13> materialNames{
-    "Own", "Custom", "Rosewood", "Padauk", "Wood", "Ceramic", "Glass", "Plastic", "Iron",
-    "Polycarbonate", "Steel", "Tin", "Aluminium"};
 
 // Appended to only, in the order of malletRack().
 constexpr std::array<std::string_view, 8> malletNames{
@@ -100,6 +100,9 @@ constexpr std::array<std::string_view, 8> malletNames{
 constexpr std::array<std::string_view, 3> contactNames{"Strike", "Scrape", "Roll"};
 // clang-format on
 
+// Of the maximum; what is smaller is 0, as its digits would not end.
+constexpr double smallestCubicShare = 5e-7;
+
 constexpr bool tableIsInOrder() {
     for (std::size_t i = 0; i < table.size(); ++i)
         if (table[i].parameter != static_cast<ParameterId>(i))
@@ -107,6 +110,13 @@ constexpr bool tableIsInOrder() {
     return true;
 }
 static_assert(tableIsInOrder());
+
+std::vector<std::string_view> allMaterialNames() {
+    std::vector<std::string_view> names{"Own", "Custom"};
+    const auto library = libraryMaterialNames();
+    names.insert(names.end(), library.begin(), library.end());
+    return names;
+}
 
 std::string_view trimmed(std::string_view text) {
     const auto isSpace = [](unsigned char c) { return std::isspace(c) != 0; };
@@ -131,10 +141,16 @@ std::string formatNumber(double value, int decimals) {
 
 /// Decimals that show at least so many significant digits of the value as it is rounded.
 int decimalsFor(double value, int significantDigits) {
+    if (value == 0)
+        return 0;
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - significantDigits + 1);
     const double rounded = std::round(value / unit) * unit;
     const int magnitude = static_cast<int>(std::floor(std::log10(rounded) + 1e-9));
     return std::max(0, significantDigits - 1 - magnitude);
+}
+
+bool bySignificantDigits(ParameterScale scale) {
+    return scale == logarithmic || scale == cubic;
 }
 
 bool isWhole(ParameterScale scale) {
@@ -147,6 +163,8 @@ double ParameterInfo::toNormalised(double value) const {
     const double inside = clamped(value);
     if (scale == logarithmic)
         return std::log(inside / minimum) / std::log(maximum / minimum);
+    if (scale == cubic)
+        return std::cbrt(inside / maximum);
     return (inside - minimum) / (maximum - minimum);
 }
 
@@ -155,6 +173,8 @@ double ParameterInfo::fromNormalised(double normalised) const {
         std::isnan(normalised) ? toNormalised(defaultValue) : std::clamp(normalised, 0.0, 1.0);
     if (scale == logarithmic)
         return clamped(minimum * std::pow(maximum / minimum, inside));
+    if (scale == cubic)
+        return clamped(inside * inside * inside * maximum);
     return clamped(minimum + inside * (maximum - minimum));
 }
 
@@ -162,6 +182,8 @@ double ParameterInfo::clamped(double value) const {
     if (std::isnan(value))
         return defaultValue;
     const double inside = std::clamp(value, minimum, maximum);
+    if (scale == cubic && inside < smallestCubicShare * maximum)
+        return 0;
     return isWhole(scale) ? std::round(inside) : inside;
 }
 
@@ -180,8 +202,10 @@ const ParameterInfo* findParameter(std::string_view id) {
 }
 
 std::span<const std::string_view> choiceNames(ParameterId parameter) {
-    if (parameter == material)
+    if (parameter == material) {
+        static const auto materialNames = allMaterialNames();
         return materialNames;
+    }
     if (parameter == mallet)
         return malletNames;
     if (parameter == contact)
@@ -200,8 +224,9 @@ std::string formatParameter(const ParameterInfo& info, double value) {
     }
     if (info.maximumName != nullptr && inside == info.maximum)
         return info.maximumName;
-    std::string text = formatNumber(
-        inside, info.scale == logarithmic ? decimalsFor(inside, info.decimals) : info.decimals);
+    std::string text =
+        formatNumber(inside, bySignificantDigits(info.scale) ? decimalsFor(inside, info.decimals)
+                                                             : info.decimals);
     if (*info.unit != '\0')
         text += std::string(" ") + info.unit;
     return text;

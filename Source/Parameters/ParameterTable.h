@@ -48,12 +48,15 @@ enum class ParameterId : std::size_t {
     contactSpeed,
     roughness,
     rollCoupling,
+    lossFactor,
     count
 };
 
 inline constexpr std::size_t parameterCount = static_cast<std::size_t>(ParameterId::count);
 
-enum class ParameterScale { linear, logarithmic, steps, onOff, choice };
+/// `cubic`: from 0, with the cube of the place, which reaches far down; below 5e-7 of the maximum
+/// there is only 0.
+enum class ParameterScale { linear, logarithmic, steps, onOff, choice, cubic };
 
 /// One row. Values are in `unit` and lie in [minimum, maximum]; `steps`, `onOff` and `choice` take
 /// whole numbers only.
@@ -66,8 +69,8 @@ struct ParameterInfo {
     double minimum;
     double maximum;
     double defaultValue;
-    int decimals;            ///< shown behind the point; significant digits where logarithmic
-    int versionAdded;        ///< JUCE's version hint
+    int decimals;     ///< shown behind the point; significant digits where logarithmic or cubic
+    int versionAdded; ///< JUCE's version hint
     const char* description; ///< one sentence: what it does to the sound
     const char* maximumName; ///< what the top of the range is called, or nullptr
 

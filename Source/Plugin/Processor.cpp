@@ -1,12 +1,24 @@
 #include "Plugin/Processor.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/SettingsOfParameters.h"
 #include "Plugin/ObjectEmbedding.h"
+#include "Synth/LiveConditions.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace idiophone {
+namespace {
+
+/// [1/s] Of the lowest mode that sounds: all laws damp higher ones more.
+double slowestDecay(const DampingLaw& damping) noexcept {
+    const double omega = 2 * std::numbers::pi * lowestSoundingHz;
+    return decayBound(PoleLaw{.eigenvalueRatio = 1, .damping = damping}.pole(omega * omega));
+}
+
+} // namespace
 
 // The audio thread.
 
@@ -106,18 +118,10 @@ juce::AudioProcessorParameter* Processor::getBypassParameter() const {
 double Processor::getTailLengthSeconds() const {
     using enum ParameterId;
     const auto values = parameters.values();
-    const auto choice = static_cast<std::size_t>(values[material]);
-    const auto library = materialLibrary();
-    double damping = ownFluidDamping;
-    if (choice == customMaterial)
-        damping = values[fluidDamping];
-    else if (choice >= firstLibraryMaterial && choice - firstLibraryMaterial < library.size())
-        damping = library[choice - firstLibraryMaterial].fluidDampingPerSecond;
-
-    // No mode decays slower than at γ/2 per second.
+    const auto live = synthesisSettings(values).material;
+    const double slowest = live ? slowestDecay(live->damping) : ownSlowestDecay.load();
     const double released = values[letRing] != 0 ? 0 : std::log(1000) / values[releaseTime];
-    const double decayPerSecond = damping / 2 + released;
-    return std::min(std::log(65536) / decayPerSecond, longestTailSeconds);
+    return std::min(std::log(65536) / (slowest + released), longestTailSeconds);
 }
 
 int Processor::getNumPrograms() {
@@ -159,10 +163,10 @@ void Processor::setCurrentProgram(int index) {
 }
 
 void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
-    double leastDamping = std::numeric_limits<double>::infinity();
+    double slowest = std::numeric_limits<double>::infinity();
     for (const auto& slot : built->slots())
-        leastDamping = std::min(leastDamping, slot.object->material.fluidDampingPerSecond);
-    ownFluidDamping = leastDamping;
+        slowest = std::min(slowest, slowestDecay(slot.object->material.damping));
+    ownSlowestDecay = slowest;
     loadedPreset = std::move(preset);
     instrument = std::move(built);
     lastError.clear();

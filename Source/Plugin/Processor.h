@@ -66,6 +66,9 @@ public:
     void beginParameterChange(ParameterId parameter) override;
     void changeParameter(ParameterId parameter, double value) override;
     void endParameterChange(ParameterId parameter) override;
+    std::vector<std::string> readUserMaterials() override;
+    int userMaterialIndex() const override;
+    void chooseUserMaterial(int index) override;
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
     Status takeStatus() override;
@@ -84,6 +87,7 @@ private:
     void report(std::span<float* const> channels, int count) noexcept;
 
     HostParameters parameters;
+    std::vector<Material> userMaterials; ///< the message thread's
 
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;
@@ -99,7 +103,7 @@ private:
     std::atomic<bool> resetRequested{false};
     std::atomic<int> requestedProgram{-1};
     std::atomic<int> programIndex{-1};
-    std::atomic<double> ownFluidDamping{0}; ///< the least of the loaded objects
+    std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<float> peak{0};
 

@@ -3,6 +3,10 @@
 #include "Plugin/Processor.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/SettingsOfParameters.h"
+#include "Object/MaterialFile.h"
+
+#include <algorithm>
 
 namespace idiophone {
 
@@ -33,6 +37,45 @@ void Processor::changeParameter(ParameterId parameter, double value) {
 
 void Processor::endParameterChange(ParameterId parameter) {
     parameters[parameter].endChangeGesture();
+}
+
+std::vector<std::string> Processor::readUserMaterials() {
+    auto found = readMaterialFolder(userMaterialFolder());
+    userMaterials = std::move(found.materials);
+    if (!found.faults.empty()) {
+        const std::scoped_lock lock(soundMutex);
+        lastError = found.faults.front().message;
+    }
+    std::vector<std::string> names;
+    for (const auto& material : userMaterials)
+        names.push_back(material.name);
+    return names;
+}
+
+int Processor::userMaterialIndex() const {
+    if (userMaterials.empty())
+        return -1;
+    const auto now = parameters.values();
+    const auto played = std::ranges::find_if(userMaterials, [&](const Material& material) {
+        return withCustomMaterial(now, material) == now;
+    });
+    return played == userMaterials.end()
+               ? -1
+               : static_cast<int>(std::distance(userMaterials.begin(), played));
+}
+
+void Processor::chooseUserMaterial(int index) {
+    if (index < 0 || index >= static_cast<int>(userMaterials.size()))
+        return;
+    const auto wanted =
+        withCustomMaterial(parameters.values(), userMaterials[static_cast<std::size_t>(index)]);
+    const auto change = [&](ParameterId parameter) {
+        beginParameterChange(parameter);
+        changeParameter(parameter, wanted[parameter]);
+        endParameterChange(parameter);
+    };
+    std::ranges::for_each(materialFigures, change);
+    change(ParameterId::material); // last: what plays up to here keeps its own figures
 }
 
 void Processor::playNote(int midiNote, int velocity) {

@@ -24,19 +24,17 @@ LiveConditions liveConditions(const Material& reference,
                               const SynthesisSettings& settings,
                               double slotSizeRatio,
                               double slotFrequencyRatio) noexcept {
-    const LiveMaterial material = settings.material.value_or(
-        LiveMaterial{.youngsModulusPa = reference.youngsModulusPa,
-                     .densityKgPerM3 = reference.densityKgPerM3,
-                     .fluidDampingPerSecond = reference.fluidDampingPerSecond,
-                     .viscoelasticDampingSeconds = reference.viscoelasticDampingSeconds});
+    const LiveMaterial material =
+        settings.material.value_or(LiveMaterial{.youngsModulusPa = reference.youngsModulusPa,
+                                                .densityKgPerM3 = reference.densityKgPerM3,
+                                                .damping = reference.damping});
     const double size = slotSizeRatio * settings.sizeRatio;
     const double tuning = settings.frequencyRatio * slotFrequencyRatio / size;
     const double density = ratio(material.densityKgPerM3, reference.densityKgPerM3);
     const double stiffness = ratio(material.youngsModulusPa, reference.youngsModulusPa);
     LiveConditions result;
     result.law = {.eigenvalueRatio = stiffness / density * tuning * tuning,
-                  .fluidDampingPerSecond = material.fluidDampingPerSecond,
-                  .viscoelasticDampingSeconds = material.viscoelasticDampingSeconds};
+                  .damping = material.damping};
     result.gainRatio = 1 / (density * size * size * size);
     result.radiationRatio = result.frequencyRatio() * size;
     return result;

@@ -150,12 +150,13 @@ void ModalBank::regroup(std::size_t modes,
 void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           const PoleLaw& law,
                           double lowestHz,
-                          double highestHz) noexcept {
+                          double highestHz,
+                          std::span<const double> dampingRatios) noexcept {
     heavyModes.clear();
     audibleModes = 0;
     resonancesHz.clear();
     for (std::size_t g = 0; g < count; ++g) {
-        const ModalPole moved = law.pole(referenceEigenvalues[g]);
+        const ModalPole moved = law.pole(referenceEigenvalues[g], dampingRatioOf(dampingRatios, g));
         const bool oscillates = isOscillating(moved);
         if (oscillates != isOscillating(pole(g)) && energy[g] > 0)
             for (std::size_t c = 0; c < channelCount; ++c) {

@@ -98,14 +98,16 @@ public:
     /// `room` is for states of this bank, and left with anything; `movePoles` is to follow.
     void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
-    /// Gives every mode the pole that `law` makes of its reference eigenvalue [size]. States stay
+    /// Gives every mode the pole that `law` makes of its reference eigenvalue [size] and damping
+    /// ratio ([size], or empty: all 1). States stay
     /// (DESIGN 5, State: no step in the velocity); where the coordinates change near critical
     /// damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f < `highestHz` (natural
     /// frequency) become inaudible.
     void movePoles(std::span<const double> referenceEigenvalues,
                    const PoleLaw& law,
                    double lowestHz,
-                   double highestHz) noexcept;
+                   double highestHz,
+                   std::span<const double> dampingRatios = {}) noexcept;
 
     ModalPole pole(std::size_t g) const noexcept { return {stiffness[g], damping[g]}; }
     bool audible(std::size_t g) const noexcept { return audibles[g] != 0; }

@@ -2,9 +2,14 @@
 // samples, no object: numbers in, numbers out.
 #pragma once
 
+#include "Object/DampingLaw.h"
+
+#include <cstddef>
+#include <span>
+
 namespace idiophone {
 
-/// λ [rad²/s²] > 0 and d = γ + η λ [1/s] ≥ 0 (Raghuvanshi & Lin 2006, eq. 6, m_i = 1).
+/// λ [rad²/s²] > 0 and d [1/s] ≥ 0 (Raghuvanshi & Lin 2006, eq. 6, m_i = 1).
 struct ModalPole {
     double stiffness = 1;
     double damping = 0;
@@ -12,15 +17,20 @@ struct ModalPole {
     bool operator==(const ModalPole&) const = default;
 };
 
-/// How the eigenvalues of an object's reference become poles now: λ = ratio · λ_ref, d = γ + η λ.
+/// How the eigenvalues of an object's reference become poles now: λ = ratio · λ_ref, and d
+/// by the damping law at that λ, times the mode's own ratio (ModalObject::dampingRatio).
 struct PoleLaw {
     double eigenvalueRatio = 1;
-    double fluidDampingPerSecond = 0;
-    double viscoelasticDampingSeconds = 0;
+    DampingLaw damping;
 
     bool operator==(const PoleLaw&) const = default;
-    ModalPole pole(double referenceEigenvalue) const noexcept;
+    ModalPole pole(double referenceEigenvalue, double dampingRatio = 1) const noexcept;
 };
+
+/// The damping ratio of a mode or group; empty ratios are all 1.
+inline double dampingRatioOf(std::span<const double> dampingRatios, std::size_t index) noexcept {
+    return dampingRatios.empty() ? 1 : dampingRatios[index];
+}
 
 /// Velocity z' and displacement z of a mode at one instant.
 struct Motion {

@@ -10,17 +10,23 @@ namespace idiophone {
 namespace {
 
 constexpr double samePole = 1e-9;
+// Decay times that cannot be told apart, as ratios.
+constexpr double leastLikeDecay = 0.75, mostLikeDecay = 1.4;
 constexpr double turn = 2 * std::numbers::pi;
 
 /// The first mode of a group, with what all others are compared with.
 struct FirstMode {
-    explicit FirstMode(const ModalPole& first, double compression) noexcept
-        : pole(first), oscillates(isOscillating(first)),
+    FirstMode(const ModalPole& first, double firstDampingRatio, double compression) noexcept
+        : pole(first), dampingRatio(firstDampingRatio), oscillates(isOscillating(first)),
           frequency(oscillates ? dampedFrequency(first) : 0),
           noticeable(oscillates ? turn * compression * discriminationHz(frequency / turn) : 0) {}
 
-    bool canMerge(const ModalPole& next) const noexcept {
-        if (std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
+    bool canMerge(const ModalPole& next, double nextDampingRatio) const noexcept {
+        if (nextDampingRatio != dampingRatio &&
+            (dampingRatio < leastLikeDecay * nextDampingRatio ||
+             dampingRatio > mostLikeDecay * nextDampingRatio))
+            return false;
+        if (nextDampingRatio == dampingRatio && std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
             return true;
         if (!oscillates || !isOscillating(next))
             return false;
@@ -34,6 +40,7 @@ struct FirstMode {
     }
 
     ModalPole pole;
+    double dampingRatio;
     bool oscillates;
     double frequency;
     double noticeable;
@@ -49,17 +56,19 @@ double discriminationHz(double frequencyHz) noexcept {
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
-                       std::span<std::int32_t> groupStarts) noexcept {
+                       std::span<std::int32_t> groupStarts,
+                       std::span<const double> dampingRatios) noexcept {
     std::size_t groups = 0;
     std::size_t start = 0;
-    FirstMode first({}, compression);
+    FirstMode first({}, 1, compression);
     for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
-        const ModalPole pole = law.pole(referenceEigenvalues[i]);
-        if (groups > 0 && i - start < largestGroup && first.canMerge(pole))
+        const double dampingRatio = dampingRatioOf(dampingRatios, i);
+        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingRatio);
+        if (groups > 0 && i - start < largestGroup && first.canMerge(pole, dampingRatio))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;
-        first = FirstMode(pole, compression);
+        first = FirstMode(pole, dampingRatio, compression);
     }
     groupStarts[groups] = static_cast<std::int32_t>(referenceEigenvalues.size());
     return groups;
@@ -80,14 +89,28 @@ double mergedEigenvalue(std::span<const double> referenceEigenvalues,
     return mean * mean;
 }
 
+double mergedDampingRatio(std::span<const double> dampingRatios,
+                          std::span<const double> weights) noexcept {
+    const double first = dampingRatios.front();
+    double sum = 0;
+    double total = 0;
+    for (std::size_t i = 0; i < dampingRatios.size(); ++i) {
+        sum += weights[i] * (dampingRatios[i] - first);
+        total += weights[i];
+    }
+    return total > 0 ? first + sum / total : first;
+}
+
 void findLostShares(std::span<const double> referenceEigenvalues,
                     const PoleLaw& law,
-                    std::span<float> shares) noexcept {
+                    std::span<float> shares,
+                    std::span<const double> dampingRatios) noexcept {
     const std::size_t count = std::min(referenceEigenvalues.size(), largestGroup);
     std::array<double, largestGroup> decays;
     std::array<double, largestGroup> frequencies;
     for (std::size_t i = 0; i < count; ++i) {
-        const ModalPole pole = law.pole(referenceEigenvalues[i]);
+        const ModalPole pole =
+            law.pole(referenceEigenvalues[i], dampingRatioOf(dampingRatios, i));
         decays[i] = pole.damping / 2;
         frequencies[i] = dampedFrequency(pole);
     }

@@ -23,18 +23,27 @@ double discriminationHz(double frequencyHz) noexcept;
 ///  - its damped frequency is within compression · D of the first's (a chain would merge
 ///  everything);
 ///  - they do not beat audibly: |Δω| ≤ (α_i + α_j)/2, so that they decay within a beat;
-///  - both oscillate (over-damped modes have no frequency to compare).
-/// Modes whose λ agree within 1e-9 are one pole and always join, even at compression 0.
+///  - both oscillate (over-damped modes have no frequency to compare);
+///  - their own damping ratios (empty: all 1), the first's over its, are 0.75 to 1.4: decay times
+///  that far apart sound alike (Järveläinen & Tolonen 2001).
+/// Modes whose λ agree within 1e-9, and whose damping ratios are equal, are one pole and always
+/// join, even at compression 0.
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
-                       std::span<std::int32_t> groupStarts) noexcept;
+                       std::span<std::int32_t> groupStarts,
+                       std::span<const double> dampingRatios = {}) noexcept;
 
 /// The reference eigenvalue that stands for a group: the square of the mean of √λ weighted by
 /// `weights` (each mode's mean-square shape), independent of where the object is struck. Exact
 /// where the members are equal.
 double mergedEigenvalue(std::span<const double> referenceEigenvalues,
                         std::span<const double> weights) noexcept;
+
+/// The damping ratio that stands for a group: their mean weighted by `weights`. Exact where the
+/// members are equal.
+double mergedDampingRatio(std::span<const double> dampingRatios,
+                          std::span<const double> weights) noexcept;
 
 /// How many pairs a group of `modes` has.
 constexpr std::size_t pairsOf(std::size_t modes) noexcept {
@@ -45,7 +54,8 @@ constexpr std::size_t pairsOf(std::size_t modes) noexcept {
 /// each pair i < j, (0,1), (0,2), …, with a_ij = α_i + α_j and Δ_ij = ω_i − ω_j.
 void findLostShares(std::span<const double> referenceEigenvalues,
                     const PoleLaw& law,
-                    std::span<float> shares) noexcept;
+                    std::span<float> shares,
+                    std::span<const double> dampingRatios = {}) noexcept;
 
 /// The residue that stands for a group: R² = Σ_ij r_i r_j a_ij²/(a_ij² + Δ_ij²), with the sign of
 /// Σr. Equal poles give Σr exactly.

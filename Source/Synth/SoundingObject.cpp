@@ -46,6 +46,9 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     groupStarts.resize(modes + 1);
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
     referenceEigenvalues = object->eigenvalues;
+    for (std::size_t mode = 0; mode < object->decaysPerSecond.size(); ++mode)
+        dampingRatios.push_back(object->dampingRatio(mode));
+    groupDampingRatios = dampingRatios;
     lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)

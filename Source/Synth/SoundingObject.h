@@ -232,6 +232,8 @@ private:
     std::vector<double> modeWeights;          ///< [M] mean-square shape
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
     std::vector<double> referenceEigenvalues; ///< [G]
+    std::vector<double> dampingRatios;        ///< [M], or empty: all 1
+    std::vector<double> groupDampingRatios;   ///< [G], or empty: all 1
     std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)
     std::optional<PoleLaw> lostSharesLaw;     ///< for which they hold
 

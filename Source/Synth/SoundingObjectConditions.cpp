@@ -60,7 +60,7 @@ void SoundingObject::movePoles() noexcept {
     // Resting states move with the poles they had up to here.
     bringRestingUpToDate(cellIndex);
     const std::size_t groups =
-        groupModes(object->eigenvalues, law, compression, scratch.groupStarts);
+        groupModes(object->eigenvalues, law, compression, scratch.groupStarts, dampingRatios);
     if (groups == bank.size() &&
         std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
                    scratch.groupStarts.begin()))
@@ -68,7 +68,7 @@ void SoundingObject::movePoles() noexcept {
     else
         regroup(groups);
     bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestSoundingHz,
-                   highestSoundingShare * sampleRate);
+                   highestSoundingShare * sampleRate, groupDampingRatios);
 }
 
 bool SoundingObject::inBand(std::size_t g) const noexcept {

@@ -66,6 +66,10 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
         referenceEigenvalues[g] =
             mergedEigenvalue(std::span(object->eigenvalues).subspan(first, count),
                              std::span(modeWeights).subspan(first, count));
+        if (!dampingRatios.empty())
+            groupDampingRatios[g] =
+                mergedDampingRatio(std::span<const double>(dampingRatios).subspan(first, count),
+                                   std::span<const double>(modeWeights).subspan(first, count));
     }
 }
 

@@ -1,6 +1,8 @@
 // What may change while objects ring. All of it acts at grid points.
 #pragma once
 
+#include "Object/DampingLaw.h"
+
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,15 +20,14 @@ inline constexpr double metresPerSecondPerTau = 1.0 / 65536.0;
 struct LiveMaterial {
     double youngsModulusPa = 0;
     double densityKgPerM3 = 0;
-    double fluidDampingPerSecond = 0;
-    double viscoelasticDampingSeconds = 0;
+    DampingLaw damping;
 
     bool operator==(const LiveMaterial&) const = default;
 };
 
 /// A figure out of its range is ignored and keeps what it was. Frequency, size and material all act
 /// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio², and the damping
-/// d = γ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³.
+/// d = γ + χ √λ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³.
 struct SynthesisSettings {
     double tau = 0.01;         ///< τ ≥ 0 in 16-bit steps; 0 never truncates
     double qualitySlope = 1;   ///< S ≥ 0; infinity is greedy

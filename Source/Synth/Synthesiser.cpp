@@ -19,11 +19,15 @@ bool validSize(double ratio) {
     return ratio >= 1e-6 && ratio <= 1e6;
 }
 
+bool notNegative(double value) {
+    return value >= 0 && std::isfinite(value);
+}
+
 bool valid(const LiveMaterial& material) {
     return positive(material.youngsModulusPa) && positive(material.densityKgPerM3) &&
-           material.fluidDampingPerSecond >= 0 && std::isfinite(material.fluidDampingPerSecond) &&
-           material.viscoelasticDampingSeconds >= 0 &&
-           std::isfinite(material.viscoelasticDampingSeconds);
+           notNegative(material.damping.fluidPerSecond) &&
+           notNegative(material.damping.viscoelasticSeconds) &&
+           notNegative(material.damping.lossFactor);
 }
 
 /// Every figure that is out of its range keeps what it was.

@@ -15,7 +15,7 @@ using Catch::Matchers::WithinRel;
 
 TEST_CASE("A bar tuned to 1000 Hz sounds within 0.05 cent of it, damping and all") {
     auto material = referenceWood(1.0 / 3);
-    material.fluidDampingPerSecond = 400; // enough to be heard in the pitch: -1.8 cents
+    material.damping.fluidPerSecond = 400; // enough to be heard in the pitch: -1.8 cents
     const BarSpecification bar{.name = "one",
                                .targetFrequencyHz = 1000,
                                .widthMetres = 0.035,
@@ -27,7 +27,7 @@ TEST_CASE("A bar tuned to 1000 Hz sounds within 0.05 cent of it, damping and all
     const auto mode = static_cast<std::size_t>(tuned->bendingMode);
     const double lambda = tuned->object.eigenvalues.at(mode);
     const double alpha =
-        (material.fluidDampingPerSecond + material.viscoelasticDampingSeconds * lambda) / 2;
+        (material.damping.fluidPerSecond + material.damping.viscoelasticSeconds * lambda) / 2;
     const double heard = std::sqrt(lambda - alpha * alpha) / (2 * std::numbers::pi);
     CHECK_THAT(cents(heard, 1000), WithinAbs(0, 0.05));
     CHECK(cents(std::sqrt(lambda) / (2 * std::numbers::pi), 1000) > 0.5);

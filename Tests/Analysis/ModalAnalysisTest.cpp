@@ -23,6 +23,7 @@ AnalysisSettings barSettings() {
     AnalysisSettings settings;
     settings.name = "bar";
     settings.material = referenceWood();
+    settings.method = AnalysisMethod::twoLayer;
     settings.thicknessMetres = 0.02;
     settings.maxFrequencyHz = 12000;
     return settings;

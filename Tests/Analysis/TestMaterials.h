@@ -15,8 +15,8 @@ inline Material referenceWood(double poissonRatio = 0.25) {
     material.youngsModulusPa = 20e9;
     material.densityKgPerM3 = 1000;
     material.poissonRatio = poissonRatio;
-    material.fluidDampingPerSecond = 10;
-    material.viscoelasticDampingSeconds = 1e-7;
+    material.damping.fluidPerSecond = 10;
+    material.damping.viscoelasticSeconds = 1e-7;
     return material;
 }
 

@@ -14,9 +14,9 @@ PROGRAM = os.environ["IDIOPHONE"]
 OBJECTS = pathlib.Path(__file__).resolve().parents[2] / "Resources" / "Objects"
 
 
-def run(*arguments, timeout=120):
+def run(*arguments, timeout=120, environment=()):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                          timeout=timeout)
+                          timeout=timeout, env={**os.environ, **dict(environment)})
 
 
 class ConsoleTest(unittest.TestCase):
@@ -26,9 +26,11 @@ class ConsoleTest(unittest.TestCase):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
         self.folder = pathlib.Path(directory.name)
+        # Whoever runs the tests may have materials of their own.
+        self.environment = {"XDG_CONFIG_HOME": str(self.folder / "settings")}
 
     def succeed(self, *arguments, timeout=120):
-        result = run(*arguments, timeout=timeout)
+        result = run(*arguments, timeout=timeout, environment=self.environment)
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 
@@ -38,7 +40,7 @@ class ConsoleTest(unittest.TestCase):
     def refuse(self, *arguments, naming, saying=""):
         """Fails with one sentence, which names what is at fault, and leaves no files behind."""
         before = set(self.folder.rglob("*"))
-        result = run(*arguments)
+        result = run(*arguments, environment=self.environment)
         with self.subTest(arguments=arguments, stderr=result.stderr):
             self.assertIn(result.returncode, (1, 2), "a refusal, no signal and no success")
             self.assertEqual(result.stdout, "")

@@ -252,8 +252,11 @@ class BadArguments(ConsoleTest):
                 "fluid_damping_per_s": 5, "viscoelastic_damping_s": 1e-7}
         for content in ("", "{", "[]", json.dumps({**good, "density_kg_per_m3": -1}),
                         json.dumps({**good, "colour": 1}), json.dumps({"name": "Empty"}),
-                        json.dumps({**good, "poisson_ratio": "soft"})):
+                        json.dumps({**good, "poisson_ratio": "soft"}),
+                        json.dumps({**good, "loss_factor": -1}),
+                        json.dumps({**good, "source": {"colour": "seen"}})):
             path = self.write("material.json", content)
+            self.refuse("materials", path, naming=path)
             self.refuse("strike", BAR, *self.out, "--material", path, naming=path)
         self.refuse("strike", BAR, *self.out, "--material", "Unobtainium", naming="Unobtainium")
 

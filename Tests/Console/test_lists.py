@@ -1,3 +1,6 @@
+import json
+import math
+
 from console import ConsoleTest
 
 
@@ -20,6 +23,39 @@ class Lists(ConsoleTest):
         for material in materials:
             self.assertIn(material["name"], text)
             self.assertTrue(material["source"])
+
+    def test_materials_are_told_with_decay_times_of_their_damping_law(self):
+        for material in self.json("materials"):
+            for hz in (440, 1000, 4000):
+                omega = 2 * math.pi * hz
+                damping = (material["fluid_damping_per_s"] + material["loss_factor"] * omega +
+                           material["viscoelastic_damping_s"] * omega ** 2)
+                self.assertAlmostEqual(
+                    material["t60_s"][str(hz)] * damping / (2 * math.log(1000)), 1, places=9)
+
+    def test_a_material_told_as_json_is_read_back_and_checked(self):
+        bronze = next(m for m in self.json("materials") if m["name"] == "Bell bronze")
+        file = self.write("bronze.json", json.dumps(bronze))
+        self.assertEqual(self.json("materials", file), [bronze])
+        self.assertEqual(self.json("materials", "bell BRONZE"), [bronze])
+        text = self.succeed("materials", file).stdout
+        for figure in ("Bell bronze", "105", "8800", "0.0002", "25", "11", bronze["source"]):
+            self.assertIn(figure, text)
+
+    def test_materials_of_the_users_folder_are_listed_and_found_by_name(self):
+        folder = self.folder / "settings" / "Idiophone" / "Materials"
+        folder.mkdir(parents=True)
+        jade = {"youngs_modulus_pa": 1.1e11, "density_kg_per_m3": 3300, "poisson_ratio": 0.27,
+                "loss_factor": 1e-4}
+        (folder / "Jade.json").write_text(json.dumps(jade))
+        self.assertEqual(self.json("materials")[-1]["name"], "Jade")
+        self.assertEqual(self.json("materials", "jade")[0]["density_kg_per_m3"], 3300)
+        self.assertIn(str(folder), self.succeed("materials").stdout)
+        (folder / "broken.json").write_text("{")
+        listed = self.succeed("materials")
+        self.assertIn("Jade", listed.stdout)
+        self.assertEqual(listed.stderr, f"idiophone: {folder / 'broken.json'}: it is not JSON\n")
+        self.assertEqual(self.json("materials", "jade")[0]["name"], "Jade")
 
     def test_parameters_are_told_with_units_ranges_and_defaults(self):
         parameters = self.json("parameters")

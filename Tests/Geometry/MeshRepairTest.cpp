@@ -1,37 +1,18 @@
 #include "Geometry/MeshRepair.h"
 
 #include "Geometry/ParametricMesh.h"
+#include "Geometry/TestMeshes.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
 #include <limits>
 #include <random>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
-
-namespace {
-
-/// Every face with vertices of its own, as STL files have them.
-Mesh soupOf(const Mesh& mesh) {
-    Mesh soup{Eigen::MatrixXd(3 * mesh.faceCount(), 3), mesh.faces};
-    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        for (int corner = 0; corner < 3; ++corner) {
-            soup.vertices.row(3 * face + corner) = mesh.vertices.row(mesh.faces(face, corner));
-            soup.faces(face, corner) = static_cast<int>(3 * face + corner);
-        }
-    return soup;
-}
-
-Mesh joined(const Mesh& a, const Mesh& b) {
-    Mesh both{Eigen::MatrixXd(a.vertexCount() + b.vertexCount(), 3),
-              Eigen::MatrixXi(a.faceCount() + b.faceCount(), 3)};
-    both.vertices << a.vertices, b.vertices;
-    both.faces << a.faces, b.faces.array() + static_cast<int>(a.vertexCount());
-    return both;
-}
-
-} // namespace
 
 TEST_CASE("A sound mesh comes out of repair as it went in") {
     for (const auto& mesh : {icosphereMesh(0.1, 3), sheetMesh(0.4, 0.05, 500)}) {
@@ -127,6 +108,112 @@ TEST_CASE("Open and non-manifold meshes work and are reported") {
     CHECK(repaired->report.boundaryEdges == 6);
 }
 
+TEST_CASE("A cube with a finer side is closed at its T-junctions") {
+    const int segments = GENERATE(1, 3);
+    const auto cube = tJunctionCube(segments);
+    const auto repaired = repairMesh(cube);
+    REQUIRE(repaired);
+    CHECK(repaired->report.joinedVertices == 4 * segments);
+    CHECK(isClosed(uniqueEdges(repaired->mesh)));
+    CHECK(isOrientedManifold(repaired->mesh));
+    CHECK(std::abs(signedVolumeM3(repaired->mesh) - 1) < 1e-12);
+    CHECK_THAT(repaired->report.text(), ContainsSubstring("Joined"));
+}
+
+TEST_CASE("A vertex near an edge is joined within ten weld tolerances and left beyond") {
+    Mesh mesh{Eigen::MatrixXd(6, 3), Eigen::MatrixXi(3, 3)};
+    mesh.vertices << 0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.4, 0, 0, 0.2, -1, 0, 0.8, -1, 0;
+    mesh.faces << 0, 1, 2, 0, 4, 3, 1, 3, 5;
+    mesh.vertices(3, 1) = -5e-7;
+    CHECK(repairMesh(mesh)->report.joinedVertices == 1);
+    CHECK(repairMesh(mesh)->mesh.faceCount() == 4);
+    CHECK(repairMesh(mesh)->report.boundaryEdges == 6);
+    mesh.vertices(3, 1) = -5e-6;
+    CHECK(repairMesh(mesh)->report.joinedVertices == 0);
+}
+
+TEST_CASE("A cap, a face with its apex on its longest side, is replaced without a gap") {
+    Mesh mesh{Eigen::MatrixXd(5, 3), Eigen::MatrixXi(4, 3)};
+    mesh.vertices << 0, 0, 0, 1, 0, 0, 0.5, 0, 0, 0.5, -1, 0, 0.5, 1, 0;
+    mesh.faces << 0, 2, 1, 0, 3, 1, 0, 2, 4, 2, 1, 4;
+    const auto repaired = repairMesh(mesh);
+    REQUIRE(repaired);
+    CHECK(repaired->report.degenerateFaces == 1);
+    CHECK(repaired->mesh.faceCount() == 4);
+    CHECK(repaired->report.boundaryEdges == 4);
+}
+
+TEST_CASE("Two cubes that share an edge look outward, and are cut into two closed cubes") {
+    const auto cube = boxMesh({1, 1, 1}, {2, 2, 2});
+    for (const auto& both : {joined(cube, moved(cube, {1, 1, 0})),
+                             joined(insideOut(cube), moved(insideOut(cube), {1, 1, 0})),
+                             joined(cube, moved(insideOut(cube), {1, 1, 0}))}) {
+        const auto kept = repairMesh(both);
+        REQUIRE(kept);
+        CHECK(kept->report.nonManifoldEdges == 2);
+        CHECK(kept->report.components == 1);
+        CHECK(std::abs(signedVolumeM3(kept->mesh) - 2) < 1e-12);
+        const auto cut = repairMesh(both, {.cutIntoManifold = true});
+        REQUIRE(cut);
+        CHECK(isOrientedManifold(cut->mesh));
+        CHECK(cut->report.nonManifoldEdges == 0);
+        CHECK(cut->report.boundaryEdges == 0);
+        CHECK(std::abs(signedVolumeM3(cut->mesh) - 2) < 1e-12);
+    }
+    const auto apart = repairMesh(joined(cube, moved(cube, {1, 1, 0})), {.cutIntoManifold = true});
+    CHECK(apart->report.components == 2);
+    CHECK(apart->report.cutVertices == 3);
+}
+
+TEST_CASE("Two cubes that share a vertex are cut into two") {
+    const auto cube = boxMesh({1, 1, 1}, {1, 1, 1});
+    const auto both = joined(cube, moved(cube, {1, 1, 1}));
+    CHECK(repairMesh(both)->report.components == 1);
+    const auto cut = repairMesh(both, {.cutIntoManifold = true});
+    CHECK(cut->report.components == 2);
+    CHECK(cut->report.cutVertices == 1);
+    CHECK(isOrientedManifold(cut->mesh));
+}
+
+TEST_CASE("A sphere in a sphere bounds a hollow, and one in that is solid again") {
+    const auto outer = icosphereMesh(1, 3), middle = icosphereMesh(0.5, 2),
+               inner = icosphereMesh(0.25, 2);
+    const auto hollow = repairMesh(joined(middle, outer));
+    REQUIRE(hollow);
+    CHECK(hollow->report.hollows == 1);
+    CHECK(std::abs(signedVolumeM3(hollow->mesh) -
+                   (signedVolumeM3(outer) - signedVolumeM3(middle))) < 1e-12);
+    const auto three = repairMesh(joined(joined(middle, insideOut(outer)), inner));
+    CHECK(three->report.hollows == 1);
+    CHECK(std::abs(signedVolumeM3(three->mesh) - (signedVolumeM3(outer) - signedVolumeM3(middle) +
+                                                  signedVolumeM3(inner))) < 1e-12);
+    CHECK(repairMesh(joined(outer, moved(outer, {3, 0, 0})))->report.hollows == 0);
+}
+
+TEST_CASE("One-sided surfaces are reported, and cut at a seam across") {
+    const auto strip = repairMesh(moebiusStrip(40, 4));
+    REQUIRE(strip);
+    CHECK(strip->report.oneSidedEdges > 0);
+    CHECK_THAT(strip->report.text(), ContainsSubstring("One-sided"));
+    for (const auto& mesh : {moebiusStrip(40, 4), kleinBottle(30, 20)}) {
+        const auto cut = repairMesh(mesh, {.cutIntoManifold = true});
+        REQUIRE(cut);
+        CHECK(isOrientedManifold(cut->mesh));
+        CHECK(cut->report.cutVertices > 0);
+        CHECK(cut->report.components == 1);
+        CHECK(std::abs(faceAreas(cut->mesh).sum() - faceAreas(mesh).sum()) < 1e-9);
+    }
+}
+
+TEST_CASE("A book comes apart into its pages, two of them staying together as a sheet") {
+    const int pages = GENERATE(3, 5, 6, 101);
+    const auto cut = repairMesh(book(pages), {.cutIntoManifold = true});
+    REQUIRE(cut);
+    CHECK(isOrientedManifold(cut->mesh));
+    CHECK(cut->mesh.faceCount() == pages);
+    CHECK(cut->report.components == (pages + 1) / 2);
+}
+
 TEST_CASE("Meshes that cannot be repaired are refused with a sentence") {
     auto mesh = icosphereMesh(1, 0);
     const auto errorOf = [](const Mesh& m) { return repairMesh(m).error().message; };
@@ -143,6 +230,8 @@ TEST_CASE("Meshes that cannot be repaired are refused with a sentence") {
     broken = mesh;
     broken.vertices.rightCols(2).setZero();
     CHECK_THAT(errorOf(broken), ContainsSubstring("no face with an area"));
+    CHECK_THAT(errorOf({mesh.vertices * 1e10, mesh.faces}), ContainsSubstring("unit"));
+    CHECK_THAT(errorOf({mesh.vertices * 1e-11, mesh.faces}), ContainsSubstring("unit"));
 }
 
 TEST_CASE("A soup of a million separate triangles is repaired in less than quadratic time") {

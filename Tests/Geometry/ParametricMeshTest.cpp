@@ -86,3 +86,25 @@ TEST_CASE("A hoop is open at both rims only and looks outward") {
     for (Eigen::Index v = 0; v < hoop.vertexCount(); ++v)
         REQUIRE(normals.row(v).dot(hoop.vertices.row(v)) > 0);
 }
+
+TEST_CASE("Extruded sheets, discs and rings are closed, look outward and have their volume") {
+    const double pi = std::numbers::pi;
+    const int layers = GENERATE(1, 2, 5);
+    const auto plate = extrudedMesh(sheetMesh(0.4, 0.05, SheetGrid{20, 4}), 0.02, layers);
+    CHECK(isClosed(uniqueEdges(plate)));
+    CHECK_THAT(signedVolumeM3(plate), WithinRel(0.4 * 0.05 * 0.02, 1e-12));
+    const auto disc = extrudedMesh(discMesh(0.1, 8), 0.01, layers);
+    CHECK(isClosed(uniqueEdges(disc)));
+    CHECK_THAT(signedVolumeM3(disc), WithinRel(pi * 1e-4, 0.004));
+    const auto ring = extrudedMesh(annulusMesh(0.09, 0.11, 60, 2), 0.02, layers);
+    CHECK(isClosed(uniqueEdges(ring)));
+    CHECK(connectedComponents(ring).count == 1);
+    CHECK_THAT(signedVolumeM3(ring), WithinRel(pi * (0.0121 - 0.0081) * 0.02, 0.005));
+}
+
+TEST_CASE("A hollow sphere is two closed surfaces around the volume of its wall") {
+    const auto sphere = hollowSphereMesh(0.1, 0.004, 4);
+    CHECK(isClosed(uniqueEdges(sphere)));
+    CHECK(connectedComponents(sphere).count == 2);
+    CHECK_THAT(signedVolumeM3(sphere), WithinRel(4 * std::numbers::pi * 0.01 * 0.004, 0.01));
+}

@@ -17,8 +17,8 @@ constexpr double barHz[] = {400, 1100, 2150};
 
 std::shared_ptr<const Instrument> oneBar() {
     auto object = syntheticObject({std::begin(barHz), std::end(barHz)});
-    object.material.fluidDampingPerSecond = 20;
-    object.material.viscoelasticDampingSeconds = 0;
+    object.material.damping.fluidPerSecond = 20;
+    object.material.damping.viscoelasticSeconds = 0;
     return keysOn(std::move(object), KeyMapKind::zones, 60, 61);
 }
 

@@ -17,7 +17,7 @@ constexpr int speedController = 1, placeController = 74;
 /// Keys 40 to 80, objects of their own, which ring for some ten milliseconds only.
 inline std::shared_ptr<const Instrument> shortBars() {
     auto object = syntheticObject({300, 810, 1600, 2700});
-    object.material.fluidDampingPerSecond = 1000;
+    object.material.damping.fluidPerSecond = 1000;
     return keysOn(std::move(object), KeyMapKind::scaled, 40, 80);
 }
 

@@ -274,8 +274,8 @@ TEST_CASE("The gain is finite and at most 40 dB, and 0 where nothing sounds") {
     LoudnessMatch match(instrument, {}, sampleRateHz, own);
     for (const int kind : {strikeContact, scrapeContact, rollContact})
         for (const auto parameter :
-             {mallet, youngsModulus, density, fluidDamping, viscoelasticDamping, malletMass,
-              malletHardness, modalPulse, contactSpeed, rollCoupling})
+             {mallet, youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor,
+              malletMass, malletHardness, modalPulse, contactSpeed, rollCoupling})
             for (const double value :
                  {parameterInfo(parameter).minimum, parameterInfo(parameter).maximum}) {
                 auto now = with(with(own, material, customMaterial), parameter, value);

@@ -12,8 +12,8 @@ namespace {
 
 Material ownMaterial() {
     auto own = syntheticObject({100}).material;
-    own.fluidDampingPerSecond = 40;
-    own.viscoelasticDampingSeconds = 1e-6;
+    own.damping.fluidPerSecond = 40;
+    own.damping.viscoelasticSeconds = 1e-6;
     return own;
 }
 
@@ -47,8 +47,7 @@ TEST_CASE("Coupled modes follow size, tuning and live material, damping with the
     checkPole(bent.span()[1], 300.0 / 2 * 3 / 0.5, 40, 1e-6);
     settings.material = LiveMaterial{.youngsModulusPa = 4 * own.youngsModulusPa,
                                      .densityKgPerM3 = own.densityKgPerM3,
-                                     .fluidDampingPerSecond = 7,
-                                     .viscoelasticDampingSeconds = 3e-7};
+                                     .damping = {.fluidPerSecond = 7, .viscoelasticSeconds = 3e-7}};
     const auto other = coupledModes(lowest, own, settings);
     REQUIRE(other.span().size() == 2);
     checkPole(other.span()[0], 110.0 / 2 * 3 / 0.5 * 2, 7, 3e-7);
@@ -60,8 +59,8 @@ TEST_CASE("A roll is not coupled to modes that do not sound or do not oscillate"
     const auto sounding = coupledModes(lowest, own, {});
     REQUIRE(sounding.span().size() == 3);
     checkPole(sounding.span()[0], 25, 40, 1e-6);
-    own.fluidDampingPerSecond = 0;
-    own.viscoelasticDampingSeconds = 1e-4; // over-damped from 3.2 kHz on
+    own.damping.fluidPerSecond = 0;
+    own.damping.viscoelasticSeconds = 1e-4; // over-damped from 3.2 kHz on
     const auto oscillating = coupledModes(lowest, own, {});
     REQUIRE(oscillating.span().size() == 2);
     checkPole(oscillating.span()[1], 300, 0, 1e-4);

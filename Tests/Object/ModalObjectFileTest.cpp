@@ -62,6 +62,7 @@ void checkRefused(std::span<const std::byte> file, const char* sentence) {
 TEST_CASE("An object read back is the object written, to the last bit") {
     auto object = syntheticObject({100, 200.125, 44000}, {0.3f, -1.7f, 3e-9f});
     object.bending = {1, 2, 3};
+    object.material.damping.lossFactor = 1.7e-4;
     object.radiation = radiatingObject().radiation;
     object.provenance = {.source = "a \"mesh\" – ü.obj",
                          .software = "Idiophone",
@@ -83,6 +84,22 @@ TEST_CASE("An object read back is the object written, to the last bit") {
     CHECK(back->provenance.source == object.provenance.source);
     CHECK(back->provenance.analysisSeconds == object.provenance.analysisSeconds);
     CHECK(encodeModalObject(*back) == file);
+}
+
+TEST_CASE("A file from before there was a loss factor has none; one that is no number is refused") {
+    const auto withMaterial = [](const std::function<void(json&)>& change) {
+        return changed([&](json& header) {
+            auto& text = header["__metadata__"]["material"];
+            auto material = json::parse(text.get<std::string>());
+            change(material);
+            text = material.dump();
+        });
+    };
+    const auto old = readModalObject(withMaterial([](json& m) { m.erase("loss_factor"); }), "x");
+    REQUIRE(old);
+    CHECK(old->material == syntheticObject({100}).material);
+    checkRefused(withMaterial([](json& m) { m["loss_factor"] = "much"; }), "'loss_factor'");
+    checkRefused(withMaterial([](json& m) { m["loss_factor"] = -1; }), "loss factor");
 }
 
 TEST_CASE("Half-precision shapes are within half a unit of the eleventh bit") {

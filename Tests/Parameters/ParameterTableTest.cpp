@@ -78,6 +78,20 @@ TEST_CASE("Typed entry takes units and names, and refuses what is neither") {
           static_cast<double>(customMaterial));
 }
 
+TEST_CASE("A loss factor is found from bell glass to rubber, and typed as papers print it") {
+    const auto& loss = parameterInfo(ParameterId::lossFactor);
+    CHECK(formatParameter(loss, 0) == "0");
+    CHECK(formatParameter(loss, 2.5e-5) == "0.0000250");
+    CHECK(formatParameter(loss, 0.035) == "0.0350");
+    CHECK(parseParameter(loss, "2.5e-5") == 2.5e-5);
+    CHECK(loss.fromNormalised(0) == 0);
+    CHECK(loss.fromNormalised(1e-5) == 0); // no text of a hundred digits
+    CHECK(formatParameter(loss, loss.fromNormalised(0.008)).size() <= 12);
+    // A slider of a few hundred pixels tells neighbouring metals apart.
+    CHECK(loss.toNormalised(2e-4) - loss.toNormalised(1e-4) > 0.01);
+    CHECK(loss.toNormalised(2.5e-5) > 0.03);
+}
+
 TEST_CASE("Numbers are written with a point whatever the locale of the host") {
     struct DecimalComma : std::numpunct<char> {
         char do_decimal_point() const override { return ','; }
@@ -119,6 +133,7 @@ TEST_CASE("What the first version did not have changes nothing until it is set")
     CHECK(values[ParameterId::chatter] == 0);
     CHECK(values[ParameterId::modalPulse] == 0);
     CHECK(values[ParameterId::rollCoupling] == 0);
+    CHECK(values[ParameterId::lossFactor] == 0);
     CHECK(formatParameter(parameterInfo(ParameterId::mallet), customMallet) == "Custom");
     CHECK(parseParameter(parameterInfo(ParameterId::mallet), "hard plastic") == 6.0);
 }

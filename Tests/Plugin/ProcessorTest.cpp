@@ -5,6 +5,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <numbers>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -186,25 +187,36 @@ TEST_CASE("Preparing again, in any order and at any rate, starts from silence") 
 
 TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     using enum ParameterId;
+    constexpr double pi = std::numbers::pi;
     Processor processor;
     auto state = testState();
     state.parameters.set(material, customMaterial);
     state.parameters.set(fluidDamping, 10);
     restore(processor, state);
-    CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(std::log(65536) / 5, 1e-12));
+    // γ/2, and what η adds at 20 Hz, the lowest that sounds.
+    const double slowest =
+        5 + parameterInfo(viscoelasticDamping).defaultValue * 1e-6 * std::pow(40 * pi, 2) / 2;
+    CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(std::log(65536) / slowest, 1e-12));
     state.parameters.set(letRing, 0);
     state.parameters.set(releaseTime, 0.1);
     restore(processor, state);
     CHECK_THAT(processor.getTailLengthSeconds(),
-               WithinRel(std::log(65536) / (5 + std::log(1000) / 0.1), 1e-12));
+               WithinRel(std::log(65536) / (slowest + std::log(1000) / 0.1), 1e-12));
     state.parameters.set(letRing, 1);
     state.parameters.set(fluidDamping, 0.01);
     restore(processor, state);
     CHECK(processor.getTailLengthSeconds() == Processor::longestTailSeconds);
-    // Of its own material, γ = 5 per second in the test objects.
+    // A loss factor damps 20 Hz by χ 2π 20 / 2.
+    state.parameters.set(fluidDamping, 10);
+    state.parameters.set(lossFactor, 0.1);
+    restore(processor, state);
+    CHECK_THAT(processor.getTailLengthSeconds(),
+               WithinRel(std::log(65536) / (slowest + 0.1 * 20 * pi), 1e-12));
+    // Of its own material, γ = 5 per second and η = 1e-8 s in the test objects.
     state.parameters.set(material, ownMaterial);
     restore(processor, state);
-    CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(std::log(65536) / 2.5, 1e-12));
+    CHECK_THAT(processor.getTailLengthSeconds(),
+               WithinRel(std::log(65536) / (2.5 + 1e-8 * std::pow(40 * pi, 2) / 2), 1e-12));
 }
 
 TEST_CASE("Nothing is heard above a 16-bit step when the tail is over") {

@@ -12,7 +12,7 @@ using Catch::Approx;
 TEST_CASE("Without settings an object is as its reference") {
     const auto own = syntheticObject({100}).material;
     const auto live = liveConditions(own, {});
-    CHECK(live.law == PoleLaw{1, own.fluidDampingPerSecond, own.viscoelasticDampingSeconds});
+    CHECK(live.law == PoleLaw{1, own.damping});
     CHECK(live.gainRatio == 1);
     CHECK(live.radiationRatio == 1);
     CHECK(live.frequencyRatio() == 1);
@@ -23,14 +23,12 @@ TEST_CASE("Eigenvalues follow Y/ρ, size and tuning, gains 1/mass, radiation fre
     SynthesisSettings settings;
     settings.material = LiveMaterial{.youngsModulusPa = 8 * own.youngsModulusPa,
                                      .densityKgPerM3 = 2 * own.densityKgPerM3,
-                                     .fluidDampingPerSecond = 7,
-                                     .viscoelasticDampingSeconds = 3e-7};
+                                     .damping = {7, 3e-7, 2e-4}};
     settings.sizeRatio = 2;
     settings.frequencyRatio = 1.5;
     const auto live = liveConditions(own, settings, 3, 4);
     CHECK(live.frequencyRatio() == Approx(2 * 1.5 * 4 / 6));
-    CHECK(live.law.fluidDampingPerSecond == 7);
-    CHECK(live.law.viscoelasticDampingSeconds == 3e-7);
+    CHECK(live.law.damping == DampingLaw{7, 3e-7, 2e-4});
     CHECK(live.gainRatio == Approx(1 / (2 * 6.0 * 6 * 6)));
     CHECK(live.radiationRatio == Approx(2 * 1.5 * 4));
 }

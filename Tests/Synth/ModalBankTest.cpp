@@ -19,7 +19,7 @@ namespace {
 
 constexpr double sampleRate = 48000;
 constexpr std::size_t modes = 337;
-constexpr PoleLaw law{.fluidDampingPerSecond = 20, .viscoelasticDampingSeconds = 1e-7};
+constexpr PoleLaw law{.damping = {.fluidPerSecond = 20, .viscoelasticSeconds = 1e-7}};
 
 struct Reference {
     std::vector<double> eigenvalues;
@@ -144,7 +144,7 @@ TEST_CASE("Free motion is the same by cells, over any time and by samples within
     const double damping = GENERATE(10.0, 5000.0, 30000.0);
     ModalBank bank(40, 1, 44100);
     const std::vector<double> eigenvalues(40, 4e6);
-    bank.movePoles(eigenvalues, {.fluidDampingPerSecond = damping}, 20, 20000);
+    bank.movePoles(eigenvalues, {.damping = {.fluidPerSecond = damping}}, 20, 20000);
     for (std::size_t g = 0; g < 40; ++g)
         bank.setState(g, {1, 0.3});
     const std::vector<std::int32_t> first{0};
@@ -164,7 +164,7 @@ TEST_CASE("Kicks start and finish between samples and join after whole ones, at 
     constexpr double rate = 44100;
     ModalBank bank(modes, 1, rate);
     const std::vector<double> eigenvalues(modes, std::pow(2 * std::numbers::pi * hz, 2));
-    bank.movePoles(eigenvalues, {.fluidDampingPerSecond = damping}, 20, 20000);
+    bank.movePoles(eigenvalues, {.damping = {.fluidPerSecond = damping}}, 20, 20000);
     const std::size_t padded = bank.paddedSize();
     UnitContact unit;
     for (auto* array : {&unit.x, &unit.y, &unit.steady, &unit.swingRe, &unit.swingIm})
@@ -214,7 +214,7 @@ TEST_CASE("The kicks of a contact much shorter than a period keep their precisio
     constexpr double seconds = 1e-6;
     ModalBank bank(16, 1, 44100);
     bank.movePoles(std::vector<double>(16, std::pow(2 * std::numbers::pi * 30, 2)),
-                   {.fluidDampingPerSecond = 3}, 20, 20000);
+                   {.damping = {.fluidPerSecond = 3}}, 20, 20000);
     UnitContact unit;
     for (auto* array : {&unit.x, &unit.y, &unit.steady, &unit.swingRe, &unit.swingIm})
         array->resize(16);
@@ -248,7 +248,7 @@ TEST_CASE("Lightly damped audible modes are resonances, others are not") {
     ModalBank bank(3, 1, 48000);
     const auto squared = [](double hz) { return std::pow(2 * std::numbers::pi * hz, 2); };
     bank.movePoles(std::vector<double>{squared(10), squared(1000), squared(20000)},
-                   {.viscoelasticDampingSeconds = 1e-6}, 20, 23000);
+                   {.damping = {.viscoelasticSeconds = 1e-6}}, 20, 23000);
     REQUIRE(bank.resonances().size() == 1); // the highest falls by e within three periods
     CHECK(std::abs(bank.resonances()[0] - 1000) < 1e-9);
 }
@@ -256,7 +256,7 @@ TEST_CASE("Lightly damped audible modes are resonances, others are not") {
 TEST_CASE("Modes that are regrouped keep the velocity of all, whether they oscillate or not") {
     // The first two near critical damping, on either side of where the coordinates change.
     const std::vector<double> eigenvalues{2.4e5, 2.6e5, 1e6, 4e6, 9e6};
-    const PoleLaw heavy{.fluidDampingPerSecond = 1000};
+    const PoleLaw heavy{.damping = {.fluidPerSecond = 1000}};
     ModalBank bank(5, 1, sampleRate);
     ModeStates room = bank.emptyStates();
     bank.movePoles(eigenvalues, heavy, 20, 23000);

@@ -20,7 +20,7 @@ namespace idiophone::test {
 
 struct ReferenceMode {
     double stiffness = 0; ///< λ
-    double damping = 0;   ///< γ + η λ
+    double damping = 0;   ///< γ + χ √λ + η λ
     double residue = 0;   ///< g / m
 };
 
@@ -29,15 +29,15 @@ inline ModalObject ringingObject(const std::vector<double>& frequenciesHz,
                                  double fluidDamping = 0.5,
                                  std::vector<float> gains = {}) {
     ModalObject object = syntheticObject(frequenciesHz, std::move(gains));
-    object.material.fluidDampingPerSecond = fluidDamping;
-    object.material.viscoelasticDampingSeconds = 0;
+    object.material.damping.fluidPerSecond = fluidDamping;
+    object.material.damping.viscoelasticSeconds = 0;
     return object;
 }
 
 inline ReferenceMode referenceMode(const Material& material, double frequencyHz, double residue) {
     const double lambda = std::pow(2 * std::numbers::pi * frequencyHz, 2);
-    return {lambda, material.fluidDampingPerSecond + material.viscoelasticDampingSeconds * lambda,
-            residue};
+    const auto& [gamma, eta, loss] = material.damping;
+    return {lambda, gamma + loss * std::sqrt(lambda) + eta * lambda, residue};
 }
 
 /// Velocity `seconds` after a unit impulse: eq. 6 for ω±, eq. 10 for c, eq. 11 for v.

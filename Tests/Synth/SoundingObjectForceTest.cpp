@@ -76,9 +76,7 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
     const std::size_t modes = object.modeCount();
     std::vector<double> output(scraped.output.size());
     for (std::size_t i = 0; i < modes; ++i) {
-        const ModalPole pole = PoleLaw{1, object.material.fluidDampingPerSecond,
-                                       object.material.viscoelasticDampingSeconds}
-                                   .pole(object.eigenvalues[i]);
+        const ModalPole pole = PoleLaw{1, object.material.damping}.pole(object.eigenvalues[i]);
         const Propagator sample = propagator(pole, 1 / sampleRate);
         const double fall = std::exp(-damping / sampleRate);
         const auto residueAt = [&](std::size_t row) {
@@ -122,7 +120,7 @@ TEST_CASE("A continuous force equals an impulse at every sample within -100 dB")
     for (int i = 0; i < 30; ++i)
         frequencies.push_back(60 + 23.0 * i * i);
     ModalObject object = twoPlaces(frequencies);
-    object.material.viscoelasticDampingSeconds = viscoelastic;
+    object.material.damping.viscoelasticSeconds = viscoelastic;
     const Scraped scraped = scrape(object, 150, moving, damping, 0);
     CAPTURE(moving, damping, viscoelastic);
     CHECK(differenceDb(scraped.output, reference(object, scraped, moving, damping)) < -100);

@@ -129,8 +129,8 @@ TEST_CASE("Over-damped and critically damped modes follow the closed form within
     // √λ = 2π 100; damping ratios from just below critical to far beyond.
     const double ratio = GENERATE(0.99, 0.999, 1.001, 1.5, 20.0);
     ModalObject object = syntheticObject({100});
-    object.material.fluidDampingPerSecond = 2 * ratio * 2 * std::numbers::pi * 100;
-    object.material.viscoelasticDampingSeconds = 0;
+    object.material.damping.fluidPerSecond = 2 * ratio * 2 * std::numbers::pi * 100;
+    object.material.damping.viscoelasticSeconds = 0;
     const ReferenceMode mode = referenceMode(object.material, 100, 1);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     synthesiser.setSettings(exactSettings());

@@ -3,14 +3,16 @@
 
 #include "Object/Result.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 namespace idiophone {
 
 /// The file's bytes; the error names a file that is missing, a directory, unreadable or larger than
-/// 256 MB.
-Result<std::string> readTextFile(const std::filesystem::path& file);
+/// the limit.
+Result<std::string> readTextFile(const std::filesystem::path& file,
+                                 std::uintmax_t limitBytes = std::uintmax_t{1} << 28);
 
 /// Writes the text; the error names a file that cannot be written.
 Result<void> writeTextFile(const std::filesystem::path& file, const std::string& text);

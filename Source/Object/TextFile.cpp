@@ -1,11 +1,10 @@
-#include "Console/TextFile.h"
+#include "Object/TextFile.h"
 
 #include <fstream>
 
 namespace idiophone {
 
-Result<std::string> readTextFile(const std::filesystem::path& file) {
-    constexpr std::uintmax_t limitBytes = std::uintmax_t{1} << 28;
+Result<std::string> readTextFile(const std::filesystem::path& file, std::uintmax_t limitBytes) {
     std::error_code fault;
     if (std::filesystem::is_directory(file, fault))
         return failure(file.string() + ": it is a directory");
@@ -14,7 +13,8 @@ Result<std::string> readTextFile(const std::filesystem::path& file) {
     if (!stream || fault)
         return failure(file.string() + ": the file cannot be opened");
     if (size > limitBytes)
-        return failure(file.string() + ": it is larger than 256 MB");
+        return failure(file.string() + ": it is larger than " + std::to_string(limitBytes >> 20) +
+                       " MB");
     std::string text(static_cast<std::size_t>(size), '\0');
     if (!stream.read(text.data(), static_cast<std::streamsize>(text.size())))
         return failure(file.string() + ": the file cannot be read");

@@ -1,0 +1,120 @@
+#include "Analysis/BodyModel.h"
+
+#include "Analysis/Eigensolver.h"
+#include "Analysis/Radiation.h"
+#include "Analysis/RigidBody.h"
+#include "Analysis/TwoLayerShell.h"
+
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+constexpr int rowsOfTwoLayers = 6;
+
+std::string notesOn(const BodyModel& body, const SolveSettings& settings, const Modes& modes) {
+    std::string notes = body.notes;
+    const auto add = [&](const std::string& sentence) {
+        notes += (notes.empty() ? "" : " ") + sentence;
+    };
+    const Eigen::Index rigid = 6 * static_cast<Eigen::Index>(body.components);
+    if (modes.zeroModes > rigid)
+        add("The model has " + std::to_string(modes.zeroModes) + " zero modes where " +
+            std::to_string(rigid) +
+            " are rigid motion: flat parts bend freely in it; the two-layer method does not.");
+    if (modes.belowBand > 0)
+        add(std::to_string(modes.belowBand) + " modes below " +
+            std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.");
+    return notes;
+}
+
+/// `shapes` [3N×M] are those of all vertices, of which `vertices` keep theirs.
+void storeModes(const Eigen::VectorXd& eigenvalues,
+                const Eigen::MatrixXd& shapes,
+                const std::vector<int>& vertices,
+                ModalObject& object) {
+    object.shapes.reserve(vertices.size() * static_cast<std::size_t>(shapes.cols()) * 3);
+    for (const int vertex : vertices)
+        for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode)
+            for (Eigen::Index axis = 0; axis < 3; ++axis)
+                object.shapes.push_back(
+                    static_cast<float>(shapes(3 * Eigen::Index{vertex} + axis, mode)));
+    object.shapeVertices.assign(vertices.begin(), vertices.end());
+    object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
+}
+
+void storeMesh(const Mesh& mesh, ModalObject& object) {
+    for (const auto& vertex : mesh.vertices.rowwise())
+        for (const double coordinate : vertex)
+            object.vertices.push_back(static_cast<float>(coordinate));
+    for (const auto& face : mesh.faces.rowwise())
+        object.faces.insert(object.faces.end(), face.begin(), face.end());
+}
+
+std::vector<int> allVertices(const Mesh& mesh) {
+    std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+} // namespace
+
+Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shapes) {
+    if (body.model.rowsPerVertex == rowsOfTwoLayers)
+        return midSurfaceShapes(shapes);
+    return shapes.topRows(3 * body.surface.vertexCount());
+}
+
+Result<ModalObject>
+solveBody(const BodyModel& body, const SolveSettings& settings, const AnalysisControl& control) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto modes = solveModes(body.model,
+                                  {.lowestHz = settings.lowestFrequencyHz,
+                                   .highestHz = settings.maxFrequencyHz,
+                                   .maximumModes = settings.maximumModes},
+                                  control);
+    if (!modes)
+        return failure(modes.error().message);
+    if (modes->eigenvalues.size() == 0)
+        return failure("The object has no mode between " +
+                       std::to_string(std::lround(settings.lowestFrequencyHz)) + " and " +
+                       std::to_string(std::lround(settings.maxFrequencyHz)) +
+                       " Hz; check its size and its unit.");
+    ModalObject object;
+    object.name = settings.name;
+    object.material = body.material;
+    object.body = body.body;
+    object.thicknessMetres = body.thicknessMetres;
+    object.method = body.method;
+    object.bandHz = settings.maxFrequencyHz;
+    const Eigen::MatrixXd shapes = surfaceShapes(body, modes->shapes);
+    storeModes(modes->eigenvalues, shapes,
+               settings.shapeVertices.empty() ? allVertices(body.surface) : settings.shapeVertices,
+               object);
+    storeMesh(body.surface, object);
+    object.mass = massPropertiesOf(body.model, body.pointsMetres);
+    control.report(0.99, "Computing radiation");
+    auto radiation = radiationOf({.mesh = body.surface,
+                                  .shapes = shapes,
+                                  .eigenvalues = modes->eigenvalues,
+                                  .thicknessMetres = body.thicknessMetres,
+                                  .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
+                                 {}, control);
+    if (!radiation)
+        return failure(radiation.error().message);
+    object.radiation = std::move(*radiation);
+    object.provenance = {
+        .source = settings.source,
+        .software = "Idiophone " IDIOPHONE_VERSION,
+        .notes = notesOn(body, settings, *modes),
+        .analysisSeconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+        .analysedVertices = body.surface.vertexCount(),
+        .zeroModes = modes->zeroModes};
+    return validated(std::move(object));
+}
+
+} // namespace idiophone

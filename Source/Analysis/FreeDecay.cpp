@@ -1,0 +1,145 @@
+#include "Analysis/FreeDecay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+constexpr double faintestPeak = 1e-6; // of full scale
+constexpr double riseSeconds = 0.01, attackSeconds = 0.05;
+constexpr double shortestContactSeconds = 0.0002, longestContactSeconds = 0.008;
+// What counts as a strike, against the strongest: as little as a beat rarely rises to.
+constexpr double strikeRise = 100, strikeEnergy = 1e-3;
+
+class Strikes {
+public:
+    Strikes(std::span<const float> recording, double sampleRateHz)
+        : samples(recording), rate(sampleRateHz), energies(recording.size() + 1),
+          sharpEnergies(recording.size() + 1) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const double here = at(i), bend = here - 2 * at(i - 1) + at(i - 2);
+            energies[i + 1] = energies[i] + here * here;
+            sharpEnergies[i + 1] = sharpEnergies[i] + bend * bend;
+        }
+        peak = static_cast<std::size_t>(
+            std::ranges::max_element(samples, {}, [](float x) { return std::abs(x); }) -
+            samples.begin());
+    }
+
+    double peakLevel() const { return std::abs(at(peak)); }
+
+    /// Where the energy after is greatest against that before, not long before the peak; there,
+    /// where the samples first leave what was before.
+    std::size_t onset() const {
+        const std::size_t before = count(0.005), after = count(0.002);
+        const double floor = 1e-5 * peakLevel() * peakLevel() * static_cast<double>(before);
+        std::size_t best = peak;
+        double bestRise = 0;
+        for (std::size_t i = peak - std::min(peak, count(attackSeconds)); i <= peak; ++i) {
+            const double rise =
+                energy(energies, i, i + after) / (energy(energies, i - std::min(i, before), i) + floor);
+            if (rise > bestRise) {
+                bestRise = rise;
+                best = i;
+            }
+        }
+        double quiet = 0, loud = 0;
+        for (std::size_t i = best - std::min(best, before); i + count(0.0005) < best; ++i)
+            quiet = std::max(quiet, std::abs(at(i)));
+        for (std::size_t i = best; i < std::min(best + before, samples.size()); ++i)
+            loud = std::max(loud, std::abs(at(i)));
+        std::size_t first = best - std::min(best, count(0.0005));
+        while (first < peak && std::abs(at(first)) <= std::max(2 * quiet, 0.01 * loud))
+            ++first;
+        return first;
+    }
+
+    std::size_t contactEnd(std::size_t onset) const {
+        std::size_t highest = onset;
+        for (std::size_t i = onset; i < std::min(onset + count(riseSeconds), samples.size()); ++i)
+            if (std::abs(at(i)) > std::abs(at(highest)))
+                highest = i;
+        return onset + std::clamp(2 * (highest - onset), count(shortestContactSeconds),
+                                  count(longestContactSeconds));
+    }
+
+    /// The next sudden rise from `begin` on, or the end.
+    std::size_t nextStrike(std::size_t onset, std::size_t begin) const {
+        const std::size_t window = count(0.005);
+        const double least = strikeEnergy * energy(sharpEnergies, onset, onset + window);
+        for (std::size_t i = begin + window; i + window <= samples.size(); ++i)
+            if (isStrike(i, window, least))
+                return i - window / 4;
+        return samples.size();
+    }
+
+    bool strikeBefore(std::size_t onset) const {
+        const std::size_t window = count(0.005);
+        const double least = strikeEnergy * energy(sharpEnergies, onset, onset + window);
+        for (std::size_t i = window; i + 2 * window < onset; ++i)
+            if (isStrike(i, window, least))
+                return true;
+        return false;
+    }
+
+    /// Three samples in a row at the greatest value of all.
+    bool clipped() const {
+        const double highest = peakLevel() * (1 - 1e-6);
+        int run = 0;
+        for (std::size_t i = 0; i < samples.size() && run < 3; ++i)
+            run = std::abs(at(i)) >= highest ? run + 1 : 0;
+        return run == 3;
+    }
+
+    std::size_t count(double seconds) const {
+        return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(seconds * rate)));
+    }
+
+private:
+    /// 0 before the first sample.
+    double at(std::size_t i) const {
+        return i < samples.size() ? static_cast<double>(samples[i]) : 0;
+    }
+    static double energy(const std::vector<double>& sums, std::size_t from, std::size_t until) {
+        const std::size_t last = sums.size() - 1;
+        return sums[std::min(until, last)] - sums[std::min(from, last)];
+    }
+    bool isStrike(std::size_t i, std::size_t window, double least) const {
+        const double after = energy(sharpEnergies, i, i + window);
+        return after > least && after > strikeRise * energy(sharpEnergies, i - window, i);
+    }
+
+    std::span<const float> samples;
+    double rate;
+    std::vector<double> energies, sharpEnergies; ///< up to each sample; the latter of its bends
+    std::size_t peak = 0;
+};
+
+} // namespace
+
+Result<FreeDecay>
+findFreeDecay(std::span<const float> samples, double sampleRateHz, double contactSeconds) {
+    if (!std::ranges::all_of(samples, [](float x) { return std::isfinite(x); }))
+        return failure("it holds values that are not numbers");
+    if (static_cast<double>(samples.size()) < shortestDecaySeconds * sampleRateHz)
+        return failure("it is shorter than 20 ms");
+    const Strikes strikes(samples, sampleRateHz);
+    if (strikes.peakLevel() < faintestPeak)
+        return failure("it is silent");
+    FreeDecay decay;
+    decay.onset = strikes.onset();
+    decay.begin = contactSeconds > 0 ? decay.onset + strikes.count(contactSeconds)
+                                     : strikes.contactEnd(decay.onset);
+    decay.end = strikes.nextStrike(decay.onset, decay.begin);
+    decay.clipped = strikes.clipped();
+    decay.others = decay.end < samples.size() || strikes.strikeBefore(decay.onset);
+    if (static_cast<double>(decay.end) <
+        static_cast<double>(decay.begin) + shortestDecaySeconds * sampleRateHz)
+        return failure("it ends or is struck again less than 20 ms after its strongest strike");
+    return decay;
+}
+
+} // namespace idiophone

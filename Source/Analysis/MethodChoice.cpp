@@ -1,0 +1,67 @@
+#include "Analysis/MethodChoice.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+constexpr std::array<std::pair<AnalysisMethod, std::string_view>, 4> methodNames{
+    {{AnalysisMethod::tetrahedra, "fem"},
+     {AnalysisMethod::twoLayer, "two-layer"},
+     {AnalysisMethod::springMass, "spring-mass"},
+     {AnalysisMethod::vanGelder, "van-gelder"}}};
+
+std::string millimetres(double metres) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g mm", 1000 * metres);
+    return text.data();
+}
+
+} // namespace
+
+std::string_view methodName(AnalysisMethod method) {
+    for (const auto& [each, name] : methodNames)
+        if (each == method)
+            return name;
+    return {};
+}
+
+std::optional<AnalysisMethod> findMethod(std::string_view name) {
+    for (const auto& [method, each] : methodNames)
+        if (each == name)
+            return method;
+    return std::nullopt;
+}
+
+std::string whyNotSolid(const MeshCheck& check) {
+    if (check.boundaryEdges > 0)
+        return "it is open, with " + std::to_string(check.boundaryEdges) + " boundary edges";
+    if (check.nonManifoldEdges > 0)
+        return "more than two faces meet at " + std::to_string(check.nonManifoldEdges) + " edges";
+    if (!check.isOriented)
+        return "its faces do not agree on an outside";
+    if (!check.intersectsItself)
+        return "it is too tangled to tell whether it passes through itself";
+    if (*check.intersectsItself)
+        return "it passes through itself";
+    return "it encloses no volume";
+}
+
+MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres) {
+    const std::string shell = "Taken as a shell of " + millimetres(shellThicknessMetres) +
+                              " (two-layer springs), because ";
+    if (!check.isSolid())
+        return {AnalysisMethod::twoLayer, shell + whyNotSolid(check) + "."};
+    if (check.isThin())
+        return {AnalysisMethod::twoLayer,
+                shell + "its walls are thin, " + millimetres(check.meanThicknessMetres) +
+                    " on average; a mesh of the middle surface with that thickness would be nearer "
+                    "the truth."};
+    return {AnalysisMethod::tetrahedra,
+            "Taken as a solid (finite elements), because it is closed and chunky."};
+}
+
+} // namespace idiophone

@@ -1,0 +1,143 @@
+#include "Analysis/QuadraticTetrahedra.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+using Element = Eigen::Matrix<double, 30, 30>;
+using Corners = Eigen::Matrix<double, 4, 3>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// [10×4] derivatives of the shape functions L_i (2 L_i − 1) and 4 L_i L_j by the four barycentric
+/// coordinates.
+Eigen::Matrix<double, 10, 4> barycentricDerivatives(const Eigen::Vector4d& l) {
+    Eigen::Matrix<double, 10, 4> d = Eigen::Matrix<double, 10, 4>::Zero();
+    for (int i = 0; i < 4; ++i)
+        d(i, i) = 4 * l(i) - 1;
+    for (int edge = 0; edge < 6; ++edge) {
+        const auto [i, j] = tetrahedronEdges[edge];
+        d(4 + edge, i) = 4 * l(j);
+        d(4 + edge, j) = 4 * l(i);
+    }
+    return d;
+}
+
+/// [4×3] gradients of the barycentric coordinates, constant over a straight-sided element.
+Eigen::Matrix<double, 4, 3> barycentricGradients(const Corners& corners) {
+    Eigen::Matrix4d system;
+    system << Eigen::Vector4d::Ones(), corners;
+    return system.inverse().bottomRows<3>().transpose();
+}
+
+double volumeM3(const Corners& corners) {
+    const Eigen::Vector3d a = corners.row(1) - corners.row(0), b = corners.row(2) - corners.row(0),
+                          c = corners.row(3) - corners.row(0);
+    return std::abs(a.cross(b).dot(c)) / 6;
+}
+
+Eigen::Matrix<double, 6, 30> strainMatrix(const Eigen::Matrix<double, 10, 3>& gradients) {
+    Eigen::Matrix<double, 6, 30> b = Eigen::Matrix<double, 6, 30>::Zero();
+    for (int node = 0; node < 10; ++node) {
+        const double x = gradients(node, 0), y = gradients(node, 1), z = gradients(node, 2);
+        b(0, 3 * node) = b(4, 3 * node + 2) = b(5, 3 * node + 1) = x;
+        b(1, 3 * node + 1) = b(3, 3 * node + 2) = b(5, 3 * node) = y;
+        b(2, 3 * node + 2) = b(3, 3 * node + 1) = b(4, 3 * node) = z;
+    }
+    return b;
+}
+
+/// The lower triangle of `element`, whose `width` rows a node belong to the global nodes.
+template <int Width, class Matrix>
+void scatter(const Eigen::RowVectorXi& nodes, const Matrix& element, Triplets& triplets) {
+    for (int p = 0; p < 10; ++p)
+        for (int q = 0; q < 10; ++q)
+            for (int i = 0; i < Width; ++i)
+                for (int j = 0; j < Width; ++j) {
+                    const int row = Width * nodes(p) + i, column = Width * nodes(q) + j;
+                    if (row >= column)
+                        triplets.emplace_back(row, column, element(Width * p + i, Width * q + j));
+                }
+}
+
+Eigen::SparseMatrix<double> assembled(Eigen::Index rows, const Triplets& triplets) {
+    Eigen::SparseMatrix<double> matrix(rows, rows);
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    return matrix;
+}
+
+/// The same mass for each of the three directions.
+Eigen::SparseMatrix<double> threefold(const Eigen::SparseMatrix<double>& mass) {
+    Eigen::SparseMatrix<double> result(3 * mass.rows(), 3 * mass.cols());
+    result.reserve(3 * mass.nonZeros());
+    for (Eigen::Index column = 0; column < mass.cols(); ++column)
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            result.startVec(3 * column + axis);
+            for (Eigen::SparseMatrix<double>::InnerIterator it(mass, column); it; ++it)
+                result.insertBack(3 * it.row() + axis, 3 * column + axis) = it.value();
+        }
+    result.finalize();
+    return result;
+}
+
+Corners cornersOf(const TetMesh& mesh, Eigen::Index tetrahedron) {
+    Corners corners;
+    for (int k = 0; k < 4; ++k)
+        corners.row(k) = mesh.nodes.row(mesh.tetrahedra(tetrahedron, k));
+    return corners;
+}
+
+} // namespace
+
+Element elementStiffness(const Corners& cornersMetres, const ElasticLaw& law) {
+    const double near = (5 + 3 * std::sqrt(5.0)) / 20, far = (5 - std::sqrt(5.0)) / 20;
+    const auto gradients = barycentricGradients(cornersMetres);
+    Element stiffness = Element::Zero();
+    for (int point = 0; point < 4; ++point) {
+        Eigen::Vector4d l = Eigen::Vector4d::Constant(far);
+        l(point) = near;
+        const auto strain = strainMatrix(barycentricDerivatives(l) * gradients);
+        const Eigen::Matrix<double, 6, 30> stress = law.stiffnessPa * strain;
+        stiffness.noalias() += strain.transpose() * stress;
+    }
+    return stiffness * (volumeM3(cornersMetres) / 4);
+}
+
+Eigen::Matrix<double, 10, 10> elementMassShares() {
+    Eigen::Matrix<double, 10, 10> shares = Eigen::Matrix<double, 10, 10>::Ones();
+    shares.topLeftCorner<4, 4>().diagonal().setConstant(6);
+    for (int p = 0; p < 6; ++p) {
+        const auto [a, b] = tetrahedronEdges[p];
+        for (int corner = 0; corner < 4; ++corner)
+            shares(4 + p, corner) = shares(corner, 4 + p) = corner == a || corner == b ? -4 : -6;
+        for (int q = 0; q < 6; ++q) {
+            const auto [c, d] = tetrahedronEdges[q];
+            const bool touching = a == c || a == d || b == c || b == d;
+            shares(4 + p, 4 + q) = p == q ? 32 : touching ? 16 : 8;
+        }
+    }
+    return shares / 420;
+}
+
+VibrationModel
+quadraticTetrahedra(const TetMesh& mesh, const ElasticLaw& law, double densityKgPerM3) {
+    const auto shares = elementMassShares();
+    Triplets stiffness, mass;
+    stiffness.reserve(static_cast<std::size_t>(mesh.tetrahedra.rows()) * 465);
+    mass.reserve(static_cast<std::size_t>(mesh.tetrahedra.rows()) * 55);
+    for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
+        const Corners corners = cornersOf(mesh, t);
+        const Eigen::RowVectorXi nodes = mesh.tetrahedra.row(t);
+        scatter<3>(nodes, elementStiffness(corners, law), stiffness);
+        scatter<1>(nodes, (densityKgPerM3 * volumeM3(corners) * shares).eval(), mass);
+    }
+    const Eigen::Index nodes = mesh.nodes.rows();
+    return {.stiffness = assembled(3 * nodes, stiffness),
+            .mass = threefold(assembled(nodes, mass)),
+            .rowsPerVertex = 3};
+}
+
+} // namespace idiophone

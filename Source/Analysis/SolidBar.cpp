@@ -1,0 +1,189 @@
+#include "Analysis/SolidBar.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace idiophone {
+namespace {
+
+/// Points on the grid of corners and mid-edges: even coordinates are corners.
+struct Lattice {
+    Eigen::Vector3i points; ///< along each axis
+
+    explicit Lattice(const BarGrid& grid)
+        : points(2 * grid.along + 1, 2 * grid.across + 1, 2 * grid.through + 1) {}
+
+    int index(const Eigen::Vector3i& at) const {
+        return at.x() + points.x() * (at.y() + points.y() * at.z());
+    }
+    int count() const { return points.prod(); }
+};
+
+/// Where the lines across lie, symmetric, two of them on the edges of the arch.
+std::vector<double> linesAlong(const UndercutBar& bar, int along) {
+    const double half = bar.lengthMetres / 2, edge = bar.archHalfLengthShare * bar.lengthMetres;
+    const int halfLines = along / 2;
+    const int inArch =
+        std::clamp(static_cast<int>(std::lround(halfLines * edge / half)), 1, halfLines - 1);
+    std::vector<double> right;
+    for (int k = 0; k < inArch; ++k)
+        right.push_back(edge * k / inArch);
+    for (int k = inArch; k <= halfLines; ++k)
+        right.push_back(
+            std::lerp(edge, half, static_cast<double>(k - inArch) / (halfLines - inArch)));
+    std::vector<double> all;
+    for (int k = halfLines; k > 0; --k)
+        all.push_back(-right[static_cast<std::size_t>(k)]);
+    all.insert(all.end(), right.begin(), right.end());
+    return all;
+}
+
+/// Boxes in the left and front halves are mirrored, so that the bar is symmetric.
+bool isMirrored(int box, int boxes) {
+    return 2 * box < boxes;
+}
+
+Eigen::MatrixXd latticePlaces(const UndercutBar& bar, const BarGrid& grid, const Lattice& lattice) {
+    const auto lines = linesAlong(bar, grid.along);
+    const auto corner = [&](int i, int j, int k) {
+        const double x = lines[static_cast<std::size_t>(i)];
+        const double down = 1 - static_cast<double>(k) / grid.through;
+        return Eigen::Vector3d(x, bar.widthMetres * (static_cast<double>(j) / grid.across - 0.5),
+                               -heightMetresAt(bar, x) * down);
+    };
+    Eigen::MatrixXd places(lattice.count(), 3);
+    for (int k = 0; k < lattice.points.z(); ++k)
+        for (int j = 0; j < lattice.points.y(); ++j)
+            for (int i = 0; i < lattice.points.x(); ++i) {
+                // The middle of the edge that ends in these two corners, as addBox mirrors it.
+                int first = i / 2, second = (i + 1) / 2;
+                if (isMirrored(first, grid.along))
+                    std::swap(first, second);
+                places.row(lattice.index({i, j, k})) =
+                    (corner(first, j / 2, k / 2) + corner(second, (j + 1) / 2, (k + 1) / 2)) / 2;
+            }
+    return places;
+}
+
+/// The six tetrahedra of Kuhn's division of a box, each a way from corner to corner along the axes
+/// in another order.
+void addBox(const Lattice& lattice,
+            const Eigen::Vector3i& box,
+            const Eigen::Vector3i& direction,
+            std::vector<std::array<int, 10>>& tetrahedra) {
+    std::array<int, 3> axes{0, 1, 2};
+    do {
+        std::array<Eigen::Vector3i, 4> corners;
+        for (int axis = 0; axis < 3; ++axis)
+            corners[0](axis) = 2 * (box(axis) + (direction(axis) > 0 ? 0 : 1));
+        for (std::size_t step = 0; step < 3; ++step) {
+            corners[step + 1] = corners[step];
+            corners[step + 1](axes[step]) += 2 * direction(axes[step]);
+        }
+        Eigen::Matrix3i edges;
+        for (int step = 0; step < 3; ++step)
+            edges.col(step) = corners[static_cast<std::size_t>(step) + 1] - corners[0];
+        if (edges.cast<double>().determinant() < 0)
+            std::swap(corners[1], corners[2]);
+        std::array<int, 10> nodes;
+        for (std::size_t c = 0; c < 4; ++c)
+            nodes[c] = lattice.index(corners[c]);
+        for (std::size_t e = 0; e < tetrahedronEdges.size(); ++e) {
+            const auto [a, b] = tetrahedronEdges[e];
+            nodes[4 + e] = lattice.index(
+                (corners[static_cast<std::size_t>(a)] + corners[static_cast<std::size_t>(b)]) / 2);
+        }
+        tetrahedra.push_back(nodes);
+    } while (std::next_permutation(axes.begin(), axes.end()));
+}
+
+/// Corners of each face, seen from outside a positive tetrahedron, and the nodes between them.
+constexpr std::array<std::array<int, 6>, 4> faceNodes{
+    {{0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {1, 2, 3, 5, 9, 8}, {2, 0, 3, 6, 7, 9}}};
+
+/// Four triangles for each face that belongs to one tetrahedron only.
+std::vector<std::array<int, 3>>
+boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
+    std::map<std::array<int, 3>, std::pair<int, std::array<int, 6>>> faces;
+    for (const auto& tetrahedron : tetrahedra)
+        for (const auto& face : faceNodes) {
+            std::array<int, 6> nodes;
+            for (std::size_t k = 0; k < 6; ++k)
+                nodes[k] = tetrahedron[static_cast<std::size_t>(face[k])];
+            std::array<int, 3> key{nodes[0], nodes[1], nodes[2]};
+            std::ranges::sort(key);
+            auto& entry = faces[key];
+            ++entry.first;
+            entry.second = nodes;
+        }
+    std::vector<std::array<int, 3>> triangles;
+    for (const auto& [key, entry] : faces) {
+        if (entry.first > 1)
+            continue;
+        const auto& n = entry.second; // n[3] lies between 0 and 1, n[4] 1 and 2, n[5] 2 and 0
+        triangles.push_back({n[0], n[3], n[5]});
+        triangles.push_back({n[1], n[4], n[3]});
+        triangles.push_back({n[2], n[5], n[4]});
+        triangles.push_back({n[3], n[4], n[5]});
+    }
+    return triangles;
+}
+
+} // namespace
+
+BarGrid barGrid(const UndercutBar& bar, double edgeMetres) {
+    const auto even = [&](double metres, int least) {
+        return std::max(least, 2 * static_cast<int>(std::ceil(metres / edgeMetres / 2)));
+    };
+    return {.along = even(bar.lengthMetres, 24),
+            .across = even(bar.widthMetres, 2),
+            .through = std::max(1, static_cast<int>(std::ceil(bar.heightMetres / edgeMetres)))};
+}
+
+SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid) {
+    const Lattice lattice(grid);
+    std::vector<std::array<int, 10>> tetrahedra;
+    for (int k = 0; k < grid.through; ++k)
+        for (int j = 0; j < grid.across; ++j)
+            for (int i = 0; i < grid.along; ++i)
+                addBox(lattice, {i, j, k},
+                       {isMirrored(i, grid.along) ? -1 : 1, isMirrored(j, grid.across) ? -1 : 1, 1},
+                       tetrahedra);
+    const auto triangles = boundaryTriangles(tetrahedra);
+
+    // The nodes on the surface first, in the lattice's order.
+    std::vector<char> onSurface(static_cast<std::size_t>(lattice.count()), 0);
+    for (const auto& triangle : triangles)
+        for (const int node : triangle)
+            onSurface[static_cast<std::size_t>(node)] = 1;
+    std::vector<int> order(onSurface.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto inside = std::ranges::stable_partition(
+        order, [&](int node) { return onSurface[static_cast<std::size_t>(node)] != 0; });
+    const int surfaceCount = static_cast<int>(inside.begin() - order.begin());
+    std::vector<int> number(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        number[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+
+    SolidBar result;
+    result.elements.nodes = latticePlaces(bar, grid, lattice)(order, Eigen::all);
+    result.elements.surfaceVertexCount = surfaceCount;
+    result.elements.tetrahedra.resize(static_cast<Eigen::Index>(tetrahedra.size()), 10);
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+        for (std::size_t k = 0; k < 10; ++k)
+            result.elements.tetrahedra(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) =
+                number[static_cast<std::size_t>(tetrahedra[t][k])];
+    result.surface.vertices = result.elements.nodes.topRows(surfaceCount);
+    result.surface.faces.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            result.surface.faces(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) =
+                number[static_cast<std::size_t>(triangles[t][k])];
+    return result;
+}
+
+} // namespace idiophone

@@ -1,0 +1,145 @@
+#include "Analysis/TetGenMesher.h"
+
+#define TETLIBRARY // else the header ends the process on an error
+#include <tetgen.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <mutex>
+#include <new>
+
+namespace idiophone {
+namespace {
+
+void copySurface(const Mesh& surface, tetgenio& input) {
+    input.firstnumber = 0;
+    input.numberofpoints = static_cast<int>(surface.vertexCount());
+    input.pointlist = new REAL[3 * static_cast<std::size_t>(surface.vertexCount())];
+    for (Eigen::Index v = 0; v < surface.vertexCount(); ++v)
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            input.pointlist[3 * v + axis] = surface.vertices(v, axis);
+    const auto faces = static_cast<std::size_t>(surface.faceCount());
+    input.facetlist = new tetgenio::facet[faces];
+    for (std::size_t f = 0; f < faces; ++f)
+        tetgenio::init(&input.facetlist[f]);
+    input.numberoffacets = static_cast<int>(faces);
+    for (std::size_t f = 0; f < faces; ++f) {
+        auto& facet = input.facetlist[f];
+        facet.polygonlist = new tetgenio::polygon[1];
+        facet.numberofpolygons = 1;
+        tetgenio::init(facet.polygonlist);
+        facet.polygonlist->vertexlist = new int[3];
+        facet.polygonlist->numberofvertices = 3;
+        for (int k = 0; k < 3; ++k)
+            facet.polygonlist->vertexlist[k] = surface.faces(static_cast<Eigen::Index>(f), k);
+    }
+}
+
+void configure(const TetGenSettings& settings, tetgenbehavior& behavior) {
+    behavior.plc = 1;
+    behavior.quality = 1;
+    behavior.minratio = settings.radiusEdgeRatio;
+    behavior.nobisect = settings.keepSurface ? 1 : 0;
+    behavior.regionattrib = 1;
+    behavior.zeroindex = 1;
+    behavior.nojettison = 1;
+    behavior.quiet = 1;
+    behavior.steinerleft = settings.maximumAddedPoints;
+    if (settings.maximumVolumeM3 > 0) {
+        behavior.fixedvolume = 1;
+        behavior.maxvolume = settings.maximumVolumeM3;
+    }
+}
+
+/// What `tetrahedralize` does for these switches. That function keeps its workspace on the stack,
+/// and terminatetetgen() frees the workspace before it throws: the destructor then frees it again.
+/// Here a failed workspace is never destroyed.
+void fill(tetgenio& input, tetgenbehavior& behavior, tetgenio& output) {
+    auto workspace = std::make_unique<tetgenmesh>();
+    auto* const mesh = workspace.release(); // taken back when all went well
+    std::clock_t ignored = 0;
+    mesh->b = &behavior;
+    mesh->in = &input;
+    mesh->initializepools();
+    mesh->transfernodes();
+    exactinit(0, 0, 0, mesh->xmax - mesh->xmin, mesh->ymax - mesh->ymin, mesh->zmax - mesh->zmin);
+    mesh->incrementaldelaunay(ignored);
+    mesh->meshsurface();
+    if (behavior.nobisect != 0)
+        mesh->recoverboundary(ignored);
+    else
+        mesh->constraineddelaunay(ignored);
+    mesh->carveholes();
+    if (behavior.nobisect != 0) {
+        if (mesh->subvertstack->objects > 0)
+            mesh->suppresssteinerpoints();
+        mesh->recoverdelaunay();
+    }
+    mesh->delaunayrefinement();
+    mesh->optimizemesh();
+    output.firstnumber = input.firstnumber;
+    output.mesh_dim = input.mesh_dim;
+    mesh->outnodes(&output);
+    if (mesh->tetrahedrons->items > 0)
+        mesh->outelements(&output);
+    workspace.reset(mesh);
+}
+
+Result<LinearTetrahedra> resultOf(const tetgenio& output) {
+    if (output.numberoftetrahedra < 1)
+        return failure("The surface encloses nothing that could be filled with tetrahedra.");
+    LinearTetrahedra result{.points = Eigen::MatrixXd(output.numberofpoints, 3),
+                            .tetrahedra = Eigen::MatrixXi(output.numberoftetrahedra, 4),
+                            .regions = Eigen::VectorXi::Zero(output.numberoftetrahedra)};
+    for (Eigen::Index p = 0; p < result.points.rows(); ++p)
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            result.points(p, axis) = output.pointlist[3 * p + axis];
+    const int attributes = output.numberoftetrahedronattributes;
+    for (Eigen::Index t = 0; t < result.tetrahedra.rows(); ++t) {
+        for (Eigen::Index k = 0; k < 4; ++k)
+            result.tetrahedra(t, k) = output.tetrahedronlist[output.numberofcorners * t + k];
+        if (attributes > 0)
+            result.regions(t) =
+                static_cast<int>(output.tetrahedronattributelist[attributes * t + attributes - 1]);
+    }
+    return result;
+}
+
+std::string sentence(int code) {
+    switch (code) {
+    case 1:
+        return "Filling the surface with tetrahedra ran out of memory.";
+    case 3:
+        return "The surface intersects itself, so that it encloses no clear volume.";
+    case 4:
+        return "The surface has features too small to be filled with tetrahedra.";
+    case 5:
+        return "Two faces of the surface lie too close together to be told apart.";
+    default:
+        return "The surface could not be filled with tetrahedra (TetGen error " +
+               std::to_string(code) + ").";
+    }
+}
+
+} // namespace
+
+Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings) {
+    static std::mutex oneAtATime; // exactinit() sets globals
+    const std::scoped_lock lock(oneAtATime);
+    try {
+        tetgenio input, output;
+        tetgenbehavior behavior;
+        copySurface(surface, input);
+        configure(settings, behavior);
+        fill(input, behavior, output);
+        return resultOf(output);
+    } catch (int code) {
+        return failure(sentence(code));
+    } catch (const std::bad_alloc&) {
+        return failure(sentence(1));
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,61 @@
+#include "Editor/ChoiceList.h"
+
+namespace idiophone {
+namespace {
+
+// Item numbers, which JUCE wants from 1 on.
+constexpr int firstChoiceItem = 1, firstUserItem = 1000;
+
+} // namespace
+
+ChoiceList::ChoiceList(const ParameterInfo& row, ProcessorView& processor)
+    : info(row), view(processor) {
+    setTitle(juce::String::fromUTF8(info.name));
+    setTooltip(juce::String::fromUTF8(info.description));
+    fill();
+    onChange = [this] { choose(); };
+    refresh();
+}
+
+void ChoiceList::fill() {
+    clear(juce::dontSendNotification);
+    int item = firstChoiceItem;
+    for (const auto name : choiceNames(info.parameter))
+        addItem(juce::String::fromUTF8(name.data(), static_cast<int>(name.size())), item++);
+    if (info.parameter != ParameterId::material)
+        return;
+    const auto own = view.readUserMaterials();
+    if (!own.empty())
+        addSeparator();
+    item = firstUserItem;
+    for (const auto& name : own)
+        addItem(juce::String::fromUTF8(name.c_str()), item++);
+}
+
+void ChoiceList::showPopup() {
+    if (info.parameter == ParameterId::material) {
+        fill();
+        refresh();
+    }
+    ComboBox::showPopup();
+}
+
+void ChoiceList::choose() {
+    const int item = getSelectedId();
+    if (item >= firstUserItem)
+        return view.chooseUserMaterial(item - firstUserItem);
+    view.beginParameterChange(info.parameter);
+    view.changeParameter(info.parameter, item - firstChoiceItem);
+    view.endParameterChange(info.parameter);
+}
+
+void ChoiceList::refresh() {
+    const int own = info.parameter == ParameterId::material ? view.userMaterialIndex() : -1;
+    const int item = own >= 0
+                         ? firstUserItem + own
+                         : firstChoiceItem + static_cast<int>(view.parameterValue(info.parameter));
+    if (item != getSelectedId())
+        setSelectedId(item, juce::dontSendNotification);
+}
+
+} // namespace idiophone

@@ -1,0 +1,83 @@
+#include "Geometry/Decimation.h"
+
+#include "Geometry/CgalSurface.h"
+
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <algorithm>
+#include <exception>
+#include <string>
+
+namespace idiophone {
+namespace {
+
+namespace sms = CGAL::Surface_mesh_simplification;
+
+/// Stops at the budget, or when asked to.
+class BudgetReached {
+public:
+    BudgetReached(std::size_t initialVertices, std::size_t budget, const MeshingControl& control)
+        : initial_(initialVertices), budget_(budget), control_(control) {}
+
+    template <class Cost, class Profile>
+    bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t edges) const {
+        const std::size_t vertices = profile.surface_mesh().number_of_vertices();
+        if (edges % 1024 == 0 && initial_ > budget_)
+            control_.report(static_cast<double>(initial_ - std::max(vertices, budget_)) /
+                            static_cast<double>(initial_ - budget_));
+        return vertices <= budget_ || control_.isCancelled();
+    }
+
+private:
+    std::size_t initial_, budget_;
+    const MeshingControl& control_;
+};
+
+void collapseEdges(UnitSurface& unit, std::size_t budget, const MeshingControl& control) {
+    using Policies = sms::GarlandHeckbert_plane_policies<Surface, SurfaceKernel>;
+    const BudgetReached stop(unit.surface.number_of_vertices(), budget, control);
+    {
+        const Policies policies(unit.surface);
+        sms::edge_collapse(unit.surface, stop,
+                           CGAL::parameters::get_cost(policies.get_cost())
+                               .get_placement(policies.get_placement())
+                               .filter(sms::Bounded_normal_change_filter<>()));
+    }
+    if (unit.surface.number_of_vertices() <= budget || control.isCancelled())
+        return;
+    // Crumpled scans: only a collapse that turns a face over gets any further.
+    unit.surface.collect_garbage();
+    const Policies policies(unit.surface);
+    sms::edge_collapse(
+        unit.surface, stop,
+        CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+}
+
+} // namespace
+
+Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const MeshingControl& control) {
+    if (vertexBudget < 4)
+        return failure("A mesh cannot be decimated to fewer than 4 vertices.");
+    try {
+        auto unit = unitSurfaceOf(mesh);
+        if (!unit)
+            return tl::unexpected(std::move(unit.error()));
+        const auto budget = static_cast<std::size_t>(vertexBudget);
+        if (unit->surface.number_of_vertices() > budget)
+            collapseEdges(*unit, budget, control);
+        if (control.isCancelled())
+            return failure(std::string(meshingCancelledMessage));
+        control.report(1);
+        auto result = meshOf(*unit);
+        if (result && result->vertexCount() > vertexBudget)
+            return failure("The mesh cannot be decimated to " + std::to_string(vertexBudget) +
+                           " vertices: its holes and components need " +
+                           std::to_string(result->vertexCount()) + ".");
+        return result;
+    } catch (const std::exception& error) {
+        return failure(std::string("The mesh cannot be decimated: ") + error.what() + ".");
+    }
+}
+
+} // namespace idiophone

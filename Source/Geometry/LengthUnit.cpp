@@ -1,0 +1,56 @@
+#include "Geometry/LengthUnit.h"
+
+#include <array>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace idiophone {
+namespace {
+
+constexpr LengthUnit metres{"metres", "m", 1}, millimetres{"millimetres", "mm", 1e-3};
+constexpr std::array units{metres, LengthUnit{"centimetres", "cm", 1e-2}, millimetres,
+                           LengthUnit{"inches", "in", 0.0254}, LengthUnit{"feet", "ft", 0.3048}};
+
+/// To three figures, or to whole units where it has more.
+std::string figureOf(double length) {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    if (length >= 100 && length < 1e9)
+        stream.precision(9);
+    else
+        stream.precision(3);
+    stream << (length >= 100 && length < 1e9 ? std::round(length) : length);
+    return stream.str();
+}
+
+} // namespace
+
+std::optional<LengthUnit> lengthUnitNamed(std::string_view word) {
+    for (const auto& unit : units)
+        if (word == unit.symbol || word == unit.name)
+            return unit;
+    return std::nullopt;
+}
+
+UnitGuess guessLengthUnit(const Mesh& mesh) {
+    constexpr double largestMetres = 20, smallestMetres = 0.005;
+    Eigen::RowVector3d extent = Eigen::RowVector3d::Zero();
+    if (mesh.vertexCount() > 0)
+        extent = mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
+    const double largest = extent.maxCoeff();
+    const bool isMetres = !(largest > largestMetres);
+    UnitGuess guess{.unit = isMetres ? metres : millimetres, .isSure = false, .sentence = {}};
+    guess.isSure =
+        isMetres ? largest >= smallestMetres : largest * millimetres.metresPerUnit <= largestMetres;
+    guess.sentence = "The mesh measures " + figureOf(extent.x()) + " x " + figureOf(extent.y()) +
+                     " x " + figureOf(extent.z());
+    if (guess.isSure)
+        guess.sentence += ", which looks like " + std::string(guess.unit.name) + ".";
+    else
+        guess.sentence += ", which no unit makes the size of an instrument; it is taken to be in " +
+                          std::string(guess.unit.name) + ".";
+    return guess;
+}
+
+} // namespace idiophone

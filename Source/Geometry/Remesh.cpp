@@ -1,0 +1,183 @@
+#include "Geometry/Remesh.h"
+
+#include "Geometry/CgalSurface.h"
+#include "Geometry/SurfaceQuery.h"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <exception>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Vertex = Surface::Vertex_index;
+using Edge = Surface::Edge_index;
+using Face = Surface::Face_index;
+
+struct Cancelled {};
+struct LostInArithmetic {};
+
+/// What must stay: edges, corners, and the patches of faces between those edges.
+struct Features {
+    Surface::Property_map<Edge, bool> isSharp;
+    Surface::Property_map<Vertex, bool> isCorner;
+    Surface::Property_map<Face, std::size_t> patchOf;
+    std::size_t patchCount = 0;
+};
+
+bool turnsSharply(const UnitSurface& unit, Vertex vertex, Vertex a, Vertex b, double cosine) {
+    const Eigen::RowVector3d in = unit.unitPoint(vertex) - unit.unitPoint(a);
+    const Eigen::RowVector3d out = unit.unitPoint(b) - unit.unitPoint(vertex);
+    return in.dot(out) < cosine * in.norm() * out.norm();
+}
+
+/// A corner is where sharp edges or boundaries end, meet, or turn sharply.
+bool isCorner(const UnitSurface& unit, const Features& features, Vertex vertex, double cosine) {
+    std::vector<Vertex> ends;
+    for (const auto h : unit.surface.halfedges_around_target(unit.surface.halfedge(vertex))) {
+        const auto edge = unit.surface.edge(h);
+        if (features.isSharp[edge] || unit.surface.is_border(edge))
+            ends.push_back(unit.surface.source(h));
+    }
+    return !ends.empty() &&
+           (ends.size() != 2 || turnsSharply(unit, vertex, ends[0], ends[1], cosine));
+}
+
+Features findFeatures(UnitSurface& unit, double sharpAngleDegrees) {
+    Features features{
+        .isSharp = unit.surface.add_property_map<Edge, bool>("e:sharp", false).first,
+        .isCorner = unit.surface.add_property_map<Vertex, bool>("v:corner", false).first,
+        .patchOf = unit.surface.add_property_map<Face, std::size_t>("f:patch", 0).first};
+    pmp::detect_sharp_edges(unit.surface, sharpAngleDegrees, features.isSharp);
+    const double cosine = std::cos(sharpAngleDegrees * std::numbers::pi / 180);
+    for (const auto vertex : unit.surface.vertices())
+        features.isCorner[vertex] = isCorner(unit, features, vertex, cosine);
+    features.patchCount =
+        pmp::connected_components(unit.surface, features.patchOf,
+                                  CGAL::parameters::edge_is_constrained_map(features.isSharp));
+    return features;
+}
+
+/// For each patch the faces that it begins with, to find nearest points on.
+std::vector<SurfaceQuery> patchesOf(const UnitSurface& unit, const Features& features) {
+    std::vector<std::vector<Face>> facesOf(features.patchCount);
+    for (const auto face : unit.surface.faces())
+        facesOf[features.patchOf[face]].push_back(face);
+    std::vector<SurfaceQuery> result;
+    result.reserve(facesOf.size());
+    for (const auto& faces : facesOf) {
+        Mesh patch{Eigen::MatrixXd(3 * faces.size(), 3), Eigen::MatrixXi(faces.size(), 3)};
+        int row = 0;
+        for (const auto face : faces)
+            for (const auto vertex :
+                 unit.surface.vertices_around_face(unit.surface.halfedge(face))) {
+                patch.vertices.row(row) = unit.unitPoint(vertex);
+                patch.faces(row / 3, row % 3) = row;
+                ++row;
+            }
+        result.emplace_back(std::move(patch));
+    }
+    return result;
+}
+
+/// Brings a vertex that smoothing has moved back onto the surface given.
+class Projection {
+public:
+    Projection(const UnitSurface& unit,
+               const Features& features,
+               const std::vector<SurfaceQuery>& patches,
+               const MeshingControl& control)
+        : unit_(unit), features_(features), patches_(patches), control_(control) {}
+
+    Surface::Point operator()(Vertex vertex) const {
+        if (control_.isCancelled())
+            throw Cancelled{};
+        const Eigen::Vector3d point = unit_.unitPoint(vertex).transpose();
+        if (!point.allFinite())
+            throw LostInArithmetic{};
+        const auto face = unit_.surface.face(unit_.surface.halfedge(vertex));
+        const auto nearest = patches_[features_.patchOf[face]].nearestPoint(point).pointMetres;
+        return {nearest.x(), nearest.y(), nearest.z()};
+    }
+
+private:
+    const UnitSurface& unit_;
+    const Features& features_;
+    const std::vector<SurfaceQuery>& patches_;
+    const MeshingControl& control_;
+};
+
+/// About how many triangles of an edge length the surface takes, slivers included.
+double trianglesWanted(const UnitSurface& unit, double edgeLength) {
+    double triangles = 0;
+    for (const auto face : unit.surface.faces()) {
+        const auto h = unit.surface.halfedge(face);
+        const Eigen::RowVector3d a = unit.unitPoint(unit.surface.source(h));
+        const Eigen::RowVector3d u = unit.unitPoint(unit.surface.target(h)) - a;
+        const Eigen::RowVector3d v = unit.unitPoint(unit.surface.target(unit.surface.next(h))) - a;
+        const double area = u.cross(v).norm() / 2;
+        triangles += area * 4 / (std::sqrt(3.0) * edgeLength * edgeLength) +
+                     (u.norm() + v.norm() + (u - v).norm()) / (2 * edgeLength);
+    }
+    return triangles;
+}
+
+void remeshUnit(UnitSurface& unit,
+                double edgeLength,
+                const RemeshSettings& settings,
+                const MeshingControl& control) {
+    const auto features = findFeatures(unit, settings.sharpAngleDegrees);
+    const auto patches = patchesOf(unit, features);
+    for (int pass = 0; pass < settings.passes; ++pass) {
+        control.report(static_cast<double>(pass) / settings.passes);
+        if (control.isCancelled())
+            throw Cancelled{};
+        pmp::isotropic_remeshing(
+            unit.surface.faces(), edgeLength, unit.surface,
+            CGAL::parameters::number_of_iterations(1)
+                .edge_is_constrained_map(features.isSharp)
+                .vertex_is_constrained_map(features.isCorner)
+                .face_patch_map(features.patchOf)
+                .projection_functor(Projection(unit, features, patches, control)));
+    }
+    control.report(1);
+}
+
+} // namespace
+
+Result<Mesh>
+remesh(const Mesh& mesh, const RemeshSettings& settings, const MeshingControl& control) {
+    if (!(settings.passes >= 1 && settings.passes <= 20) ||
+        !(settings.sharpAngleDegrees > 0 && settings.sharpAngleDegrees <= 180))
+        return failure("Remeshing takes 1 to 20 passes and a sharp angle of 0 to 180 degrees.");
+    try {
+        auto unit = unitSurfaceOf(mesh);
+        if (!unit)
+            return tl::unexpected(std::move(unit.error()));
+        const double edgeLength = settings.edgeLengthMetres / unit->diagonalMetres;
+        if (!(edgeLength > 0 && edgeLength <= 0.5))
+            return failure("The edge length of a remeshing must be above 0 and at most half of the "
+                           "mesh's bounding diagonal.");
+        constexpr double mostTriangles = 4e6;
+        if (const double wanted = trianglesWanted(*unit, edgeLength); wanted > mostTriangles)
+            return failure("The mesh would need more than 4 million triangles at this edge length; "
+                           "choose a longer one.");
+        remeshUnit(*unit, edgeLength, settings, control);
+        return meshOf(*unit);
+    } catch (const Cancelled&) {
+        return failure(std::string(meshingCancelledMessage));
+    } catch (const LostInArithmetic&) {
+        return failure("The mesh cannot be remeshed: its faces are too thin for arithmetic.");
+    } catch (const std::exception& error) {
+        return failure(std::string("The mesh cannot be remeshed: ") + error.what() + ".");
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,164 @@
+#include "Geometry/TJunctions.h"
+
+#include "Geometry/EdgeSplit.h"
+
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using NumberedPoint = std::pair<Kernel::Point_3, int>;
+using SearchTraits = CGAL::Search_traits_adapter<NumberedPoint,
+                                                 CGAL::First_of_pair_property_map<NumberedPoint>,
+                                                 CGAL::Search_traits_3<Kernel>>;
+using PointTree = CGAL::Kd_tree<SearchTraits>;
+
+struct BoundaryEdge {
+    int face = 0, corner = 0; ///< from this corner to the next
+};
+
+std::vector<BoundaryEdge> boundaryEdgesOf(const Mesh& mesh) {
+    std::vector<std::array<int, 4>> halfEdges; // low, high, face, corner
+    halfEdges.reserve(static_cast<std::size_t>(mesh.faceCount()) * 3);
+    for (int face = 0; face < mesh.faceCount(); ++face)
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto [low, high] =
+                std::minmax({mesh.faces(face, corner), mesh.faces(face, (corner + 1) % 3)});
+            halfEdges.push_back({low, high, face, corner});
+        }
+    std::ranges::sort(halfEdges);
+    std::vector<BoundaryEdge> result;
+    const auto sameEdge = [&](std::size_t i, std::size_t j) {
+        return j < halfEdges.size() && halfEdges[i][0] == halfEdges[j][0] &&
+               halfEdges[i][1] == halfEdges[j][1];
+    };
+    for (std::size_t i = 0, end = 0; i < halfEdges.size(); i = end) {
+        for (end = i + 1; sameEdge(i, end);)
+            ++end;
+        if (end - i == 1)
+            result.push_back({halfEdges[i][2], halfEdges[i][3]});
+    }
+    return result;
+}
+
+/// The points within a distance of a segment, as CGAL's tree asks for them.
+class Tube {
+public:
+    using D = SearchTraits::Dimension;
+    Tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius)
+        : from_(from), direction_(to - from), radius_(radius) {}
+
+    bool contains(const NumberedPoint& candidate) const {
+        const Eigen::Vector3d point(candidate.first.x(), candidate.first.y(), candidate.first.z());
+        const double along =
+            std::clamp((point - from_).dot(direction_) / direction_.squaredNorm(), 0.0, 1.0);
+        return (from_ + along * direction_ - point).squaredNorm() <= radius_ * radius_;
+    }
+
+    bool inner_range_intersects(const CGAL::Kd_tree_rectangle<double, D>& box) const {
+        double enter = 0, leave = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = box.min_coord(axis) - radius_ - from_(axis);
+            const double high = box.max_coord(axis) + radius_ - from_(axis);
+            if (direction_(axis) == 0) {
+                if (low > 0 || high < 0)
+                    return false;
+                continue;
+            }
+            const double a = low / direction_(axis), b = high / direction_(axis);
+            enter = std::max(enter, std::min(a, b));
+            leave = std::min(leave, std::max(a, b));
+        }
+        // Rounding must not lose a box that the segment grazes: `contains` decides.
+        return enter <= leave + 1e-9;
+    }
+    bool outer_range_contains(const CGAL::Kd_tree_rectangle<double, D>&) const { return false; }
+
+private:
+    Eigen::Vector3d from_, direction_;
+    double radius_;
+};
+
+void plantBoundaryVertices(PointTree& tree,
+                           const Mesh& mesh,
+                           const std::vector<BoundaryEdge>& edges) {
+    std::vector<char> isBoundary(mesh.vertexCount(), 0);
+    for (const auto& edge : edges)
+        for (const int end : {0, 1})
+            isBoundary[mesh.faces(edge.face, (edge.corner + end) % 3)] = 1;
+    for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+        if (isBoundary[vertex])
+            tree.insert(
+                {{mesh.vertices(vertex, 0), mesh.vertices(vertex, 1), mesh.vertices(vertex, 2)},
+                 vertex});
+    tree.build();
+}
+
+/// The vertices on the edge, from its beginning to its end.
+std::vector<int> verticesOn(const Mesh& mesh,
+                            const PointTree& tree,
+                            const BoundaryEdge& edge,
+                            double toleranceMetres) {
+    const int a = mesh.faces(edge.face, edge.corner),
+              b = mesh.faces(edge.face, (edge.corner + 1) % 3),
+              apex = mesh.faces(edge.face, (edge.corner + 2) % 3);
+    const Eigen::Vector3d from = mesh.vertices.row(a), to = mesh.vertices.row(b);
+    const double length = (to - from).norm();
+    if (length <= 2 * toleranceMetres)
+        return {};
+    std::vector<NumberedPoint> found;
+    tree.search(std::back_inserter(found), Tube(from, to, toleranceMetres));
+    std::vector<std::pair<double, int>> inside; // the place along the edge in metres, the vertex
+    for (const auto& [point, vertex] : found) {
+        const double along =
+            (Eigen::Vector3d(point.x(), point.y(), point.z()) - from).dot((to - from) / length);
+        if (vertex != a && vertex != b && vertex != apex && along > toleranceMetres &&
+            along < length - toleranceMetres)
+            inside.emplace_back(along, vertex);
+    }
+    std::ranges::sort(inside);
+    std::vector<int> result;
+    double last = 0;
+    for (const auto& [along, vertex] : inside)
+        if (along - last > toleranceMetres) { // not two that the edge could not tell apart
+            result.push_back(vertex);
+            last = along;
+        }
+    return result;
+}
+
+} // namespace
+
+int splitTJunctions(Mesh& mesh, double toleranceMetres) {
+    const auto edges = boundaryEdgesOf(mesh);
+    if (edges.empty() || edges.size() > mostOpenEdges)
+        return 0;
+    PointTree tree;
+    plantBoundaryVertices(tree, mesh, edges);
+    std::unordered_map<int, EdgeInsertions> insertions;
+    const std::size_t most = 2 * edges.size() + 1000;
+    std::size_t count = 0;
+    for (const auto& edge : edges) {
+        if (count > most)
+            break;
+        if (auto vertices = verticesOn(mesh, tree, edge, toleranceMetres); !vertices.empty()) {
+            count += vertices.size();
+            insertions[edge.face][edge.corner] = std::move(vertices);
+        }
+    }
+    splitFaces(mesh, insertions);
+    return static_cast<int>(count);
+}
+
+} // namespace idiophone

@@ -1,0 +1,204 @@
+#include "Object/MaterialFile.h"
+
+#include "Object/TextFile.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace idiophone {
+namespace {
+
+// Sorted for reading, whose look-ups stay fast however many keys a hostile file has; in order for
+// writing, for the people who read it.
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::size_t largestFileBytes = std::size_t{1} << 20;
+constexpr std::size_t longestNameBytes = 100;
+
+// Inside this file a fault travels as an exception and becomes a Result at its edge.
+struct Fault {
+    std::string sentence;
+};
+
+struct Figure {
+    const char* key;
+    double& (*member)(Material&);
+};
+
+constexpr Figure elasticity[] = {
+    {"youngs_modulus_pa", [](Material& m) -> double& { return m.youngsModulusPa; }},
+    {"density_kg_per_m3", [](Material& m) -> double& { return m.densityKgPerM3; }},
+    {"poisson_ratio", [](Material& m) -> double& { return m.poissonRatio; }},
+};
+constexpr Figure damping[] = {
+    {"fluid_damping_per_s", [](Material& m) -> double& { return m.damping.fluidPerSecond; }},
+    {"viscoelastic_damping_s",
+     [](Material& m) -> double& { return m.damping.viscoelasticSeconds; }},
+    {"loss_factor", [](Material& m) -> double& { return m.damping.lossFactor; }},
+};
+constexpr Figure contact[] = {
+    {"friction", [](Material& m) -> double& { return m.friction; }},
+    {"restitution", [](Material& m) -> double& { return m.restitution; }},
+    {"roughness", [](Material& m) -> double& { return m.roughness; }},
+};
+constexpr std::span<const Figure> figureGroups[] = {elasticity, damping, contact};
+
+/// In quotes, as part of a sentence: what a file says may be long, and of several lines.
+std::string quoted(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+    if (text.size() > longestNameBytes)
+        text = text.substr(0, longestNameBytes) + "...";
+    return "'" + text + "'";
+}
+
+const Figure* findFigure(const std::string& key) {
+    for (const auto group : figureGroups)
+        for (const auto& figure : group)
+            if (key == figure.key)
+                return &figure;
+    return nullptr;
+}
+
+std::string parseName(const json& value) {
+    if (!value.is_string())
+        throw Fault{"'name' is not a text"};
+    const auto name = value.get<std::string>();
+    if (name.empty())
+        throw Fault{"its name is empty"};
+    if (name.size() > longestNameBytes)
+        throw Fault{"its name is longer than " + std::to_string(longestNameBytes) + " bytes"};
+    if (std::ranges::any_of(name, [](unsigned char c) { return c < ' ' || c == 127; }))
+        throw Fault{"its name holds control characters"};
+    return name;
+}
+
+/// A text, or texts by what they are the source of, which become one.
+std::string parseSource(const json& value) {
+    if (value.is_string())
+        return value;
+    if (!value.is_object())
+        throw Fault{"'source' is neither a text nor a JSON object of texts"};
+    std::string all;
+    for (const char* part : {"elasticity", "density", "damping", "contact"}) {
+        if (!value.contains(part))
+            continue;
+        if (!value[part].is_string())
+            throw Fault{"'source' has '" + std::string(part) + "' that is not a text"};
+        all +=
+            (all.empty() ? "" : "; ") + std::string(part) + ": " + value[part].get<std::string>();
+    }
+    for (const auto& [part, text] : value.items())
+        if (part != "elasticity" && part != "density" && part != "damping" && part != "contact")
+            throw Fault{"'source' has no " + quoted(part)};
+    return all;
+}
+
+void requireFigures(const json& object) {
+    const auto isThere = [&](const Figure& figure) { return object.contains(figure.key); };
+    for (const auto& figure : elasticity)
+        if (!isThere(figure))
+            throw Fault{"it lacks '" + std::string(figure.key) + "'"};
+    if (std::ranges::none_of(damping, isThere))
+        throw Fault{"it has no damping: 'fluid_damping_per_s', 'viscoelastic_damping_s' or "
+                    "'loss_factor'"};
+}
+
+Material parseObject(const json& object, const std::string& defaultName) {
+    if (!object.is_object())
+        throw Fault{"it is not a JSON object"};
+    Material material;
+    material.name = defaultName;
+    for (const auto& [key, value] : object.items()) {
+        if (const auto* figure = findFigure(key)) {
+            if (!value.is_number())
+                throw Fault{"'" + key + "' is not a number"};
+            figure->member(material) = value;
+        } else if (key == "name") {
+            material.name = parseName(value);
+        } else if (key == "source") {
+            material.source = parseSource(value);
+        } else if (key != "t60_s") { // what `idiophone materials --json` adds for people
+            throw Fault{"a material has no " + quoted(key)};
+        }
+    }
+    requireFigures(object);
+    auto checked = validated(std::move(material));
+    if (!checked)
+        throw Fault{checked.error().message};
+    return std::move(*checked);
+}
+
+std::vector<Material> parseList(const json& root) {
+    if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-materials")
+        throw Fault{"it is not a list of materials"};
+    if (!root.contains("version") || root["version"] != 1)
+        throw Fault{"its version is not 1"};
+    if (!root.contains("materials") || !root["materials"].is_array())
+        throw Fault{"it lacks a list 'materials'"};
+    std::vector<Material> materials;
+    std::set<std::string> names;
+    for (const auto& entry : root["materials"]) {
+        materials.push_back(parseObject(entry, {}));
+        const auto& name = materials.back().name;
+        if (name.empty())
+            throw Fault{"one of its materials has no name"};
+        if (!names.insert(name).second)
+            throw Fault{"it has two materials " + quoted(name)};
+    }
+    return materials;
+}
+
+/// What `parse` makes of the text, with all that goes wrong as a sentence about the file.
+template <class Parse>
+auto parsed(std::string_view text, const std::filesystem::path& file, const Parse& parse)
+    -> Result<decltype(parse(json()))> {
+    const auto refuse = [&](const std::string& sentence) {
+        return failure(file.string() + ": " + sentence);
+    };
+    if (text.size() > largestFileBytes)
+        return refuse("it is too large for a material");
+    try {
+        const auto root = json::parse(text, nullptr, false);
+        if (root.is_discarded())
+            return refuse("it is not JSON");
+        return parse(root);
+    } catch (const Fault& fault) {
+        return refuse(fault.sentence);
+    } catch (const json::exception&) {
+        return refuse("it is damaged");
+    }
+}
+
+} // namespace
+
+Result<Material> parseMaterial(std::string_view text, const std::filesystem::path& file) {
+    return parsed(text, file,
+                  [&](const json& root) { return parseObject(root, file.stem().string()); });
+}
+
+Result<Material> readMaterialFile(const std::filesystem::path& file) {
+    return readTextFile(file, largestFileBytes).and_then([&](const std::string& text) {
+        return parseMaterial(text, file);
+    });
+}
+
+Result<std::vector<Material>> parseMaterialList(std::string_view text,
+                                                const std::filesystem::path& file) {
+    return parsed(text, file, parseList);
+}
+
+std::string encodeMaterial(const Material& material) {
+    ordered_json result{{"name", material.name}};
+    Material figures = material;
+    for (const auto group : figureGroups)
+        for (const auto& figure : group)
+            result[figure.key] = figure.member(figures);
+    result["source"] = material.source;
+    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    return result.dump(4, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+} // namespace idiophone

@@ -1,0 +1,57 @@
+#include "Object/MaterialFile.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace idiophone {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path fromEnvironment(const char* variable, const char* below = "") {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0' ? fs::path(value) / below : fs::path();
+}
+
+fs::path settingsFolder() {
+#if defined(_WIN32)
+    return fromEnvironment("APPDATA");
+#elif defined(__APPLE__)
+    return fromEnvironment("HOME", "Library/Application Support");
+#else
+    const auto configured = fromEnvironment("XDG_CONFIG_HOME");
+    return configured.is_absolute() ? configured : fromEnvironment("HOME", ".config");
+#endif
+}
+
+std::vector<fs::path> filesOf(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
+        if (entry->path().extension() == ".json")
+            files.push_back(entry->path());
+    std::ranges::sort(files); // so that materials of one name keep their order
+    return files;
+}
+
+} // namespace
+
+UserMaterials readMaterialFolder(const fs::path& folder) {
+    UserMaterials found;
+    for (const auto& file : filesOf(folder)) {
+        auto material = readMaterialFile(file);
+        if (material)
+            found.materials.push_back(std::move(*material));
+        else
+            found.faults.push_back(std::move(material.error()));
+    }
+    std::ranges::stable_sort(found.materials, {}, &Material::name);
+    return found;
+}
+
+fs::path userMaterialFolder() {
+    const auto settings = settingsFolder();
+    return settings.empty() ? settings : settings / "Idiophone" / "Materials";
+}
+
+} // namespace idiophone

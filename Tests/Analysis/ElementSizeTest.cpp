@@ -1,0 +1,88 @@
+#include "Analysis/ElementSize.h"
+
+#include "Analysis/Eigensolver.h"
+#include "Analysis/QuadraticTetrahedra.h"
+#include "Analysis/TetMesh.h"
+#include "Geometry/ParametricMesh.h"
+#include "SolvedBody.h"
+#include "TestMaterials.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <numbers>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::WithinRel;
+
+TEST_CASE(
+    "The wall of a plate, a hollow sphere and a cube is its thickness, its wall and a third") {
+    CHECK_THAT(wallThicknessMetres(extrudedMesh(sheetMesh(1, 1, 100), 0.01)),
+               WithinRel(0.01, 0.03));
+    CHECK_THAT(wallThicknessMetres(hollowSphereMesh(1, 0.02, 3)), WithinRel(0.02, 0.02));
+    CHECK_THAT(wallThicknessMetres(boxMesh({1, 1, 1}, {1, 1, 1})), WithinRel(1.0 / 3, 1e-12));
+}
+
+TEST_CASE("The shortest wavelength is the thin plate's low down and a surface wave's high up") {
+    const auto law = elasticLaw(referenceWood(0.3));
+    const double h = 0.01;
+    const double bending = std::sqrt(2 * std::numbers::pi * h / 10) * std::pow(20e9 / 12e3, 0.25);
+    CHECK_THAT(shortestWavelengthMetres(law, 1000, 10, h), WithinRel(bending, 0.01));
+    const double shear = std::sqrt(20e9 / 2.6 / 1000) / 5e6;
+    CHECK_THAT(shortestWavelengthMetres(law, 1000, 5e6, h),
+               WithinRel(std::sqrt(5.0 / 6) * shear, 0.01));
+}
+
+TEST_CASE("Elements get no larger as the band grows or the wall thins") {
+    const auto law = elasticLaw(referenceWood(0.3));
+    for (double wall = 1e-4; wall < 1; wall *= 1.5)
+        for (double hz = 50; hz < 1e5; hz *= 1.5) {
+            const double edge = targetEdgeMetres(law, 1000, hz, wall);
+            REQUIRE(targetEdgeMetres(law, 1000, 1.5 * hz, wall) <= edge);
+            REQUIRE(targetEdgeMetres(law, 1000, hz, wall / 1.5) <= edge);
+            REQUIRE(edge <= 4 * wall);
+        }
+}
+
+TEST_CASE("A block in elements of the target edge has its modes within 1 % of a finer model's") {
+    // By counting: none of the finer model's modes below f lies above 1.01 f in the coarser.
+    const double maxHz = 4500;
+    const auto law = elasticLaw(referenceWood(0.3));
+    const Eigen::Vector3d size(1, 0.7, 0.5);
+    const auto modelAt = [&](double edge) {
+        const Eigen::Vector3i segments = (size / edge).array().round().cast<int>();
+        const auto mesh = tetrahedralise(boxMesh(size, segments), {.targetEdgeMetres = edge});
+        REQUIRE(mesh);
+        return quadraticTetrahedra(*mesh, law, 1000);
+    };
+    const double edge =
+        targetEdgeMetres(law, 1000, maxHz, wallThicknessMetres(boxMesh(size, {1, 1, 1})));
+    const auto coarse = modelAt(edge), fine = modelAt(edge / 1.4);
+    for (const double hz : {maxHz}) {
+        const auto inFine = countModesBelow(fine, hz),
+                   inCoarse = countModesBelow(coarse, 1.01 * hz);
+        REQUIRE(inFine);
+        REQUIRE(inCoarse);
+        CHECK(*inFine > 15);
+        CHECK(*inCoarse >= *inFine);
+    }
+}
+
+TEST_CASE("Elements of the target edge bring every mode of a plate's band within 1.5 %") {
+    const double thickness = 0.06;
+    const auto law = elasticLaw(referenceWood(0.3));
+    const double unit =
+        std::sqrt(20e9 * thickness * thickness / (12e3 * (1 - 0.09))) / (2 * std::numbers::pi);
+    const double maxHz = 62 * unit;
+    const auto solvedAt = [&](double edge) {
+        const int vertices = static_cast<int>(2 / (std::sqrt(3.0) * edge * edge));
+        return frequenciesHz(solvedSolid(extrudedMesh(sheetMesh(1, 1, vertices), thickness), law,
+                                         1000, edge, {.lowestHz = unit, .highestHz = 1.1 * maxHz}));
+    };
+    const double edge = targetEdgeMetres(law, 1000, maxHz, thickness);
+    const auto coarse = solvedAt(edge), fine = solvedAt(edge / 1.6);
+    REQUIRE(coarse.size() >= 6);
+    for (std::size_t i = 0; i < coarse.size() && fine[i] < maxHz; ++i)
+        CHECK_THAT(coarse[i], WithinRel(fine[i], 0.015));
+}

@@ -1,0 +1,109 @@
+#include "ValidationTable.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+namespace idiophone::test {
+namespace {
+
+const std::filesystem::path page =
+    std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "docs/validation.md";
+
+std::string textOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string formatted(const char* format, double value) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+std::string sectionOf(const ValidationCase& validation) {
+    std::string section = "## " + validation.title + "\n\n" + validation.text + " Asked: within " +
+                          formatted("%g", 100 * validation.tolerance) + " %. " +
+                          std::to_string(validation.unknowns) +
+                          " unknowns.\n\n| mode | theory Hz | found Hz | error % |\n"
+                          "|---|---|---|---|\n";
+    for (const auto& row : validation.rows)
+        section += "| " + row.mode + " | " + formatted("%.5g", row.theoryHz) + " | " +
+                   formatted("%.5g", row.foundHz) + " | " +
+                   formatted("%+.2f", 100 * (row.foundHz / row.theoryHz - 1)) + " |\n";
+    return section + "\n";
+}
+
+/// Where a section stands in the page: from its heading to the next heading or the end.
+std::pair<std::size_t, std::size_t> placeOf(const std::string& title, const std::string& text) {
+    const auto begin = text.find("## " + title + "\n");
+    if (begin == std::string::npos)
+        return {text.size(), text.size()};
+    return {begin, std::min(text.find("\n## ", begin), text.size() - 1) + 1};
+}
+
+std::optional<double> number(std::string_view word) {
+    if (word.starts_with('+'))
+        word.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+bool sameToTheDigitsShown(const std::string& shown, const std::string& now) {
+    std::istringstream a(shown), b(now);
+    std::string wordA, wordB;
+    while (true) {
+        const bool moreA = static_cast<bool>(a >> wordA), moreB = static_cast<bool>(b >> wordB);
+        if (moreA != moreB || !moreA)
+            return moreA == moreB;
+        const auto x = number(wordA), y = number(wordB);
+        const bool same =
+            x && y ? std::abs(*x - *y) <= std::max(0.02, 2e-4 * std::abs(*x)) : wordA == wordB;
+        if (!same)
+            return false;
+    }
+}
+
+} // namespace
+
+void report(const ValidationCase& validation) {
+    REQUIRE(std::ranges::find(validationTitles, validation.title) != validationTitles.end());
+    for (const auto& row : validation.rows) {
+        INFO(row.mode << ": theory " << row.theoryHz << " Hz, found " << row.foundHz << " Hz");
+        CHECK(std::abs(row.foundHz / row.theoryHz - 1) <= validation.tolerance);
+    }
+    const std::string section = sectionOf(validation);
+    const auto folder = std::filesystem::path(IDIOPHONE_TEST_DIR) / "validation";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / (validation.title + ".md"), std::ios::binary) << section;
+    const std::string text = textOf(page);
+    const auto [begin, end] = placeOf(validation.title, text);
+    if (std::getenv("IDIOPHONE_WRITE_VALIDATION") != nullptr) {
+        std::ofstream(page, std::ios::binary) << text.substr(0, begin) + section + text.substr(end);
+        return;
+    }
+    INFO("Now:\n" << section << "On the page:\n" << text.substr(begin, end - begin));
+    CHECK(sameToTheDigitsShown(text.substr(begin, end - begin), section));
+}
+
+std::vector<std::string> validationHeadings() {
+    std::istringstream text(textOf(page));
+    std::vector<std::string> headings;
+    for (std::string line; std::getline(text, line);)
+        if (line.starts_with("## "))
+            headings.push_back(line.substr(3));
+    return headings;
+}
+
+} // namespace idiophone::test

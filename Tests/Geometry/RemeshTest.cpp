@@ -1,0 +1,159 @@
+#include "Geometry/Remesh.h"
+
+#include "Geometry/MeshCheck.h"
+#include "Geometry/ParametricMesh.h"
+#include "Geometry/SurfaceQuery.h"
+#include "Geometry/TestMeshes.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+/// The share of edges between 4/5 and 4/3 of a length, widened by a tenth.
+double shareOfEdgesNear(const Mesh& mesh, double lengthMetres) {
+    const auto edges = uniqueEdges(mesh);
+    const auto isNear = [&](const MeshEdge& edge) {
+        const double length = (mesh.vertices.row(edge.a) - mesh.vertices.row(edge.b)).norm();
+        return length > 0.72 * lengthMetres && length < 1.47 * lengthMetres;
+    };
+    return static_cast<double>(std::ranges::count_if(edges, isNear)) /
+           static_cast<double>(edges.size());
+}
+
+double greatestDistance(const Mesh& from, const Mesh& to) {
+    const SurfaceQuery surface(to);
+    double greatest = 0;
+    for (const auto& vertex : from.vertices.rowwise())
+        greatest = std::max(greatest, surface.nearestPoint(vertex.transpose()).distanceMetres);
+    return greatest;
+}
+
+bool hasVertexAt(const Mesh& mesh, const Eigen::RowVector3d& point) {
+    return (mesh.vertices.rowwise() - point).rowwise().norm().minCoeff() < 1e-12;
+}
+
+} // namespace
+
+TEST_CASE("A ball is remeshed to near-equilateral triangles on its surface") {
+    const auto ball = icosphereMesh(0.1, 4);
+    for (const double edge : {0.004, 0.01, 0.03}) {
+        const auto remeshed = remesh(ball, {.edgeLengthMetres = edge});
+        REQUIRE(remeshed);
+        CHECK(isOrientedManifold(*remeshed));
+        CHECK(isClosed(uniqueEdges(*remeshed)));
+        CHECK(shareOfEdgesNear(*remeshed, edge) > 0.9);
+        CHECK(worstAspect(*remeshed) < 4);
+        CHECK(greatestDistance(*remeshed, ball) < 1e-12);
+        CHECK(checkMesh(*remeshed).isSolid());
+    }
+    const auto fine = remesh(ball, {.edgeLengthMetres = 0.004});
+    CHECK(signedVolumeM3(*fine) == Approx(signedVolumeM3(ball)).epsilon(0.002));
+}
+
+TEST_CASE("A bar of twelve triangles keeps its edges, corners and volume") {
+    const Eigen::Vector3d size(0.35, 0.05, 0.02);
+    const auto remeshed = remesh(boxMesh(size, {1, 1, 1}), {.edgeLengthMetres = 0.008});
+    REQUIRE(remeshed);
+    CHECK(isOrientedManifold(*remeshed));
+    CHECK(signedVolumeM3(*remeshed) == Approx(size.prod()).epsilon(1e-9));
+    CHECK(shareOfEdgesNear(*remeshed, 0.008) > 0.8);
+    for (int corner = 0; corner < 8; ++corner)
+        CHECK(hasVertexAt(*remeshed, {size.x() / 2 * ((corner & 1) != 0 ? 1 : -1),
+                                      size.y() / 2 * ((corner & 2) != 0 ? 1 : -1),
+                                      size.z() / 2 * ((corner & 4) != 0 ? 1 : -1)}));
+}
+
+TEST_CASE("A finely divided plate is coarsened within its own outline") {
+    const auto plate = boxMesh({0.3, 0.2, 0.003}, {150, 100, 2});
+    const auto remeshed = remesh(plate, {.edgeLengthMetres = 0.01});
+    REQUIRE(remeshed);
+    CHECK(remeshed->vertexCount() < plate.vertexCount() / 5);
+    CHECK(isClosed(uniqueEdges(*remeshed)));
+    CHECK(signedVolumeM3(*remeshed) == Approx(0.3 * 0.2 * 0.003).epsilon(1e-9));
+}
+
+TEST_CASE("An open sheet keeps its boundary and its corners") {
+    const auto sheet = gridPlateMesh(0.4, 0.1, 3, 50);
+    const auto remeshed = remesh(sheet, {.edgeLengthMetres = 0.01});
+    REQUIRE(remeshed);
+    CHECK(isOrientedManifold(*remeshed));
+    CHECK(faceAreas(*remeshed).sum() == Approx(0.04).epsilon(1e-9));
+    CHECK(shareOfEdgesNear(*remeshed, 0.01) > 0.9);
+    CHECK(vertexNormals(*remeshed).col(2).minCoeff() > 0.999);
+    for (const double x : {-0.2, 0.2})
+        for (const double y : {-0.05, 0.05})
+            CHECK(hasVertexAt(*remeshed, {x, y, 0}));
+}
+
+TEST_CASE(
+    "The inner and the outer wall of a bowl stay apart when edges are longer than it is thick") {
+    const auto thin = bowl(0.1, 0.002, 30);
+    const auto remeshed = remesh(thin, {.edgeLengthMetres = 0.006});
+    REQUIRE(remeshed);
+    CHECK(isClosed(uniqueEdges(*remeshed)));
+    CHECK(greatestDistance(*remeshed, thin) < 1e-9);
+    CHECK(signedVolumeM3(*remeshed) == Approx(signedVolumeM3(thin)).epsilon(0.02));
+}
+
+TEST_CASE("Size and place do not change a remeshing but for rounding") {
+    const auto bar = boxMesh({0.35, 0.05, 0.02}, {7, 3, 2});
+    const auto reference = remesh(bar, {.edgeLengthMetres = 0.01});
+    for (const double scale : {1e-4, 1e4}) {
+        auto other = bar;
+        other.vertices *= scale;
+        other.vertices.rowwise() += Eigen::RowVector3d(1, 2, 3) * scale;
+        const auto remeshed = remesh(other, {.edgeLengthMetres = 0.01 * scale});
+        REQUIRE(remeshed);
+        CHECK(signedVolumeM3(*remeshed) / std::pow(scale, 3) == Approx(0.35 * 0.05 * 0.02));
+        CHECK(meanEdgeLengthMetres(*remeshed) / scale ==
+              Approx(meanEdgeLengthMetres(*reference)).epsilon(0.02));
+    }
+}
+
+TEST_CASE("Surfaces that are no manifold are cut apart and remeshed") {
+    const auto cube = boxMesh({1, 1, 1}, {1, 1, 1});
+    for (const auto& mesh : {joined(cube, moved(cube, {1, 1, 0})), moebiusStrip(30, 2), book(5),
+                             kleinBottle(24, 16)}) {
+        const auto remeshed = remesh(mesh, {.edgeLengthMetres = 0.15});
+        REQUIRE(remeshed);
+        CHECK(isOrientedManifold(*remeshed));
+        CHECK(faceAreas(*remeshed).sum() == Approx(faceAreas(mesh).sum()).epsilon(0.03));
+    }
+}
+
+TEST_CASE("Settings out of range and sizes out of reason are refused with a sentence") {
+    const auto ball = icosphereMesh(0.1, 2);
+    const auto errorOf = [&](const RemeshSettings& settings) {
+        return remesh(ball, settings).error().message;
+    };
+    CHECK_THAT(errorOf({.edgeLengthMetres = 0}), ContainsSubstring("edge length"));
+    CHECK_THAT(errorOf({.edgeLengthMetres = std::nan("")}), ContainsSubstring("edge length"));
+    CHECK_THAT(errorOf({.edgeLengthMetres = 1}), ContainsSubstring("edge length"));
+    CHECK_THAT(errorOf({.edgeLengthMetres = 1e-5}), ContainsSubstring("4 million"));
+    CHECK_THAT(errorOf({.edgeLengthMetres = 0.01, .passes = 0}), ContainsSubstring("passes"));
+    CHECK_THAT(remesh({}, {.edgeLengthMetres = 0.1}).error().message,
+               ContainsSubstring("no faces"));
+}
+
+TEST_CASE("A remeshing tells its progress and can be cancelled between and within passes") {
+    const auto ball = icosphereMesh(0.1, 3);
+    std::vector<double> told;
+    std::atomic<bool> cancelled = false;
+    MeshingControl control{.progress = [&](double f) { told.push_back(f); },
+                           .cancelled = &cancelled};
+    REQUIRE(remesh(ball, {.edgeLengthMetres = 0.01}, control));
+    CHECK(std::ranges::is_sorted(told));
+    CHECK(told.size() == 6);
+    CHECK(told.back() == 1);
+    control.progress = [&](double f) { cancelled = f > 0.3; };
+    const auto stopped = remesh(ball, {.edgeLengthMetres = 0.01}, control);
+    REQUIRE_FALSE(stopped);
+    CHECK(stopped.error().message == meshingCancelledMessage);
+}

@@ -1,0 +1,58 @@
+#include "Instrument/SettingsOfParameters.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using Catch::Approx;
+
+TEST_CASE("The five figures of the custom material are live, and no others are") {
+    using enum ParameterId;
+    ParameterValues values;
+    values.set(lossFactor, 0.01);
+    CHECK_FALSE(synthesisSettings(values).material); // each object is of its own
+    values.set(material, customMaterial);
+    values.set(youngsModulus, 70);
+    values.set(density, 2700);
+    values.set(fluidDamping, 0.5);
+    values.set(viscoelasticDamping, 0.01);
+    const auto live = synthesisSettings(values).material;
+    REQUIRE(live);
+    CHECK(live->youngsModulusPa == Approx(70e9));
+    CHECK(live->densityKgPerM3 == 2700);
+    CHECK(live->damping.fluidPerSecond == 0.5);
+    CHECK(live->damping.viscoelasticSeconds == Approx(1e-8));
+    CHECK(live->damping.lossFactor == 0.01);
+}
+
+TEST_CASE("A custom material saved before there was a loss factor has none") {
+    ParameterValues values;
+    values.set(ParameterId::material, customMaterial);
+    CHECK(synthesisSettings(values).material->damping.lossFactor == 0);
+}
+
+TEST_CASE("Every library material plays its own law, live") {
+    ParameterValues values;
+    int choice = firstLibraryMaterial;
+    for (const auto& material : materialLibrary()) {
+        values.set(ParameterId::material, choice++);
+        const auto live = synthesisSettings(values).material;
+        REQUIRE(live);
+        CHECK(live->damping == material.damping);
+    }
+}
+
+TEST_CASE("A material made the custom one is played with its figures, held to the ranges") {
+    for (const auto& material : materialLibrary()) {
+        INFO(material.name);
+        const auto live = synthesisSettings(withCustomMaterial({}, material)).material;
+        REQUIRE(live);
+        CHECK(live->youngsModulusPa == Approx(material.youngsModulusPa));
+        CHECK(live->densityKgPerM3 == Approx(material.densityKgPerM3));
+        // A logarithmic range has no zero: its end is a T60 of 23 minutes.
+        CHECK(live->damping.fluidPerSecond == std::max(material.damping.fluidPerSecond, 0.01));
+        CHECK(live->damping.viscoelasticSeconds ==
+              Approx(std::max(material.damping.viscoelasticSeconds, 1e-10)));
+        CHECK(live->damping.lossFactor == material.damping.lossFactor);
+    }
+}

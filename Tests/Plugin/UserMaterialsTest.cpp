@@ -1,0 +1,131 @@
+// The user's own materials in the window: listed, chosen, shown by name, and faults said.
+#include "Object/MaterialFile.h"
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <juce_gui_basics/juce_gui_basics.h>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+const char* const jade = R"({"name": "Jade", "youngs_modulus_pa": 1.1e11, "poisson_ratio": 0.27,
+    "density_kg_per_m3": 3300, "fluid_damping_per_s": 3, "viscoelastic_damping_s": 2e-8,
+    "loss_factor": 1e-4})";
+
+/// An empty folder of user materials while it lives, in place of this machine's.
+class UserFolder {
+public:
+    UserFolder() {
+        std::filesystem::remove_all(root);
+        setSettings(root.string().c_str());
+        std::filesystem::create_directories(userMaterialFolder());
+    }
+    ~UserFolder() { setSettings(before.c_str()); }
+
+    void write(const std::string& name, const std::string& text) {
+        std::ofstream(userMaterialFolder() / name, std::ios::binary) << text;
+    }
+
+private:
+#if defined(_WIN32)
+    static constexpr const char* variable = "APPDATA";
+    static void setSettings(const char* value) {
+        _putenv_s(variable, value);
+    }
+#elif defined(__APPLE__)
+    static constexpr const char* variable = "HOME";
+    static void setSettings(const char* value) {
+        setenv(variable, value, 1);
+    }
+#else
+    static constexpr const char* variable = "XDG_CONFIG_HOME";
+    static void setSettings(const char* value) {
+        setenv(variable, value, 1);
+    }
+#endif
+    const std::filesystem::path root = std::filesystem::path(IDIOPHONE_TEST_DIR) / "settings";
+    const std::string before = std::getenv(variable) != nullptr ? std::getenv(variable) : "";
+};
+
+juce::ComboBox* materialList(juce::Component& component) {
+    if (auto* list = dynamic_cast<juce::ComboBox*>(&component);
+        list != nullptr && list->getTitle() == "Material")
+        return list;
+    for (auto* child : component.getChildren())
+        if (auto* found = materialList(*child))
+            return found;
+    return nullptr;
+}
+
+} // namespace
+
+TEST_CASE("The user's materials are listed by name behind the built-in ones") {
+    UserFolder folder;
+    folder.write("z.json", jade);
+    folder.write("Amber.json", R"({"youngs_modulus_pa": 3e9, "density_kg_per_m3": 1080,
+                                   "poisson_ratio": 0.3, "loss_factor": 0.02})");
+    Processor processor;
+    const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
+    auto* list = materialList(*window);
+    REQUIRE(list != nullptr);
+    const auto builtIn = choiceNames(ParameterId::material);
+    const int count = static_cast<int>(builtIn.size());
+    REQUIRE(list->getNumItems() == count + 2);
+    CHECK(list->getItemText(count - 1).toStdString() == builtIn.back());
+    CHECK(list->getItemText(count) == "Amber");
+    CHECK(list->getItemText(count + 1) == "Jade");
+}
+
+TEST_CASE("A chosen user material plays its figures as the custom one and is shown by its name") {
+    UserFolder folder;
+    folder.write("jade.json", jade);
+    Processor processor;
+    const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
+    auto* list = materialList(*window);
+    list->setSelectedItemIndex(list->getNumItems() - 1, juce::sendNotificationSync);
+    using enum ParameterId;
+    CHECK(processor.parameterValue(material) == customMaterial);
+    CHECK(processor.parameterValue(youngsModulus) == Approx(110));
+    CHECK(processor.parameterValue(density) == 3300);
+    CHECK(processor.parameterValue(fluidDamping) == 3);
+    CHECK(processor.parameterValue(viscoelasticDamping) == Approx(0.02));
+    CHECK(processor.parameterValue(lossFactor) == 1e-4);
+    CHECK(processor.userMaterialIndex() == 0);
+    CHECK(list->getText() == "Jade");
+
+    // It travels with the project as figures: the file is not needed any more.
+    const auto project = saved(processor);
+    Processor reopened;
+    restoreBytes(reopened, project);
+    CHECK(reopened.parameterValue(lossFactor) == 1e-4);
+    reopened.readUserMaterials();
+    CHECK(reopened.userMaterialIndex() == 0);
+
+    processor.changeParameter(density, 3301);
+    CHECK(processor.userMaterialIndex() == -1);
+    processor.chooseUserMaterial(1);
+    processor.chooseUserMaterial(-1);
+    CHECK(processor.parameterValue(density) == 3301);
+}
+
+TEST_CASE("A file that is no material is one sentence in the status, and loses nothing") {
+    UserFolder folder;
+    folder.write("jade.json", jade);
+    folder.write("broken.json", R"({"name": "Broken"})");
+    Processor processor;
+    const auto before = saved(processor);
+    CHECK(processor.readUserMaterials() == std::vector<std::string>{"Jade"});
+    const auto status = processor.takeStatus();
+    CHECK(status.isError);
+    CHECK_THAT(status.sentence, ContainsSubstring("broken.json"));
+    CHECK_THAT(status.sentence, ContainsSubstring("'youngs_modulus_pa'"));
+    CHECK(saved(processor) == before);
+}

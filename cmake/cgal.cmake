@@ -1,0 +1,30 @@
+# CGAL 5.5, header only: remeshing, simplification of scans, exact predicates of triangles. The
+# predicates need no GMP or MPFR, but use them where CGAL's own package brings them along.
+if(TARGET idiophone_cgal)
+    return()
+endif()
+add_library(idiophone_cgal INTERFACE)
+find_package(CGAL 5.5 QUIET)
+if(TARGET CGAL::CGAL)
+    target_link_libraries(idiophone_cgal INTERFACE CGAL::CGAL)
+else()
+    find_package(Boost 1.66 REQUIRED)
+    # The release archive, for the repository keeps the headers in a folder for each package.
+    FetchContent_Declare(CGAL
+        URL https://github.com/CGAL/cgal/releases/download/v5.5.1/CGAL-5.5.1-library.tar.xz)
+    # Populated, not added: only the headers are wanted.
+    FetchContent_GetProperties(CGAL)
+    if(NOT cgal_POPULATED)
+        FetchContent_Populate(CGAL)
+    endif()
+    target_include_directories(idiophone_cgal SYSTEM INTERFACE "${cgal_SOURCE_DIR}/include")
+    target_compile_definitions(idiophone_cgal INTERFACE CGAL_DISABLE_GMP=1)
+    # CGAL's interval arithmetic changes the rounding mode.
+    target_compile_options(idiophone_cgal INTERFACE
+        $<$<CXX_COMPILER_ID:GNU>:-frounding-math>
+        $<$<CXX_COMPILER_ID:MSVC>:/fp:strict>)
+    target_link_libraries(idiophone_cgal INTERFACE Boost::headers)
+endif()
+target_link_libraries(idiophone_cgal INTERFACE Eigen3::Eigen)
+# Its assertions check the whole mesh after every collapse of an edge: quadratic time.
+target_compile_definitions(idiophone_cgal INTERFACE CGAL_NDEBUG CGAL_EIGEN3_ENABLED)
