@@ -60,10 +60,8 @@ private:
 
 /// The new samples of a recording moved down by `centreHz` and filtered.
 template <class Taps>
-VectorXcd
-zoomed(const DecayRecording& recording, const std::vector<Taps>& taps, double centreHz) {
-    const auto length =
-        static_cast<Index>(taps.back().first + taps.back().weights.size());
+VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps, double centreHz) {
+    const auto length = static_cast<Index>(taps.back().first + taps.back().weights.size());
     Eigen::VectorXd cosines(length), sines(length);
     const Complex turn = std::polar(1.0, -2 * pi * centreHz / recording.sampleRateHz);
     Complex phase = 1;
@@ -164,8 +162,7 @@ BandPoles::BandPoles(std::span<const DecayRecording> of, double widthHz)
     const double room = (shortest - 2 * reach) / step;
     if (room < static_cast<double>(fewestSamples))
         return;
-    const auto count =
-        static_cast<std::size_t>(std::min(room, static_cast<double>(longestBand)));
+    const auto count = static_cast<std::size_t>(std::min(room, static_cast<double>(longestBand)));
     for (const auto& recording : recordings) {
         const double rate = recording.sampleRateHz;
         auto& own = taps.emplace_back(count);

@@ -9,11 +9,11 @@
 
 namespace idiophone {
 
-/// Bands of one width. Each recording is shifted to 0 Hz, cut to the band by a filter of finite length, and sampled
-/// anew at 1.6 times the width. Where the filter lies within the free decay, the outcome is a sum of
-/// exponentials with the same poles; ESPRIT (Roy & Kailath 1989) finds them from the signal space
-/// of the Hankel matrices of all recordings side by side. Poles that grow, that lie beyond the
-/// band's edges, or whose energy the noise could have, are left out.
+/// Bands of one width. Each recording is shifted to 0 Hz, cut to the band by a filter of finite
+/// length, and sampled anew at 1.6 times the width. Where the filter lies within the free decay,
+/// the outcome is a sum of exponentials with the same poles; ESPRIT (Roy & Kailath 1989) finds them
+/// from the signal space of the Hankel matrices of all recordings side by side. Poles that grow,
+/// that lie beyond the band's edges, or whose energy the noise could have, are left out.
 class BandPoles {
 public:
     /// The recordings outlive it.
@@ -35,8 +35,8 @@ private:
     std::vector<std::vector<Taps>> taps; ///< [recordings][new samples]
 };
 
-/// The same of the whole spectrum, without a filter, from the first milliseconds: for what dies away
-/// too fast for any band.
+/// The same of the whole spectrum, without a filter, from the first milliseconds: for what dies
+/// away too fast for any band.
 std::vector<DecayPole> polesOfStart(std::span<const DecayRecording> recordings);
 
 } // namespace idiophone

@@ -1,72 +1,187 @@
 #include "Analysis/BarTuning.h"
 
+#include "Analysis/BodyModel.h"
 #include "Analysis/Eigensolver.h"
-#include "Analysis/TwoLayerShell.h"
-#include "Geometry/ParametricMesh.h"
+#include "Analysis/QuadraticTetrahedra.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace idiophone {
 namespace {
 
-constexpr double toleranceCents = 0.02; // of the promised 0.05
+constexpr int mostCorrections = 10;
 
-/// The first bending mode of a free-free beam at x in −1/2 … 1/2 (Euler-Bernoulli; its sign and
-/// size do not matter).
-double freeBeamShape(double x) {
-    constexpr double beta = 4.730040744862704;
-    return std::cos(beta * x) / std::cos(beta / 2) + std::cosh(beta * x) / std::cosh(beta / 2);
+BodyModel bodyOf(const BarSpecification& bar, const SolidBar& solid) {
+    BodyModel body;
+    body.surface = solid.surface;
+    body.model =
+        quadraticTetrahedra(solid.elements, elasticLaw(bar.material), bar.material.densityKgPerM3);
+    body.pointsMetres = solid.elements.nodes;
+    body.body = BodyKind::solid;
+    body.material = bar.material;
+    body.method = "fem";
+    return body;
 }
 
-struct Fundamental {
-    Eigen::Index mode = 0;
-    double eigenvalue = 0;
-};
+/// By the share of motion on top that is up and down and the same across the width. `motionAt`
+/// takes the place of a vertex in the outline.
+template <class MotionAt>
+bool bendsVertically(int topCount, const MotionAt& motionAt) {
+    constexpr std::array<double, BarOutline::topAcross> weights{0.25, 0.5, 0.25};
+    double together = 0, all = 0;
+    const int lines = topCount / BarOutline::topAcross;
+    for (int line = 0; line < lines; ++line) {
+        double mean = 0;
+        for (int j = 0; j < BarOutline::topAcross; ++j) {
+            const auto weight = weights[static_cast<std::size_t>(j)];
+            const Eigen::Vector3d motion = motionAt(static_cast<std::size_t>(j * lines + line));
+            mean += weight * motion.z();
+            all += weight * motion.squaredNorm();
+        }
+        together += mean * mean;
+    }
+    return together > 0.5 * all;
+}
 
-/// Among the lowest modes the one most like a beam's first bending, by the modal assurance
-/// criterion: twist and sideways bending may lie near or below it.
-Result<Fundamental> findFundamental(const BarSpecification& bar,
-                                    const Mesh& mesh,
-                                    double lengthMetres,
-                                    double highestHz,
-                                    const AnalysisControl& control) {
-    const auto model = twoLayerShell(mesh, bar.material, bar.heightMetres);
-    const auto modes = solveModes(model, {.lowestHz = 20, .highestHz = highestHz}, control);
+int targetCount(const PartialTargets& targets) {
+    return targets.thirdRatio > 0 ? 3 : targets.secondRatio > 0 ? 2 : 1;
+}
+
+double targetHz(const PartialTargets& targets, int partial) {
+    const std::array ratios{1.0, targets.secondRatio, targets.thirdRatio};
+    return targets.fundamentalHz * ratios[static_cast<std::size_t>(partial)];
+}
+
+/// The bending partials among the lowest modes, as many as there are targets.
+Result<std::vector<double>> lowestPartialsHz(const BarSpecification& bar,
+                                             const SolidBar& solid,
+                                             const AnalysisControl& control) {
+    const int count = targetCount(bar.targets);
+    const auto body = bodyOf(bar, solid);
+    const auto modes = solveModes(
+        body.model, {.lowestHz = 20, .highestHz = 1.3 * targetHz(bar.targets, count - 1)},
+        {.progress = {}, .cancelled = control.cancelled});
     if (!modes)
         return failure(modes.error().message);
-    const Eigen::MatrixXd shapes = midSurfaceShapes(modes->shapes);
-    const Eigen::VectorXd masses = model.mass.diagonal();
-    Fundamental best;
-    double greatest = 0.5; // less likeness is another mode
-    for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode) {
-        double cross = 0, own = 0, ideal = 0;
-        for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v) {
-            const double mass = masses(6 * v);
-            const double theory = freeBeamShape(mesh.vertices(v, 0) / lengthMetres);
-            cross += mass * theory * shapes(3 * v + 2, mode);
-            own += mass * shapes.col(mode).segment<3>(3 * v).squaredNorm();
-            ideal += mass * theory * theory;
-        }
-        if (const double likeness = cross * cross / (own * ideal); likeness > greatest) {
-            greatest = likeness;
-            best = {mode, modes->eigenvalues(mode)};
-        }
-    }
-    if (best.eigenvalue == 0)
-        return failure("The bar \"" + bar.name + "\" has no bending mode below " +
-                       std::to_string(std::lround(highestHz)) + " Hz.");
-    return best;
+    std::vector<double> partials;
+    const BarOutline& outline = solid.outline;
+    for (Eigen::Index mode = 0; mode < modes->eigenvalues.size(); ++mode)
+        if (bendsVertically(outline.topCount, [&](std::size_t place) {
+                return modes->shapes.col(mode).segment<3>(3 * outline.surfaceVertices[place]);
+            }))
+            partials.push_back(dampedFrequencyHz(modes->eigenvalues(mode), bar.material));
+    if (static_cast<int>(partials.size()) < count)
+        return failure("the partials asked for do not bend up and down");
+    return partials;
 }
 
-bool isUsable(const BarSpecification& bar) {
-    return bar.targetFrequencyHz >= 20 && bar.targetFrequencyHz * 2 <= bar.maxFrequencyHz &&
-           bar.widthMetres > 0 && bar.heightMetres > 0 && bar.vertexCount >= 20 &&
-           bar.vertexCount <= twoLayerVertexLimit && bar.shapeVertexCount >= 1;
+/// Moves what the beam is asked for by what the elements found; false when nothing needs moving.
+bool correct(const PartialTargets& targets,
+             const std::vector<double>& partialsHz,
+             PartialTargets& asked) {
+    bool isMet = std::abs(cents(partialsHz[0], targets.fundamentalHz)) < fundamentalToleranceCents;
+    asked.fundamentalHz *= targets.fundamentalHz / partialsHz[0];
+    const auto correctRatio = [&](int partial, double wanted, double& ratio) {
+        const double found = partialsHz[static_cast<std::size_t>(partial)];
+        isMet = isMet && std::abs(cents(found, targetHz(targets, partial))) < partialToleranceCents;
+        ratio *= wanted / (found / partialsHz[0]);
+    };
+    if (targets.secondRatio > 0)
+        correctRatio(1, targets.secondRatio, asked.secondRatio);
+    if (targets.thirdRatio > 0)
+        correctRatio(2, targets.thirdRatio, asked.thirdRatio);
+    return !isMet;
+}
+
+/// The object with the outline for its mesh; its shapes are those of the vertices on top.
+Result<ModalObject> withOutline(ModalObject object, const BarOutline& outline) {
+    object.vertices.clear();
+    for (const auto& vertex : outline.mesh.vertices.rowwise())
+        for (const double coordinate : vertex)
+            object.vertices.push_back(static_cast<float>(coordinate));
+    object.faces.clear();
+    for (const auto& face : outline.mesh.faces.rowwise())
+        object.faces.insert(object.faces.end(), face.begin(), face.end());
+    for (std::size_t k = 0; k < object.shapeVertices.size(); ++k)
+        object.shapeVertices[k] = static_cast<std::int32_t>(k);
+    return validated(std::move(object));
+}
+
+Result<TunedBar>
+analysed(const BarSpecification& bar, const UndercutBar& shape, const AnalysisControl& control) {
+    const SolidBar solid = solidBar(shape, bar.grid);
+    const auto top = solid.outline.surfaceVertices.begin();
+    auto object = solveBody(bodyOf(bar, solid),
+                            {.name = bar.name,
+                             .source = bar.source,
+                             .maxFrequencyHz = bar.maxFrequencyHz,
+                             .shapeVertices = {top, top + solid.outline.topCount}},
+                            control);
+    if (!object)
+        return failure(object.error().message);
+    TunedBar result{.shape = shape, .surface = solid.surface};
+    result.bendingModes = verticalBendingModes(*object);
+    for (const auto mode : result.bendingModes)
+        result.partialsHz.push_back(
+            dampedFrequencyHz(object->eigenvalues[static_cast<std::size_t>(mode)], bar.material));
+    if (bar.resonator)
+        addResonator(*object, *bar.resonator, faceAreas(solid.surface).sum());
+    auto light = withOutline(std::move(*object), solid.outline);
+    if (!light)
+        return failure(light.error().message);
+    result.object = std::move(*light);
+    return result;
+}
+
+/// Of a uniform bar of that pitch after Euler and Bernoulli, less what an arch takes from it.
+double estimatedLengthMetres(const BarSpecification& bar) {
+    const double speed = std::sqrt(bar.material.youngsModulusPa / bar.material.densityKgPerM3);
+    const double share = bar.targets.secondRatio == 0    ? 0.9
+                         : bar.targets.secondRatio < 3.5 ? 0.75
+                                                         : 0.35;
+    return std::sqrt(1.02792 * bar.shape.heightMetres * speed * share / bar.targets.fundamentalHz);
+}
+
+Result<TunedBar> tune(const BarSpecification& bar, const AnalysisControl& control) {
+    if (const auto material = validated(bar.material); !material)
+        return failure(material.error().message);
+    if (!(bar.targets.fundamentalHz >= 20) ||
+        !(targetHz(bar.targets, targetCount(bar.targets) - 1) * 1.3 <= bar.maxFrequencyHz))
+        return failure("its partials must lie between 20 Hz and three quarters of its band");
+    UndercutBar shape = bar.shape;
+    if (shape.lengthMetres == 0)
+        shape.lengthMetres = estimatedLengthMetres(bar);
+    PartialTargets asked = bar.targets;
+    for (int step = 0; step < mostCorrections; ++step) {
+        control.report(0.06 * step, "Tuning the bar");
+        const auto arch = tunedArch(shape, beamMaterial(bar.material), asked);
+        if (!arch)
+            return failure(arch.error().message);
+        shape = *arch;
+        const auto partials = lowestPartialsHz(bar, solidBar(shape, bar.grid), control);
+        if (!partials)
+            return failure(partials.error().message);
+        if (!correct(bar.targets, *partials, asked))
+            return analysed(bar, shape, control);
+    }
+    return failure("its partials do not settle");
 }
 
 } // namespace
+
+std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar) {
+    std::vector<Eigen::Index> bending;
+    for (std::size_t mode = 0; mode < bar.modeCount(); ++mode)
+        if (bendsVertically(static_cast<int>(bar.shapeVertexCount()), [&](std::size_t row) {
+                const auto shape = bar.shapesAt(row).subspan(3 * mode, 3);
+                return Eigen::Vector3d(shape[0], shape[1], shape[2]);
+            }))
+            bending.push_back(static_cast<Eigen::Index>(mode));
+    return bending;
+}
 
 double cents(double frequencyHz, double referenceHz) {
     return 1200 * std::log2(frequencyHz / referenceHz);
@@ -77,92 +192,21 @@ double dampedFrequencyHz(double eigenvalue, const Material& material) {
     return std::sqrt(std::max(0.0, eigenvalue - alpha * alpha)) / (2 * std::numbers::pi);
 }
 
-double estimatedBarLengthMetres(const BarSpecification& bar) {
-    const double speed = std::sqrt(bar.material.youngsModulusPa / bar.material.densityKgPerM3);
-    const double nu = bar.material.poissonRatio, h = bar.heightMetres;
-    double length = 0, correction = 1;
-    for (int step = 0; step < 100; ++step) {
-        length = std::sqrt(1.02792 * h * speed / (bar.targetFrequencyHz * std::sqrt(correction)));
-        const double q = std::pow(h / length, 2); // T1 of ASTM E1876, eq. 2
-        correction = 1 + 6.585 * (1 + 0.0752 * nu + 0.8109 * nu * nu) * q - 0.868 * q * q -
-                     8.340 * (1 + 0.2023 * nu + 2.173 * nu * nu) * q * q /
-                         (1 + 6.338 * (1 + 0.1408 * nu + 1.536 * nu * nu) * q);
-    }
-    return length;
-}
-
-std::vector<int>
-evenSheetVertices(const Mesh& sheet, double lengthMetres, double widthMetres, int count) {
-    // Odd numbers of rows and columns, so that the middle lines are among them.
-    const int rows =
-        2 * std::max(1, static_cast<int>(std::sqrt(count * widthMetres / lengthMetres) / 2)) + 1;
-    const int columns = 2 * std::max(1, count / rows / 2) + 1;
-    std::vector<int> chosen;
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const Eigen::RowVector3d point(
-                (static_cast<double>(i) / (columns - 1) - 0.5) * lengthMetres,
-                (static_cast<double>(j) / (rows - 1) - 0.5) * widthMetres, 0);
-            Eigen::Index nearest = 0;
-            (sheet.vertices.rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
-            chosen.push_back(static_cast<int>(nearest));
-        }
-    std::ranges::sort(chosen);
-    const auto repeated = std::ranges::unique(chosen);
-    chosen.erase(repeated.begin(), repeated.end());
-    return chosen;
+BeamMaterial beamMaterial(const Material& material) {
+    const double y = material.youngsModulusPa, nu = material.poissonRatio;
+    return {.youngsModulusPa = y,
+            .shearModulusPa =
+                material.grain ? y * material.grain->shearModulusLR : y / (2 * (1 + nu)),
+            .shearCoefficient = rectangularShearCoefficient(nu),
+            .densityKgPerM3 = material.densityKgPerM3};
 }
 
 Result<TunedBar> tuneBar(const BarSpecification& bar, const AnalysisControl& control) {
-    if (const auto material = validated(bar.material); !material)
-        return failure(material.error().message);
-    if (!isUsable(bar))
-        return failure("The bar \"" + bar.name +
-                       "\" needs a pitch from 20 Hz to half of its band, positive measures and 20 "
-                       "to " +
-                       std::to_string(twoLayerVertexLimit) + " vertices.");
-    const AnalysisControl quiet{.progress = {}, .cancelled = control.cancelled};
-    double length = estimatedBarLengthMetres(bar);
-    // One grid for all lengths: the pitch is then a smooth function of the length.
-    const SheetGrid grid = sheetGrid(length, bar.widthMetres, bar.vertexCount);
-    TunedBar result;
-    double slope = -2; // d log f / d log L of a slender bar
-    double previousLength = 0, previousCents = 0;
-    for (int step = 0; step < 12; ++step) {
-        control.report(0.03 * step, "Tuning the bar");
-        result.mesh = sheetMesh(length, bar.widthMetres, grid);
-        const auto fundamental =
-            findFundamental(bar, result.mesh, length, 1.5 * bar.targetFrequencyHz, quiet);
-        if (!fundamental)
-            return failure(fundamental.error().message);
-        result.lengthMetres = length;
-        result.bendingMode = fundamental->mode;
-        result.fundamentalHz = dampedFrequencyHz(fundamental->eigenvalue, bar.material);
-        const double miss = cents(result.fundamentalHz, bar.targetFrequencyHz);
-        if (std::abs(miss) <= toleranceCents) {
-            auto object = analyse(result.mesh,
-                                  {.name = bar.name,
-                                   .source = "rectangular bar, a sheet of its height",
-                                   .material = bar.material,
-                                   .method = AnalysisMethod::twoLayer,
-                                   .thicknessMetres = bar.heightMetres,
-                                   .maxFrequencyHz = bar.maxFrequencyHz,
-                                   .shapeVertices = evenSheetVertices(
-                                       result.mesh, length, bar.widthMetres, bar.shapeVertexCount)},
-                                  control);
-            if (!object)
-                return failure(object.error().message);
-            result.object = std::move(*object);
-            return result;
-        }
-        if (previousLength > 0)
-            slope = (miss - previousCents) / 1200 / std::log2(length / previousLength);
-        previousLength = length;
-        previousCents = miss;
-        length *= std::exp2(-miss / 1200 / slope);
-    }
-    return failure("The bar \"" + bar.name + "\" could not be tuned to " +
-                   std::to_string(bar.targetFrequencyHz) + " Hz.");
+    return tune(bar, control).map_error([&](Error fault) {
+        if (fault.message != cancelledMessage)
+            fault.message = "The bar \"" + bar.name + "\" cannot be tuned: " + fault.message;
+        return fault;
+    });
 }
 
 } // namespace idiophone

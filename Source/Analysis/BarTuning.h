@@ -1,46 +1,57 @@
-// Bars in tune: solves the length of a rectangular bar, modelled as a sheet with the bar's height
-// as shell thickness, for the pitch of its lowest bending mode. Undercut bars are another model.
+// Bars in tune: a beam finds the arch, finite elements confirm it and correct what the beam cannot
+// know. From a specification to the object that is played and the mesh that could be cut.
 #pragma once
 
-#include "Analysis/ModalAnalysis.h"
+#include "Analysis/AnalysisControl.h"
+#include "Analysis/Resonator.h"
+#include "Analysis/SolidBar.h"
+#include "Analysis/UndercutBar.h"
+#include "Object/ModalObject.h"
+
+#include <optional>
 
 namespace idiophone {
 
 struct BarSpecification {
-    std::string name;
-    double targetFrequencyHz = 440; ///< damped frequency of the lowest bending mode
-    double widthMetres = 0.04;
-    double heightMetres = 0.02;
-    Material material;
-    int vertexCount = 1000;     ///< about so many in the mesh
-    int shapeVertexCount = 285; ///< about so many carry shapes, on an even grid with the edges
-    double maxFrequencyHz = 44000;
+    std::string name = {};
+    std::string source = {}; ///< for the object's provenance
+    /// Where the search starts: what the targets do not ask for stays. Length 0: estimated.
+    UndercutBar shape = {};
+    PartialTargets targets = {}; ///< of the partials heard, damped
+    Material material = {};      ///< of wood, the grain runs along the bar, the rings face up
+    BarGrid grid = {};
+    double maxFrequencyHz = 20000;
+    std::optional<Resonator> resonator = {};
 };
 
 struct TunedBar {
-    double lengthMetres = 0;
-    double fundamentalHz = 0;     ///< damped, of the lowest bending mode
-    Eigen::Index bendingMode = 0; ///< which mode of the object that is; 0 unless twist lies lower
-    Mesh mesh;
-    ModalObject object;
+    UndercutBar shape;
+    /// Damped frequencies of the vertical bending modes in the band, ascending, and which modes of
+    /// the object they are: the others twist, bend sideways, stretch, or bend across.
+    std::vector<double> partialsHz = {};
+    std::vector<Eigen::Index> bendingModes = {};
+    Mesh surface = {}; ///< the whole bar, closed, in metres
+    /// With the bar's outline as its mesh, whose vertices on top carry shapes.
+    ModalObject object = {};
 };
+
+/// The targets' partials are met within 0.5 cent (the fundamental) and 2 cents (the others).
+inline constexpr double fundamentalToleranceCents = 0.5, partialToleranceCents = 2;
+
+/// The bar as tuned, analysed up to `maxFrequencyHz`. Errors: those of tunedArch, solveModes and
+/// `validated`, named after the bar; a band that does not hold the targets; `cancelledMessage`.
+Result<TunedBar> tuneBar(const BarSpecification& bar, const AnalysisControl& control = {});
+
+/// Which modes of a tuned bar's object bend up and down, ascending.
+std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar);
 
 /// Frequency ratio as 1/100 of an equal-tempered semitone.
 double cents(double frequencyHz, double referenceHz);
 
-/// The damped frequency of a mode: √(λ − α²)/2π with α = (γ + η λ)/2; 0 when over-damped.
+/// The damped frequency of a mode: √(λ − α²)/2π; 0 when over-damped.
 double dampedFrequencyHz(double eigenvalue, const Material& material);
 
-/// The length at which a free bar has this undamped fundamental, by Timoshenko's theory in the form
-/// of ASTM E1876 (eq. 2 and 3); good to about 1 %.
-double estimatedBarLengthMetres(const BarSpecification& bar);
-
-/// The vertices of a mesh nearest to the points of an even grid over a centred flat sheet, with its
-/// edges, corners, middle and middle lines; ascending. About `count`.
-std::vector<int>
-evenSheetVertices(const Mesh& sheet, double lengthMetres, double widthMetres, int count);
-
-/// The bar within 0.05 cent of its target, analysed up to `maxFrequencyHz`.
-Result<TunedBar> tuneBar(const BarSpecification& bar, const AnalysisControl& control = {});
+/// What the beam needs to know of a material whose grain runs along it.
+BeamMaterial beamMaterial(const Material& material);
 
 } // namespace idiophone

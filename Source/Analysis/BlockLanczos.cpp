@@ -1,5 +1,7 @@
 #include "Analysis/BlockLanczos.h"
 
+#include "Analysis/KrylovBasis.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <random>
@@ -14,90 +16,105 @@ using Eigen::VectorXd;
 
 constexpr double tolerance = 1e-9; ///< of a residual relative to its eigenvalue 1/(λ − σ)
 
-/// Wide blocks make products of matrices quick, narrow ones converge in fewer vectors.
-Index blockColumns(Index wanted) {
-    return std::clamp<Index>(wanted / 8, 4, 6);
+/// Narrow blocks converge in fewer vectors; wide ones read a factor that is too large for the cache
+/// less often.
+Index blockColumns(Index wanted, double factorEntries) {
+    return wanted >= 24 && factorEntries > 1.5e6 ? 8 : 4;
 }
 
 class BlockLanczos {
 public:
     BlockLanczos(const ShiftedFactor& factor,
                  const MassSpace& space,
-                 const MatrixXd& found,
+                 const Vectors& found,
                  const LanczosTask& task)
         : factor_(factor), space_(space), found_(found), task_(task),
-          width_(std::min(blockColumns(task.wanted), space.rows() - found.cols())),
+          width_(
+              std::min(blockColumns(task.wanted, factor.entries()), space.rows() - found.cols())),
           capacity_(std::min(largestBasis(task.wanted), space.rows() - found.cols())),
-          basis_(space.rows(), capacity_), projected_(MatrixXd::Zero(capacity_, capacity_)) {}
+          projected_(MatrixXd::Zero(capacity_, capacity_)) {}
 
     EigenBlock run();
 
 private:
-    MatrixXd start() const;
+    Vectors start() const;
     bool extend();
+    void projectOut(Vectors& block) const;
     void solveProjected();
     bool isInside(Index i) const;
     bool hasConverged(Index i) const;
-    bool isComplete() const;
+    Index vectorsToGo() const;
     EigenBlock ritzPairs() const;
 
     const ShiftedFactor& factor_;
     const MassSpace& space_;
-    const MatrixXd& found_;
+    const Vectors& found_;
     const LanczosTask& task_;
-    Index width_, capacity_, size_ = 0;
-    MatrixXd basis_;       ///< untouched columns take no memory yet
-    MatrixXd projected_;   ///< the operator within the basis: block tridiagonal
-    MatrixXd next_, link_; ///< the block to come, and what ties it to the last one
+    Index width_, capacity_;
+    KrylovBasis basis_;
+    MatrixXd projected_;       ///< the operator within the basis: block tridiagonal
+    Vectors next_, nextImage_; ///< the block to come, and M times it
+    MatrixXd link_;            ///< what ties it to the last one
     VectorXd theta_, lambda_, residuals_;
     MatrixXd ritz_; ///< eigenvectors within the basis
 };
 
-MatrixXd BlockLanczos::start() const {
+Vectors BlockLanczos::start() const {
     // One solve leaves little of the stiff modes, which would take part to no use.
-    MatrixXd block =
+    Vectors block =
         factor_.solve(space_.times(fixedRandomBlock(space_.rows(), width_, task_.seed)));
     for (int pass = 0; pass < 2; ++pass)
         space_.projectOut(found_, block);
     return block;
 }
 
+/// Leaves what is M-orthogonal to all that is known.
+void BlockLanczos::projectOut(Vectors& block) const {
+    const Vectors image = space_.times(block);
+    if (found_.cols() > 0) {
+        Vectors shares = Vectors::Zero(found_.cols(), block.cols());
+        addInnerProducts(shares, 1, found_, image);
+        addCombinations(block, -1, found_, shares);
+    }
+    basis_.projectOut(image, block);
+}
+
 /// Takes `next_` into the basis and makes the block after it; false where there is none.
 bool BlockLanczos::extend() {
-    auto own = basis_.middleCols(size_, width_);
-    own = next_;
-    if (size_ > 0) {
-        projected_.block(size_, size_ - width_, width_, width_) = link_;
-        projected_.block(size_ - width_, size_, width_, width_) = link_.transpose();
+    const Index size = basis_.size();
+    Vectors image = factor_.solve(nextImage_);
+    if (size > 0) {
+        projected_.block(size, size - width_, width_, width_) = link_;
+        projected_.block(size - width_, size, width_, width_) = link_.transpose();
+        addCombinations(image, -1, basis_.last(), link_.transpose());
     }
-    MatrixXd image = factor_.solve(space_.times(own));
-    if (size_ > 0)
-        image.noalias() -= basis_.middleCols(size_ - width_, width_) * link_.transpose();
-    MatrixXd diagonal = own.transpose() * space_.times(image);
-    image.noalias() -= own * diagonal;
-    projected_.block(size_, size_, width_, width_) = (diagonal + diagonal.transpose()) / 2;
-    size_ += width_;
-    space_.projectOut(found_, image);
-    space_.projectOut(basis_.leftCols(size_), image);
-    link_ = space_.orthonormalise(image);
+    Vectors diagonal = Vectors::Zero(width_, width_);
+    addInnerProducts(diagonal, 1, nextImage_, image);
+    addCombinations(image, -1, next_, diagonal);
+    projected_.block(size, size, width_, width_) = (diagonal + diagonal.transpose()) / 2;
+    basis_.append(std::move(next_));
+    projectOut(image);
+    link_ = space_.orthonormalise(image, nextImage_);
     if (link_.size() == 0)
         return false;
     // Where little was left of a column, rounding is a large part of it.
     if (const VectorXd left = link_.diagonal().cwiseAbs();
         left.minCoeff() < 0.03 * left.maxCoeff()) {
-        space_.projectOut(found_, image);
-        space_.projectOut(basis_.leftCols(size_), image);
-        const MatrixXd again = space_.orthonormalise(image);
-        if (again.size() == 0)
+        projectOut(image);
+        const MatrixXd again = space_.orthonormalise(image, nextImage_);
+        if (again.size() == 0) {
+            link_.resize(0, 0);
             return false;
+        }
         link_ = (again * link_).eval();
     }
-    next_ = image;
+    next_ = std::move(image);
     return true;
 }
 
 void BlockLanczos::solveProjected() {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(projected_.topLeftCorner(size_, size_));
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(
+        projected_.topLeftCorner(basis_.size(), basis_.size()));
     theta_ = small.eigenvalues();
     ritz_ = small.eigenvectors();
     lambda_ = factor_.shift() + theta_.cwiseInverse().array();
@@ -112,15 +129,18 @@ bool BlockLanczos::hasConverged(Index i) const {
     return residuals_(i) <= tolerance * std::abs(theta_(i));
 }
 
-/// Whether all are there, or those that are missing will not come: modes outside have converged,
-/// and none inside is on its way. Copies of a mode beyond a block's columns are missing like that.
-bool BlockLanczos::isComplete() const {
+/// How many more vectors to make before it is worth looking again: none if all are there, or if
+/// those that are missing will not come: modes outside have converged, and none inside is on its
+/// way. Copies of a mode beyond a block's columns are missing like that.
+Index BlockLanczos::vectorsToGo() const {
     Index inside = 0, underWay = 0, outside = 0;
     for (Index i = 0; i < theta_.size(); ++i) {
         (isInside(i) ? (hasConverged(i) ? inside : underWay) : outside) +=
             isInside(i) || hasConverged(i) ? 1 : 0;
     }
-    return inside >= task_.wanted || (underWay == 0 && outside >= width_);
+    if (inside >= task_.wanted || (underWay == 0 && outside >= width_))
+        return 0;
+    return std::max({width_, basis_.size() / 16, 3 * (task_.wanted - inside) / 2});
 }
 
 EigenBlock BlockLanczos::ritzPairs() const {
@@ -129,31 +149,33 @@ EigenBlock BlockLanczos::ritzPairs() const {
         if (isInside(i) && hasConverged(i))
             chosen.push_back(i);
     std::ranges::sort(chosen, {}, [&](Index i) { return lambda_(i); });
-    const MatrixXd within = ritz_(Eigen::all, chosen);
-    EigenBlock pairs{lambda_(chosen), basis_.leftCols(size_) * within};
+    const Vectors within = ritz_(Eigen::all, chosen);
+    EigenBlock pairs{lambda_(chosen), basis_.combinations(within)};
     // The operator's image of a Ritz vector, for nothing: one more step of inverse iteration.
-    if (next_.cols() == width_ && link_.size() > 0)
-        pairs.vectors.noalias() += next_ * (link_ * within.bottomRows(width_) *
-                                            theta_(chosen).cwiseInverse().asDiagonal());
+    if (next_.cols() == width_)
+        addCombinations(pairs.vectors, 1, next_,
+                        link_ * within.bottomRows(width_) *
+                            theta_(chosen).cwiseInverse().asDiagonal());
     return pairs;
 }
 
 EigenBlock BlockLanczos::run() {
     next_ = start();
-    if (space_.orthonormalise(next_).size() == 0)
+    if (space_.orthonormalise(next_, nextImage_).size() == 0)
         return {};
-    Index check = task_.wanted + std::max(task_.wanted / 2, 3 * width_);
+    Index check = 2 * task_.wanted + 3 * width_;
     for (bool goesOn = true; goesOn;) {
-        goesOn = extend() && size_ + width_ <= capacity_;
+        goesOn = extend() && basis_.size() + width_ <= capacity_;
         task_.step();
-        if (goesOn && size_ < check)
+        if (goesOn && basis_.size() < check)
             continue;
         if (link_.size() == 0)
             link_ = MatrixXd::Zero(width_, width_);
         solveProjected();
-        if (isComplete())
+        const Index more = vectorsToGo();
+        if (more == 0)
             break;
-        check = size_ + std::max(width_, size_ / 8);
+        check = basis_.size() + more;
     }
     return ritzPairs();
 }
@@ -164,9 +186,9 @@ Index largestBasis(Index wanted) {
     return 3 * wanted + 160;
 }
 
-MatrixXd fixedRandomBlock(Index rows, Index columns, unsigned seed) {
+Vectors fixedRandomBlock(Index rows, Index columns, unsigned seed) {
     std::mt19937 generator(seed);
-    MatrixXd block(rows, columns);
+    Vectors block(rows, columns);
     for (double& value : block.reshaped())
         value = static_cast<double>(generator()) / 4294967296.0 - 0.5;
     return block;
@@ -174,7 +196,7 @@ MatrixXd fixedRandomBlock(Index rows, Index columns, unsigned seed) {
 
 EigenBlock nearestModes(const ShiftedFactor& factor,
                         const MassSpace& space,
-                        const MatrixXd& found,
+                        const Vectors& found,
                         const LanczosTask& task) {
     return BlockLanczos(factor, space, found, task).run();
 }

@@ -11,8 +11,8 @@
 namespace idiophone {
 
 struct EigenBlock {
-    Eigen::VectorXd values;  ///< λ in rad²/s², ascending
-    Eigen::MatrixXd vectors; ///< [n×count], M-orthonormal
+    Eigen::VectorXd values; ///< λ in rad²/s², ascending
+    Vectors vectors;        ///< [n×count], M-orthonormal
 };
 
 struct LanczosTask {
@@ -29,13 +29,13 @@ struct LanczosTask {
 /// & Simon 1994), each block orthogonalised against all before it, in products of matrices.
 EigenBlock nearestModes(const ShiftedFactor& factor,
                         const MassSpace& space,
-                        const Eigen::MatrixXd& found,
+                        const Vectors& found,
                         const LanczosTask& task);
 
 /// The number of vectors that `nearestModes` may keep.
 Eigen::Index largestBasis(Eigen::Index wanted);
 
 /// The same numbers between −½ and ½ on every machine.
-Eigen::MatrixXd fixedRandomBlock(Eigen::Index rows, Eigen::Index columns, unsigned seed);
+Vectors fixedRandomBlock(Eigen::Index rows, Eigen::Index columns, unsigned seed);
 
 } // namespace idiophone

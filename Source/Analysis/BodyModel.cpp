@@ -5,6 +5,7 @@
 #include "Analysis/RigidBody.h"
 #include "Analysis/TwoLayerShell.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numeric>
@@ -29,6 +30,33 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
         add(std::to_string(modes.belowBand) + " modes below " +
             std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.");
     return notes;
+}
+
+/// The part of each λ that grows with the square of the thickness: Rayleigh's quotient of the mode
+/// in a shell a little thicker, whose layers move apart as they turn together.
+std::vector<double>
+bendingParts(const BodyModel& body, const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd shapes) {
+    constexpr double ratio = 1.25;
+    const auto thicker = twoLayerShell(body.surface, body.material, ratio * body.thicknessMetres);
+    for (Eigen::Index row = 0; row < shapes.rows(); row += rowsOfTwoLayers) {
+        const Eigen::MatrixXd upper = shapes.middleRows(row, 3),
+                              lower = shapes.middleRows(row + 3, 3);
+        const Eigen::MatrixXd middle = (upper + lower) / 2, apart = ratio * (upper - lower) / 2;
+        shapes.middleRows(row, 3) = middle + apart;
+        shapes.middleRows(row + 3, 3) = middle - apart;
+    }
+    const Eigen::RowVectorXd energy =
+        shapes.cwiseProduct(thicker.stiffness.selfadjointView<Eigen::Lower>() * shapes)
+            .colwise()
+            .sum();
+    const Eigen::RowVectorXd mass =
+        shapes.cwiseProduct(thicker.mass.selfadjointView<Eigen::Lower>() * shapes).colwise().sum();
+    std::vector<double> parts;
+    for (Eigen::Index mode = 0; mode < eigenvalues.size(); ++mode)
+        parts.push_back(
+            std::clamp((energy(mode) / mass(mode) - eigenvalues(mode)) / (ratio * ratio - 1), 0.0,
+                       eigenvalues(mode)));
+    return parts;
 }
 
 /// `shapes` [3N×M] are those of all vertices, of which `vertices` keep theirs.
@@ -94,6 +122,8 @@ solveBody(const BodyModel& body, const SolveSettings& settings, const AnalysisCo
     storeModes(modes->eigenvalues, shapes,
                settings.shapeVertices.empty() ? allVertices(body.surface) : settings.shapeVertices,
                object);
+    if (body.model.rowsPerVertex == rowsOfTwoLayers)
+        object.bending = bendingParts(body, modes->eigenvalues, modes->shapes);
     storeMesh(body.surface, object);
     object.mass = massPropertiesOf(body.model, body.pointsMetres);
     control.report(0.99, "Computing radiation");

@@ -65,13 +65,10 @@ public:
 
 private:
     EigenBlock solveDense();
-    MatrixXd zeroSpace();
+    Vectors zeroSpace();
     void split(const Slice& slice, std::vector<Slice>& slices);
-    EigenBlock solveSlice(const Slice& slice,
-                          const MatrixXd& deflated,
-                          const Eigen::Ref<const MatrixXd>& before);
-    void orthonormalise(MatrixXd& block) const;
-    MatrixXd stiffnessTimes(const MatrixXd& block) const;
+    EigenBlock solveSlice(const Slice& slice, const Vectors& deflated, const Vectors& before);
+    void orthonormalise(Vectors& block) const;
     void checkCancelled() const;
     void countOperation();
 
@@ -109,13 +106,10 @@ Index BandSolver::factoriseAndCount(double lambda) {
     return factor_.eigenvaluesBelow();
 }
 
-void BandSolver::orthonormalise(MatrixXd& block) const {
-    if (space_.orthonormalise(block).size() != block.cols() * block.cols())
+void BandSolver::orthonormalise(Vectors& block) const {
+    Vectors image;
+    if (space_.orthonormalise(block, image).size() != block.cols() * block.cols())
         throw Fault{"The eigenvalue solver met dependent vectors."};
-}
-
-MatrixXd BandSolver::stiffnessTimes(const MatrixXd& block) const {
-    return model_.stiffness.selfadjointView<Eigen::Lower>() * block;
 }
 
 EigenBlock BandSolver::solveDense() {
@@ -129,22 +123,22 @@ EigenBlock BandSolver::solveDense() {
 /// An orthonormal basis of the zero modes, by subspace iteration just below zero. Their
 /// shift-invert images outgrow all others by orders of magnitude, so two or three steps do; a
 /// Lanczos process would find hundreds of equal eigenvalues one copy at a time.
-MatrixXd BandSolver::zeroSpace() {
+Vectors BandSolver::zeroSpace() {
     if (zeroModes_ == 0)
-        return MatrixXd(rows(), 0);
+        return Vectors(rows(), 0);
     if (static_cast<double>(rows()) * static_cast<double>(zeroModes_) * 8 > workLimitBytes)
         throw Fault{"The mesh has " + std::to_string(zeroModes_) +
                     " zero modes in this model, too many to separate; use the two-layer method."};
     const double edge = lambdaOf(band_.lowestHz);
     factoriseAndCount(-edge);
-    MatrixXd basis = fixedRandomBlock(rows(), zeroModes_, 1);
+    Vectors basis = fixedRandomBlock(rows(), zeroModes_, 1);
     orthonormalise(basis);
     const VectorXd perRootMass = model_.mass.diagonal().cwiseSqrt().cwiseInverse();
     for (int step = 0; step < 60; ++step) {
         checkCancelled();
         basis = factor_.solve(space_.times(basis));
         orthonormalise(basis);
-        const MatrixXd image = perRootMass.asDiagonal() * stiffnessTimes(basis);
+        const Vectors image = perRootMass.asDiagonal() * symmetricTimes(model_.stiffness, basis);
         if (image.colwise().norm().maxCoeff() <= 1e-6 * edge + 1e-15 * factor_.norm())
             break;
     }
@@ -173,15 +167,15 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
     slices.push_back(slice);
 }
 
-EigenBlock BandSolver::solveSlice(const Slice& slice,
-                                  const MatrixXd& deflated,
-                                  const Eigen::Ref<const MatrixXd>& before) {
+EigenBlock
+BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vectors& before) {
     // The `count` eigenvalues nearest to the shift are exactly those of the slice: from its middle,
     // or for the lowest slice, whose zero modes are deflated, from below.
     const bool lowest = slice.below == zeroModes_;
     factoriseAndCount(lowest ? -lambdaOf(band_.lowestHz) : (slice.low + slice.high) / 2);
-    MatrixXd found = deflated;
+    Vectors found = deflated;
     unsigned pass = 0;
+    int stalls = 0;
     for (; found.cols() < deflated.cols() + slice.count; ++pass) {
         const Index missing = slice.count - (found.cols() - deflated.cols());
         if (pass > 40)
@@ -196,8 +190,14 @@ EigenBlock BandSolver::solveSlice(const Slice& slice,
                                    .wanted = missing,
                                    .seed = 7 + pass,
                                    .step = [&] { countOperation(); }});
-        if (fresh.values.size() == 0)
+        if (fresh.values.size() == 0) {
+            // Modes crowd too far from the shift: nearer to either end of the slice by turns.
+            ++stalls;
+            const double share = std::exp2(-(stalls / 2 + 1)),
+                         way = share * (slice.high - slice.low);
+            factoriseAndCount(stalls % 2 == 1 ? slice.high - way : slice.low + way);
             continue;
+        }
         space_.projectOut(found, fresh.vectors);
         space_.projectOut(before, fresh.vectors);
         orthonormalise(fresh.vectors);
@@ -205,13 +205,17 @@ EigenBlock BandSolver::solveSlice(const Slice& slice,
         found.conservativeResize(Eigen::NoChange, had + more);
         found.rightCols(more) = fresh.vectors.leftCols(more);
     }
-    const MatrixXd vectors = found.rightCols(slice.count);
-    const MatrixXd image = stiffnessTimes(vectors);
+    Vectors vectors = found.rightCols(slice.count);
+    const Vectors image = symmetricTimes(model_.stiffness, vectors);
     if (pass <= 1)
-        return {vectors.cwiseProduct(image).colwise().sum(), vectors};
+        return {vectors.cwiseProduct(image).colwise().sum(), std::move(vectors)};
     // Modes near one another that were found apart are mixed a little.
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(vectors.transpose() * image);
-    return {small.eigenvalues(), vectors * small.eigenvectors()};
+    Vectors products = Vectors::Zero(slice.count, slice.count);
+    addInnerProducts(products, 1, vectors, image);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> small(products);
+    Vectors mixed = Vectors::Zero(rows(), slice.count);
+    addCombinations(mixed, 1, vectors, small.eigenvectors());
+    return {small.eigenvalues(), std::move(mixed)};
 }
 
 Result<EigenBlock> BandSolver::solve() {
@@ -238,20 +242,19 @@ Result<EigenBlock> BandSolver::solve() {
                             "frequency."};
             return solveDense();
         }
-        EigenBlock all{VectorXd(count), MatrixXd(n, count)};
+        EigenBlock all{VectorXd(count), Vectors(n, count)};
         if (count == 0)
             return all;
-        expectedOperations_ = 2.5 * static_cast<double>(count) + 60;
+        expectedOperations_ = 0.6 * static_cast<double>(count) + 10; // blocks of vectors
         std::vector<Slice> slices;
         split({bottom, top, zeroModes_, count}, slices);
-        const MatrixXd zeros = zeroSpace();
+        const Vectors zeros = zeroSpace();
         Index filled = 0, previous = 0;
         for (const auto& slice : slices) {
             // Modes of the slice before lie near enough for what the iteration leaves of them to be
             // seen; those further off are orthogonal by themselves.
-            const bool lowest = slice.below == zeroModes_;
             const EigenBlock block =
-                solveSlice(slice, lowest ? zeros : MatrixXd(n, 0),
+                solveSlice(slice, filled == 0 ? zeros : Vectors(n, 0),
                            all.vectors.middleCols(filled - previous, previous));
             all.values.segment(filled, slice.count) = block.values;
             all.vectors.middleCols(filled, slice.count) = block.vectors;

@@ -94,7 +94,10 @@ Result<ElasticLaw> elasticLaw(const OrthotropicElasticity& elasticity, const Gra
     return ElasticLaw{alongAxes(elasticity, *directions)};
 }
 
-ElasticLaw elasticLaw(const Material& material) {
+ElasticLaw elasticLaw(const Material& material, const GrainAxes& axes) {
+    if (material.grain)
+        return elasticLaw(orthotropicElasticity(material.youngsModulusPa, *material.grain), axes)
+            .value();
     return {alongAxes(isotropicElasticity(material.youngsModulusPa, material.poissonRatio),
                       Eigen::Matrix3d::Identity())};
 }

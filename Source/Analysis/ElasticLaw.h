@@ -29,8 +29,9 @@ struct GrainAxes {
 /// no solid has, or directions that are zero or parallel.
 Result<ElasticLaw> elasticLaw(const OrthotropicElasticity& elasticity, const GrainAxes& axes = {});
 
-/// Isotropic, of a material that passes `validated`.
-ElasticLaw elasticLaw(const Material& material);
+/// Of a material that passes `validated`: isotropic, or of wood along the axes, which are
+/// neither zero nor parallel.
+ElasticLaw elasticLaw(const Material& material, const GrainAxes& axes = {});
 
 /// √(C/ρ) of the slowest plane wave, over all directions and polarisations: √(G/ρ) when isotropic.
 /// Sampled in 642 directions.

@@ -24,6 +24,25 @@ double shortestWavelengthMetres(const ElasticLaw& law,
     return 2 * std::numbers::pi / std::sqrt(waveNumber2);
 }
 
+double servedFrequencyHz(const ElasticLaw& law,
+                         double densityKgPerM3,
+                         double maxFrequencyHz,
+                         double wallThicknessMetres,
+                         double wavelengthMetres) {
+    const auto serves = [&](double hz) {
+        return shortestWavelengthMetres(law, densityKgPerM3, hz, wallThicknessMetres) >=
+               wavelengthMetres;
+    };
+    if (serves(maxFrequencyHz))
+        return maxFrequencyHz;
+    double low = 0, high = maxFrequencyHz;
+    for (int step = 0; step < 50; ++step) {
+        const double middle = (low + high) / 2;
+        (serves(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
 double targetEdgeMetres(const ElasticLaw& law,
                         double densityKgPerM3,
                         double maxFrequencyHz,

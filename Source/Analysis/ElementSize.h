@@ -19,6 +19,13 @@ double shortestWavelengthMetres(const ElasticLaw& law,
                                 double frequencyHz,
                                 double wallThicknessMetres);
 
+/// The highest frequency up to `maxFrequencyHz` whose shortest wavelength is no shorter than that.
+double servedFrequencyHz(const ElasticLaw& law,
+                         double densityKgPerM3,
+                         double maxFrequencyHz,
+                         double wallThicknessMetres,
+                         double wavelengthMetres);
+
 /// Elements a wavelength where two or more lie across the wall; the error of a frequency falls
 /// with the fourth power.
 inline constexpr double elementsPerWavelengthInSolids = 4;

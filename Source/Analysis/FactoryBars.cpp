@@ -1,34 +1,154 @@
 #include "Analysis/FactoryBars.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace idiophone {
 namespace {
 
-// Derived: lengths from 385 mm down to 140 mm, all within the measures of real xylophones.
-constexpr double lowestWidthMetres = 0.040, highestWidthMetres = 0.030;
-constexpr double lowestHeightMetres = 0.020, highestHeightMetres = 0.0235;
+/// From the lowest to the highest bar of a keyboard.
+struct Span {
+    double lowest, highest;
+    double at(double share) const { return std::lerp(lowest, highest, share); }
+};
 
-Material rosewood() {
-    Material material = *findMaterial("Rosewood");
-    material.poissonRatio = 1.0 / 3; // what the springs make of it
-    return material;
+double noteOf(double frequencyHz) {
+    return 69 + 12 * std::log2(frequencyHz / 440);
 }
+
+struct BarMeasures {
+    Span widthMetres, heightMetres;
+    double archHalfLengthShare = 0.3;
+};
+
+UndercutBar start(const BarMeasures& measures, double share, double centreShare) {
+    const double height = measures.heightMetres.at(share);
+    return {.lengthMetres = 0,
+            .widthMetres = measures.widthMetres.at(share),
+            .heightMetres = height,
+            .centreHeightMetres = centreShare * height,
+            .endHeightMetres = height,
+            .archHalfLengthShare = measures.archHalfLengthShare};
+}
+
+/// Where the second partial is no longer tuned the arch grows shallower, up to the highest bar.
+double untunedCentreShare(double note, Span notes, Span centreShare) {
+    return centreShare.at(
+        std::clamp((note - notes.lowest) / (notes.highest - notes.lowest), 0.0, 1.0));
+}
+
+/// Quint tuning: twelfth and, nearly by itself, double octave and fifth; the highest octave is too
+/// short for it.
+BarSpecification xylophoneBar(const char* material, double frequencyHz, double share) {
+    constexpr double lastTuned = 96;
+    const double note = noteOf(frequencyHz);
+    const bool isTuned = note < lastTuned + 0.5;
+    return {
+        .source = "undercut bar after concert xylophones, tuned 1:3 up to C7",
+        .shape = start({.widthMetres = {0.038, 0.032}, .heightMetres = {0.018, 0.020}}, share,
+                       isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.43, 0.85})),
+        .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
+        .material = *findMaterial(material),
+        .maxFrequencyHz = 16000,
+        .resonator =
+            Resonator{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.009, share)}};
+}
+
+BarSpecification rosewoodBar(double frequencyHz, double share) {
+    return xylophoneBar("Rosewood", frequencyHz, share);
+}
+
+BarSpecification padaukBar(double frequencyHz, double share) {
+    return xylophoneBar("Padauk", frequencyHz, share);
+}
+
+/// Three partials in the low octave, then two; at the top, as on real ones, one.
+BarSpecification marimbaBar(double frequencyHz, double share) {
+    constexpr double lastTuned = 72, lastOfThreePartials = 56;
+    const double note = noteOf(frequencyHz);
+    const bool isTuned = note < lastTuned + 0.5;
+    UndercutBar shape =
+        start({.widthMetres = {0.064, 0.040},
+               .heightMetres = {0.022, 0.020},
+               .archHalfLengthShare = 0.36},
+              share, isTuned ? 0.3 : untunedCentreShare(note, {lastTuned, 96}, {0.21, 0.75}));
+    shape.archExponent = 3.4; // what 1:4:10 makes of the lowest bars
+    return {.source = "undercut bar after concert marimbas, tuned 1:4:10 up to G#3, 1:4 up to C5",
+            .shape = shape,
+            .targets = {.fundamentalHz = frequencyHz,
+                        .secondRatio = isTuned ? 4.0 : 0.0,
+                        .thirdRatio = note < lastOfThreePartials + 0.5 ? 10.0 : 0.0},
+            .material = *findMaterial("Padauk"),
+            .maxFrequencyHz = 14000,
+            .resonator = Resonator{.frequencyHz = frequencyHz,
+                                   .radiusMetres = std::lerp(0.029, 0.015, share)}};
+}
+
+/// The measured sets' first overtone: two octaves up to F5, from there down to a ratio of 3.5.
+BarSpecification vibraphoneBar(double frequencyHz, double share) {
+    const double note = noteOf(frequencyHz);
+    return {.source = "undercut bar after concert vibraphones, tuned 1:4, to 1:3.5 at the top",
+            .shape = start({.widthMetres = {0.057, 0.040},
+                            .heightMetres = {0.0127, 0.0127},
+                            .archHalfLengthShare = 0.34},
+                           share, 0.4),
+            .targets = {.fundamentalHz = frequencyHz,
+                        .secondRatio = 4 - 0.5 * std::clamp((note - 77) / 12, 0.0, 1.0)},
+            .material = *findMaterial("Aluminium"),
+            .maxFrequencyHz = 18000,
+            .resonator = Resonator{.frequencyHz = frequencyHz,
+                                   .radiusMetres = std::lerp(0.019, 0.013, share)}};
+}
+
+BarSpecification glockenspielBar(double frequencyHz, double share) {
+    return {.source = "steel bar after orchestra bells, uniform",
+            .shape =
+                start({.widthMetres = {0.030, 0.025}, .heightMetres = {0.007, 0.009}}, share, 1),
+            .targets = {.fundamentalHz = frequencyHz},
+            .material = *findMaterial("Mild steel")};
+}
+
+BarSpecification stoneBar(double frequencyHz, double share) {
+    return {.source = "slab of slate after the Skiddaw lithophones, uniform",
+            .shape =
+                start({.widthMetres = {0.060, 0.045}, .heightMetres = {0.020, 0.020}}, share, 1),
+            .targets = {.fundamentalHz = frequencyHz},
+            .material = *findMaterial("Slate")};
+}
+
+constexpr std::array<BarInstrument, 6> instruments{{{"xylophone", 65, 108, rosewoodBar},
+                                                    {"padauk-xylophone", 65, 108, padaukBar},
+                                                    {"marimba", 45, 96, marimbaBar},
+                                                    {"vibraphone", 53, 89, vibraphoneBar},
+                                                    {"glockenspiel", 79, 108, glockenspielBar},
+                                                    {"stones", 72, 96, stoneBar}}};
 
 } // namespace
 
-double noteFrequencyHz(int midiNote) {
-    return 440 * std::exp2((midiNote - 69) / 12.0);
+std::string BarInstrument::barName(int midiNote) const {
+    return std::string(name) + "-" + std::to_string(midiNote);
 }
 
-BarSpecification rosewoodXylophoneBar(int midiNote) {
-    const double share = static_cast<double>(midiNote - lowestXylophoneNote) /
-                         (highestXylophoneNote - lowestXylophoneNote);
-    return {.name = "xylophone-" + std::to_string(midiNote),
-            .targetFrequencyHz = noteFrequencyHz(midiNote),
-            .widthMetres = std::lerp(lowestWidthMetres, highestWidthMetres, share),
-            .heightMetres = std::lerp(lowestHeightMetres, highestHeightMetres, share),
-            .material = rosewood()};
+BarSpecification BarInstrument::barAt(int midiNote, double frequencyHz) const {
+    const double share =
+        static_cast<double>(midiNote - lowestNote) / std::max(1, highestNote - lowestNote);
+    BarSpecification specification = bar(frequencyHz, std::clamp(share, 0.0, 1.0));
+    specification.name = barName(midiNote);
+    return specification;
+}
+
+std::span<const BarInstrument> barInstruments() {
+    return instruments;
+}
+
+const BarInstrument* findBarInstrument(std::string_view name) {
+    const auto found = std::ranges::find(instruments, name, &BarInstrument::name);
+    return found == instruments.end() ? nullptr : &*found;
+}
+
+double noteFrequencyHz(double midiNote) {
+    return 440 * std::exp2((midiNote - 69) / 12);
 }
 
 } // namespace idiophone

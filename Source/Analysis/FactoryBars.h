@@ -1,18 +1,34 @@
-// The bars of the factory's instruments, before they are tuned.
+// The bars of the factory's instruments, before they are tuned. docs/instruments.md has the sources
+// of their measures.
 #pragma once
 
 #include "Analysis/BarTuning.h"
 
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
 namespace idiophone {
 
+/// A row of bars, one a note.
+struct BarInstrument {
+    std::string_view name;                 ///< "xylophone": its bars are "xylophone-65" and so on
+    int lowestNote = 60, highestNote = 72; ///< MIDI
+    BarSpecification (*bar)(double frequencyHz, double keyboardShare) = nullptr;
+
+    /// The bar of a note; `frequencyHz` may be that of another scale.
+    BarSpecification barAt(int midiNote, double frequencyHz) const;
+    std::string barName(int midiNote) const;
+};
+
+/// Rosewood and padauk xylophone, marimba, vibraphone, glockenspiel and stones.
+std::span<const BarInstrument> barInstruments();
+
+/// The instrument of that name, or nullptr.
+const BarInstrument* findBarInstrument(std::string_view name);
+
 /// The equal-tempered frequency of a MIDI note, A4 (69) = 440 Hz.
-double noteFrequencyHz(int midiNote);
-
-inline constexpr int lowestXylophoneNote = 72, highestXylophoneNote = 108;
-
-/// The rosewood xylophone's bar for a note from 72 to 108, named "xylophone-72" and so on. Uniform
-/// bars (no arch) grow a little thicker towards the treble, which keeps the top ones long enough to
-/// be struck.
-BarSpecification rosewoodXylophoneBar(int midiNote);
+double noteFrequencyHz(double midiNote);
 
 } // namespace idiophone

@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// "xylophone-72" to "xylophone-108", "plate", "ring".
+/// Those of FactoryBars and FactoryShapes.
 std::vector<std::string> factoryObjectNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

@@ -39,8 +39,8 @@ public:
         std::size_t best = peak;
         double bestRise = 0;
         for (std::size_t i = peak - std::min(peak, count(attackSeconds)); i <= peak; ++i) {
-            const double rise =
-                energy(energies, i, i + after) / (energy(energies, i - std::min(i, before), i) + floor);
+            const double rise = energy(energies, i, i + after) /
+                                (energy(energies, i - std::min(i, before), i) + floor);
             if (rise > bestRise) {
                 bestRise = rise;
                 best = i;

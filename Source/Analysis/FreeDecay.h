@@ -24,8 +24,7 @@ struct FreeDecay {
 /// to last twice as long as the sound rises, 0.2 to 8 ms.
 ///
 /// The error is what the recording lacks, to be put after its name: "it is silent".
-Result<FreeDecay> findFreeDecay(std::span<const float> samples,
-                                double sampleRateHz,
-                                double contactSeconds = 0);
+Result<FreeDecay>
+findFreeDecay(std::span<const float> samples, double sampleRateHz, double contactSeconds = 0);
 
 } // namespace idiophone

@@ -2,9 +2,9 @@
 
 #include "Analysis/BodyModel.h"
 #include "Analysis/MethodChoice.h"
+#include "Analysis/ShellBody.h"
 #include "Analysis/SolidBody.h"
 #include "Analysis/SpringMassModel.h"
-#include "Analysis/TwoLayerShell.h"
 #include "Geometry/MeshCheck.h"
 #include "Geometry/MeshRepair.h"
 
@@ -77,89 +77,94 @@ Result<std::vector<int>> shapeVertices(const AnalysisSettings& settings,
     return chosen;
 }
 
-/// The two layers must not pass through each other where the surface curves.
-bool isTooThick(const Mesh& mesh, double thicknessMetres) {
-    const Mesh inner{mesh.vertices - layerOffsetMetres(thicknessMetres) * vertexNormals(mesh),
-                     mesh.faces};
-    const auto normal = [](const Mesh& m, Eigen::Index face) {
-        const auto corner = [&](int k) {
-            return Eigen::Vector3d(m.vertices.row(m.faces(face, k)).transpose());
-        };
-        const Eigen::Vector3d u = corner(1) - corner(0), v = corner(2) - corner(0);
-        return Eigen::Vector3d(u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
-                               u.x() * v.y() - u.y() * v.x());
-    };
-    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        if (normal(mesh, face).dot(normal(inner, face)) <= 0)
-            return true;
-    return false;
-}
-
-/// The shell's model, and where its points lie.
-BodyModel shellBody(const Mesh& mesh, AnalysisMethod method, const AnalysisSettings& settings) {
-    BodyModel body;
-    body.surface = mesh;
-    body.thicknessMetres = settings.thicknessMetres;
-    body.material = settings.material;
-    if (method == AnalysisMethod::twoLayer) {
-        body.model = twoLayerShell(mesh, settings.material, settings.thicknessMetres);
-        const Eigen::MatrixXd offsets =
-            layerOffsetMetres(settings.thicknessMetres) * vertexNormals(mesh);
-        body.pointsMetres.resize(2 * mesh.vertexCount(), 3);
-        for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v) {
-            body.pointsMetres.row(2 * v) = mesh.vertices.row(v) + offsets.row(v);
-            body.pointsMetres.row(2 * v + 1) = mesh.vertices.row(v) - offsets.row(v);
-        }
-        if (isTooThick(mesh, settings.thicknessMetres))
-            body.notes =
-                "The shell is thicker than its curvature allows in places; pitches may be off "
-                "there.";
-    } else {
-        body.model =
-            springMassModel(mesh, settings.material, settings.thicknessMetres,
-                            method == AnalysisMethod::springMass ? SpringStiffness::literal
-                                                                 : SpringStiffness::vanGelder);
-        body.pointsMetres = mesh.vertices;
-    }
-    return body;
-}
-
 /// What is to be solved, up to which frequency.
 struct PreparedBody {
     BodyModel body;
     double maxFrequencyHz = 0;
 };
 
-Result<PreparedBody> preparedShell(const RepairedMesh& repaired,
-                                   AnalysisMethod method,
-                                   const AnalysisSettings& settings) {
-    const int limit =
-        method == AnalysisMethod::twoLayer ? twoLayerVertexLimit : springMassVertexLimit;
-    if (repaired.mesh.vertexCount() > limit)
-        return failure("The mesh has " + std::to_string(repaired.mesh.vertexCount()) +
+void noteBand(double servedHz, const AnalysisSettings& settings, BodyModel& body) {
+    if (servedHz < settings.maxFrequencyHz)
+        body.notes =
+            joined({body.notes, "The band ends at " + std::to_string(std::lround(servedHz)) +
+                                    " Hz, the highest that a model of an affordable size "
+                                    "follows."});
+}
+
+Result<PreparedBody>
+preparedShell(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+    auto shell = shellBody(mesh,
+                           {.material = settings.material,
+                            .thicknessMetres = settings.thicknessMetres,
+                            .maxFrequencyHz = settings.maxFrequencyHz,
+                            .fitsMesh = !settings.method || mesh.vertexCount() > shellVertexLimit},
+                           control);
+    if (!shell)
+        return failure(shell.error().message);
+    noteBand(shell->maxFrequencyHz, settings, shell->body);
+    return PreparedBody{std::move(shell->body), shell->maxFrequencyHz};
+}
+
+Result<PreparedBody>
+preparedSprings(const Mesh& mesh, AnalysisMethod method, const AnalysisSettings& settings) {
+    if (mesh.vertexCount() > springMassVertexLimit)
+        return failure("The mesh has " + std::to_string(mesh.vertexCount()) +
                        " vertices after repair, and the " + std::string(methodName(method)) +
-                       " method takes at most " + std::to_string(limit) +
+                       " method takes at most " + std::to_string(springMassVertexLimit) +
                        "; simplify the mesh first.");
-    return PreparedBody{shellBody(repaired.mesh, method, settings), settings.maxFrequencyHz};
+    const auto stiffness = method == AnalysisMethod::springMass ? SpringStiffness::literal
+                                                                : SpringStiffness::vanGelder;
+    BodyModel body;
+    body.surface = mesh;
+    body.model = springMassModel(mesh, settings.material, settings.thicknessMetres, stiffness);
+    body.pointsMetres = mesh.vertices;
+    body.material = settings.material;
+    body.thicknessMetres = settings.thicknessMetres;
+    return PreparedBody{std::move(body), settings.maxFrequencyHz};
+}
+
+/// Wood grows along the longest side of what is made of it.
+GrainAxes grainAlong(const Mesh& mesh) {
+    Eigen::Index longest = 0;
+    (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff(&longest);
+    return {.grain = Eigen::Vector3d::Unit(longest)};
 }
 
 Result<PreparedBody>
 preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+    const GrainAxes axes = grainAlong(mesh);
     auto solid = solidBody(mesh,
                            {.material = settings.material,
-                            .law = elasticLaw(settings.material),
+                            .law = elasticLaw(settings.material, axes),
                             .maxFrequencyHz = settings.maxFrequencyHz,
                             .elementBudget = settings.elementBudget},
                            control);
     if (!solid)
         return failure(solid.error().message);
-    if (solid->maxFrequencyHz < settings.maxFrequencyHz) {
-        auto& notes = solid->body.notes;
-        notes += (notes.empty() ? "" : " ") + std::string("The band ends at ") +
-                 std::to_string(std::lround(solid->maxFrequencyHz)) +
-                 " Hz, the highest that elements of an affordable size follow.";
+    BodyModel& body = solid->body;
+    if (settings.material.grain)
+        body.notes = joined({std::string("The grain runs along ") +
+                                 (axes.grain.x() > 0   ? "x"
+                                  : axes.grain.y() > 0 ? "y"
+                                                       : "z") +
+                                 ", the longest side.",
+                             body.notes});
+    noteBand(solid->maxFrequencyHz, settings, body);
+    return PreparedBody{std::move(body), solid->maxFrequencyHz};
+}
+
+Result<PreparedBody> preparedBody(const Mesh& mesh,
+                                  AnalysisMethod method,
+                                  const AnalysisSettings& settings,
+                                  const AnalysisControl& control) {
+    switch (method) {
+    case AnalysisMethod::tetrahedra:
+        return preparedSolid(mesh, settings, control);
+    case AnalysisMethod::twoLayer:
+        return preparedShell(mesh, settings, control);
+    default:
+        return preparedSprings(mesh, method, settings);
     }
-    return PreparedBody{std::move(solid->body), solid->maxFrequencyHz};
 }
 
 /// Ascending vertices of `surface` nearest to these of the repaired mesh, which it may replace.
@@ -203,9 +208,7 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisContro
     if (control.isCancelled())
         return failure(std::string(cancelledMessage));
 
-    auto prepared = choice->method == AnalysisMethod::tetrahedra
-                        ? preparedSolid(repaired->mesh, settings, control)
-                        : preparedShell(*repaired, choice->method, settings);
+    auto prepared = preparedBody(repaired->mesh, choice->method, settings, control);
     if (!prepared)
         return failure(prepared.error().message);
     BodyModel& body = prepared->body;

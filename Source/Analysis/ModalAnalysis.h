@@ -27,13 +27,15 @@ struct AnalysisSettings {
     std::vector<int> shapeVertices = {}; ///< input vertices whose shapes to keep; empty: all
 };
 
-/// Meshes beyond these vertices (after repair) are refused, for they would take minutes to hours.
-inline constexpr int twoLayerVertexLimit = 20000;
+/// Shells of more vertices (after repair) are remeshed; the paper's springs, which want every
+/// vertex as it is, are refused: they would take minutes to hours.
+inline constexpr int shellVertexLimit = 20000;
 inline constexpr int springMassVertexLimit = 40000;
 
 /// The modal object of the repaired mesh, holding every mode in the band; it passes `validated`.
-/// Finite elements may remesh the surface, whose vertices nearest to the `shapeVertices` then carry
-/// the shapes, and end the band below what was asked for (`bandHz`, and a note). `provenance.notes`
+/// Finite elements, and shells that were not asked for by name, may remesh the surface, whose
+/// vertices nearest to the `shapeVertices` then carry the shapes, and end the band below what was
+/// asked for (`bandHz`, and a note). `provenance.notes`
 /// says in plain words what repair did, which method was chosen and why, and what to beware of
 /// (more than the six rigid zero modes, for one). The same input gives the same object, but for the
 /// time it took. Errors are one sentence: settings out of range, an unusable or too large mesh, no

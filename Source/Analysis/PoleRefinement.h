@@ -2,6 +2,7 @@
 // BandPoles' estimates start it near enough. It invents no modes.
 #pragma once
 
+#include "Analysis/ClusterFit.h"
 #include "Analysis/DampedSinusoid.h"
 
 #include <cstddef>
@@ -12,16 +13,18 @@ namespace idiophone {
 
 /// Works on the recordings' discrete Fourier transforms, in which the transform of a mode that is
 /// cut off at the end of the recording is known in closed form: least squares there are least
-/// squares in time (Parseval), but near modes only concern one another. Clusters of modes take turns
-/// in a Levenberg-Marquardt search over their poles; the amplitudes, which are linear, are solved
-/// for each pole tried (variable projection, Golub & Pereyra 1973, with Kaufman's derivative).
+/// squares in time (Parseval), but near modes only concern one another. Clusters of modes take
+/// turns in a Levenberg-Marquardt search over their poles; the amplitudes, which are linear, are
+/// solved for each pole tried (variable projection, Golub & Pereyra 1973, with Kaufman's
+/// derivative).
 class PoleRefinement {
 public:
     /// Recordings end at most a 64th earlier here, at a length that transforms quickly.
     explicit PoleRefinement(std::span<const DecayRecording> recordings);
 
     /// Modes of those poles join, still without amplitudes. What is no mode that can be heard to
-    /// ring stays out: below 20 Hz, above 0.49 times a sample rate, T60 over 5 minutes or under 2 ms.
+    /// ring stays out: below 20 Hz, above 0.49 times a sample rate, T60 over 5 minutes or under 2
+    /// ms.
     void add(std::span<const DecayPole> poles);
 
     /// Whether each cluster may also have a part that is linear in frequency, for what is not
@@ -49,14 +52,14 @@ private:
         double binHz() const { return rateHz / static_cast<double>(length); }
     };
     struct Cluster;
-    struct Trial;
 
     std::vector<Cluster> clusters() const;
     void refine(const Cluster& cluster, Background background);
-    Trial fit(const Cluster& cluster,
-              const std::vector<DecayPole>& poles,
-              const std::vector<std::vector<std::complex<double>>>& targets,
-              Background background) const;
+    ClusterFit settle(const Cluster& cluster,
+                      std::vector<DecayPole>& poles,
+                      const std::vector<SpectrumPiece>& pieces,
+                      bool background) const;
+    double loudness(const Cluster& cluster) const;
     DecayPole moved(std::size_t mode, const DecayPole& pole, double upHz, double faster) const;
     void changeResidual(const Cluster& cluster, double sign);
     void sortModes();

@@ -51,8 +51,8 @@ Result<Decays> decaysOf(std::span<const StrikeRecording> recordings,
                                      std::to_string(decay->onset) + " samples was taken.");
         const auto longest =
             static_cast<std::size_t>(settings.longestSeconds * recording.sampleRateHz);
-        const auto samples = recording.samples.subspan(
-            decay->begin, std::min(decay->end - decay->begin, longest));
+        const auto samples =
+            recording.samples.subspan(decay->begin, std::min(decay->end - decay->begin, longest));
         double peak = 0;
         for (const float sample : samples)
             peak = std::max(peak, std::abs(static_cast<double>(sample)));
@@ -141,12 +141,13 @@ Result<RecordingFit> fitRecordings(std::span<const StrikeRecording> recordings,
                      .remarks = std::move(decays->remarks),
                      .noiseDecibels = {}};
     for (const auto& [pole, amplitudes] : refinement.modes()) {
-        auto& mode = fit.modes.emplace_back(
-            MeasuredMode{pole.frequencyHz, pole.decayPerSecond, {}});
+        auto& mode =
+            fit.modes.emplace_back(MeasuredMode{pole.frequencyHz, pole.decayPerSecond, {}});
         for (std::size_t r = 0; r < amplitudes.size(); ++r) {
-            // Back to the middle of the contact, where an impulse would have been.
-            double gain = decays->peaks[r] *
-                          std::exp(pole.decayPerSecond * decays->contactSeconds[r] / 2);
+            // Back to where an impulse would have been: the middle of the contact, or about its
+            // onset, as one of unknown length is likely shorter than it seems.
+            const double back = decays->contactSeconds[r] - settings.contactSeconds / 2;
+            double gain = decays->peaks[r] * std::exp(pole.decayPerSecond * back);
             if (settings.contactSeconds > 0)
                 gain /= std::max(pulseSpectrum(pole.frequencyHz * settings.contactSeconds),
                                  deepestPulse);

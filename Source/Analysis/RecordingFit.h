@@ -1,6 +1,6 @@
 // Recordings of strikes to the modes that they share: frequencies, decays and a gain of each mode
-// in each recording (van den Doel, Kry & Pai 2001, section 4). What the recordings are of, and where
-// it was struck, is MeasuredObject's.
+// in each recording (van den Doel, Kry & Pai 2001, section 4). What the recordings are of, and
+// where it was struck, is MeasuredObject's.
 #pragma once
 
 #include "Object/Result.h"
@@ -19,22 +19,23 @@ struct StrikeRecording {
 };
 
 struct RecordingFitSettings {
-    std::size_t modeCount = 50;  ///< at most; those of the greatest energy are kept
-    double contactSeconds = 0;   ///< how long the striker touched; 0: unknown
-    double longestSeconds = 8;   ///< of each recording, from the strike on
+    std::size_t modeCount = 50; ///< at most; those of the greatest energy are kept
+    double contactSeconds = 0;  ///< how long the striker touched; 0: unknown
+    double longestSeconds = 8;  ///< of each recording, from the strike on
 };
 
 struct MeasuredMode {
-    double frequencyHz = 0;          ///< damped, as it sounds
-    double decayPerSecond = 0;       ///< α of e^{−αt}
-    std::vector<double> amplitudes;  ///< [R] in the middle of the contact, full scale 1
+    double frequencyHz = 0;    ///< damped, as it sounds
+    double decayPerSecond = 0; ///< α of e^{−αt}
+    /// [R] of full scale, in the middle of the contact; where its length is unknown at its onset.
+    std::vector<double> amplitudes;
 };
 
 struct RecordingFit {
-    std::vector<MeasuredMode> modes;    ///< ascending in frequency
-    std::size_t modesFound = 0;         ///< before the strongest were chosen
-    std::vector<std::string> remarks;   ///< sentences for people: clipping, several strikes
-    std::vector<double> noiseDecibels;  ///< [R] what the modes found leave, against the free decay
+    std::vector<MeasuredMode> modes;   ///< ascending in frequency
+    std::size_t modesFound = 0;        ///< before the strongest were chosen
+    std::vector<std::string> remarks;  ///< sentences for people: clipping, several strikes
+    std::vector<double> noiseDecibels; ///< [R] what the modes found leave, against the free decay
 };
 
 /// Fits at least one recording, of any sample rates. Bands of frequency from narrow to wide are

@@ -48,8 +48,8 @@ Eigen::Index ShiftedFactor::eigenvaluesBelow() const {
     return factor_.negativePivots();
 }
 
-Eigen::MatrixXd ShiftedFactor::solve(Eigen::MatrixXd right) const {
-    factor_.solveInPlace(right);
+Vectors ShiftedFactor::solve(Vectors right) const {
+    factor_.solve(right);
     return right;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Analysis/AnalysisControl.h"
+#include "Analysis/MassSpace.h"
 #include "Analysis/SupernodalLdlt.h"
 #include "Analysis/VibrationModel.h"
 
@@ -32,8 +33,11 @@ public:
     /// How many multiplications a factorisation takes.
     double products() const { return factor_.products(); }
 
+    /// How many numbers a solve reads, twice.
+    double entries() const { return factor_.entries(); }
+
     /// (K − σM)⁻¹ b for each column [n×m].
-    Eigen::MatrixXd solve(Eigen::MatrixXd right) const;
+    Vectors solve(Vectors right) const;
 
 private:
     bool isAccurate(const Eigen::SparseMatrix<double>& shifted) const;

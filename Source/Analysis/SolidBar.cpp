@@ -133,16 +133,51 @@ boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
     return triangles;
 }
 
-} // namespace
-
-BarGrid barGrid(const UndercutBar& bar, double edgeMetres) {
-    const auto even = [&](double metres, int least) {
-        return std::max(least, 2 * static_cast<int>(std::ceil(metres / edgeMetres / 2)));
+/// Every second line across; three points of it on top, two below.
+BarOutline outlineOf(const BarGrid& grid, const Lattice& lattice, const std::vector<int>& number) {
+    const int lines = grid.along / 2 + 1, across = BarOutline::topAcross;
+    BarOutline outline;
+    outline.topCount = lines * across;
+    const auto add = [&](int line, int j, int k) {
+        outline.surfaceVertices.push_back(
+            number[static_cast<std::size_t>(lattice.index({4 * line, 2 * j, 2 * k}))]);
     };
-    return {.along = even(bar.lengthMetres, 24),
-            .across = even(bar.widthMetres, 2),
-            .through = std::max(1, static_cast<int>(std::ceil(bar.heightMetres / edgeMetres)))};
+    for (int j = 0; j < across; ++j)
+        for (int line = 0; line < lines; ++line)
+            add(line, j * grid.across / 2, grid.through);
+    for (int line = 0; line < lines; ++line)
+        for (const int j : {0, grid.across})
+            add(line, j, 0);
+
+    std::vector<std::array<int, 3>> faces;
+    const auto quad = [&](int a, int b, int c, int d) {
+        faces.push_back({a, b, c});
+        faces.push_back({a, c, d});
+    };
+    const auto top = [&](int line, int j) { return j * lines + line; };
+    const auto bottom = [&](int line, int side) { return outline.topCount + 2 * line + side; };
+    for (int line = 0; line + 1 < lines; ++line) {
+        const int next = line + 1;
+        for (int j = 0; j + 1 < across; ++j)
+            quad(top(line, j), top(next, j), top(next, j + 1), top(line, j + 1));
+        quad(bottom(line, 0), bottom(line, 1), bottom(next, 1), bottom(next, 0));
+        quad(bottom(line, 0), bottom(next, 0), top(next, 0), top(line, 0));
+        quad(bottom(next, 1), bottom(line, 1), top(line, 2), top(next, 2));
+    }
+    const int last = lines - 1;
+    quad(bottom(0, 0), top(0, 0), top(0, 1), bottom(0, 1));
+    faces.push_back({top(0, 1), top(0, 2), bottom(0, 1)});
+    quad(bottom(last, 1), top(last, 2), top(last, 1), bottom(last, 0));
+    faces.push_back({top(last, 1), top(last, 0), bottom(last, 0)});
+    outline.mesh.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k)
+            outline.mesh.faces(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k)) =
+                faces[f][k];
+    return outline;
 }
+
+} // namespace
 
 SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid) {
     const Lattice lattice(grid);
@@ -183,6 +218,9 @@ SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid) {
         for (std::size_t k = 0; k < 3; ++k)
             result.surface.faces(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) =
                 number[static_cast<std::size_t>(triangles[t][k])];
+    result.outline = outlineOf(grid, lattice, number);
+    result.outline.mesh.vertices =
+        result.surface.vertices(result.outline.surfaceVertices, Eigen::all);
     return result;
 }
 

@@ -17,14 +17,6 @@ constexpr double elementVolumeShare = 0.11;
 constexpr double finestShare = 0.4, coarsestShare = 1.6;
 constexpr double coarsestElementsPerWavelength = 3;
 
-double meanEdgeMetres(const Mesh& mesh) {
-    double sum = 0;
-    for (const auto& face : mesh.faces.rowwise())
-        for (int k = 0; k < 3; ++k)
-            sum += (mesh.vertices.row(face(k)) - mesh.vertices.row(face((k + 1) % 3))).norm();
-    return sum / (3.0 * static_cast<double>(mesh.faceCount()));
-}
-
 /// The least edge that the budget allows: of a thin wall the elements are as flat as it is thin.
 double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
     const double edge =
@@ -37,22 +29,6 @@ double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
                     std::sqrt(check.areaM2 / 2 * 3 / 0.433 / static_cast<double>(elementBudget)));
 }
 
-double servedFrequencyHz(const SolidBodySettings& settings, double edgeMetres, double wallMetres) {
-    const double allowed = coarsestElementsPerWavelength * edgeMetres;
-    const auto serves = [&](double hz) {
-        return shortestWavelengthMetres(settings.law, settings.material.densityKgPerM3, hz,
-                                        wallMetres) >= allowed;
-    };
-    if (serves(settings.maxFrequencyHz))
-        return settings.maxFrequencyHz;
-    double low = 0, high = settings.maxFrequencyHz;
-    for (int step = 0; step < 50; ++step) {
-        const double middle = (low + high) / 2;
-        (serves(middle) ? low : high) = middle;
-    }
-    return low;
-}
-
 } // namespace
 
 Result<SolidBody>
@@ -62,14 +38,13 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
     const double wanted = targetEdgeMetres(settings.law, settings.material.densityKgPerM3,
                                            settings.maxFrequencyHz, wall);
     const double edge = std::max(wanted, budgetEdgeMetres(check, settings.elementBudget));
-    const double given = meanEdgeMetres(surface);
+    const double given = meanEdgeLengthMetres(surface);
     SolidBody result;
     Mesh& mesh = result.body.surface;
     mesh = surface;
     bool keepSurface = true;
     if (given < finestShare * edge || given > coarsestShare * edge) {
-        const double diagonal =
-            (surface.vertices.colwise().maxCoeff() - surface.vertices.colwise().minCoeff()).norm();
+        const double diagonal = boundingDiagonalMetres(surface);
         auto remeshed = remesh(surface, {.edgeLengthMetres = std::min(edge, diagonal / 4)},
                                {.progress = {}, .cancelled = control.cancelled});
         if (!remeshed)
@@ -96,8 +71,9 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
     result.body.pointsMetres = elements->nodes;
     result.body.body = BodyKind::solid;
     result.body.material = settings.material;
-    result.maxFrequencyHz =
-        servedFrequencyHz(settings, std::max(edge, meanEdgeLengthMetres(*elements)), wall);
+    result.maxFrequencyHz = servedFrequencyHz(
+        settings.law, settings.material.densityKgPerM3, settings.maxFrequencyHz, wall,
+        coarsestElementsPerWavelength * std::max(edge, meanEdgeLengthMetres(*elements)));
     return result;
 }
 

@@ -1,7 +1,10 @@
 #include "Analysis/SupernodalLdlt.h"
 
+#include "Analysis/DenseKernels.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace idiophone {
@@ -10,7 +13,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index panelColumns = 48; ///< eliminated before the rest of a front hears of it
+constexpr Index panelColumns = 48;    ///< eliminated before the rest of a front hears of it
+constexpr Index solvedTogether = 8;   ///< right-hand sides, at most
+constexpr Index streamsTogether = 16; ///< columns of L read side by side, as prefetching allows
 
 /// Which blocks of a matrix of scalars have an entry.
 Eigen::SparseMatrix<double> blockPlaces(const Eigen::SparseMatrix<double>& lower, int blockSize) {
@@ -26,16 +31,28 @@ Eigen::SparseMatrix<double> blockPlaces(const Eigen::SparseMatrix<double>& lower
     return places;
 }
 
-/// C −= A Bᵀ in the lower triangle of C, strip by strip.
+/// C += factor · A B, for B and C of w columns without gaps.
+void addProduct(Index w,
+                Index rows,
+                Index inner,
+                double factor,
+                const double* a,
+                Index aRow,
+                Index aColumn,
+                const double* b,
+                double* c) {
+    denseKernels().addProduct(rows, w, inner, factor, a, aRow, aColumn, b, w, c, w);
+}
+
+/// C −= A Bᵀ in the lower triangle of C and a little above it.
 void subtractProduct(Eigen::Ref<MatrixXd> c,
                      const Eigen::Ref<const MatrixXd>& a,
                      const Eigen::Ref<const MatrixXd>& b) {
-    constexpr Index strip = 96;
-    for (Index j = 0; j < c.cols(); j += strip) {
-        const Index width = std::min(strip, c.cols() - j), rest = c.rows() - j;
-        c.block(j, j, rest, width).noalias() -=
-            a.bottomRows(rest) * b.middleRows(j, width).transpose();
-    }
+    constexpr Index strip = 16;
+    for (Index j = 0; j < c.cols(); j += strip)
+        denseKernels().addProduct(std::min(strip, c.cols() - j), c.rows() - j, a.cols(), -1,
+                                  b.data() + j, 1, b.outerStride(), a.data() + j, a.outerStride(),
+                                  &c(j, j), c.outerStride());
 }
 
 } // namespace
@@ -64,10 +81,11 @@ LdltOutcome SupernodalLdlt::factorise(const Eigen::SparseMatrix<double>& lower,
         const Index size = wide + static_cast<Index>(node.below.size()) * blockSize_;
         front.setZero(size, size);
         assemble(node, permuted, front);
-        for (Index column = 0; column < wide; column += panelColumns) {
+        const Index panel = panelColumns / blockSize_ * blockSize_;
+        for (Index column = 0; column < wide; column += panel) {
             if (stop())
                 return LdltOutcome::stopped;
-            const Index width = std::min(panelColumns, wide - column);
+            const Index width = std::min(panel, wide - column);
             if (!eliminate(node.first * blockSize_ + column,
                            front.bottomRightCorner(size - column, size - column), width))
                 return LdltOutcome::singular;
@@ -151,38 +169,84 @@ double SupernodalLdlt::products() const {
     return sum * std::pow(blockSize_, 3) / 2;
 }
 
-void SupernodalLdlt::solveInPlace(Eigen::Ref<MatrixXd> right) const {
-    Rows x = order_ * right;
-    Rows below;
-    const Index b = blockSize_;
-    const auto turn = [&](Index first, Index rows, const auto& side) {
-        for (Index row = first; row < first + rows; row += b)
-            x.middleRows(row, b) =
-                side(axes_.middleCols(row, b)).lazyProduct(x.middleRows(row, b)).eval();
-    };
-    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
-        const auto& node = tree_.supernodes[s];
-        const auto& l = columns_[s];
-        auto own = x.middleRows(node.first * b, l.cols());
-        turn(node.first * b, l.cols(), [](const auto& axes) { return axes.transpose(); });
-        l.topRows(l.cols()).triangularView<Eigen::UnitLower>().solveInPlace(own);
-        below.noalias() = l.bottomRows(l.rows() - l.cols()) * own;
-        for (std::size_t i = 0; i < node.below.size(); ++i)
-            x.middleRows(node.below[i] * b, b) -= below.middleRows(static_cast<Index>(i) * b, b);
+double SupernodalLdlt::entries() const {
+    double sum = 0;
+    for (const auto& node : tree_.supernodes)
+        sum += node.width * (node.width / 2.0 + static_cast<double>(node.below.size()));
+    return sum * std::pow(blockSize_, 2);
+}
+
+void SupernodalLdlt::solve(Vectors& right) const {
+    const Index together = right.cols() > 4 ? solvedTogether : 4;
+    Vectors x(right.rows(), together);
+    for (Index first = 0; first < right.cols(); first += together) {
+        const Index count = std::min(together, right.cols() - first);
+        if (count < together)
+            x.setZero();
+        for (Index row = 0; row < x.rows(); ++row)
+            x.row(order_.indices()(row)).head(count) = right.row(row).segment(first, count);
+        solvePermuted(x);
+        for (Index row = 0; row < x.rows(); ++row)
+            right.row(row).segment(first, count) = x.row(order_.indices()(row)).head(count);
     }
+}
+
+void SupernodalLdlt::solvePermuted(Vectors& x) const {
+    std::size_t tallest = 0;
+    for (const auto& node : tree_.supernodes)
+        tallest = std::max(tallest, node.below.size());
+    Vectors below(static_cast<Index>(tallest) * blockSize_, x.cols());
+    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s)
+        eliminateFrom(x, below, s);
     x.array().colwise() /= pivots_.reshaped().array();
-    for (std::size_t s = tree_.supernodes.size(); s-- > 0;) {
-        const auto& node = tree_.supernodes[s];
-        const auto& l = columns_[s];
-        auto own = x.middleRows(node.first * b, l.cols());
-        below.resize(l.rows() - l.cols(), x.cols());
-        for (std::size_t i = 0; i < node.below.size(); ++i)
-            below.middleRows(static_cast<Index>(i) * b, b) = x.middleRows(node.below[i] * b, b);
-        own.noalias() -= l.bottomRows(l.rows() - l.cols()).transpose() * below;
-        l.topRows(l.cols()).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(own);
-        turn(node.first * b, l.cols(), [](const auto& axes) { return axes; });
+    for (std::size_t s = tree_.supernodes.size(); s-- > 0;)
+        substituteInto(x, below, s);
+}
+
+/// Solves a supernode's own rows with L and takes them out of those below.
+void SupernodalLdlt::eliminateFrom(Vectors& x, Vectors& below, std::size_t s) const {
+    const auto& node = tree_.supernodes[s];
+    const auto& l = columns_[s];
+    const Index b = blockSize_, wide = l.cols(), under = l.rows() - wide, w = x.cols();
+    double* own = x.data() + node.first * b * w;
+    for (Index row = 0; row < wide; row += b) {
+        turn(own + row * w, w, node.first * b + row, true);
+        addProduct(w, b, row, -1, &l(row, 0), 1, l.rows(), own, own + row * w);
     }
-    right = order_.inverse() * x;
+    below.topRows(under).setZero();
+    for (Index column = 0; column < wide; column += streamsTogether)
+        addProduct(w, under, std::min(streamsTogether, wide - column), 1, &l(0, column) + wide, 1,
+                   l.rows(), own + column * w, below.data());
+    for (std::size_t i = 0; i < node.below.size(); ++i)
+        x.middleRows(node.below[i] * b, b) -= below.middleRows(static_cast<Index>(i) * b, b);
+}
+
+/// Solves a supernode's own rows with Lᵀ, those below being known.
+void SupernodalLdlt::substituteInto(Vectors& x, Vectors& below, std::size_t s) const {
+    const auto& node = tree_.supernodes[s];
+    const auto& l = columns_[s];
+    const Index b = blockSize_, wide = l.cols(), under = l.rows() - wide, w = x.cols();
+    double* own = x.data() + node.first * b * w;
+    for (std::size_t i = 0; i < node.below.size(); ++i)
+        below.middleRows(static_cast<Index>(i) * b, b) = x.middleRows(node.below[i] * b, b);
+    addProduct(w, wide, under, -1, l.data() + wide, l.rows(), 1, below.data(), own);
+    for (Index row = wide - b; row >= 0; row -= b) {
+        const Index later = wide - row - b;
+        addProduct(w, b, later, -1, &l(0, row) + row + b, l.rows(), 1, own + (row + b) * w,
+                   own + row * w);
+    }
+    for (Index row = 0; row < wide; row += b)
+        turn(own + row * w, w, node.first * b + row, false);
+}
+
+/// Into the axes of a pivot, or out of them.
+void SupernodalLdlt::turn(double* rows, Index w, Index first, bool into) const {
+    const Index b = blockSize_;
+    std::array<double, 6 * solvedTogether> turned{};
+    const double* axes = axes_.data() + first * b;
+    denseKernels().addProduct(b, w, b, 1, axes, into ? b : 1, into ? 1 : b, rows, w, turned.data(),
+                              w);
+    std::copy_n(turned.data(), b * w, rows);
 }
 
 } // namespace idiophone

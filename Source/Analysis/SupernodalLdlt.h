@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Analysis/EliminationTree.h"
+#include "Analysis/MassSpace.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -33,19 +34,25 @@ public:
     /// How many multiplications a factorisation takes.
     double products() const;
 
-    /// Replaces right-hand sides [n×m] by the solutions; all at once is several times quicker than
-    /// one by one.
-    void solveInPlace(Eigen::Ref<Eigen::MatrixXd> right) const;
+    /// How many entries L has.
+    double entries() const;
+
+    /// Replaces right-hand sides [n×m] by the solutions. They are taken four or eight at a time,
+    /// which is several times quicker than one by one.
+    void solve(Vectors& right) const;
 
 private:
     using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
     void assemble(const Supernode& node,
                   const Eigen::SparseMatrix<double>& permuted,
                   Eigen::MatrixXd& front);
     bool eliminate(Eigen::Index first, Eigen::Ref<Eigen::MatrixXd> left, Eigen::Index width);
     bool diagonalisePivot(Eigen::Index first, const Block& pivot);
+    void solvePermuted(Vectors& x) const;
+    void eliminateFrom(Vectors& x, Vectors& below, std::size_t s) const;
+    void substituteInto(Vectors& x, Vectors& below, std::size_t s) const;
+    void turn(double* rows, Eigen::Index w, Eigen::Index first, bool into) const;
 
     int blockSize_;
     EliminationTree tree_;

@@ -98,11 +98,15 @@ void ParameterControl::refresh() {
     if (list != nullptr)
         list->refresh();
     const double now = view.parameterValue(info.parameter);
-    if (now == shown)
+    const bool live = view.isLive(info.parameter);
+    if (now == shown && live == isLive)
         return;
     shown = now;
+    isLive = live;
+    setEnabled(live);
     if (!value.isBeingEdited())
-        value.setText(juce::String::fromUTF8(formatParameter(info, now).c_str()),
+        value.setText(live ? juce::String::fromUTF8(formatParameter(info, now).c_str())
+                           : juce::String("re-analyse"),
                       juce::dontSendNotification);
     if (slider != nullptr)
         slider->setValue(now, juce::dontSendNotification);

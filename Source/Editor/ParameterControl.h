@@ -29,6 +29,7 @@ private:
     const ParameterInfo& info;
     ProcessorView& view;
     double shown;
+    bool isLive = true;
     juce::Label name, value;
     std::unique_ptr<juce::Slider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;

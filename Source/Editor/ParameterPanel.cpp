@@ -19,14 +19,15 @@ using enum ParameterId;
 const Layout layouts[] = {
     {"Material",
      0,
-     {material, youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor, size}},
-    {"Playing", 0, {letRing, releaseTime, tune, bendRange}},
+     {material, youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor, size,
+      thickness}},
+    {"Strike", 0, {strikeAlong, strikeAcross, strikeSpread}},
     {"Mallet",
      1,
      {mallet, malletHardness, malletMass, malletRadius, malletSpeed, velocityCurve, chatter,
       modalPulse}},
-    {"Strike", 2, {strikeAlong, strikeAcross, strikeSpread}},
     {"Scrape and roll", 2, {contact, contactForce, contactSpeed, roughness, rollCoupling}},
+    {"Playing", 2, {letRing, releaseTime, tune, bendRange, motorSpeed, motorDepth}},
     {"Output", 3, {level, radiation, width, matchLoudness, bypass}},
     {"Quality", 3, {tau, qualitySlope, modeBudget, compression}},
 };

@@ -33,6 +33,8 @@ public:
 
     /// In the unit of the table.
     virtual double parameterValue(ParameterId parameter) const = 0;
+    /// False where no object that plays can follow the parameter: it would have to be analysed anew.
+    virtual bool isLive(ParameterId parameter) const = 0;
     /// A change by hand: `begin`, any number of `change`s, `end`; the host records it.
     virtual void beginParameterChange(ParameterId parameter) = 0;
     virtual void changeParameter(ParameterId parameter, double value) = 0;

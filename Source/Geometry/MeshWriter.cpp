@@ -5,31 +5,79 @@
 #include <locale>
 
 namespace idiophone {
+namespace {
 
-Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file) {
-    const auto extension = file.extension();
-    const bool isPly = extension == ".ply";
-    if (!isPly && extension != ".obj")
-        return failure("The mesh cannot be written to \"" + file.filename().string() +
-                       "\": its extension is neither .obj nor .ply.");
+std::ofstream openForNumbers(const std::filesystem::path& file) {
     std::ofstream stream(file, std::ios::binary);
     stream.imbue(std::locale::classic());
     stream.precision(std::numeric_limits<double>::max_digits10);
-    if (isPly)
-        stream << "ply\nformat ascii 1.0\ncomment metres\nelement vertex " << mesh.vertexCount()
-               << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-               << mesh.faceCount() << "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i)
-        stream << (isPly ? "" : "v ") << mesh.vertices(i, 0) << ' ' << mesh.vertices(i, 1) << ' '
-               << mesh.vertices(i, 2) << '\n';
-    const int first = isPly ? 0 : 1;
+    return stream;
+}
+
+/// `figures` may be null.
+void writePly(const Mesh& mesh, const VertexFigures* figures, std::ostream& stream) {
+    stream << "ply\nformat ascii 1.0\ncomment metres\nelement vertex " << mesh.vertexCount()
+           << "\nproperty double x\nproperty double y\nproperty double z\n";
+    if (figures != nullptr)
+        stream << "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double "
+               << figures->name << '\n';
+    stream << "element face " << mesh.faceCount()
+           << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i) {
+        stream << mesh.vertices(i, 0) << ' ' << mesh.vertices(i, 1) << ' ' << mesh.vertices(i, 2);
+        if (figures != nullptr) {
+            const auto vertex = static_cast<std::size_t>(i);
+            for (const std::uint8_t part : figures->colours[vertex])
+                stream << ' ' << static_cast<int>(part);
+            stream << ' ' << figures->values[vertex];
+        }
+        stream << '\n';
+    }
     for (Eigen::Index i = 0; i < mesh.faceCount(); ++i)
-        stream << (isPly ? "3 " : "f ") << mesh.faces(i, 0) + first << ' '
-               << mesh.faces(i, 1) + first << ' ' << mesh.faces(i, 2) + first << '\n';
+        stream << "3 " << mesh.faces(i, 0) << ' ' << mesh.faces(i, 1) << ' ' << mesh.faces(i, 2)
+               << '\n';
+}
+
+void writeObj(const Mesh& mesh, std::ostream& stream) {
+    for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i)
+        stream << "v " << mesh.vertices(i, 0) << ' ' << mesh.vertices(i, 1) << ' '
+               << mesh.vertices(i, 2) << '\n';
+    for (Eigen::Index i = 0; i < mesh.faceCount(); ++i)
+        stream << "f " << mesh.faces(i, 0) + 1 << ' ' << mesh.faces(i, 1) + 1 << ' '
+               << mesh.faces(i, 2) + 1 << '\n';
+}
+
+Result<void> closed(std::ofstream& stream, const std::filesystem::path& file) {
     stream.close();
     if (!stream)
         return failure("The mesh file \"" + file.filename().string() + "\" cannot be written.");
     return {};
+}
+
+} // namespace
+
+Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file) {
+    const auto extension = file.extension();
+    if (extension != ".ply" && extension != ".obj")
+        return failure("The mesh cannot be written to \"" + file.filename().string() +
+                       "\": its extension is neither .obj nor .ply.");
+    auto stream = openForNumbers(file);
+    if (extension == ".ply")
+        writePly(mesh, nullptr, stream);
+    else
+        writeObj(mesh, stream);
+    return closed(stream, file);
+}
+
+Result<void> writeColouredMesh(const Mesh& mesh,
+                               const VertexFigures& figures,
+                               const std::filesystem::path& file) {
+    if (file.extension() != ".ply")
+        return failure("Colours cannot be written to \"" + file.filename().string() +
+                       "\": its extension is not .ply.");
+    auto stream = openForNumbers(file);
+    writePly(mesh, &figures, stream);
+    return closed(stream, file);
 }
 
 } // namespace idiophone

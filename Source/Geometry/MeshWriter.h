@@ -4,12 +4,28 @@
 #include "Geometry/Mesh.h"
 #include "Object/Result.h"
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace idiophone {
 
 /// Writes the mesh in metres; the extension (.obj or .ply, the latter as text) says the format.
 /// Numbers are written so that reading gives the same doubles back.
 Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file);
+
+/// A figure at every vertex, and the colour that shows it.
+struct VertexFigures {
+    std::string name;           ///< of the PLY property: letters, digits and _
+    std::vector<double> values; ///< [N]
+    std::vector<std::array<std::uint8_t, 3>> colours; ///< [N] red, green, blue
+};
+
+/// The same with vertex colours and a scalar property, as PLY only.
+Result<void> writeColouredMesh(const Mesh& mesh,
+                               const VertexFigures& figures,
+                               const std::filesystem::path& file);
 
 } // namespace idiophone

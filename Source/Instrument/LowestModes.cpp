@@ -9,13 +9,12 @@
 namespace idiophone {
 
 LowestModes::LowestModes(const ModalObject& object, double sizeRatio) {
-    for (const double eigenvalue : object.eigenvalues) {
-        const double hz = std::sqrt(eigenvalue) / (2 * std::numbers::pi) / sizeRatio;
+    for (std::size_t mode = 0; mode < object.modeCount() && count < capacity; ++mode) {
+        const double hz = std::sqrt(object.eigenvalues[mode]) / (2 * std::numbers::pi) / sizeRatio;
         if (count > 0 && hz < 1.01 * frequenciesHz[count - 1])
             continue;
-        frequenciesHz[count++] = hz;
-        if (count == frequenciesHz.size())
-            break;
+        frequenciesHz[count] = hz;
+        dampingRatios[count++] = object.dampingRatio(mode);
     }
 }
 

@@ -99,6 +99,8 @@ void PhrasePrediction::beginObject() noexcept {
     nextMode = 0;
     const auto settings = synthesisSettings(parameters);
     conditions = liveConditions(slot().object->material, settings, slot().sizeRatio);
+    thicknessRatio = slot().object->hasLiveThickness() ? settings.thicknessRatio : 1;
+    conditions.gainRatio /= thicknessRatio;
     listening = slot().object->radiation.empty() ? 0 : settings.radiation;
     // The next key holds an object that all keys share.
     const bool rings = parameters[letRing] != 0 || endNote - firstNote > 1;
@@ -190,7 +192,8 @@ void PhrasePrediction::addModes(std::size_t count) noexcept {
     const double near = conditions.gainRatio * (1 - listening);
     const double far = conditions.gainRatio * listening * phrase->notes[firstNote].weightScale;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto pole = conditions.law.pole(object.eigenvalues[nextMode + i]);
+        const auto pole = conditions.law.pole(object.eigenvalueAt(nextMode + i, thicknessRatio),
+                                              object.dampingRatio(nextMode + i));
         if (!soundsAt(pole, phrase->sampleRateHz))
             continue;
         RingingMode<levels> mode{.omega = dampedFrequency(pole),

@@ -80,6 +80,7 @@ private:
     std::size_t firstNote = 0, endNote = 0; ///< that play it
     std::size_t nextMode = 0;
     LiveConditions conditions;
+    double thicknessRatio = 1;
     double listening = 0; ///< 0 where struck, 1 from afar
     double release = 0;   ///< [1/s]
     bool held = false;    ///< scraped or rolled

@@ -47,7 +47,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       firstStrikeNumber(firstStrike(seed)), strikeCount(firstStrikeNumber),
       pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
       held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
-      loudness(playedInstrument, surface, sampleRateHz, own),
+      loudness(playedInstrument, surface, sampleRateHz, own), motor(cellSamples / sampleRateHz),
       slotHeld(playedInstrument->slots().size(), false),
       slotSilenced(playedInstrument->slots().size(), false) {
     late.reserve(lateCapacity);
@@ -166,7 +166,7 @@ void Player::beginCell() {
     synth.beginCell(cell());
     held.sound(current, settings, synth, cell());
     ++cellIndex;
-    matchLoudness();
+    updateGain();
     cellPosition = 0;
 }
 
@@ -174,17 +174,20 @@ void Player::prepare(const ParameterValues& parameters) {
     loudness.prepare(parameters);
 }
 
-/// Once a cell, on the grid. The gain moves when a prediction is complete.
-void Player::matchLoudness() {
+/// Once a cell, on the grid: what matches loudness, which moves when a prediction is complete, and
+/// the motor.
+void Player::updateGain() {
     loudness.advance(current);
-    const auto matchingGain = static_cast<float>(std::pow(10, loudness.gainDb() / 20));
-    gainAtCellStart = cellIndex == 0 ? matchingGain : gainAtCellEnd;
-    gainAtCellEnd = gainAtCellStart + matchingShare * (matchingGain - gainAtCellStart);
-    if (std::abs(matchingGain - gainAtCellEnd) < 1e-5f * matchingGain)
-        gainAtCellEnd = matchingGain;
+    const auto goal = static_cast<float>(std::pow(10, loudness.gainDb() / 20));
+    const float before = cellIndex == 0 ? goal : gainAtCellEnd;
+    matchingGain = cellIndex == 0 ? goal : matchingGain + matchingShare * (goal - matchingGain);
+    if (std::abs(goal - matchingGain) < 1e-5f * goal)
+        matchingGain = goal;
+    gainAtCellStart = before;
+    gainAtCellEnd = matchingGain * motor.advance(current[motorSpeed], current[motorDepth] / 100);
 }
 
-/// Copies what is next in the cell to the output, with the gain that matches loudness.
+/// Copies what is next in the cell to the output, with its gain.
 void Player::copyOut(const StereoSpan& output, int position, int count) const {
     for (int k = 0; k < count; ++k) {
         const auto from = static_cast<std::size_t>(cellPosition + k);
@@ -219,7 +222,8 @@ void Player::reset() {
     cellIndex = -1;
     strikeCount = firstStrikeNumber;
     loudness.reset();
-    gainAtCellStart = gainAtCellEnd = 1;
+    matchingGain = gainAtCellStart = gainAtCellEnd = 1;
+    motor.reset();
     pending.clear();
     late.clear();
     held.reset();

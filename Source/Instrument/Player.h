@@ -6,6 +6,7 @@
 #include "Instrument/Instrument.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/LowestModes.h"
+#include "Instrument/Motor.h"
 #include "Instrument/PendingStrikes.h"
 #include "Instrument/StereoSpan.h"
 #include "Parameters/ParameterTable.h"
@@ -77,7 +78,7 @@ private:
     void strikeNow(std::size_t slot, const Strike& strike, double sampleInCell);
     void beginCell();
     void updateDampers();
-    void matchLoudness();
+    void updateGain();
     void copyOut(const StereoSpan& output, int position, int count) const;
     CellOutput cell() { return {leftCell, rightCell}; }
 
@@ -96,7 +97,9 @@ private:
     HeldContacts held;
 
     LoudnessMatch loudness;
-    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< it is linear in between
+    float matchingGain = 1;
+    Motor motor;
+    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< of both; it is linear in between
 
     std::array<std::bitset<128>, 16> keysDown; ///< of each channel
     std::bitset<128> keysSustained;

@@ -12,9 +12,9 @@ CoupledModes coupledModes(const LowestModes& lowestModes,
     const auto law = liveConditions(own, settings).law;
     static_assert(LowestModes::capacity <= ContactForce::maxCoupledModes);
     CoupledModes result;
-    for (const double referenceHz : lowestModes.span()) {
-        const double omega = 2 * std::numbers::pi * referenceHz;
-        const auto pole = law.pole(omega * omega);
+    for (std::size_t mode = 0; mode < lowestModes.count; ++mode) {
+        const double omega = 2 * std::numbers::pi * lowestModes.frequenciesHz[mode];
+        const auto pole = law.pole(omega * omega, lowestModes.dampingRatios[mode]);
         if (naturalFrequencyHz(pole) >= lowestSoundingHz && isOscillating(pole))
             result.add({.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
                         .dampingPerSecond = pole.damping / 2});

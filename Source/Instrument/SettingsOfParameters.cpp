@@ -45,6 +45,7 @@ SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSe
             .modeBudget = values[modeBudget],
             .compression = values[compression],
             .sizeRatio = values[size],
+            .thicknessRatio = values[thickness] / 100,
             .frequencyRatio = std::exp2((values[tune] / 100 + bendSemitones) / 12),
             .radiation = values[radiation] / 100,
             .material = liveMaterial(values)};

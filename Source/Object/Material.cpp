@@ -41,6 +41,11 @@ Result<Material> validated(Material material) {
         if (!(rule.value >= rule.lowest && rule.value <= rule.highest)) // also catches NaN
             return failure("material '" + material.name + "': the " + rule.what +
                            " is out of range: " + written(rule.value));
+    if (material.grain)
+        if (const auto constants =
+                validated(orthotropicElasticity(material.youngsModulusPa, *material.grain));
+            !constants)
+            return failure("material '" + material.name + "': " + constants.error().message);
     return material;
 }
 

@@ -3,18 +3,20 @@
 #pragma once
 
 #include "Object/DampingLaw.h"
+#include "Object/OrthotropicElasticity.h"
 #include "Object/Result.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace idiophone {
 
-/// An isotropic material (Raghuvanshi & Lin 2006, eq. 1).
+/// A material (Raghuvanshi & Lin 2006, eq. 1), isotropic but for wood.
 struct Material {
     std::string name;
-    double youngsModulusPa = 0; ///< Y, > 0
+    double youngsModulusPa = 0; ///< Y, > 0; of wood along the grain
     double densityKgPerM3 = 0;  ///< ρ, > 0
     double poissonRatio = 0;    ///< ν, −1 < ν < 0.5
     DampingLaw damping;
@@ -22,6 +24,8 @@ struct Material {
     double restitution = 0; ///< 0 (dead) to 1 (elastic)
     double roughness = 0;   ///< 0 (polished) to 1 (rough-sawn)
     std::string source;     ///< where the figures come from
+    /// Of wood: finite elements go by it, all else takes the material for isotropic.
+    std::optional<GrainRatios> grain = {};
 
     bool operator==(const Material&) const = default;
 };

@@ -1,5 +1,6 @@
 #include "Object/MaterialFile.h"
 
+#include "Object/GrainJson.h"
 #include "Object/TextFile.h"
 
 #include <algorithm>
@@ -120,6 +121,11 @@ Material parseObject(const json& object, const std::string& defaultName) {
             material.name = parseName(value);
         } else if (key == "source") {
             material.source = parseSource(value);
+        } else if (key == "grain") {
+            const auto grain = grainFrom(value);
+            if (!grain)
+                throw Fault{grain.error().message};
+            material.grain = *grain;
         } else if (key != "t60_s") { // what `idiophone materials --json` adds for people
             throw Fault{"a material has no " + quoted(key)};
         }
@@ -196,6 +202,8 @@ std::string encodeMaterial(const Material& material) {
     for (const auto group : figureGroups)
         for (const auto& figure : group)
             result[figure.key] = figure.member(figures);
+    if (material.grain)
+        result["grain"] = grainJson<ordered_json>(*material.grain);
     result["source"] = material.source;
     // Names come from people and files: replace what is not UTF-8 rather than throw.
     return result.dump(4, ' ', false, ordered_json::error_handler_t::replace);

@@ -39,7 +39,7 @@ struct ModalObject {
     Material material; ///< reference material: `eigenvalues` belong to it
     BodyKind body = BodyKind::solid;
     double thicknessMetres = 0; ///< reference thickness of a shell; 0 for a solid
-    std::string method;         ///< "spring-mass", "van-gelder", "two-layer", "fem"
+    std::string method;         ///< "spring-mass", "van-gelder", "two-layer", "fem", "measured"
     double bandHz = 0;          ///< every mode from 20 Hz up to here is present
 
     std::vector<double> eigenvalues;         ///< [M] λ = ω² in rad²/s², ascending, > 0
@@ -47,11 +47,12 @@ struct ModalObject {
     std::vector<std::int32_t> shapeVertices; ///< [V] which mesh vertices carry shapes, ascending
     std::vector<float> vertices;             ///< [N,3] in metres
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
-    std::vector<double> bending;             ///< empty, or [M] bending part of λ (0 ≤ b ≤ λ)
+    /// Empty, or [M] the part of λ that grows with the square of a shell's thickness (0 ≤ b ≤ λ).
+    std::vector<double> bending;
     /// Empty: modes decay by the material's law. Or [M] the α > 0 measured of each at the reference
     /// material, whose law then damps every mode.
     std::vector<double> decaysPerSecond;
-    RadiationTable radiation;                ///< of the whole surface, or empty
+    RadiationTable radiation; ///< of the whole surface, or empty
 
     MassProperties mass;
     Provenance provenance;
@@ -60,6 +61,17 @@ struct ModalObject {
     std::size_t shapeVertexCount() const { return shapeVertices.size(); }
     std::size_t vertexCount() const { return vertices.size() / 3; }
     std::size_t faceCount() const { return faces.size() / 3; }
+
+    /// Whether the thickness may change while the object is played; otherwise it is analysed anew.
+    bool hasLiveThickness() const noexcept { return !bending.empty(); }
+
+    /// λ of a mode of the shell `thicknessRatio` > 0 times as thick, by Rayleigh's quotient with the
+    /// shape as it was: exact for flat sheets, and within what docs/validation.md says for others.
+    double eigenvalueAt(std::size_t mode, double thicknessRatio) const noexcept {
+        return hasLiveThickness()
+                   ? eigenvalues[mode] + (thicknessRatio * thicknessRatio - 1) * bending[mode]
+                   : eigenvalues[mode];
+    }
 
     /// By what the damping of a mode exceeds that of the material's law, 2α/d(λ), which it keeps
     /// when the material changes; 1 where no decays were measured. Any thread.

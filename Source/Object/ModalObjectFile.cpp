@@ -1,5 +1,6 @@
 #include "Object/ModalObjectFile.h"
 
+#include "Object/GrainJson.h"
 #include "Object/HalfFloat.h"
 #include "Object/Safetensors.h"
 
@@ -120,7 +121,17 @@ private:
                 .friction = number(m, "friction"),
                 .restitution = number(m, "restitution"),
                 .roughness = number(m, "roughness"),
-                .source = word(m, "source")};
+                .source = word(m, "source"),
+                .grain = grain(m)};
+    }
+
+    static std::optional<GrainRatios> grain(const json& material) {
+        if (!material.contains("grain"))
+            return std::nullopt;
+        auto ratios = grainFrom(material["grain"]);
+        if (!ratios)
+            throw Fault{"its material is damaged: " + ratios.error().message};
+        return *ratios;
     }
 
     MassProperties massProperties() const {
@@ -203,17 +214,20 @@ private:
 };
 
 json describe(const Material& m) {
-    return {{"name", m.name},
-            {"youngs_modulus_pa", m.youngsModulusPa},
-            {"density_kg_per_m3", m.densityKgPerM3},
-            {"poisson_ratio", m.poissonRatio},
-            {"fluid_damping_per_s", m.damping.fluidPerSecond},
-            {"viscoelastic_damping_s", m.damping.viscoelasticSeconds},
-            {"loss_factor", m.damping.lossFactor},
-            {"friction", m.friction},
-            {"restitution", m.restitution},
-            {"roughness", m.roughness},
-            {"source", m.source}};
+    json described{{"name", m.name},
+                   {"youngs_modulus_pa", m.youngsModulusPa},
+                   {"density_kg_per_m3", m.densityKgPerM3},
+                   {"poisson_ratio", m.poissonRatio},
+                   {"fluid_damping_per_s", m.damping.fluidPerSecond},
+                   {"viscoelastic_damping_s", m.damping.viscoelasticSeconds},
+                   {"loss_factor", m.damping.lossFactor},
+                   {"friction", m.friction},
+                   {"restitution", m.restitution},
+                   {"roughness", m.roughness},
+                   {"source", m.source}};
+    if (m.grain)
+        described["grain"] = grainJson<json>(*m.grain);
+    return described;
 }
 
 json describeMetadata(const ModalObject& object) {

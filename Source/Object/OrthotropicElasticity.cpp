@@ -32,6 +32,19 @@ Result<OrthotropicElasticity> validated(const OrthotropicElasticity& elasticity)
     return elasticity;
 }
 
+OrthotropicElasticity orthotropicElasticity(double youngsModulusLPa, const GrainRatios& ratios) {
+    const double y = youngsModulusLPa;
+    return {.youngsModulusLPa = y,
+            .youngsModulusRPa = y * ratios.youngsModulusR,
+            .youngsModulusTPa = y * ratios.youngsModulusT,
+            .shearModulusLRPa = y * ratios.shearModulusLR,
+            .shearModulusRTPa = y * ratios.shearModulusRT,
+            .shearModulusLTPa = y * ratios.shearModulusLT,
+            .poissonRatioLR = ratios.poissonRatioLR,
+            .poissonRatioRT = ratios.poissonRatioRT,
+            .poissonRatioLT = ratios.poissonRatioLT};
+}
+
 OrthotropicElasticity isotropicElasticity(double youngsModulusPa, double poissonRatio) {
     const double shear = youngsModulusPa / (2 * (1 + poissonRatio));
     return {.youngsModulusLPa = youngsModulusPa,

@@ -17,6 +17,18 @@ struct OrthotropicElasticity {
     bool operator==(const OrthotropicElasticity&) const = default;
 };
 
+/// A wood's constants over Young's modulus along the grain, as tables of woods give them: they move
+/// little from one piece to the next.
+struct GrainRatios {
+    double youngsModulusR = 1, youngsModulusT = 1;                           ///< > 0
+    double shearModulusLR = 0.4, shearModulusRT = 0.4, shearModulusLT = 0.4; ///< > 0
+    double poissonRatioLR = 0.25, poissonRatioRT = 0.25, poissonRatioLT = 0.25;
+
+    bool operator==(const GrainRatios&) const = default;
+};
+
+OrthotropicElasticity orthotropicElasticity(double youngsModulusLPa, const GrainRatios& ratios);
+
 /// The constants unchanged, or in one sentence why no solid can have them: a modulus that is not
 /// positive, or a strain that would release energy (Lempriere 1968: the compliance is not positive
 /// definite).

@@ -91,6 +91,12 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "How much a roll drives the object's lowest modes; at 100 as hard as a scrape does", nullptr},
     {lossFactor, "loss_factor", "Loss factor", "", cubic, 0, 0.5, 0, 3, 3,
      "Damping of the custom material that grows with frequency: 1/Q, the same for all modes", nullptr},
+    {motorSpeed, "motor_speed", "Motor speed", "turns/s", linear, 0, 12, 3, 1, 3,
+     "How fast the discs above the resonators turn, which open twice a turn", nullptr},
+    {motorDepth, "motor_depth", "Motor depth", "%", linear, 0, 100, 0, 1, 3,
+     "How far the discs close the resonators: the depth of the tremolo", nullptr},
+    {thickness, "thickness", "Thickness", "%", logarithmic, 25, 400, 100, 3, 3,
+     "Of shells, to the thickness they were analysed with; solids keep theirs", nullptr},
 }};
 
 // Appended to only, in the order of malletRack().

@@ -49,6 +49,9 @@ enum class ParameterId : std::size_t {
     roughness,
     rollCoupling,
     lossFactor,
+    motorSpeed,
+    motorDepth,
+    thickness,
     count
 };
 

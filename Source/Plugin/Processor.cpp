@@ -12,6 +12,14 @@
 namespace idiophone {
 namespace {
 
+/// By what the least damped mode's damping exceeds its material's.
+double leastDampingRatio(const ModalObject& object) noexcept {
+    double least = object.decaysPerSecond.empty() ? 1 : object.dampingRatio(0);
+    for (std::size_t mode = 1; mode < object.decaysPerSecond.size(); ++mode)
+        least = std::min(least, object.dampingRatio(mode));
+    return least;
+}
+
 /// [1/s] Of the lowest mode that sounds: all laws damp higher ones more.
 double slowestDecay(const DampingLaw& damping) noexcept {
     const double omega = 2 * std::numbers::pi * lowestSoundingHz;
@@ -119,7 +127,8 @@ double Processor::getTailLengthSeconds() const {
     using enum ParameterId;
     const auto values = parameters.values();
     const auto live = synthesisSettings(values).material;
-    const double slowest = live ? slowestDecay(live->damping) : ownSlowestDecay.load();
+    const double slowest =
+        live ? slowestDecay(live->damping) * ownDampingRatio.load() : ownSlowestDecay.load();
     const double released = values[letRing] != 0 ? 0 : std::log(1000) / values[releaseTime];
     return std::min(std::log(65536) / (slowest + released), longestTailSeconds);
 }
@@ -164,9 +173,14 @@ void Processor::setCurrentProgram(int index) {
 
 void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     double slowest = std::numeric_limits<double>::infinity();
-    for (const auto& slot : built->slots())
-        slowest = std::min(slowest, slowestDecay(slot.object->material.damping));
+    double ratio = std::numeric_limits<double>::infinity();
+    for (const auto& slot : built->slots()) {
+        const double own = leastDampingRatio(*slot.object);
+        slowest = std::min(slowest, own * slowestDecay(slot.object->material.damping));
+        ratio = std::min(ratio, own);
+    }
     ownSlowestDecay = slowest;
+    ownDampingRatio = built->slots().empty() ? 1 : ratio;
     loadedPreset = std::move(preset);
     instrument = std::move(built);
     lastError.clear();

@@ -63,6 +63,7 @@ public:
     int presetIndex() const override { return programIndex; }
     void choosePreset(int index) override { setCurrentProgram(index); }
     double parameterValue(ParameterId parameter) const override;
+    bool isLive(ParameterId parameter) const override;
     void beginParameterChange(ParameterId parameter) override;
     void changeParameter(ParameterId parameter, double value) override;
     void endParameterChange(ParameterId parameter) override;
@@ -104,6 +105,7 @@ private:
     std::atomic<int> requestedProgram{-1};
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
+    std::atomic<double> ownDampingRatio{1}; ///< the least of their modes, to their materials' law
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<float> peak{0};
 

@@ -25,6 +25,15 @@ double Processor::parameterValue(ParameterId parameter) const {
     return parameters[parameter].exactValue();
 }
 
+bool Processor::isLive(ParameterId parameter) const {
+    if (parameter != ParameterId::thickness)
+        return true;
+    const auto playing = loadedInstrument();
+    return playing != nullptr && std::ranges::any_of(playing->slots(), [](const auto& slot) {
+               return slot.object->hasLiveThickness();
+           });
+}
+
 void Processor::beginParameterChange(ParameterId parameter) {
     parameters[parameter].beginChangeGesture();
 }

@@ -22,11 +22,11 @@ struct FirstMode {
           noticeable(oscillates ? turn * compression * discriminationHz(frequency / turn) : 0) {}
 
     bool canMerge(const ModalPole& next, double nextDampingRatio) const noexcept {
-        if (nextDampingRatio != dampingRatio &&
-            (dampingRatio < leastLikeDecay * nextDampingRatio ||
-             dampingRatio > mostLikeDecay * nextDampingRatio))
+        if (nextDampingRatio != dampingRatio && (dampingRatio < leastLikeDecay * nextDampingRatio ||
+                                                 dampingRatio > mostLikeDecay * nextDampingRatio))
             return false;
-        if (nextDampingRatio == dampingRatio && std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
+        if (nextDampingRatio == dampingRatio &&
+            std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
             return true;
         if (!oscillates || !isOscillating(next))
             return false;
@@ -109,8 +109,7 @@ void findLostShares(std::span<const double> referenceEigenvalues,
     std::array<double, largestGroup> decays;
     std::array<double, largestGroup> frequencies;
     for (std::size_t i = 0; i < count; ++i) {
-        const ModalPole pole =
-            law.pole(referenceEigenvalues[i], dampingRatioOf(dampingRatios, i));
+        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingRatioOf(dampingRatios, i));
         decays[i] = pole.damping / 2;
         frequencies[i] = dampedFrequency(pole);
     }

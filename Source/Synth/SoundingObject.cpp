@@ -45,7 +45,7 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
-    referenceEigenvalues = object->eigenvalues;
+    modeEigenvalues = referenceEigenvalues = object->eigenvalues;
     for (std::size_t mode = 0; mode < object->decaysPerSecond.size(); ++mode)
         dampingRatios.push_back(object->dampingRatio(mode));
     groupDampingRatios = dampingRatios;

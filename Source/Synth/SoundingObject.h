@@ -127,6 +127,7 @@ private:
     // SoundingObjectConditions.cpp: poles, damping, truncation.
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
+    void moveThickness(double ratio) noexcept;
     void fadeOutOfBand() noexcept;
     bool inBand(std::size_t g) const noexcept;
     bool holdsAboveTau() const noexcept;
@@ -231,7 +232,10 @@ private:
     double weightScale;                       ///< of the radiation weights (Listening.h)
     std::vector<double> modeWeights;          ///< [M] mean-square shape
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
-    std::vector<double> referenceEigenvalues; ///< [G]
+    double thicknessRatio = 1; ///< 1 where the object has none live
+    std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness
+    std::vector<double> referenceEigenvalues; ///< [G] of the groups
+    bool groupsAreBehind = false;             ///< the modes' eigenvalues have moved since
     std::vector<double> dampingRatios;        ///< [M], or empty: all 1
     std::vector<double> groupDampingRatios;   ///< [G], or empty: all 1
     std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)

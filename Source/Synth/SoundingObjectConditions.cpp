@@ -19,13 +19,16 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     controlsChanged = false;
     const LiveConditions live =
         liveConditions(object->material, settings, slotSizeRatio, requestedFrequencyRatio);
+    const double thickness = object->hasLiveThickness() ? settings.thicknessRatio : 1;
+    const double newGainRatio = live.gainRatio / thickness;
     const double newTau = std::max(settings.tau * metresPerSecondPerTau, smallestTauVelocity);
-    if (live.gainRatio != gainRatio || settings.radiation != radiation)
+    if (newGainRatio != gainRatio || settings.radiation != radiation)
         ++responseVersion;
-    gainRatio = live.gainRatio;
+    gainRatio = newGainRatio;
     radiation = settings.radiation;
 
-    const bool polesMove = live.law != law || settings.compression != compression;
+    const bool polesMove =
+        live.law != law || settings.compression != compression || thickness != thicknessRatio;
     const bool dampingMoves = requestedDamping != damping;
     const bool weightsMove = live.radiationRatio != wantedRadiationRatio;
     const bool contactsMove = polesMove || dampingMoves || weightsMove;
@@ -44,6 +47,8 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     damping = requestedDamping;
     tauVelocity = newTau;
     law = live.law;
+    if (thickness != thicknessRatio)
+        moveThickness(thickness);
     compression = settings.compression;
     polesBehind = polesBehind || polesMove;
     if (polesBehind && (ringing() || holdsAboveTau()))
@@ -54,19 +59,31 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
         wakeBlocks();
 }
 
+/// The groups' own eigenvalues follow in movePoles.
+void SoundingObject::moveThickness(double ratio) noexcept {
+    thicknessRatio = ratio;
+    for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
+        modeEigenvalues[mode] = object->eigenvalueAt(mode, ratio);
+    groupsAreBehind = true;
+}
+
 void SoundingObject::movePoles() noexcept {
     polesBehind = false;
     ++responseVersion;
     // Resting states move with the poles they had up to here.
     bringRestingUpToDate(cellIndex);
     const std::size_t groups =
-        groupModes(object->eigenvalues, law, compression, scratch.groupStarts, dampingRatios);
+        groupModes(modeEigenvalues, law, compression, scratch.groupStarts, dampingRatios);
     if (groups == bank.size() &&
         std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
-                   scratch.groupStarts.begin()))
+                   scratch.groupStarts.begin())) {
+        if (groupsAreBehind)
+            nameGroups(groups);
         fadeOutOfBand();
-    else
+    } else {
         regroup(groups);
+    }
+    groupsAreBehind = false;
     bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestSoundingHz,
                    highestSoundingShare * sampleRate, groupDampingRatios);
 }

@@ -64,7 +64,7 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         referenceEigenvalues[g] =
-            mergedEigenvalue(std::span(object->eigenvalues).subspan(first, count),
+            mergedEigenvalue(std::span(modeEigenvalues).subspan(first, count),
                              std::span(modeWeights).subspan(first, count));
         if (!dampingRatios.empty())
             groupDampingRatios[g] =

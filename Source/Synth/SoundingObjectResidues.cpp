@@ -58,7 +58,7 @@ void SoundingObject::findLost() noexcept {
     for (std::size_t g = 0; g < bank.size(); ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        findLostShares(std::span(object->eigenvalues).subspan(first, count), law, shares,
+        findLostShares(std::span(modeEigenvalues).subspan(first, count), law, shares,
                        dampingRatios.empty()
                            ? std::span<const double>()
                            : std::span<const double>(dampingRatios).subspan(first, count));

@@ -41,6 +41,8 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
     keepUnless(wanted.modeBudget >= 0, wanted.modeBudget, previous.modeBudget);
     keepUnless(wanted.compression >= 0, wanted.compression, previous.compression);
     keepUnless(validSize(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
+    keepUnless(wanted.thicknessRatio >= 0.1 && wanted.thicknessRatio <= 10, wanted.thicknessRatio,
+               previous.thicknessRatio);
     keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
                previous.radiation);
     keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);

@@ -95,11 +95,18 @@ TEST_CASE("The edges of the arch are lines of the grid, and mid-edge nodes lie i
         }
 }
 
-TEST_CASE("A bar's grid has edges of about the length asked for") {
-    const BarGrid grid = barGrid(bar, 0.005);
-    CHECK(grid.along == 60);
-    CHECK(grid.across == 8);
-    CHECK(grid.through == 4);
-    CHECK(barGrid(bar, 1).along == 24);
-    CHECK(barGrid(bar, 1).through == 1);
+TEST_CASE("The outline is closed, looks outward, and has the top's vertices first") {
+    const SolidBar solid = solidBar(bar, {16, 4, 2});
+    const BarOutline& outline = solid.outline;
+    CHECK(isClosed(uniqueEdges(outline.mesh)));
+    CHECK_THAT(signedVolumeM3(outline.mesh), WithinRel(signedVolumeM3(solid.surface), 0.03));
+    REQUIRE(outline.topCount == 27);
+    CHECK(std::is_sorted(outline.surfaceVertices.begin(),
+                         outline.surfaceVertices.begin() + outline.topCount));
+    for (std::size_t k = 0; k < outline.surfaceVertices.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        CHECK(outline.mesh.vertices.row(row) ==
+              solid.surface.vertices.row(outline.surfaceVertices[k]));
+        CHECK((outline.mesh.vertices(row, 2) == 0) == (row < outline.topCount));
+    }
 }

@@ -23,7 +23,7 @@ ROOMS = {
     "Parameters": ("", ""),
     "Geometry": ("Object", "Eigen/ igl/ CGAL/"),
     "Synth": ("Object", "hwy/"),
-    "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ Spectra/ cholmod.h tetgen.h"),
+    "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
     "Instrument": ("Synth Geometry Object Parameters", "nlohmann/ Tunings.h libMTSClient.h"),
     "Scene": ("Synth Geometry Object", "bullet/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
     "Output": ("Parameters", "juce_dsp/"),

@@ -42,6 +42,15 @@ TEST_CASE("Each malformed field is named") {
     refuse([](auto& o) { o.shapes.pop_back(); }, "size of the mode shapes");
     refuse([](auto& o) { o.bending = {1}; }, "bending parts");
     refuse([](auto& o) { o.bending = {1, -1, 1}; }, "bending part");
+    refuse([](auto& o) { o.decaysPerSecond = {1}; }, "decays are not one for each mode");
+    refuse([](auto& o) { o.decaysPerSecond = {1, 0, 1}; }, "decay is not between");
+    refuse([&](auto& o) { o.decaysPerSecond = {1, nan, 1}; }, "decay is not between");
+    refuse(
+        [](auto& o) {
+            o.decaysPerSecond = {1, 2, 3};
+            o.material.damping = {};
+        },
+        "no damping");
     refuse([&](auto& o) { o.eigenvalues[1] = nan; }, "not a finite number");
     refuse([](auto& o) { o.eigenvalues[0] = -1; }, "not positive");
     refuse([](auto& o) { std::swap(o.eigenvalues[0], o.eigenvalues[2]); }, "ascending");
@@ -65,6 +74,14 @@ TEST_CASE("Each malformed field is named") {
     refuse([](auto& o) { o.mass.massKg = -1; }, "mass");
     refuse([&](auto& o) { o.mass.inertiaKgM2[4] = nan; }, "inertia");
     refuse([](auto& o) { o.material.densityKgPerM3 = 0; }, "density");
+}
+
+TEST_CASE("A mode's damping ratio is its measured decay over half the law's damping") {
+    auto object = syntheticObject({100, 200, 300});
+    CHECK(object.dampingRatio(1) == 1);
+    object.decaysPerSecond = {1, 5, 9};
+    CHECK(object.dampingRatio(1) ==
+          Catch::Approx(2 * 5 / object.material.damping.perSecond(object.eigenvalues[1])));
 }
 
 TEST_CASE("Vertex normals point outward from counter-clockwise faces") {

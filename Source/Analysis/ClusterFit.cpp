@@ -1,0 +1,165 @@
+#include "Analysis/ClusterFit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Keeps divisions by what may be nothing at all from overflowing.
+constexpr double nothing = 1e-300;
+
+/// Of complex values that are mostly noise, the variance of one part: half their mean power, which
+/// is their median over ln 2.
+double noiseOf(const VectorXd& parts) {
+    std::vector<double> powers;
+    for (Index k = 0; k < parts.size(); k += 2)
+        powers.push_back(parts.segment<2>(k).squaredNorm());
+    const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
+    std::nth_element(powers.begin(), middle, powers.end());
+    return std::max(*middle / std::numbers::ln2 / 2, nothing);
+}
+
+void setParts(MatrixXd& matrix, Index k, Index column, const Complex& value) {
+    matrix(2 * k, column) = value.real();
+    matrix(2 * k + 1, column) = value.imag();
+}
+
+/// One piece: rows are the real and imaginary parts of its bins; columns a cosine and a sine of
+/// each mode, then the background.
+class PieceFit {
+public:
+    PieceFit(std::span<const DecayPole> ofPoles, const SpectrumPiece& ofPiece, bool background)
+        : poles(ofPoles), piece(ofPiece), modes(static_cast<Index>(poles.size())),
+          rows(static_cast<Index>(piece.bins.size())), target(2 * rows),
+          basis(MatrixXd::Zero(2 * rows, 2 * modes + (background ? 4 : 0))) {
+        for (const auto& pole : poles)
+            sinusoids.emplace_back(pole, piece.rateHz, piece.length);
+        for (Index k = 0; k < rows; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            bins.push_back(conjugateBin(piece.firstBin + at, piece.length));
+            target.segment<2>(2 * k) << piece.bins[at].real(), piece.bins[at].imag();
+            for (Index i = 0; i < modes; ++i) {
+                const auto& sinusoid = sinusoids[static_cast<std::size_t>(i)];
+                setParts(basis, k, 2 * i, sinusoid.at({1, 0}, bins.back()));
+                setParts(basis, k, 2 * i + 1, sinusoid.at({0, 1}, bins.back()));
+            }
+            if (background)
+                setBackground(k);
+        }
+        // Columns differ by the ratio of decays.
+        scale = basis.colwise().norm().cwiseMax(nothing).cwiseInverse().transpose();
+        basis *= scale.asDiagonal();
+        solver.compute(basis);
+        const VectorXd turned = solver.householderQ().adjoint() * target;
+        triangle = solver.matrixQR().topRows(basis.cols());
+        scaled = triangle.triangularView<Eigen::Upper>().solve(turned.head(basis.cols()));
+        residual = target - basis * scaled;
+    }
+
+    void addTo(ClusterFit& fit, std::size_t pieceNumber) const {
+        fit.cost += residual.squaredNorm();
+        for (Index i = 0; i < modes; ++i)
+            fit.amplitudes[static_cast<std::size_t>(i)][pieceNumber] = amplitude(i);
+        addSlopes(fit);
+        addSignificances(fit);
+    }
+
+private:
+    Complex amplitude(Index mode) const {
+        return {scaled(2 * mode) * scale(2 * mode), scaled(2 * mode + 1) * scale(2 * mode + 1)};
+    }
+
+    void setBackground(Index k) {
+        const double place = 2.0 * static_cast<double>(k) / static_cast<double>(rows) - 1;
+        basis(2 * k, 2 * modes) = basis(2 * k + 1, 2 * modes + 1) = 1;
+        basis(2 * k, 2 * modes + 2) = basis(2 * k + 1, 2 * modes + 3) = place;
+    }
+
+    void addSlopes(ClusterFit& fit) const {
+        MatrixXd slopes(2 * rows, 2 * modes);
+        for (Index i = 0; i < modes; ++i) {
+            const auto& sinusoid = sinusoids[static_cast<std::size_t>(i)];
+            const double decay = poles[static_cast<std::size_t>(i)].decayPerSecond;
+            for (Index k = 0; k < rows; ++k) {
+                const Complex bin = bins[static_cast<std::size_t>(k)];
+                const Complex up = 0.5 * amplitude(i) * sinusoid.up.slopeAt(bin);
+                const Complex down = 0.5 * std::conj(amplitude(i)) * sinusoid.down.slopeAt(bin);
+                // The poles are −α ± iω.
+                setParts(slopes, k, 2 * i, Complex(0, 1) * (up - down));
+                setParts(slopes, k, 2 * i + 1, -decay * (up + down));
+            }
+        }
+        fit.slope += slopes.transpose() * residual;
+        const MatrixXd inSpace = (solver.householderQ().adjoint() * slopes).topRows(basis.cols());
+        fit.curvature += slopes.transpose() * slopes - inSpace.transpose() * inSpace;
+    }
+
+    void addSignificances(ClusterFit& fit) const {
+        const double noise = noiseOf(residual);
+        const MatrixXd inverse = triangle.triangularView<Eigen::Upper>().solve(
+            MatrixXd::Identity(basis.cols(), basis.cols()));
+        const MatrixXd covariance = inverse * inverse.transpose();
+        for (Index i = 0; i < modes; ++i) {
+            const Eigen::Vector2d own = scaled.segment<2>(2 * i);
+            const Eigen::Matrix2d block = covariance.block<2, 2>(2 * i, 2 * i);
+            fit.significances[static_cast<std::size_t>(i)] +=
+                own.dot(block.inverse() * own) / noise;
+        }
+    }
+
+    std::span<const DecayPole> poles;
+    const SpectrumPiece& piece;
+    Index modes, rows;
+    std::vector<CutSinusoid> sinusoids;
+    std::vector<Complex> bins;
+    VectorXd target;
+    MatrixXd basis; ///< scaled to columns of norm 1
+    VectorXd scale, scaled, residual;
+    Eigen::HouseholderQR<MatrixXd> solver;
+    MatrixXd triangle; ///< of which the upper half counts
+};
+
+} // namespace
+
+CutExponential::CutExponential(const Complex& polePerSecond, double rateHz, std::size_t length)
+    : z(std::exp(polePerSecond / rateHz)),
+      last(std::exp(polePerSecond / rateHz * static_cast<double>(length))), rate(rateHz),
+      size(static_cast<double>(length)) {}
+
+Complex CutExponential::slopeAt(const Complex& conjugateBin) const {
+    const Complex turned = z * conjugateBin, rest = 1.0 - turned;
+    return ((1.0 - last) * turned / rest - size * last) / rest / rate;
+}
+
+Complex conjugateBin(std::size_t k, std::size_t length) {
+    return std::polar(1.0,
+                      -2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(length));
+}
+
+ClusterFit fitCluster(std::span<const DecayPole> poles,
+                      std::span<const SpectrumPiece> pieces,
+                      bool background) {
+    const auto unknowns = static_cast<Index>(2 * poles.size());
+    ClusterFit fit{.cost = 0,
+                   .curvature = MatrixXd::Zero(unknowns, unknowns),
+                   .slope = VectorXd::Zero(unknowns),
+                   .amplitudes = std::vector(poles.size(), std::vector<Complex>(pieces.size())),
+                   .significances = std::vector<double>(poles.size(), 0)};
+    const std::size_t columns = 2 * poles.size() + (background ? 4 : 0);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (2 * pieces[i].bins.size() > columns)
+            PieceFit(poles, pieces[i], background).addTo(fit, i);
+    // Where nothing depends on a pole, as on that of a mode without amplitude, it stays.
+    fit.curvature.diagonal().array() += nothing;
+    return fit;
+}
+
+} // namespace idiophone

@@ -1,0 +1,74 @@
+// Least squares of a few damped sinusoids, of given poles, against pieces of Fourier transforms:
+// how well they fit, and which way the poles should go. PoleRefinement makes the steps.
+#pragma once
+
+#include "Analysis/DampedSinusoid.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+/// The discrete Fourier transform Σ z^n w^{−n} over n < N of an exponential that is cut off there,
+/// z = e^{pole/rate}, in closed form.
+class CutExponential {
+public:
+    CutExponential(const std::complex<double>& polePerSecond, double rateHz, std::size_t length);
+
+    /// At w* = e^{−2πik/N}.
+    std::complex<double> at(const std::complex<double>& conjugateBin) const {
+        return (1.0 - last) / (1.0 - z * conjugateBin);
+    }
+    /// Its derivative with respect to the pole, in seconds.
+    std::complex<double> slopeAt(const std::complex<double>& conjugateBin) const;
+
+private:
+    std::complex<double> z, last; ///< last = z^N
+    double rate, size;
+};
+
+/// Both exponentials of a real damped sinusoid.
+struct CutSinusoid {
+    CutSinusoid(const DecayPole& pole, double rateHz, std::size_t length)
+        : up(pole.perSecond(), rateHz, length), down(std::conj(pole.perSecond()), rateHz, length) {}
+
+    /// The transform of Re(a z^n).
+    std::complex<double> at(const std::complex<double>& amplitude,
+                            const std::complex<double>& conjugateBin) const {
+        return 0.5 *
+               (amplitude * up.at(conjugateBin) + std::conj(amplitude) * down.at(conjugateBin));
+    }
+
+    CutExponential up, down;
+};
+
+/// e^{−2πik/N}
+std::complex<double> conjugateBin(std::size_t k, std::size_t length);
+
+/// Some bins of the transform of a recording.
+struct SpectrumPiece {
+    std::size_t length = 0; ///< N, of the transform
+    double rateHz = 0;
+    std::size_t firstBin = 0;
+    std::vector<std::complex<double>> bins;
+};
+
+struct ClusterFit {
+    double cost = 0;           ///< what is left, squared and summed
+    Eigen::MatrixXd curvature; ///< of half the cost over (ω, ln α) of each mode, by Kaufman (1975)
+    Eigen::VectorXd slope;     ///< downhill
+    std::vector<std::vector<std::complex<double>>> amplitudes; ///< [modes][pieces]
+    /// [modes] the energy that only this mode takes out, in those of one value of noise.
+    std::vector<double> significances;
+};
+
+/// Fits modes of those poles to all pieces, each with amplitudes of its own, and with `background`
+/// each also with a part that is linear in frequency. Pieces with fewer values than unknowns are
+/// passed over.
+ClusterFit fitCluster(std::span<const DecayPole> poles,
+                      std::span<const SpectrumPiece> pieces,
+                      bool background);
+
+} // namespace idiophone

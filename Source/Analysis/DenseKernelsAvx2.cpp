@@ -1,0 +1,11 @@
+// Compiled for processors with AVX2 and FMA; called on no others.
+#define Eigen EigenAvx2
+#define kernels kernelsAvx2
+#include "Analysis/DenseKernelsBody.h"
+
+namespace idiophone {
+
+extern const DenseKernels denseKernelsAvx2;
+const DenseKernels denseKernelsAvx2{.addProduct = kernels::addProduct};
+
+} // namespace idiophone

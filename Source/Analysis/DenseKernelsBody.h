@@ -1,0 +1,97 @@
+// The code of DenseKernels, compiled once an instruction set: included by the files that do so,
+// with Eigen and the namespace `kernels` under names of their own. It may use nothing else that is
+// not inlined for certain: the linker would keep one copy of it, for whichever instruction set.
+#pragma once
+
+#include "Analysis/DenseKernels.h"
+
+#include <Eigen/Core>
+
+namespace idiophone::kernels {
+
+using Index = DenseKernels::Index;
+using Packet = Eigen::internal::find_best_packet<double, 4>::type;
+constexpr int packetSize = Eigen::internal::unpacket_traits<Packet>::size;
+constexpr int tileSums = 8; ///< packets: enough to hide an addition's latency, few for registers
+
+struct Operands {
+    Index inner;
+    double factor;
+    const double* a;
+    Index aRow, aColumn;
+    const double* b;
+    Index bRow;
+    double* c;
+    Index cRow;
+};
+
+template <int rows, int packets>
+EIGEN_ALWAYS_INLINE void tile(const Operands& o, const double* a, const double* b, double* c) {
+    using namespace Eigen::internal;
+    Packet sum[rows][packets];
+    for (auto& row : sum)
+        for (Packet& value : row)
+            value = pset1<Packet>(0.0);
+    for (Index k = 0; k < o.inner; ++k, a += o.aColumn, b += o.bRow) {
+        Packet right[packets];
+        for (int p = 0; p < packets; ++p)
+            right[p] = ploadu<Packet>(b + p * packetSize);
+        for (int r = 0; r < rows; ++r) {
+            const Packet left = pset1<Packet>(a[r * o.aRow]);
+            for (int p = 0; p < packets; ++p)
+                sum[r][p] = pmadd(left, right[p], sum[r][p]);
+        }
+    }
+    const Packet factor = pset1<Packet>(o.factor);
+    for (int r = 0; r < rows; ++r)
+        for (int p = 0; p < packets; ++p) {
+            double* out = c + r * o.cRow + p * packetSize;
+            pstoreu(out, pmadd(factor, sum[r][p], ploadu<Packet>(out)));
+        }
+}
+
+template <int packets>
+EIGEN_DONT_INLINE void columnTile(const Operands& o, Index rows, Index column) {
+    constexpr int tileRows = tileSums / packets;
+    const double* b = o.b + column;
+    Index row = 0;
+    for (; row + tileRows <= rows; row += tileRows)
+        tile<tileRows, packets>(o, o.a + row * o.aRow, b, o.c + row * o.cRow + column);
+    if constexpr (tileRows > 4)
+        for (; row + 4 <= rows; row += 4)
+            tile<4, packets>(o, o.a + row * o.aRow, b, o.c + row * o.cRow + column);
+    for (; row < rows; ++row)
+        tile<1, packets>(o, o.a + row * o.aRow, b, o.c + row * o.cRow + column);
+}
+
+inline void singleColumn(const Operands& o, Index rows, Index column) {
+    for (Index row = 0; row < rows; ++row) {
+        double sum = 0;
+        for (Index k = 0; k < o.inner; ++k)
+            sum += o.a[row * o.aRow + k * o.aColumn] * o.b[k * o.bRow + column];
+        o.c[row * o.cRow + column] += o.factor * sum;
+    }
+}
+
+inline void addProduct(Index rows,
+                       Index columns,
+                       Index inner,
+                       double factor,
+                       const double* a,
+                       Index aRow,
+                       Index aColumn,
+                       const double* b,
+                       Index bRow,
+                       double* c,
+                       Index cRow) {
+    const Operands o{inner, factor, a, aRow, aColumn, b, bRow, c, cRow};
+    Index column = 0;
+    for (; column + 8 <= columns; column += 8)
+        columnTile<8 / packetSize>(o, rows, column);
+    for (; column + 4 <= columns; column += 4)
+        columnTile<4 / packetSize>(o, rows, column);
+    for (; column < columns; ++column)
+        singleColumn(o, rows, column);
+}
+
+} // namespace idiophone::kernels

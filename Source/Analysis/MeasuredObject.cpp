@@ -1,0 +1,210 @@
+#include "Analysis/MeasuredObject.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double usualMassKg = 0.2;
+constexpr double samePlaceMetres = 1e-6;
+
+double eigenvalueOf(const MeasuredMode& mode) {
+    const double omega = 2 * std::numbers::pi * mode.frequencyHz;
+    return omega * omega + mode.decayPerSecond * mode.decayPerSecond;
+}
+
+/// Strikes at one place are one: [places, modes] amplitudes, and which place each recording has.
+template <class Place, class Same>
+MatrixXd amplitudesAt(const RecordingFit& fit,
+                      const std::vector<Place>& places,
+                      std::vector<Place>& distinct,
+                      Same same) {
+    std::vector<std::size_t> placeOf;
+    for (const auto& place : places) {
+        const auto known =
+            std::ranges::find_if(distinct, [&](const Place& other) { return same(place, other); });
+        placeOf.push_back(static_cast<std::size_t>(known - distinct.begin()));
+        if (known == distinct.end())
+            distinct.push_back(place);
+    }
+    const auto modes = static_cast<Index>(fit.modes.size());
+    MatrixXd energies = MatrixXd::Zero(static_cast<Index>(distinct.size()), modes);
+    VectorXd strikes = VectorXd::Zero(energies.rows());
+    for (std::size_t r = 0; r < placeOf.size(); ++r) {
+        const auto row = static_cast<Index>(placeOf[r]);
+        strikes(row) += 1;
+        for (Index i = 0; i < modes; ++i) {
+            const double amplitude = fit.modes[static_cast<std::size_t>(i)].amplitudes[r];
+            energies(row, i) += amplitude * amplitude;
+        }
+    }
+    return (strikes.cwiseInverse().asDiagonal() * energies).cwiseSqrt();
+}
+
+struct CarriedModes {
+    PointCarrier carrier;
+    MatrixXd amplitudes; ///< [places, modes]
+};
+
+Result<CarriedModes> carriedModes(const RecordingFit& fit,
+                                  std::span<const StruckPlace> places,
+                                  const std::optional<Mesh>& mesh) {
+    std::vector<Eigen::Vector3d> points, distinctPoints;
+    std::vector<double> radii, distinctRadii;
+    for (const auto& place : places)
+        if (const auto* point = std::get_if<std::array<double, 3>>(&place))
+            points.emplace_back((*point)[0], (*point)[1], (*point)[2]);
+        else
+            radii.push_back(std::get<double>(place));
+    if (!points.empty() && !radii.empty())
+        return failure("Some recordings are struck at points and some at radii: give all of them "
+                       "X,Y,Z or all a radius.");
+    if (!points.empty()) {
+        MatrixXd amplitudes =
+            amplitudesAt(fit, points, distinctPoints, [](const auto& a, const auto& b) {
+                return (a - b).norm() < samePlaceMetres;
+            });
+        return CarriedModes{mesh
+                                ? carriedBy(*mesh, std::span<const Eigen::Vector3d>(distinctPoints))
+                                : carrierThrough(distinctPoints),
+                            std::move(amplitudes)};
+    }
+    const MatrixXd found = amplitudesAt(fit, radii, distinctRadii, [](double a, double b) {
+        return std::abs(a - b) < samePlaceMetres;
+    });
+    std::vector<Index> order(distinctRadii.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = static_cast<Index>(i);
+    std::ranges::sort(order, {},
+                      [&](Index i) { return distinctRadii[static_cast<std::size_t>(i)]; });
+    std::ranges::sort(distinctRadii);
+    return CarriedModes{mesh ? carriedBy(*mesh, std::span<const double>(distinctRadii))
+                             : discOfRadii(distinctRadii),
+                        found(order, Eigen::all)};
+}
+
+Material materialOf(const RecordingFit& fit, const MeasuredObjectSettings& settings) {
+    if (settings.material)
+        return *settings.material;
+    // Only its damping can be heard: for the rest something usual stands.
+    Material material = *findMaterial("Steel");
+    material.name = "Measured";
+    material.damping = fittedDamping(fit.modes);
+    material.source = "damping fitted to recordings; all else is that of steel";
+    return material;
+}
+
+/// As if it were made of equal parts at its vertices.
+MassProperties
+massOf(const Mesh& mesh, const Material& material, const MeasuredObjectSettings& settings) {
+    MassProperties mass;
+    mass.massKg = usualMassKg;
+    if (settings.massKg)
+        mass.massKg = *settings.massKg;
+    else if (settings.mesh && settings.material && isClosed(uniqueEdges(mesh)) &&
+             signedVolumeM3(mesh) > 0)
+        mass.massKg = signedVolumeM3(mesh) * material.densityKgPerM3;
+    const Eigen::RowVector3d centre = mesh.vertices.colwise().mean();
+    const MatrixXd offsets = mesh.vertices.rowwise() - centre;
+    const Eigen::Matrix3d spread =
+        mass.massKg / static_cast<double>(mesh.vertexCount()) * offsets.transpose() * offsets;
+    const Eigen::Matrix3d inertia = spread.trace() * Eigen::Matrix3d::Identity() - spread;
+    for (Index axis = 0; axis < 3; ++axis) {
+        mass.centreMetres[static_cast<std::size_t>(axis)] = centre(axis);
+        for (Index other = 0; other < 3; ++other)
+            mass.inertiaKgM2[static_cast<std::size_t>(3 * axis + other)] = inertia(axis, other);
+    }
+    return mass;
+}
+
+void setGeometry(const Mesh& mesh, ModalObject& object) {
+    for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+        for (Index axis = 0; axis < 3; ++axis)
+            object.vertices.push_back(static_cast<float>(mesh.vertices(vertex, axis)));
+        object.shapeVertices.push_back(static_cast<std::int32_t>(vertex));
+    }
+    for (Index face = 0; face < mesh.faceCount(); ++face)
+        for (Index corner = 0; corner < 3; ++corner)
+            object.faces.push_back(mesh.faces(face, corner));
+}
+
+/// Along the normals, as what strikes push along them.
+void setShapes(const CarriedModes& carried, double massKg, ModalObject& object) {
+    const double strongest = carried.amplitudes.colwise().mean().maxCoeff();
+    const MatrixXd squares = carried.carrier.weights * carried.amplitudes / (strongest * massKg);
+    const auto normals = vertexNormals(object);
+    for (Index vertex = 0; vertex < squares.rows(); ++vertex)
+        for (Index mode = 0; mode < squares.cols(); ++mode)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                object.shapes.push_back(static_cast<float>(std::sqrt(squares(vertex, mode))) *
+                                        normals[static_cast<std::size_t>(vertex) * 3 + axis]);
+}
+
+} // namespace
+
+// Over relative errors (γ + ηλ)/(2α) − 1 the equations of the best fit are linear; where its γ or η
+// is negative, the best one without it is.
+DampingLaw fittedDamping(std::span<const MeasuredMode> modes) {
+    MatrixXd terms(static_cast<Index>(modes.size()), 2);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        const double damping = 2 * modes[i].decayPerSecond;
+        terms.row(static_cast<Index>(i)) << 1 / damping, eigenvalueOf(modes[i]) / damping;
+    }
+    const Eigen::RowVector2d scale = terms.colwise().norm();
+    terms = terms * scale.cwiseInverse().asDiagonal();
+    const VectorXd ones = VectorXd::Ones(terms.rows());
+    Eigen::Vector2d best = terms.colPivHouseholderQr().solve(ones);
+    if (best.minCoeff() < 0 || modes.size() < 2) {
+        const Eigen::Vector2d alone = terms.transpose() * ones; // columns of norm 1
+        best = alone(0) > alone(1) ? Eigen::Vector2d(alone(0), 0) : Eigen::Vector2d(0, alone(1));
+    }
+    return {.fluidPerSecond = best(0) / scale(0), .viscoelasticSeconds = best(1) / scale(1)};
+}
+
+Result<ModalObject> measuredObject(const RecordingFit& fit,
+                                   std::span<const StruckPlace> places,
+                                   const MeasuredObjectSettings& settings) {
+    if (settings.mesh && settings.mesh->faceCount() == 0)
+        return failure("The mesh has no faces.");
+    const auto carried = carriedModes(fit, places, settings.mesh);
+    if (!carried)
+        return tl::unexpected(carried.error());
+    const Mesh& mesh = carried->carrier.mesh;
+    ModalObject object;
+    object.name = settings.name;
+    object.material = materialOf(fit, settings);
+    object.method = "measured";
+    object.mass = massOf(mesh, object.material, settings);
+    // By λ, which heavy damping orders differently than the frequencies heard.
+    std::vector<Index> order;
+    for (std::size_t i = 0; i < fit.modes.size(); ++i)
+        order.push_back(static_cast<Index>(i));
+    const auto mode = [&](Index i) -> const MeasuredMode& {
+        return fit.modes[static_cast<std::size_t>(i)];
+    };
+    std::ranges::sort(order, {}, [&](Index i) { return eigenvalueOf(mode(i)); });
+    for (const Index i : order) {
+        object.eigenvalues.push_back(eigenvalueOf(mode(i)));
+        object.decaysPerSecond.push_back(mode(i).decayPerSecond);
+    }
+    object.bandHz = std::sqrt(object.eigenvalues.back()) / (2 * std::numbers::pi);
+    setGeometry(mesh, object);
+    setShapes({carried->carrier, carried->amplitudes(Eigen::all, order)}, object.mass.massKg,
+              object);
+    object.provenance = {.source = settings.source,
+                         .software = "Idiophone " IDIOPHONE_VERSION,
+                         .notes = {},
+                         .analysisSeconds = 0,
+                         .analysedVertices = carried->amplitudes.rows(),
+                         .zeroModes = 0};
+    return validated(std::move(object));
+}
+
+} // namespace idiophone

@@ -1,0 +1,98 @@
+#include "Analysis/ShellBody.h"
+
+#include "Analysis/ElementSize.h"
+#include "Analysis/TwoLayerShell.h"
+#include "Geometry/Remesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+constexpr double edgesPerWavelength = 10, fewestEdgesPerWavelength = 4;
+/// Between these shares of the edge wanted a surface is left as it is.
+constexpr double finestShare = 0.4, coarsestShare = 1.6;
+/// Of the vertices a triangulation of equilateral triangles has, and their area in edges.
+constexpr double areaPerVertex = 0.866;
+
+/// The two layers must not pass through each other where the surface curves.
+bool isTooThick(const Mesh& mesh, double thicknessMetres) {
+    const Mesh inner{mesh.vertices - layerOffsetMetres(thicknessMetres) * vertexNormals(mesh),
+                     mesh.faces};
+    const auto normal = [](const Mesh& m, Eigen::Index face) {
+        const auto corner = [&](int k) {
+            return Eigen::Vector3d(m.vertices.row(m.faces(face, k)).transpose());
+        };
+        return Eigen::Vector3d((corner(1) - corner(0)).cross(corner(2) - corner(0)));
+    };
+    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
+        if (normal(mesh, face).dot(normal(inner, face)) <= 0)
+            return true;
+    return false;
+}
+
+/// Remeshes where the triangles do not suit the band; returns the end of the band that they serve.
+Result<double> fitMesh(Mesh& mesh,
+                       std::string& notes,
+                       const ShellBodySettings& settings,
+                       const AnalysisControl& control) {
+    const ElasticLaw law = elasticLaw(settings.material);
+    const double wavelengthMetres = shortestWavelengthMetres(
+        law, settings.material.densityKgPerM3, settings.maxFrequencyHz, settings.thicknessMetres);
+    const double area = vertexAreas(mesh).sum();
+    const double edge = std::min(std::max(wavelengthMetres / edgesPerWavelength,
+                                          std::sqrt(area / areaPerVertex / settings.vertexBudget)),
+                                 boundingDiagonalMetres(mesh) / 8);
+    double given = meanEdgeLengthMetres(mesh);
+    if (given < finestShare * edge || given > coarsestShare * edge ||
+        mesh.vertexCount() > 2 * settings.vertexBudget) {
+        auto remeshed = remesh(
+            mesh, {.edgeLengthMetres = edge},
+            {.progress = [&](double fraction) { control.report(0.1 * fraction, "Remeshing"); },
+             .cancelled = control.cancelled});
+        if (!remeshed)
+            return failure(control.isCancelled() ? std::string(cancelledMessage)
+                                                 : remeshed.error().message);
+        mesh = std::move(*remeshed);
+        given = meanEdgeLengthMetres(mesh);
+        notes = "The surface was remeshed to " + std::to_string(mesh.vertexCount()) + " vertices.";
+    }
+    return servedFrequencyHz(law, settings.material.densityKgPerM3, settings.maxFrequencyHz,
+                             settings.thicknessMetres, fewestEdgesPerWavelength * given);
+}
+
+} // namespace
+
+Result<ShellBody>
+shellBody(const Mesh& surface, const ShellBodySettings& settings, const AnalysisControl& control) {
+    ShellBody result;
+    result.maxFrequencyHz = settings.maxFrequencyHz;
+    BodyModel& body = result.body;
+    body.surface = surface;
+    if (settings.fitsMesh) {
+        const auto served = fitMesh(body.surface, body.notes, settings, control);
+        if (!served)
+            return failure(served.error().message);
+        result.maxFrequencyHz = *served;
+    }
+    const Mesh& mesh = body.surface;
+    body.thicknessMetres = settings.thicknessMetres;
+    body.material = settings.material;
+    body.model = twoLayerShell(mesh, settings.material, settings.thicknessMetres);
+    const Eigen::MatrixXd offsets =
+        layerOffsetMetres(settings.thicknessMetres) * vertexNormals(mesh);
+    body.pointsMetres.resize(2 * mesh.vertexCount(), 3);
+    for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v) {
+        body.pointsMetres.row(2 * v) = mesh.vertices.row(v) + offsets.row(v);
+        body.pointsMetres.row(2 * v + 1) = mesh.vertices.row(v) - offsets.row(v);
+    }
+    if (isTooThick(mesh, settings.thicknessMetres))
+        body.notes += std::string(body.notes.empty() ? "" : " ") +
+                      "The shell is thicker than its curvature allows in places; pitches may be "
+                      "off there.";
+    return result;
+}
+
+} // namespace idiophone

@@ -1,0 +1,31 @@
+// A surface as a two-layer shell, with triangles as fine as the band asks for and the budget
+// allows.
+#pragma once
+
+#include "Analysis/BodyModel.h"
+
+namespace idiophone {
+
+struct ShellBodySettings {
+    Material material;
+    double thicknessMetres = 0.005;
+    double maxFrequencyHz = 44000;
+    int vertexBudget = 4000; ///< about; where the band asks for more they are coarser
+    bool fitsMesh = true;    ///< false leaves the mesh and the band as they are
+};
+
+struct ShellBody {
+    BodyModel body;
+    /// The end of the band that the triangles serve: that asked for, or less where the budget made
+    /// them coarser than four for the shortest wavelength there.
+    double maxFrequencyHz = 0;
+};
+
+/// The surface is remeshed where its triangles are much coarser or finer than they should be; edges
+/// over 40° stay. `surface` is as repairMesh leaves it. Errors, one sentence each: those of remesh,
+/// `cancelledMessage`.
+Result<ShellBody> shellBody(const Mesh& surface,
+                            const ShellBodySettings& settings,
+                            const AnalysisControl& control = {});
+
+} // namespace idiophone

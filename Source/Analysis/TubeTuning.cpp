@@ -1,0 +1,196 @@
+#include "Analysis/TubeTuning.h"
+
+#include "Analysis/BarTuning.h"
+#include "Analysis/Eigensolver.h"
+#include "Analysis/LighterMesh.h"
+#include "Analysis/ModalAnalysis.h"
+#include "Analysis/Radiation.h"
+#include "Analysis/TwoLayerShell.h"
+#include "Geometry/LatheMesh.h"
+#include "Geometry/ParametricMesh.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double toleranceCents = 0.1;
+// As many rows for every length: the pitch is then a smooth function of it. Twice as many would
+// shorten the tubes by 0.5 % and leave the ratios of the modes alone. Every eighth row with every
+// other vertex is the lighter mesh.
+constexpr int around = 20, rows = 240, rowsOfOne = 8;
+
+double meanRadius(const TubeSpecification& tube) {
+    return (tube.outerDiameterMetres - tube.wallMetres) / 2;
+}
+
+Mesh tubeMesh(const TubeSpecification& tube, double lengthMetres) {
+    return hoopMesh(meanRadius(tube), lengthMetres, around, rows);
+}
+
+/// Whether a mode bends the tube as a beam: most of its motion is that of whole sections sideways.
+bool isBending(const Eigen::Ref<const Eigen::VectorXd>& middle,
+               const Eigen::VectorXd& vertexMasses) {
+    double share = 0; // of the modal mass 1
+    for (Eigen::Index first = 0; first < vertexMasses.size(); first += around) {
+        Eigen::Vector2d momentum = Eigen::Vector2d::Zero();
+        for (Eigen::Index v = first; v < first + around; ++v)
+            momentum += vertexMasses(v) * middle.segment<2>(3 * v);
+        share += momentum.squaredNorm() / vertexMasses.segment(first, around).sum();
+    }
+    return share > 0.6;
+}
+
+/// λ of bending modes 1 to 6, the mean of each pair.
+Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
+                                                 double lengthMetres,
+                                                 double highestHz,
+                                                 const AnalysisControl& control) {
+    const auto model = twoLayerShell(tubeMesh(tube, lengthMetres), tube.material, tube.wallMetres);
+    const auto modes = solveModes(model, {.lowestHz = 20, .highestHz = highestHz}, control);
+    if (!modes)
+        return failure(modes.error().message);
+    const Eigen::MatrixXd shapes = midSurfaceShapes(modes->shapes);
+    const Eigen::VectorXd diagonal = model.mass.diagonal();
+    const Eigen::VectorXd vertexMasses = 2 * diagonal(Eigen::seq(0, Eigen::last, 6));
+    std::vector<double> bending;
+    for (Eigen::Index mode = 0; mode < shapes.cols(); ++mode)
+        if (isBending(shapes.col(mode), vertexMasses))
+            bending.push_back(modes->eigenvalues(mode));
+    std::array<double, 6> pairs{};
+    if (bending.size() < 2 * pairs.size())
+        return failure("The tube \"" + tube.name + "\" has no six bending modes below " +
+                       std::to_string(std::lround(highestHz)) + " Hz.");
+    for (std::size_t pair = 0; pair < pairs.size(); ++pair)
+        pairs[pair] = (bending[2 * pair] + bending[2 * pair + 1]) / 2;
+    return pairs;
+}
+
+/// What the tube radiates with its ends closed, as chimes have a cap and the air within moves with
+/// the wall: from the outside alone, where a sheet's other side would nearly cancel it.
+Result<RadiationTable>
+outerRadiation(const Mesh& tube, const ModalObject& object, const AnalysisControl& control) {
+    const auto count = static_cast<int>(tube.vertexCount());
+    const int bottom = count, top = count + 1, lastCircle = count - around;
+    const auto modes = static_cast<Eigen::Index>(object.modeCount());
+    Mesh closed{Eigen::MatrixXd(count + 2, 3), Eigen::MatrixXi(tube.faceCount() + 2 * around, 3)};
+    closed.vertices << tube.vertices, tube.vertices.topRows(around).colwise().mean(),
+        tube.vertices.bottomRows(around).colwise().mean();
+    closed.faces.topRows(tube.faceCount()) = tube.faces;
+    for (int k = 0; k < around; ++k) {
+        const int next = (k + 1) % around;
+        closed.faces.row(tube.faceCount() + 2 * k) << next, k, bottom;
+        closed.faces.row(tube.faceCount() + 2 * k + 1) << lastCircle + k, lastCircle + next, top;
+    }
+    Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(3 * (count + 2), modes);
+    for (int v = 0; v < count; ++v) {
+        const auto values = object.shapesAt(static_cast<std::size_t>(v));
+        for (Eigen::Index mode = 0; mode < modes; ++mode)
+            for (int axis = 0; axis < 3; ++axis)
+                shapes(3 * v + axis, mode) =
+                    static_cast<double>(values[static_cast<std::size_t>(3 * mode + axis)]);
+        if (v < around)
+            shapes.middleRows<3>(3 * bottom) += shapes.middleRows<3>(3 * v) / around;
+        if (v >= lastCircle)
+            shapes.middleRows<3>(3 * top) += shapes.middleRows<3>(3 * v) / around;
+    }
+    const Eigen::VectorXd eigenvalues =
+        Eigen::Map<const Eigen::VectorXd>(object.eigenvalues.data(), modes);
+    return radiationOf({.mesh = closed,
+                        .shapes = shapes,
+                        .eigenvalues = eigenvalues,
+                        .thicknessMetres = 0,
+                        .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
+                       {}, control);
+}
+
+/// Of the half towards the listener, +y, about four around for each row of them along.
+std::vector<int> struckVertices(const Mesh& mesh, const TubeSpecification& tube) {
+    const double radius = meanRadius(tube);
+    std::vector<int> reachable;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        if (mesh.vertices(v, 1) > 0.1 * radius)
+            reachable.push_back(v);
+    Mesh squeezed = mesh;
+    squeezed.vertices.col(2) *= pi * radius / 4 * (tube.shapeVertexCount / 4.0) /
+                                (mesh.vertices.col(2).maxCoeff() - mesh.vertices.col(2).minCoeff());
+    return spreadVertices(squeezed, reachable, static_cast<std::size_t>(tube.shapeVertexCount));
+}
+
+Result<ModalObject>
+analysedTube(const TubeSpecification& tube, double lengthMetres, const AnalysisControl& control) {
+    const Mesh mesh = tubeMesh(tube, lengthMetres);
+    auto object = analyse(mesh,
+                          {.name = tube.name,
+                           .source = tube.source,
+                           .material = tube.material,
+                           .method = AnalysisMethod::twoLayer,
+                           .thicknessMetres = tube.wallMetres,
+                           .maxFrequencyHz = tube.maxFrequencyHz},
+                          control);
+    if (!object)
+        return object;
+    auto radiation = outerRadiation(mesh, *object, control);
+    if (!radiation)
+        return failure(radiation.error().message);
+    object->radiation = std::move(*radiation);
+    const Mesh lighter = hoopMesh(meanRadius(tube), lengthMetres, around / 2, rows / rowsOfOne);
+    return withLighterMesh(*object, lighter, struckVertices(lighter, tube));
+}
+
+bool isUsable(const TubeSpecification& tube) {
+    return tube.noteFrequencyHz >= 20 && tube.wallMetres > 0 &&
+           tube.outerDiameterMetres > 4 * tube.wallMetres && tube.shapeVertexCount >= 1 &&
+           tube.maxFrequencyHz > 5 * tube.noteFrequencyHz;
+}
+
+} // namespace
+
+double slenderTubeLengthMetres(const TubeSpecification& tube, double modeFourHz) {
+    constexpr double betaL = 14.137165491257464; // of a free beam's mode 4
+    const double gyration = meanRadius(tube) / std::sqrt(2.0);
+    const double speed = std::sqrt(tube.material.youngsModulusPa / tube.material.densityKgPerM3);
+    return betaL * std::sqrt(gyration * speed / (2 * pi * modeFourHz));
+}
+
+Result<TunedTube> tuneTube(const TubeSpecification& tube, const AnalysisControl& control) {
+    if (const auto material = validated(tube.material); !material)
+        return failure(material.error().message);
+    if (!isUsable(tube))
+        return failure("The tube \"" + tube.name +
+                       "\" needs a note of 20 Hz or more, a wall thinner than a quarter of its "
+                       "diameter and a band of more than five times its note.");
+    const AnalysisControl quiet{.progress = {}, .cancelled = control.cancelled};
+    const double targetHz = 2 * tube.noteFrequencyHz;
+    TunedTube result;
+    result.lengthMetres = slenderTubeLengthMetres(tube, targetHz);
+    double slope = -2; // d log f / d log L of a slender tube
+    double previousLength = 0, previousCents = 0;
+    for (int step = 0; step < 12; ++step) {
+        control.report(0.03 * step, "Tuning the tube");
+        const auto bending = bendingEigenvalues(tube, result.lengthMetres, 2.3 * targetHz, quiet);
+        if (!bending)
+            return failure(bending.error().message);
+        for (std::size_t mode = 0; mode < bending->size(); ++mode)
+            result.bendingHz[mode] = dampedFrequencyHz((*bending)[mode], tube.material);
+        const double miss = cents(result.bendingHz[3], targetHz);
+        if (std::abs(miss) <= toleranceCents) {
+            auto object = analysedTube(tube, result.lengthMetres, control);
+            if (!object)
+                return failure(object.error().message);
+            result.object = std::move(*object);
+            return result;
+        }
+        if (previousLength > 0)
+            slope = (miss - previousCents) / 1200 / std::log2(result.lengthMetres / previousLength);
+        previousLength = result.lengthMetres;
+        previousCents = miss;
+        result.lengthMetres *= std::exp2(-miss / 1200 / slope);
+    }
+    return failure("The tube \"" + tube.name + "\" could not be tuned.");
+}
+
+} // namespace idiophone

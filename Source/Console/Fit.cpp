@@ -1,0 +1,226 @@
+#include "Analysis/MeasuredObject.h"
+#include "Console/Command.h"
+#include "Console/JsonText.h"
+#include "Console/MaterialChoice.h"
+#include "Console/OptionChecks.h"
+#include "Console/OutputCheck.h"
+#include "Console/WavReader.h"
+#include "Geometry/MeshReader.h"
+#include "Object/ModalObjectFile.h"
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+namespace idiophone {
+namespace {
+
+struct Options {
+    std::vector<std::string> strikes; ///< RECORDING@PLACE
+    std::filesystem::path output;
+    std::string name;
+    std::string material;
+    std::filesystem::path mesh;
+    std::optional<double> massKg;
+    RecordingFitSettings fit;
+    bool json = false;
+};
+
+struct Strike {
+    std::filesystem::path file;
+    StruckPlace place;
+};
+
+constexpr double farthestMetres = 1e4;
+
+std::optional<double> parseNumber(std::string_view text) {
+    double value = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
+        std::abs(value) > farthestMetres)
+        return std::nullopt;
+    return value;
+}
+
+/// The last @ parts file from place, for a file's name may hold some.
+Result<Strike> parseStrike(const std::string& text) {
+    const auto refuse = [&] {
+        return failure(text + ": it is not a recording, an @ and a place: X,Y,Z or a radius, in "
+                              "metres");
+    };
+    const auto at = text.rfind('@');
+    if (at == std::string::npos || at == 0)
+        return refuse();
+    std::vector<double> numbers;
+    std::string_view rest = std::string_view(text).substr(at + 1);
+    while (true) {
+        const auto comma = rest.find(',');
+        const auto number = parseNumber(rest.substr(0, comma));
+        if (!number)
+            return refuse();
+        numbers.push_back(*number);
+        if (comma == std::string_view::npos)
+            break;
+        rest.remove_prefix(comma + 1);
+    }
+    Strike strike{.file = text.substr(0, at), .place = numbers[0]};
+    if (numbers.size() == 3)
+        strike.place = std::array{numbers[0], numbers[1], numbers[2]};
+    else if (numbers.size() != 1 || numbers[0] < 0)
+        return refuse();
+    return strike;
+}
+
+Result<MeasuredObjectSettings> settingsFrom(const Options& options,
+                                            const std::vector<Strike>& strikes) {
+    MeasuredObjectSettings settings;
+    settings.name = options.name.empty() ? options.output.stem().string() : options.name;
+    for (const auto& strike : strikes)
+        settings.source += (settings.source.empty() ? "" : ", ") + strike.file.filename().string();
+    settings.massKg = options.massKg;
+    if (!options.material.empty()) {
+        auto material = findOrReadMaterial(options.material);
+        if (!material)
+            return tl::unexpected(material.error());
+        settings.material = std::move(*material);
+    }
+    if (!options.mesh.empty()) {
+        auto mesh = readMesh(options.mesh);
+        if (!mesh)
+            return tl::unexpected(mesh.error());
+        settings.mesh = std::move(*mesh);
+    }
+    return settings;
+}
+
+Result<RecordingFit> fitFiles(const std::vector<Strike>& strikes,
+                              const RecordingFitSettings& settings) {
+    std::vector<MonoRecording> recordings;
+    for (const auto& strike : strikes) {
+        auto recording = readWav(strike.file);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        recordings.push_back(std::move(*recording));
+    }
+    std::vector<StrikeRecording> views;
+    for (std::size_t i = 0; i < strikes.size(); ++i)
+        views.push_back({.name = strikes[i].file.string(),
+                         .samples = recordings[i].samples,
+                         .sampleRateHz = recordings[i].sampleRateHz});
+    return fitRecordings(views, settings);
+}
+
+/// What the object itself does not say.
+std::string notesOf(const RecordingFit& fit, const ModalObject& object, const Options& options) {
+    std::ostringstream notes;
+    notes << fit.modes.size() << " of the " << fit.modesFound
+          << " modes that the recordings share.";
+    if (options.material.empty())
+        notes << std::setprecision(3) << " Its material is not known: a damping of gamma "
+              << object.material.damping.fluidPerSecond << " 1/s and eta "
+              << object.material.damping.viscoelasticSeconds
+              << " s was fitted to its decays, all else is that of steel.";
+    if (!options.massKg && (options.mesh.empty() || options.material.empty()))
+        notes << " Its mass is not known: it is as loud as " << std::setprecision(3)
+              << object.mass.massKg << " kg are.";
+    for (const auto& remark : fit.remarks)
+        notes << ' ' << remark;
+    return notes.str();
+}
+
+void report(const ModalObject& object, const RecordingFit& fit, const Options& options) {
+    if (options.json) {
+        auto modes = nlohmann::ordered_json::array();
+        for (const auto& mode : fit.modes)
+            modes.push_back({{"frequency_hz", mode.frequencyHz},
+                             {"t60_s", std::log(1000) / mode.decayPerSecond},
+                             {"amplitudes", mode.amplitudes}});
+        std::cout << jsonText({{"object", options.output.string()},
+                               {"name", object.name},
+                               {"vertices", object.vertexCount()},
+                               {"mode_count", object.modeCount()},
+                               {"modes_found", fit.modesFound},
+                               {"unexplained_db", fit.noiseDecibels},
+                               {"material", describe(object.material)},
+                               {"mass_kg", object.mass.massKg},
+                               {"notes", object.provenance.notes},
+                               {"analysis_s", object.provenance.analysisSeconds},
+                               {"modes", modes}});
+        return;
+    }
+    std::cout << std::fixed << std::setprecision(1) << options.output.string() << ": "
+              << object.modeCount() << " modes from " << fit.modes.front().frequencyHz << " to "
+              << fit.modes.back().frequencyHz << " Hz, from " << fit.noiseDecibels.size()
+              << " recordings, in " << object.provenance.analysisSeconds << " s\n"
+              << "What the modes leave of the recordings:";
+    for (const double level : fit.noiseDecibels)
+        std::cout << ' ' << level;
+    std::cout << " dB\n" << object.provenance.notes << std::endl;
+}
+
+Result<void> fitAndWrite(const Options& options) {
+    std::vector<Strike> strikes;
+    for (const auto& text : options.strikes) {
+        auto strike = parseStrike(text);
+        if (!strike)
+            return tl::unexpected(strike.error());
+        strikes.push_back(std::move(*strike));
+    }
+    const auto settings = settingsFrom(options, strikes);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    if (auto writable = checkWritable(options.output); !writable)
+        return writable;
+    const auto start = std::chrono::steady_clock::now();
+    const auto fit = fitFiles(strikes, options.fit);
+    if (!fit)
+        return tl::unexpected(fit.error());
+    std::vector<StruckPlace> places;
+    for (const auto& strike : strikes)
+        places.push_back(strike.place);
+    auto object = measuredObject(*fit, places, *settings);
+    if (!object)
+        return tl::unexpected(object.error());
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    object->provenance.analysisSeconds = taken.count();
+    object->provenance.notes = notesOf(*fit, *object, options);
+    if (auto written = writeModalObject(*object, options.output); !written)
+        return written;
+    report(*object, *fit, options);
+    return {};
+}
+
+} // namespace
+
+void addFit(CLI::App& program, Action& chosen) {
+    auto* command =
+        program.add_subcommand("fit", "Makes a modal object from recordings of strikes");
+    auto options = std::make_shared<Options>();
+    command
+        ->add_option("RECORDING@PLACE", options->strikes,
+                     "WAV files, each of a strike at a place: X,Y,Z or a radius, in metres")
+        ->required();
+    command->add_option("-o,--output", options->output, "The .modal file to write")->required();
+    command->add_option("--name", options->name, "The object's name; else the output's");
+    command->add_option("--modes", options->fit.modeCount, "At most so many: the strongest")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--mesh", options->mesh,
+                        "What was struck, in metres; else a surface through the places");
+    command->add_option("--material", options->material,
+                        "A material's name or a JSON file; else its damping is fitted");
+    command->add_option("--mass", options->massKg, "In kilograms")->check(numberBetween(1e-6, 1e6));
+    command
+        ->add_option("--contact-time", options->fit.contactSeconds,
+                     "How long the striker touched, in seconds: its spectrum is taken out")
+        ->check(numberBetween(1e-6, 0.1));
+    command->add_flag("--json", options->json, "Reports as JSON");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return fitAndWrite(*options); }; });
+}
+
+} // namespace idiophone

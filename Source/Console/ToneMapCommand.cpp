@@ -1,0 +1,129 @@
+#include "Analysis/ToneMap.h"
+#include "Console/Command.h"
+#include "Console/JsonText.h"
+#include "Console/OutputCheck.h"
+#include "Geometry/ColourMap.h"
+#include "Geometry/MeshWriter.h"
+#include "Geometry/ShapeMesh.h"
+#include "Object/ModalObjectFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+
+namespace idiophone {
+namespace {
+
+struct Options {
+    std::filesystem::path object;
+    std::filesystem::path output;
+    bool json = false;
+};
+
+struct Range {
+    std::size_t lowest = 0, highest = 0; ///< rows
+    std::size_t silent = 0;
+};
+
+/// Over what sounds; the error where nothing does.
+Result<Range> rangeOf(const std::vector<double>& brightness, const Options& options) {
+    Range range;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+    for (std::size_t row = 0; row < brightness.size(); ++row) {
+        const double hz = brightness[row];
+        range.silent += hz > 0 ? 0 : 1;
+        if (hz > 0 && hz < lowest) {
+            lowest = hz;
+            range.lowest = row;
+        }
+        if (hz > highest) {
+            highest = hz;
+            range.highest = row;
+        }
+    }
+    if (highest == 0)
+        return failure(options.object.string() + ": nothing in it can be heard");
+    return range;
+}
+
+/// Equal steps of colour are equal ratios of frequency.
+VertexFigures figuresOf(const std::vector<double>& brightness, const Range& range) {
+    VertexFigures figures{.name = "brightness_hz", .values = brightness, .colours = {}};
+    const double lowest = std::log(brightness[range.lowest]);
+    const double span = std::log(brightness[range.highest]) - lowest;
+    for (const double hz : brightness)
+        figures.colours.push_back(viridis(hz > 0 && span > 0 ? (std::log(hz) - lowest) / span : 0));
+    return figures;
+}
+
+void report(const ModalObject& object,
+            const Mesh& mesh,
+            const std::vector<double>& brightness,
+            const Range& range,
+            const Options& options) {
+    const auto point = [&](std::size_t row) {
+        const Eigen::RowVector3d place = mesh.vertices.row(static_cast<Eigen::Index>(row));
+        return std::array{place.x(), place.y(), place.z()};
+    };
+    if (options.json) {
+        const auto end = [&](std::size_t row) {
+            return nlohmann::ordered_json{{"brightness_hz", brightness[row]},
+                                          {"vertex", object.shapeVertices[row]},
+                                          {"point_m", point(row)}};
+        };
+        std::cout << jsonText({{"map", options.output.string()},
+                               {"vertices", brightness.size()},
+                               {"silent_vertices", range.silent},
+                               {"darkest", end(range.lowest)},
+                               {"brightest", end(range.highest)}});
+        return;
+    }
+    const auto tell = [&](const char* what, std::size_t row) {
+        const auto place = point(row);
+        std::cout << std::setprecision(1) << what << brightness[row] << " Hz at vertex "
+                  << object.shapeVertices[row] << std::setprecision(4) << " (" << place[0] << ", "
+                  << place[1] << ", " << place[2] << " m)";
+    };
+    std::cout << std::fixed << options.output.string() << ": " << brightness.size()
+              << " vertices, ";
+    tell("darkest ", range.lowest);
+    tell(", brightest ", range.highest);
+    std::cout << '\n' << std::flush;
+}
+
+Result<void> mapObject(const Options& options) {
+    const auto object = readModalObject(options.object);
+    if (!object)
+        return tl::unexpected(object.error());
+    if (options.output.extension() != ".ply")
+        return failure(options.output.string() + ": its extension is not .ply");
+    if (auto writable = checkWritable(options.output); !writable)
+        return writable;
+    const auto brightness = brightnessHz(*object, vertexNormals(*object));
+    const auto range = rangeOf(brightness, options);
+    if (!range)
+        return tl::unexpected(range.error());
+    const auto mesh = shapeMesh(*object);
+    if (auto written = writeColouredMesh(mesh, figuresOf(brightness, *range), options.output);
+        !written)
+        return written;
+    report(*object, mesh, brightness, *range, options);
+    return {};
+}
+
+} // namespace
+
+void addToneMap(CLI::App& program, Action& chosen) {
+    auto* command = program.add_subcommand(
+        "map", "Colours an object's surface by how bright it sounds where it is struck");
+    auto options = std::make_shared<Options>();
+    command->add_option("OBJECT", options->object, "A .modal file")->required();
+    command->add_option("-o,--output", options->output, "The .ply file to write")->required();
+    command->add_flag("--json", options->json, "Reports as JSON");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return mapObject(*options); }; });
+}
+
+} // namespace idiophone

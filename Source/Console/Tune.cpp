@@ -1,0 +1,249 @@
+#include "Analysis/FactoryBars.h"
+#include "Console/Command.h"
+#include "Console/Interrupt.h"
+#include "Console/MaterialChoice.h"
+#include "Console/OptionChecks.h"
+#include "Console/OutputCheck.h"
+#include "Console/ProgressLine.h"
+#include "Geometry/MeshWriter.h"
+#include "Instrument/Preset.h"
+#include "Object/ModalObjectFile.h"
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+namespace idiophone {
+namespace {
+
+struct Options {
+    std::string instrument;
+    std::filesystem::path folder;
+    std::optional<int> lowestNote, highestNote;
+    double a4Hz = 440;
+    std::vector<double> scaleCents;
+    std::string material;
+    double widthMetres = 0, heightMetres = 0;
+    std::vector<double> ratios;
+    bool meshesOnly = false;
+};
+
+/// The pitch of a note: of equal temperament, or of a scale of twelve, C to B, in which A is as
+/// asked for.
+double pitchHz(const Options& options, int note) {
+    if (options.scaleCents.empty())
+        return options.a4Hz * noteFrequencyHz(note) / 440;
+    constexpr int a = 9, a4Octave = 5;
+    const double cents = options.scaleCents[static_cast<std::size_t>(note % 12)] -
+                         options.scaleCents[a] + 1200.0 * (note / 12 - a4Octave);
+    return options.a4Hz * std::exp2(cents / 1200);
+}
+
+Result<void> check(const Options& options, const BarInstrument& instrument) {
+    if (!options.scaleCents.empty() && options.scaleCents.size() != 12)
+        return failure("--scale: it needs twelve figures in cents, C to B");
+    if (options.ratios.size() > 2)
+        return failure("--ratios: it takes at most two, those of the second and the third partial");
+    if (options.lowestNote.value_or(instrument.lowestNote) >
+        options.highestNote.value_or(instrument.highestNote))
+        return failure("--to: it is lower than --from");
+    std::error_code fault;
+    std::filesystem::create_directories(options.folder, fault);
+    if (!std::filesystem::is_directory(options.folder, fault))
+        return failure(options.folder.string() + ": the directory cannot be made");
+    return {};
+}
+
+Result<BarSpecification>
+specification(const Options& options, const BarInstrument& instrument, int note) {
+    auto bar = instrument.barAt(note, pitchHz(options, note));
+    if (!options.material.empty()) {
+        auto material = findOrReadMaterial(options.material);
+        if (!material)
+            return tl::unexpected(material.error());
+        bar.material = std::move(*material);
+    }
+    if (options.widthMetres > 0)
+        bar.shape.widthMetres = options.widthMetres;
+    if (options.heightMetres > 0) {
+        const double scale = options.heightMetres / bar.shape.heightMetres;
+        bar.shape.heightMetres *= scale;
+        bar.shape.centreHeightMetres *= scale;
+        bar.shape.endHeightMetres *= scale;
+    }
+    if (!options.ratios.empty()) {
+        bar.targets.secondRatio = options.ratios[0];
+        bar.targets.thirdRatio = options.ratios.size() > 1 ? options.ratios[1] : 0;
+    }
+    return bar;
+}
+
+/// Where the fundamental does not move along the middle of the top, in metres from the left end:
+/// where cords go through.
+std::vector<double> nodesMetres(const TunedBar& bar) {
+    const auto& object = bar.object;
+    const auto mode = static_cast<std::size_t>(bar.bendingModes.front());
+    const std::size_t lines = object.shapeVertexCount() / BarOutline::topAcross;
+    std::vector<double> nodes;
+    const auto at = [&](std::size_t line) {
+        const std::size_t row = lines + line; // the middle of the width
+        return std::pair{static_cast<double>(object.vertices[3 * row]) + bar.shape.lengthMetres / 2,
+                         static_cast<double>(object.shapesAt(row)[3 * mode + 2])};
+    };
+    for (std::size_t line = 0; line + 1 < lines; ++line) {
+        const auto [x0, z0] = at(line);
+        const auto [x1, z1] = at(line + 1);
+        if ((z0 < 0) != (z1 < 0))
+            nodes.push_back(std::lerp(x0, x1, z0 / (z0 - z1)));
+    }
+    return nodes;
+}
+
+constexpr const char* tableHead =
+    "note,frequency_hz,miss_cents,second_ratio,third_ratio,length_mm,width_mm,height_mm,"
+    "centre_height_mm,end_height_mm,arch_length_mm,arch_exponent,left_cord_mm,right_cord_mm,"
+    "tube_length_mm,tube_radius_mm";
+
+std::string tableRow(const BarSpecification& asked, const TunedBar& bar, int note) {
+    std::ostringstream row;
+    row.imbue(std::locale::classic());
+    const auto& shape = bar.shape;
+    const auto& partials = bar.partialsHz;
+    const auto nodes = nodesMetres(bar);
+    const bool isArched = shape.centreHeightMetres < shape.heightMetres;
+    row << note << std::fixed << std::setprecision(3) << ',' << partials[0] << ','
+        << cents(partials[0], asked.targets.fundamentalHz);
+    for (std::size_t k = 1; k < 3; ++k) {
+        row << ',';
+        if (k < partials.size())
+            row << partials[k] / partials[0];
+    }
+    for (const double metres :
+         {shape.lengthMetres, shape.widthMetres, shape.heightMetres, shape.centreHeightMetres,
+          shape.endHeightMetres, isArched ? 2 * shape.archHalfLengthShare * shape.lengthMetres : 0})
+        row << ',' << 1000 * metres;
+    row << ',' << shape.archExponent;
+    for (std::size_t k = 0; k < 2; ++k) {
+        row << ',';
+        if (nodes.size() == 2)
+            row << 1000 * nodes[k];
+    }
+    if (asked.resonator)
+        row << ',' << 1000 * tubeLengthMetres(*asked.resonator) << ','
+            << 1000 * asked.resonator->radiusMetres;
+    else
+        row << ",,";
+    return row.str();
+}
+
+Result<void> writeBar(const TunedBar& bar, const Options& options) {
+    const auto stem = options.folder / bar.object.name;
+    Mesh inMillimetres = bar.surface;
+    inMillimetres.vertices *= 1000;
+    if (auto written = writeMesh(inMillimetres, stem.string() + ".obj"); !written)
+        return written;
+    if (options.meshesOnly)
+        return {};
+    return writeModalObject(bar.object, stem.string() + ".modal", ShapePrecision::half);
+}
+
+Result<void>
+writePreset(const Options& options, const BarInstrument& instrument, int from, int to) {
+    Preset preset;
+    preset.name = "Tuned " + std::string(instrument.name);
+    preset.description = "Made by idiophone tune.";
+    preset.keyMap = {.kind = KeyMapKind::bars,
+                     .lowestNote = from,
+                     .highestNote = to,
+                     .object = (std::filesystem::absolute(options.folder) /
+                                (std::string(instrument.name) + "-{note}.modal"))
+                                   .string()};
+    std::ofstream file(options.folder / (std::string(instrument.name) + ".json"));
+    file << encodePreset(preset) << '\n';
+    if (!file.flush())
+        return failure(options.folder.string() + ": the preset cannot be written");
+    return {};
+}
+
+Result<void> tuneKeyboard(const Options& options) {
+    const BarInstrument* instrument = findBarInstrument(options.instrument);
+    if (auto fine = check(options, *instrument); !fine)
+        return fine;
+    const auto tablePath = options.folder / "bars.csv";
+    if (auto writable = checkWritable(tablePath); !writable)
+        return writable;
+    std::ofstream table(tablePath);
+    table << tableHead << '\n';
+    const int from = options.lowestNote.value_or(instrument->lowestNote);
+    const int to = options.highestNote.value_or(instrument->highestNote);
+    for (int note = from; note <= to; ++note) {
+        const auto asked = specification(options, *instrument, note);
+        if (!asked)
+            return tl::unexpected(asked.error());
+        const auto bar = [&] {
+            ProgressLine progress(asked->name);
+            return tuneBar(
+                *asked, {.progress = [&](double fraction,
+                                         std::string_view step) { progress.show(fraction, step); },
+                         .cancelled = &interruptRequested()});
+        }();
+        if (!bar)
+            return tl::unexpected(bar.error());
+        if (auto written = writeBar(*bar, options); !written)
+            return written;
+        const auto row = tableRow(*asked, *bar, note);
+        table << row << std::endl;
+        std::cout << asked->name << ": " << std::fixed << std::setprecision(2) << bar->partialsHz[0]
+                  << " Hz, " << std::setprecision(1) << 1000 * bar->shape.lengthMetres
+                  << " mm long, " << 1000 * bar->shape.centreHeightMetres
+                  << " mm thick in the middle" << std::endl;
+    }
+    if (!table)
+        return failure(tablePath.string() + ": it cannot be written");
+    return options.meshesOnly ? Result<void>() : writePreset(options, *instrument, from, to);
+}
+
+} // namespace
+
+void addTune(CLI::App& program, Action& chosen) {
+    auto* command = program.add_subcommand(
+        "tune",
+        "Makes the bars of a keyboard: objects to play, meshes to cut, a table of measures");
+    auto options = std::make_shared<Options>();
+    std::vector<std::string> names;
+    for (const auto& instrument : barInstruments())
+        names.emplace_back(instrument.name);
+    command->add_option("INSTRUMENT", options->instrument, "The kind of bar to start from")
+        ->required()
+        ->check(CLI::IsMember(names));
+    command->add_option("-o,--output", options->folder, "The directory to write to")->required();
+    command->add_option("--from", options->lowestNote, "The lowest MIDI note")
+        ->check(CLI::Range(0, 127));
+    command->add_option("--to", options->highestNote, "The highest")->check(CLI::Range(0, 127));
+    command->add_option("--a4", options->a4Hz, "The pitch of A4, in Hz")
+        ->check(numberBetween(200, 900))
+        ->capture_default_str();
+    command
+        ->add_option("--scale", options->scaleCents,
+                     "Twelve pitches in cents, C to B; else equal temperament")
+        ->delimiter(',');
+    command->add_option("--material", options->material, "A material's name or a JSON file");
+    command->add_option("--width", options->widthMetres, "Of all bars, in metres")
+        ->check(numberBetween(1e-3, 10));
+    command->add_option("--height", options->heightMetres, "Of all bars, in metres")
+        ->check(numberBetween(1e-3, 1));
+    command
+        ->add_option("--ratios", options->ratios,
+                     "Of the second and third partial, such as 4,10; 0: wherever it falls")
+        ->delimiter(',')
+        ->check(numberBetween(0, 100));
+    command->add_flag("--meshes-only", options->meshesOnly, "Neither objects nor a preset");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return tuneKeyboard(*options); }; });
+}
+
+} // namespace idiophone

@@ -1,0 +1,14 @@
+// Colours for figures on a surface: the perceptually uniform map "viridis".
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace idiophone {
+
+/// Dark violet at 0 over green to yellow at 1, equal steps looking equally far; what is beyond gets
+/// the colour of that end. Viridis, by Nathaniel Smith and Stefan van der Walt (2015, CC0), at 17
+/// places with straight lines between.
+std::array<std::uint8_t, 3> viridis(double share);
+
+} // namespace idiophone

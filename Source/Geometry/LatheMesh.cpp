@@ -1,0 +1,157 @@
+#include "Geometry/LatheMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double cornerCosine = 0.866; // of 30°
+
+Eigen::Vector2d placeOf(const LathePoint& point) {
+    return {point.radiusMetres, point.heightMetres};
+}
+
+LathePoint between(const LathePoint& a, const LathePoint& b, double way) {
+    return {std::lerp(a.radiusMetres, b.radiusMetres, way),
+            std::lerp(a.heightMetres, b.heightMetres, way),
+            std::lerp(a.thicknessMetres, b.thicknessMetres, way)};
+}
+
+bool isCorner(const std::vector<LathePoint>& section, std::size_t i) {
+    const Eigen::Vector2d before = placeOf(section[i]) - placeOf(section[i - 1]);
+    const Eigen::Vector2d after = placeOf(section[i + 1]) - placeOf(section[i]);
+    return before.dot(after) < cornerCosine * before.norm() * after.norm();
+}
+
+/// The points of section[first … last] in even steps of about `step`, without the first one.
+void appendEvenly(const std::vector<LathePoint>& section,
+                  std::size_t first,
+                  std::size_t last,
+                  double step,
+                  std::vector<LathePoint>& rows) {
+    std::vector<double> lengths{0};
+    for (std::size_t i = first; i < last; ++i)
+        lengths.push_back(lengths.back() + (placeOf(section[i + 1]) - placeOf(section[i])).norm());
+    const int steps = std::max(1, static_cast<int>(std::lround(lengths.back() / step)));
+    std::size_t segment = 0;
+    for (int k = 1; k < steps; ++k) {
+        const double at = lengths.back() * k / steps;
+        while (lengths[segment + 1] < at)
+            ++segment;
+        rows.push_back(
+            between(section[first + segment], section[first + segment + 1],
+                    (at - lengths[segment]) / (lengths[segment + 1] - lengths[segment])));
+    }
+    rows.push_back(section[last]);
+}
+
+std::vector<LathePoint> evenRows(const std::vector<LathePoint>& section, double step) {
+    std::vector<LathePoint> rows{section.front()};
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < section.size(); ++i)
+        if (i + 1 == section.size() || isCorner(section, i)) {
+            appendEvenly(section, first, i, step, rows);
+            first = i;
+        }
+    return rows;
+}
+
+/// Vertices on the circle: 1 at a pole, else 6, 12, or a multiple of 24.
+int countAround(double radiusMetres, double edgeMetres) {
+    const double wanted = 2 * pi * radiusMetres / edgeMetres;
+    if (radiusMetres == 0)
+        return 1;
+    if (wanted < 18)
+        return wanted < 9 ? 6 : 12;
+    return 24 * std::max(1, static_cast<int>(std::lround(wanted / 24)));
+}
+
+struct Circle {
+    int firstVertex = 0;
+    int count = 1;
+    double turn = 0; ///< of vertex 0, in radians
+
+    double angle(int k) const { return turn + 2 * pi * k / count; }
+    int vertex(int k) const { return firstVertex + k % count; }
+};
+
+/// The band between two circles: walks both at once, always advancing on the one whose next segment
+/// lies further back.
+void stitch(const Circle& lower, const Circle& upper, std::vector<Eigen::RowVector3i>& faces) {
+    const int lowerSteps = lower.count > 1 ? lower.count : 0;
+    const int upperSteps = upper.count > 1 ? upper.count : 0;
+    constexpr double tie = 1e-9; // rounding must not decide, or the sectors would differ
+    int i = 0, j = 0;
+    while (i < lowerSteps || j < upperSteps) {
+        const bool advanceLower =
+            j == upperSteps || (i < lowerSteps && lower.angle(i) + lower.angle(i + 1) <
+                                                      upper.angle(j) + upper.angle(j + 1) + tie);
+        if (advanceLower) {
+            faces.emplace_back(lower.vertex(i), lower.vertex(i + 1), upper.vertex(j));
+            ++i;
+        } else {
+            faces.emplace_back(lower.vertex(i), upper.vertex(j + 1), upper.vertex(j));
+            ++j;
+        }
+    }
+}
+
+} // namespace
+
+LatheMesh latheMesh(const std::vector<LathePoint>& section, double edgeMetres) {
+    const auto rows = evenRows(section, edgeMetres * std::sqrt(3.0) / 2);
+    std::vector<Circle> circles;
+    std::vector<Eigen::RowVector3i> faces;
+    int vertexCount = 0;
+    for (const auto& row : rows) {
+        Circle circle{.firstVertex = vertexCount,
+                      .count = countAround(row.radiusMetres, edgeMetres)};
+        if (!circles.empty() && circles.back().count == circle.count && circles.back().turn == 0)
+            circle.turn = pi / circle.count;
+        vertexCount += circle.count;
+        if (!circles.empty())
+            stitch(circles.back(), circle, faces);
+        circles.push_back(circle);
+    }
+    LatheMesh result{.mesh = {Eigen::MatrixXd(vertexCount, 3),
+                              Eigen::MatrixXi(static_cast<Eigen::Index>(faces.size()), 3)},
+                     .thicknessMetres = Eigen::VectorXd(vertexCount)};
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        for (int k = 0; k < circles[row].count; ++k) {
+            const double angle = circles[row].angle(k);
+            result.mesh.vertices.row(circles[row].vertex(k))
+                << rows[row].radiusMetres * std::cos(angle),
+                rows[row].radiusMetres * std::sin(angle), rows[row].heightMetres;
+            result.thicknessMetres(circles[row].vertex(k)) = rows[row].thicknessMetres;
+        }
+    for (std::size_t face = 0; face < faces.size(); ++face)
+        result.mesh.faces.row(static_cast<Eigen::Index>(face)) = faces[face];
+    return result;
+}
+
+std::vector<int>
+spreadVertices(const Mesh& mesh, const std::vector<int>& candidates, std::size_t count) {
+    std::vector<int> chosen;
+    std::vector<double> distance2(candidates.size(), std::numeric_limits<double>::infinity());
+    while (chosen.size() < std::min(count, candidates.size())) {
+        // A hair of preference for the earlier keeps rounding from choosing among equals.
+        std::size_t next = 0;
+        for (std::size_t i = 1; i < candidates.size(); ++i)
+            if (distance2[i] > distance2[next] * (1 + 1e-9))
+                next = i;
+        const int vertex = candidates[next];
+        chosen.push_back(vertex);
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            distance2[i] = std::min(
+                distance2[i],
+                (mesh.vertices.row(candidates[i]) - mesh.vertices.row(vertex)).squaredNorm());
+    }
+    std::ranges::sort(chosen);
+    return chosen;
+}
+
+} // namespace idiophone

@@ -1,0 +1,95 @@
+#include "Geometry/TurnedSections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+constexpr int steps = 40; // of a curve: finer than any mesh of it
+constexpr double quarterTurn = std::numbers::pi / 2;
+
+/// Chosen with the measures of the factory's handbell, whose (3,0) is to be a twelfth above (2,0).
+constexpr double flareExponent = 2;
+constexpr double lipShare = 0.25; // of the height
+
+} // namespace
+
+std::vector<LathePoint> bellSection(const BellMeasures& bell) {
+    std::vector<LathePoint> section;
+    const double sideHeight = bell.heightMetres - bell.shoulderCurveMetres;
+    for (int k = 0; k <= steps; ++k) {
+        const double way = static_cast<double>(k) / steps;
+        const double flare = std::pow(1 - way, flareExponent);
+        const double inLip = std::max(0.0, 1 - way * sideHeight / (lipShare * bell.heightMetres));
+        section.push_back(
+            {.radiusMetres = std::lerp(bell.shoulderRadiusMetres, bell.lipRadiusMetres, flare),
+             .heightMetres = way * sideHeight,
+             .thicknessMetres =
+                 std::lerp(bell.sideThicknessMetres, bell.lipThicknessMetres, inLip)});
+    }
+    for (int k = 1; k <= steps; ++k) {
+        const double way = static_cast<double>(k) / steps, angle = way * quarterTurn;
+        section.push_back({.radiusMetres = bell.shoulderRadiusMetres -
+                                           bell.shoulderCurveMetres * (1 - std::cos(angle)),
+                           .heightMetres = sideHeight + bell.shoulderCurveMetres * std::sin(angle),
+                           .thicknessMetres = std::lerp(bell.sideThicknessMetres,
+                                                        bell.crownThicknessMetres, way)});
+    }
+    section.push_back({.radiusMetres = 0,
+                       .heightMetres = bell.heightMetres,
+                       .thicknessMetres = bell.crownThicknessMetres});
+    return section;
+}
+
+std::vector<LathePoint> bowlSection(const BowlMeasures& bowl) {
+    std::vector<LathePoint> section{{0, 0, bowl.footThicknessMetres}};
+    for (int k = 0; k <= steps; ++k) {
+        const double way = static_cast<double>(k) / steps, angle = way * quarterTurn;
+        section.push_back(
+            {.radiusMetres =
+                 std::lerp(bowl.footRadiusMetres, bowl.rimRadiusMetres, std::sin(angle)),
+             .heightMetres = bowl.heightMetres * (1 - std::cos(angle)),
+             .thicknessMetres = std::lerp(bowl.footThicknessMetres, bowl.rimThicknessMetres, way)});
+    }
+    return section;
+}
+
+std::vector<LathePoint>
+capSection(double rimRadiusMetres, double depthMetres, double thicknessMetres) {
+    const double sphere =
+        (rimRadiusMetres * rimRadiusMetres + depthMetres * depthMetres) / (2 * depthMetres);
+    const double opening = std::atan2(rimRadiusMetres, sphere - depthMetres);
+    std::vector<LathePoint> section;
+    for (int k = 0; k <= steps; ++k) {
+        const double angle = opening * k / steps;
+        section.push_back(
+            {sphere * std::sin(angle), sphere * (1 - std::cos(angle)), thicknessMetres});
+    }
+    return section;
+}
+
+std::vector<LathePoint> caseSection(const CaseMeasures& measures) {
+    const double corner = measures.cornerMetres;
+    std::vector<LathePoint> section{{0, 0, measures.baseThicknessMetres}};
+    for (int k = 0; k <= steps; ++k) {
+        const double way = static_cast<double>(k) / steps, angle = way * quarterTurn;
+        section.push_back(
+            {.radiusMetres = measures.baseRadiusMetres - corner * (1 - std::sin(angle)),
+             .heightMetres = corner * (1 - std::cos(angle)),
+             .thicknessMetres =
+                 std::lerp(measures.baseThicknessMetres, measures.wallThicknessMetres, way)});
+    }
+    const double wall = measures.heightMetres - corner;
+    const double taper = wall - measures.mouthHeightMetres;
+    for (const double height : {taper, wall})
+        section.push_back(
+            {.radiusMetres = measures.mouthRadiusMetres,
+             .heightMetres = corner + height,
+             .thicknessMetres = std::lerp(measures.wallThicknessMetres,
+                                          measures.mouthThicknessMetres, height / wall)});
+    return section;
+}
+
+} // namespace idiophone

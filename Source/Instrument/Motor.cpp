@@ -1,0 +1,24 @@
+#include "Instrument/Motor.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+
+float Motor::advance(double turnsPerSecond, double depth) {
+    constexpr double smoothingSeconds = 0.01;
+    turn += turnsPerSecond * cellSeconds;
+    turn -= std::floor(turn);
+    depthNow += (depth - depthNow) * (1 - std::exp(-cellSeconds / smoothingSeconds));
+    if (std::abs(depth - depthNow) < 1e-6)
+        depthNow = depth;
+    if (depthNow == 0)
+        return 1;
+    return static_cast<float>(1 - depthNow * (1 - std::cos(4 * std::numbers::pi * turn)) / 2);
+}
+
+void Motor::reset() {
+    turn = depthNow = 0;
+}
+
+} // namespace idiophone

@@ -1,0 +1,116 @@
+// The bars that ship: every one as stored, and one an octave solved anew.
+#include "Analysis/FactoryObjects.h"
+#include "Analysis/FactoryBars.h"
+#include "Object/ModalObjectFile.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+using namespace idiophone;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+const std::filesystem::path folder =
+    std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" / "Objects";
+
+ModalObject stored(const std::string& name) {
+    auto object = readModalObject(folder / (name + ".modal"));
+    INFO(name);
+    REQUIRE(object);
+    return std::move(*object);
+}
+
+} // namespace
+
+TEST_CASE("The factory makes just the objects that are stored, under 10 MB together") {
+    std::set<std::string> made, found;
+    for (const auto& name : factoryObjectNames())
+        CHECK(made.insert(name + ".modal").second);
+    std::uintmax_t bytes = 0;
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+        found.insert(file.path().filename().string());
+        bytes += file.file_size();
+    }
+    CHECK(made == found);
+    CHECK(bytes < 10'000'000);
+}
+
+TEST_CASE(
+    "Every stored bar is in tune: the fundamental within 1 cent, a tuned second partial within "
+    "5, a third within 10") {
+    for (const auto& instrument : barInstruments())
+        for (int note = instrument.lowestNote; note <= instrument.highestNote; ++note) {
+            const auto asked = instrument.barAt(note, noteFrequencyHz(note));
+            const auto bar = stored(asked.name);
+            INFO(asked.name);
+            const auto modes = verticalBendingModes(bar);
+            const auto missCents = [&](std::size_t partial, double ratio) {
+                const double lambda = bar.eigenvalues[static_cast<std::size_t>(modes.at(partial))];
+                return cents(dampedFrequencyHz(lambda, bar.material),
+                             ratio * noteFrequencyHz(note));
+            };
+            CHECK_THAT(missCents(0, 1), WithinAbs(0, 1));
+            if (asked.targets.secondRatio > 0)
+                CHECK_THAT(missCents(1, asked.targets.secondRatio), WithinAbs(0, 5));
+            if (asked.targets.thirdRatio > 0)
+                CHECK_THAT(missCents(2, asked.targets.thirdRatio), WithinAbs(0, 10));
+        }
+}
+
+TEST_CASE("The xylophones' bars decay within a factor of 1.5 of Chaigne and Doutaut's law") {
+    struct Law {
+        const char* instrument;
+        double fluidPerSecond, viscoelasticSeconds; // Table I
+    };
+    for (const auto& law :
+         {Law{"xylophone", 51.58, 2.35e-7}, Law{"padauk-xylophone", 12.44, 9.16e-8}}) {
+        const auto* instrument = findBarInstrument(law.instrument);
+        REQUIRE(instrument != nullptr);
+        for (int note = instrument->lowestNote; note <= instrument->highestNote; ++note) {
+            const auto bar = stored(instrument->barName(note));
+            const auto mode = static_cast<std::size_t>(verticalBendingModes(bar).front());
+            const double published =
+                (law.fluidPerSecond + law.viscoelasticSeconds * bar.eigenvalues[mode]) / 2;
+            INFO(instrument->barName(note));
+            CHECK((bar.decaysPerSecond.at(mode) / published < 1.5 &&
+                   bar.decaysPerSecond[mode] / published > 1 / 1.5));
+        }
+    }
+}
+
+TEST_CASE(
+    "A resonator lets the fundamental gain and decay faster, and in the xylophone the twelfth") {
+    for (const char* name : {"xylophone-77", "marimba-69", "vibraphone-65"}) {
+        const auto bar = stored(name);
+        const auto modes = verticalBendingModes(bar);
+        const auto excess = [&](std::size_t partial) {
+            return bar.dampingRatio(static_cast<std::size_t>(modes.at(partial))) - 1;
+        };
+        INFO(name);
+        CHECK(excess(0) > 1e-3);
+        if (std::string(name).starts_with("xylophone"))
+            CHECK(excess(1) > 1e-3);
+        else
+            CHECK(excess(1) < excess(0) / 20);
+    }
+}
+
+TEST_CASE("One bar an octave of each instrument, solved anew, is the one that is stored") {
+    for (const auto& instrument : barInstruments())
+        for (int note = instrument.lowestNote; note <= instrument.highestNote; note += 12) {
+            const auto anew = makeFactoryObject(instrument.barName(note));
+            INFO(instrument.barName(note));
+            REQUIRE(anew);
+            const auto bar = stored(instrument.barName(note));
+            REQUIRE(anew->modeCount() == bar.modeCount());
+            for (std::size_t mode = 0; mode < bar.modeCount(); ++mode)
+                CHECK_THAT(bar.eigenvalues[mode], WithinRel(anew->eigenvalues[mode], 1e-6));
+            CHECK(bar.faces == anew->faces);
+            CHECK(bar.provenance.analysedVertices == anew->provenance.analysedVertices);
+        }
+}

@@ -1,0 +1,45 @@
+#include "Instrument/Motor.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <vector>
+
+using namespace idiophone;
+using Catch::Matchers::WithinAbs;
+
+TEST_CASE("The discs open and close twice a turn, as deep as asked for") {
+    constexpr double cellSeconds = 1.0 / 1000;
+    Motor motor(cellSeconds);
+    std::vector<float> gains;
+    for (int k = 0; k < 3000; ++k)
+        gains.push_back(motor.advance(2.5, 0.6));
+    const auto [least, greatest] = std::minmax_element(gains.begin() + 1000, gains.end());
+    CHECK_THAT(*least, WithinAbs(0.4, 1e-3));
+    CHECK_THAT(*greatest, WithinAbs(1, 1e-3));
+    int openings = 0;
+    for (std::size_t k = 1001; k + 1 < gains.size(); ++k)
+        openings += gains[k] > gains[k - 1] && gains[k] >= gains[k + 1] ? 1 : 0;
+    CHECK(openings == 10); // 2 s at five a second
+}
+
+TEST_CASE("Without depth the gain is one, and after a reset the motor starts anew") {
+    Motor motor(0.001);
+    for (int k = 0; k < 100; ++k)
+        CHECK(motor.advance(12, 0) == 1);
+    Motor fresh(0.001);
+    motor.reset();
+    for (int k = 0; k < 1000; ++k)
+        CHECK(motor.advance(3, 1) == fresh.advance(3, 1));
+}
+
+TEST_CASE("A motor that starts, stops or deepens never steps by more than an eighth a cell") {
+    Motor motor(64.0 / 48000);
+    float before = 1;
+    for (int k = 0; k < 4000; ++k) {
+        const float gain = motor.advance(k / 500 % 2 == 0 ? 12 : 0, k / 300 % 2 == 0 ? 1 : 0);
+        CHECK(std::abs(gain - before) < 0.13f);
+        before = gain;
+    }
+}

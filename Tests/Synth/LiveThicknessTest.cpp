@@ -1,0 +1,73 @@
+// A shell whose thickness changes while it sounds.
+#include "Support/PoleFit.h"
+#include "Synth/ModalReference.h"
+
+#include <array>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRate = 48000;
+
+/// A mode of membrane alone, one of bending alone, and one that is half of each.
+ModalObject shell() {
+    ModalObject object = syntheticObject({300, 1000, 4000});
+    object.bending = {0, object.eigenvalues[1], object.eigenvalues[2] / 2};
+    return object;
+}
+
+std::vector<float> rendered(const ModalObject& object, double thicknessRatio) {
+    Synthesiser synthesiser({slotOf(object)}, sampleRate);
+    auto settings = exactSettings();
+    settings.thicknessRatio = thicknessRatio;
+    synthesiser.setSettings(settings);
+    return render(synthesiser, {{0, unitStrike()}}, static_cast<int>(0.4 * sampleRate / 64));
+}
+
+double foundHz(std::span<const float> signal, double nearHz) {
+    return fitPole(signal, sampleRate, nearHz, 0.1).frequencyHz;
+}
+
+} // namespace
+
+TEST_CASE("Twice as thick, a membrane's mode stays, a bending one is an octave higher") {
+    const auto output = rendered(shell(), 2);
+    CHECK(foundHz(output, 300) == Approx(300).epsilon(1e-4));
+    CHECK(foundHz(output, 2000) == Approx(2000).epsilon(1e-4));
+    const double half = 4000 * std::sqrt(0.5 + 0.5 * 4);
+    CHECK(foundHz(output, half) == Approx(half).epsilon(1e-4));
+}
+
+TEST_CASE("A shell half as thick weighs half: the same blow moves it twice as much") {
+    auto object = syntheticObject({300});
+    object.bending = {0};
+    const auto own = rendered(object, 1), thinner = rendered(object, 0.5);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        REQUIRE(thinner[i] == Approx(2 * own[i]).margin(1e-6));
+}
+
+TEST_CASE("The thickness of solids, and one out of its range, changes nothing") {
+    const auto solid = syntheticObject({300, 1000});
+    CHECK(rendered(solid, 3) == rendered(solid, 1));
+    CHECK(rendered(shell(), -1) == rendered(shell(), 1));
+    CHECK(rendered(shell(), 1000) == rendered(shell(), 1));
+}
+
+TEST_CASE("A thickness that moves and comes back leaves the pitch as it was") {
+    Synthesiser synthesiser({slotOf(shell())}, sampleRate);
+    auto settings = exactSettings();
+    const std::array ratios{1.5, 0.7, 3.0, 1.0};
+    const auto output = render(synthesiser, {{4 * cellSamples, unitStrike()}},
+                               static_cast<int>(0.4 * sampleRate / 64), [&](int cell) {
+                                   if (cell >= static_cast<int>(ratios.size()))
+                                       return;
+                                   settings.thicknessRatio = ratios[static_cast<std::size_t>(cell)];
+                                   synthesiser.setSettings(settings);
+                               });
+    CHECK(foundHz(output, 1000) == Approx(1000).epsilon(1e-4));
+}
