@@ -25,7 +25,8 @@ TEST_CASE("Frequencies rise with the root of stiffness over density and fall wit
     SynthesisSettings settings;
     CHECK(liveFrequencyRatio(own, settings) == 1);
     settings.material = LiveMaterial{.youngsModulusPa = 4 * own.youngsModulusPa,
-                                     .densityKgPerM3 = own.densityKgPerM3 / 4};
+                                     .densityKgPerM3 = own.densityKgPerM3 / 4,
+                                     .damping = {}};
     settings.sizeRatio = 2;
     settings.frequencyRatio = 1.5;
     CHECK(liveFrequencyRatio(own, settings) == Approx(3));

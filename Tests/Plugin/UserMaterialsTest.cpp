@@ -92,7 +92,7 @@ TEST_CASE("A chosen user material plays its figures as the custom one and is sho
     auto* list = materialList(*window);
     list->setSelectedItemIndex(list->getNumItems() - 1, juce::sendNotificationSync);
     using enum ParameterId;
-    CHECK(processor.parameterValue(material) == customMaterial);
+    CHECK(processor.parameterValue(material) == double{customMaterial});
     CHECK(processor.parameterValue(youngsModulus) == Approx(110));
     CHECK(processor.parameterValue(density) == 3300);
     CHECK(processor.parameterValue(fluidDamping) == 3);
