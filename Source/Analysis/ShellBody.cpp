@@ -53,8 +53,11 @@ Result<double> fitMesh(Mesh& mesh,
             {.progress = [&](double fraction) { control.report(0.1 * fraction, "Remeshing"); },
              .cancelled = control.cancelled});
         if (!remeshed)
-            return failure(control.isCancelled() ? std::string(cancelledMessage)
-                                                 : remeshed.error().message);
+            return failure(control.isCancelled()
+                               ? std::string(cancelledMessage)
+                               : "The mesh of " + std::to_string(mesh.vertexCount()) +
+                                     " vertices cannot be remeshed to fewer (" +
+                                     remeshed.error().message + "); simplify the mesh first.");
         mesh = std::move(*remeshed);
         given = meanEdgeLengthMetres(mesh);
         notes = "The surface was remeshed to " + std::to_string(mesh.vertexCount()) + " vertices.";

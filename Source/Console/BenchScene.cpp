@@ -80,6 +80,7 @@ longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz) {
     object.material.damping.viscoelasticSeconds = 0;
     object.bending.clear();
     object.radiation = {};
+    object.decaysPerSecond.clear();
     object.eigenvalues.clear();
     object.shapes.clear();
     for (std::size_t i = 1; i <= modes; ++i) {

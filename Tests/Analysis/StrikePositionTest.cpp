@@ -97,6 +97,7 @@ TEST_CASE("Struck at its node, between vertices, a mode is 60 dB below its antin
     const Struck bar(sheetMesh(0.36, 0.04, 500), {.name = "bar",
                                                   .source = "test",
                                                   .material = referenceWood(),
+                                                  .method = AnalysisMethod::twoLayer,
                                                   .thicknessMetres = 0.02,
                                                   .maxFrequencyHz = 6000});
     // The node of the first bending mode: 22.4 % from the end, off the vertices.

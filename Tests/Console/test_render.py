@@ -156,7 +156,7 @@ class Render(ConsoleTest):
         self.assertEqual(result.returncode, 0)
         self.assertIn("warning", result.stderr)
         self.assertIn(str(song), result.stderr)
-        self.assertIn("72 to 108", result.stderr)
+        self.assertIn("65 to 108", result.stderr)
         self.assertEqual(Wave(output).peak(), 0)
 
     def test_a_preset_file_plays_as_the_preset_does(self):

@@ -36,7 +36,8 @@ TEST_CASE("Parameter ids and version hints are those that were published") {
         {"mallet_radius", 2}, {"chatter", 2},        {"modal_pulse", 2},
         {"radiation", 2},     {"width", 2},          {"match_loudness", 2},
         {"contact", 2},       {"force", 2},          {"speed", 2},
-        {"roughness", 2},     {"roll_coupling", 2},  {"loss_factor", 3}};
+        {"roughness", 2},     {"roll_coupling", 2},  {"loss_factor", 3},
+        {"motor_speed", 3},   {"motor_depth", 3},    {"thickness", 3}};
     Processor processor;
     std::vector<std::pair<juce::String, int>> present;
     for (auto* parameter : processor.getParameters()) {
