@@ -108,8 +108,10 @@ void ParameterControl::refresh() {
         value.setText(live ? juce::String::fromUTF8(formatParameter(info, now).c_str())
                            : juce::String("re-analyse"),
                       juce::dontSendNotification);
-    if (slider != nullptr)
+    if (slider != nullptr) {
         slider->setValue(now, juce::dontSendNotification);
+        slider->setAlpha(live ? 1.0f : 0.4f);
+    }
     if (toggle != nullptr)
         toggle->setToggleState(now != 0, juce::dontSendNotification);
 }

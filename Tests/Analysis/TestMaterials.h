@@ -20,6 +20,17 @@ inline Material referenceWood(double poissonRatio = 0.25) {
     return material;
 }
 
+/// Round figures of the order of a hardwood's, those of no species.
+inline constexpr OrthotropicElasticity roundWood{.youngsModulusLPa = 16e9,
+                                                 .youngsModulusRPa = 2e9,
+                                                 .youngsModulusTPa = 1e9,
+                                                 .shearModulusLRPa = 1.2e9,
+                                                 .shearModulusRTPa = 0.3e9,
+                                                 .shearModulusLTPa = 0.9e9,
+                                                 .poissonRatioLR = 0.3,
+                                                 .poissonRatioRT = 0.5,
+                                                 .poissonRatioLT = 0.4};
+
 inline Eigen::VectorXd frequenciesHz(const Eigen::VectorXd& eigenvalues) {
     return eigenvalues.cwiseSqrt() / (2 * std::numbers::pi);
 }

@@ -417,16 +417,6 @@ TEST_CASE("Hollow sphere by two-layer springs: l = 2 to 4 within 3 % of the memb
 
 namespace {
 
-/// Round figures of the order of a hardwood's, those of no species.
-constexpr OrthotropicElasticity roundWood{.youngsModulusLPa = 16e9,
-                                          .youngsModulusRPa = 2e9,
-                                          .youngsModulusTPa = 1e9,
-                                          .shearModulusLRPa = 1.2e9,
-                                          .shearModulusRTPa = 0.3e9,
-                                          .shearModulusLTPa = 0.9e9,
-                                          .poissonRatioLR = 0.3,
-                                          .poissonRatioRT = 0.5,
-                                          .poissonRatioLT = 0.4};
 const std::string woodText = "0.4 × 0.02 × 0.02 m, ρ 700 kg/m³; E_L 16, E_R 2, E_T 1, G_LR 1.2, "
                              "G_RT 0.3, G_LT 0.9 GPa, ν_LR "
                              "0.3, ν_RT 0.5, ν_LT 0.4 (round figures of no species). Theory: "
