@@ -1,20 +1,29 @@
-# TetGen 1.5: closed surfaces to tetrahedra (AGPL, as we are).
+# TetGen 1.5: closed surfaces to tetrahedra (AGPL, as we are). Built here, not taken from a package:
+# the package's assertions end the process, ours throw (Source/Analysis/TetGenWatch.h).
 if(TARGET idiophone_tetgen)
     return()
 endif()
-find_path(TETGEN_INCLUDE_DIR tetgen.h)
-find_library(TETGEN_LIBRARY NAMES tet tetgen)
-add_library(idiophone_tetgen INTERFACE)
-if(TETGEN_INCLUDE_DIR AND TETGEN_LIBRARY)
-    target_include_directories(idiophone_tetgen SYSTEM INTERFACE "${TETGEN_INCLUDE_DIR}")
-    target_link_libraries(idiophone_tetgen INTERFACE "${TETGEN_LIBRARY}")
-else()
-    # 1.5.1, the last of the 1.5 line; the repository has no tags. 1.6 changed what
-    # Analysis/TetGenMesher calls.
-    FetchContent_Declare(tetgen
-        GIT_REPOSITORY https://github.com/libigl/tetgen.git
-        GIT_TAG a754f2485470f1ac51503e273d7e74a281c67807)
-    FetchContent_MakeAvailable(tetgen)
-    target_include_directories(idiophone_tetgen SYSTEM INTERFACE "${tetgen_SOURCE_DIR}")
-    target_link_libraries(idiophone_tetgen INTERFACE tetgen)
+idiophone_debian_source(tetgen PACKAGE tetgen VERSION 1.5.0-5 SUITE bookworm)
+# 1.5.1, the last of the 1.5 line; the repository has no tags. 1.6 changed what
+# Analysis/TetGenMesher calls.
+FetchContent_Declare(tetgen
+    GIT_REPOSITORY https://github.com/libigl/tetgen.git
+    GIT_TAG a754f2485470f1ac51503e273d7e74a281c67807)
+# Populated, not added: its own build knows nothing of our assertions.
+FetchContent_GetProperties(tetgen)
+if(NOT tetgen_POPULATED)
+    FetchContent_Populate(tetgen)
 endif()
+add_library(idiophone_tetgen STATIC
+    "${tetgen_SOURCE_DIR}/tetgen.cxx" "${tetgen_SOURCE_DIR}/predicates.cxx")
+target_compile_definitions(idiophone_tetgen PRIVATE TETLIBRARY)
+target_include_directories(idiophone_tetgen BEFORE
+    PRIVATE "${CMAKE_CURRENT_LIST_DIR}/tetgen" "${PROJECT_SOURCE_DIR}/Source")
+target_include_directories(idiophone_tetgen SYSTEM INTERFACE "${tetgen_SOURCE_DIR}")
+if(MSVC)
+    target_compile_options(idiophone_tetgen PRIVATE /w /fp:strict)
+else()
+    # Its exact predicates count every rounding: no multiplication may be fused with an addition.
+    target_compile_options(idiophone_tetgen PRIVATE -w -ffp-contract=off)
+endif()
+set_target_properties(idiophone_tetgen PROPERTIES POSITION_INDEPENDENT_CODE ON)

@@ -230,6 +230,9 @@ Result<EigenBlock> BandSolver::solve() {
         const Index upTo = factoriseAndCount(highest);
         const double top = factor_.shift();
         const Index count = upTo - zeroModes_;
+        if (count < 0)
+            throw Fault{"The modes of the mesh cannot be counted in this band; check its size, its "
+                        "unit and its proportions."};
         if (count > band_.maximumModes)
             throw Fault{"The object has " + std::to_string(count) + " modes below " +
                         std::to_string(std::lround(band_.highestHz)) +

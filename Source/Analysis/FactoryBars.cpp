@@ -50,7 +50,9 @@ BarSpecification xylophoneBar(const char* material, double frequencyHz, double s
                       isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.43, 0.85})),
             .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
             .material = *findMaterial(material),
-            .maxFrequencyHz = 16000};
+            .maxFrequencyHz = 16000,
+            .resonator = Resonator{.frequencyHz = frequencyHz,
+                                   .radiusMetres = std::lerp(0.019, 0.009, share)}};
 }
 
 BarSpecification rosewoodBar(double frequencyHz, double share) {

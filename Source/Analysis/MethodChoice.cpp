@@ -20,6 +20,10 @@ std::string millimetres(double metres) {
     return text.data();
 }
 
+std::string shellOf(double thicknessMetres) {
+    return "Taken as a shell of " + millimetres(thicknessMetres) + " (two-layer springs)";
+}
+
 } // namespace
 
 std::string_view methodName(AnalysisMethod method) {
@@ -50,9 +54,13 @@ std::string whyNotSolid(const MeshCheck& check) {
     return "it encloses no volume";
 }
 
+MethodChoice shellInstead(const std::string& why, double shellThicknessMetres) {
+    return {AnalysisMethod::twoLayer,
+            shellOf(shellThicknessMetres) + ", because it cannot be taken as a solid: " + why};
+}
+
 MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres) {
-    const std::string shell = "Taken as a shell of " + millimetres(shellThicknessMetres) +
-                              " (two-layer springs), because ";
+    const std::string shell = shellOf(shellThicknessMetres) + ", because ";
     if (!check.isSolid())
         return {AnalysisMethod::twoLayer, shell + whyNotSolid(check) + "."};
     if (check.isThin())

@@ -16,6 +16,9 @@ struct MethodChoice {
 
 MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres);
 
+/// For a body that tetrahedra did not fill, whatever its check had said. `why` is a sentence.
+MethodChoice shellInstead(const std::string& why, double shellThicknessMetres);
+
 /// "it has 12 boundary edges": what keeps tetrahedra from filling a mesh that is not solid.
 std::string whyNotSolid(const MeshCheck& check);
 

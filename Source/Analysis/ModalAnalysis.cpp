@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <initializer_list>
+#include <new>
 #include <utility>
 
 namespace idiophone {
@@ -153,10 +155,10 @@ preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const Analysis
     return PreparedBody{std::move(body), solid->maxFrequencyHz};
 }
 
-Result<PreparedBody> preparedBody(const Mesh& mesh,
-                                  AnalysisMethod method,
-                                  const AnalysisSettings& settings,
-                                  const AnalysisControl& control) {
+Result<PreparedBody> bodyBy(AnalysisMethod method,
+                            const Mesh& mesh,
+                            const AnalysisSettings& settings,
+                            const AnalysisControl& control) {
     switch (method) {
     case AnalysisMethod::tetrahedra:
         return preparedSolid(mesh, settings, control);
@@ -165,6 +167,35 @@ Result<PreparedBody> preparedBody(const Mesh& mesh,
     default:
         return preparedSprings(mesh, method, settings);
     }
+}
+
+/// Parts that move by themselves: hollows are none.
+int componentsOf(const BodyModel& body, const RepairReport& report) {
+    const int surfaces = connectedComponents(body.surface).count;
+    return body.body == BodyKind::solid ? std::max(1, surfaces - report.hollows) : surfaces;
+}
+
+/// Remeshing cuts what hung together at edges of more than two faces, or at a vertex, alone.
+std::string noteOnParts(const BodyModel& body, const RepairReport& report) {
+    const int more = connectedComponents(body.surface).count - report.components;
+    if (more <= 0)
+        return {};
+    return "Remeshing parted what hung together at single vertices or at edges of more than two "
+           "faces alone: " +
+           std::to_string(more + report.components) + " parts now move by themselves.";
+}
+
+/// A body as `method` says, or where that was our own choice and no tetrahedra fill it, a shell.
+Result<PreparedBody> preparedBody(const Mesh& mesh,
+                                  MethodChoice& choice,
+                                  const AnalysisSettings& settings,
+                                  const AnalysisControl& control) {
+    auto prepared = bodyBy(choice.method, mesh, settings, control);
+    if (prepared || settings.method || choice.method != AnalysisMethod::tetrahedra ||
+        control.isCancelled())
+        return prepared;
+    choice = shellInstead(prepared.error().message, settings.thicknessMetres);
+    return bodyBy(choice.method, mesh, settings, control);
 }
 
 /// Ascending vertices of `surface` nearest to these of the repaired mesh, which it may replace.
@@ -185,11 +216,8 @@ nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int
     return nearest;
 }
 
-} // namespace
-
 Result<ModalObject>
-analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
-    const auto start = std::chrono::steady_clock::now();
+analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     if (const auto fault = faultOf(settings); !fault.empty())
         return failure(fault);
     if (const auto material = validated(settings.material); !material)
@@ -202,36 +230,51 @@ analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisContro
     const auto vertices = shapeVertices(settings, *repaired);
     if (!vertices)
         return failure(vertices.error().message);
-    const auto choice = methodFor(repaired->mesh, settings, control.cancelled);
+    auto choice = methodFor(repaired->mesh, settings, control.cancelled);
     if (!choice)
         return failure(choice.error().message);
     if (control.isCancelled())
         return failure(std::string(cancelledMessage));
 
-    auto prepared = preparedBody(repaired->mesh, choice->method, settings, control);
+    auto prepared = preparedBody(repaired->mesh, *choice, settings, control);
     if (!prepared)
         return failure(prepared.error().message);
     BodyModel& body = prepared->body;
     body.method = methodName(choice->method);
-    body.components = connectedComponents(repaired->mesh).count;
-    body.notes = joined({repaired->report.text(), choice->reason, body.notes});
-    auto object =
-        solveBody(body,
-                  {.name = settings.name,
-                   .source = settings.source,
-                   .lowestFrequencyHz = settings.lowestFrequencyHz,
-                   .maxFrequencyHz = prepared->maxFrequencyHz,
-                   .maximumModes = settings.maximumModes,
-                   .shapeVertices = settings.shapeVertices.empty()
-                                        ? std::vector<int>{}
-                                        : nearestVertices(body.surface, repaired->mesh, *vertices)},
-                  control);
-    if (!object)
+    body.components = componentsOf(body, repaired->report);
+    body.notes = joined(
+        {repaired->report.text(), choice->reason, body.notes, noteOnParts(body, repaired->report)});
+    return solveBody(
+        body,
+        {.name = settings.name,
+         .source = settings.source,
+         .lowestFrequencyHz = settings.lowestFrequencyHz,
+         .maxFrequencyHz = prepared->maxFrequencyHz,
+         .maximumModes = settings.maximumModes,
+         .shapeVertices = settings.shapeVertices.empty()
+                              ? std::vector<int>{}
+                              : nearestVertices(body.surface, repaired->mesh, *vertices)},
+        control);
+}
+
+} // namespace
+
+Result<ModalObject>
+analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        auto object = analyseOrThrow(mesh, settings, control);
+        if (!object)
+            return object;
+        object->provenance.analysisSeconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        control.report(1, "Done");
         return object;
-    object->provenance.analysisSeconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    control.report(1, "Done");
-    return object;
+    } catch (const std::bad_alloc&) {
+        return failure("The analysis needs more memory than this machine has.");
+    } catch (const std::exception& fault) {
+        return failure(std::string("The analysis failed: ") + fault.what() + ".");
+    }
 }
 
 } // namespace idiophone

@@ -1,5 +1,6 @@
 #include "Analysis/Resonator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -10,23 +11,9 @@ namespace idiophone {
 namespace {
 
 constexpr double speedOfSoundMetresPerSecond = 343, airDensityKgPerM3 = 1.204;
-constexpr int modesOfTube = 16;
-
-/// ka: the mouth's radius in wavelengths / 2π.
-double mouthSize(const Resonator& resonator) {
-    return 2 * std::numbers::pi * resonator.frequencyHz / speedOfSoundMetresPerSecond *
-           resonator.radiusMetres;
-}
-
-double response(const Resonator& resonator, double frequencyHz) {
-    std::complex<double> sum = 0;
-    for (int k = 0; k < modesOfTube; ++k) {
-        const double n = 2 * k + 1;
-        sum += 1 / n /
-               std::complex<double>(1, 2 * resonator.qualityFactor() *
-                                           (frequencyHz / (n * resonator.frequencyHz) - 1));
-    }
-    return std::abs(sum);
+/// k in rad/m.
+double waveNumber(double frequencyHz) {
+    return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
 }
 
 /// [M] upward, on the middle line of the top at x: linear between its vertices.
@@ -58,37 +45,44 @@ std::vector<double> upwardShapesAt(const ModalObject& bar, double xMetres) {
 
 } // namespace
 
-double Resonator::qualityFactor() const {
-    constexpr double lossesWithin = 1.0 / 40;
-    const double ka = mouthSize(*this);
-    return 1 / (lossesWithin + ka * ka / std::numbers::pi);
+std::complex<double> Resonator::relativeImpedance(double soundHz) const {
+    const double wallLossPerMetre = 3e-5 * std::sqrt(soundHz) / radiusMetres;
+    const double acousticLengthMetres = speedOfSoundMetresPerSecond / (4 * frequencyHz);
+    const double k = waveNumber(soundHz), ka = k * radiusMetres;
+    return 1.0 / std::tanh(std::complex(wallLossPerMetre, k) * acousticLengthMetres) +
+           std::min(1.0, ka * ka / 4);
 }
 
-double Resonator::amplification() const {
-    constexpr double pistonMass = 8 / (3 * std::numbers::pi);
-    return pistonMass * mouthSize(*this) * 4 / std::numbers::pi * qualityFactor();
+double Resonator::drive(double soundHz) const {
+    const double detourMetres = std::hypot(radiusMetres, gapMetres) - gapMetres;
+    return 2 * std::abs(std::sin(waveNumber(soundHz) * detourMetres / 2));
+}
+
+double Resonator::flowGain(double soundHz) const {
+    return drive(soundHz) / std::abs(relativeImpedance(soundHz));
 }
 
 void addResonator(ModalObject& object, const Resonator& resonator, double surfaceAreaM2) {
-    const double flowArea = std::numbers::pi * resonator.radiusMetres * resonator.radiusMetres *
-                            resonator.amplification();
+    const double mouthM2 = std::numbers::pi * resonator.radiusMetres * resonator.radiusMetres;
     const auto shapes = upwardShapesAt(object, resonator.offsetMetres);
-    auto& table = object.radiation;
-    const std::size_t modes = object.modeCount(), ratios = table.frequencyRatios.size();
+    const std::size_t modes = object.modeCount();
     object.decaysPerSecond.resize(modes);
     for (std::size_t mode = 0; mode < modes; ++mode) {
-        const double lambda = object.eigenvalues[mode], omega = std::sqrt(lambda);
-        const double shape = shapes[mode];
-        const double flow = flowArea * shape * response(resonator, omega / (2 * std::numbers::pi));
+        const double lambda = object.eigenvalues[mode];
+        const double frequencyHz = std::sqrt(lambda) / (2 * std::numbers::pi);
+        const double push = resonator.drive(frequencyHz) * shapes[mode];
+        const double conductance = (1.0 / resonator.relativeImpedance(frequencyHz)).real();
         object.decaysPerSecond[mode] = object.material.damping.perSecond(lambda) / 2 +
-                                       airDensityKgPerM3 * lambda * flow * flow /
-                                           (8 * std::numbers::pi * speedOfSoundMetresPerSecond);
-        for (std::size_t d = 0; d < table.directions.size(); ++d)
-            for (std::size_t k = 0; k < ratios; ++k) {
-                const double hz = table.frequencyRatios[k] * omega / (2 * std::numbers::pi);
-                table.weights[(d * ratios + k) * modes + mode] +=
-                    static_cast<float>(flowArea * shape * response(resonator, hz) / surfaceAreaM2);
-            }
+                                       airDensityKgPerM3 * speedOfSoundMetresPerSecond * mouthM2 *
+                                           push * push * conductance / 2;
+        const double tube =
+            -mouthM2 * resonator.flowGain(frequencyHz) * shapes[mode] / surfaceAreaM2;
+        for (std::size_t place = mode; place < object.radiation.weights.size(); place += modes) {
+            float& weight = object.radiation.weights[place];
+            const double bar = weight;
+            weight = static_cast<float>(
+                std::copysign(std::hypot(bar, tube), std::abs(tube) > std::abs(bar) ? tube : bar));
+        }
     }
 }
 

@@ -14,6 +14,8 @@ namespace {
 constexpr double edgesPerWavelength = 10, fewestEdgesPerWavelength = 4;
 /// Between these shares of the edge wanted a surface is left as it is.
 constexpr double finestShare = 0.4, coarsestShare = 1.6;
+/// More than these on the way (long needles) beyond those that a scan has take minutes, gigabytes.
+constexpr double mostNewTriangles = 100000;
 /// Of the vertices a triangulation of equilateral triangles has, and their area in edges.
 constexpr double areaPerVertex = 0.866;
 
@@ -48,16 +50,17 @@ Result<double> fitMesh(Mesh& mesh,
     double given = meanEdgeLengthMetres(mesh);
     if (given < finestShare * edge || given > coarsestShare * edge ||
         mesh.vertexCount() > 2 * settings.vertexBudget) {
+        if (remeshedTriangles(mesh, edge) >
+            mostNewTriangles + static_cast<double>(mesh.faceCount()))
+            return failure("The mesh is too long and thin to be covered with triangles as a shell "
+                           "needs them; check its proportions and its unit.");
         auto remeshed = remesh(
             mesh, {.edgeLengthMetres = edge},
             {.progress = [&](double fraction) { control.report(0.1 * fraction, "Remeshing"); },
              .cancelled = control.cancelled});
         if (!remeshed)
-            return failure(control.isCancelled()
-                               ? std::string(cancelledMessage)
-                               : "The mesh of " + std::to_string(mesh.vertexCount()) +
-                                     " vertices cannot be remeshed to fewer (" +
-                                     remeshed.error().message + "); simplify the mesh first.");
+            return failure(control.isCancelled() ? std::string(cancelledMessage)
+                                                 : remeshed.error().message);
         mesh = std::move(*remeshed);
         given = meanEdgeLengthMetres(mesh);
         notes = "The surface was remeshed to " + std::to_string(mesh.vertexCount()) + " vertices.";

@@ -6,7 +6,11 @@
 #include "Geometry/Remesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -16,6 +20,8 @@ constexpr double elementVolumeShare = 0.11;
 /// Between these shares of the edge wanted a surface is left as it is.
 constexpr double finestShare = 0.4, coarsestShare = 1.6;
 constexpr double coarsestElementsPerWavelength = 3;
+/// More than these on the way (long needles) beyond those that a scan has take minutes, gigabytes.
+constexpr double mostNewTriangles = 100000;
 
 /// The least edge that the budget allows: of a thin wall the elements are as flat as it is thin.
 double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
@@ -27,6 +33,48 @@ double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
     // One layer of prisms over half of the surface, three tetrahedra each.
     return std::max(wall,
                     std::sqrt(check.areaM2 / 2 * 3 / 0.433 / static_cast<double>(elementBudget)));
+}
+
+std::string millimetres(double metres) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g mm", 1000 * metres);
+    return text.data();
+}
+
+struct CoveredSurface {
+    std::optional<Mesh> mesh; ///< nothing where no edge length kept the body what it was
+    double edgeMetres = 0;
+};
+
+/// A surface with edges of about this length. A wall thinner than them may be pierced, or its
+/// curves flattened: then finer ones are tried, down to the finest that would have been left as
+/// they are.
+Result<CoveredSurface> coveredAnew(const Mesh& surface,
+                                   const MeshCheck& check,
+                                   double edgeMetres,
+                                   const AnalysisControl& control) {
+    const double longest = std::min(edgeMetres, boundingDiagonalMetres(surface) / 4);
+    for (const double share : {1.0, 0.63, finestShare}) {
+        const double edge = share * longest;
+        if (remeshedTriangles(surface, edge) >
+            mostNewTriangles + static_cast<double>(surface.faceCount())) {
+            if (share < 1)
+                break;
+            return failure("The mesh is too long and thin to be covered with triangles of " +
+                           millimetres(edge) +
+                           ", as a solid needs them; check its proportions and its unit.");
+        }
+        control.report(0, "Remeshing");
+        auto remeshed = remesh(surface, {.edgeLengthMetres = edge},
+                               {.progress = {}, .cancelled = control.cancelled});
+        if (!remeshed)
+            return failure(control.isCancelled() ? std::string(cancelledMessage)
+                                                 : remeshed.error().message);
+        const MeshCheck after = checkMesh(*remeshed, control.cancelled);
+        if (after.isSolid() && std::abs(after.volumeM3 / check.volumeM3 - 1) < 0.02)
+            return CoveredSurface{std::move(*remeshed), edge};
+    }
+    return CoveredSurface{};
 }
 
 } // namespace
@@ -44,17 +92,13 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
     mesh = surface;
     bool keepSurface = true;
     if (given < finestShare * edge || given > coarsestShare * edge) {
-        const double diagonal = boundingDiagonalMetres(surface);
-        auto remeshed = remesh(surface, {.edgeLengthMetres = std::min(edge, diagonal / 4)},
-                               {.progress = {}, .cancelled = control.cancelled});
-        if (!remeshed)
-            return failure(remeshed.error().message);
-        const MeshCheck after = checkMesh(*remeshed, control.cancelled);
-        // A wall thinner than the edges may have been pierced, or its curves flattened.
-        if (after.isSolid() && std::abs(after.volumeM3 / check.volumeM3 - 1) < 0.02) {
-            mesh = std::move(*remeshed);
-            result.body.notes = "The surface was remeshed to edges of " +
-                                std::to_string(std::lround(1000 * edge)) + " mm.";
+        const auto covered = coveredAnew(surface, check, edge, control);
+        if (!covered)
+            return failure(covered.error().message);
+        if (covered->mesh) {
+            mesh = *covered->mesh;
+            result.body.notes =
+                "The surface was remeshed to edges of " + millimetres(covered->edgeMetres) + ".";
         } else {
             keepSurface = given < edge;
         }
@@ -62,8 +106,9 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
     if (control.isCancelled())
         return failure(std::string(cancelledMessage));
     control.report(0, "Filling the body with tetrahedra");
-    const auto elements =
-        tetrahedralise(mesh, {.targetEdgeMetres = edge, .keepSurface = keepSurface});
+    const auto elements = tetrahedralise(
+        mesh,
+        {.targetEdgeMetres = edge, .keepSurface = keepSurface, .cancelled = control.cancelled});
     if (!elements)
         return failure(elements.error().message);
     result.body.model =

@@ -1,5 +1,8 @@
 #include "Analysis/TetGenMesher.h"
 
+#include "Analysis/AnalysisControl.h"
+#include "Analysis/TetGenWatch.h"
+
 #define TETLIBRARY // else the header ends the process on an error
 #include <tetgen.h>
 
@@ -53,38 +56,46 @@ void configure(const TetGenSettings& settings, tetgenbehavior& behavior) {
     }
 }
 
-/// What `tetrahedralize` does for these switches. That function keeps its workspace on the stack,
-/// and terminatetetgen() frees the workspace before it throws: the destructor then frees it again.
-/// Here a failed workspace is never destroyed.
-void fill(tetgenio& input, tetgenbehavior& behavior, tetgenio& output) {
-    auto workspace = std::make_unique<tetgenmesh>();
-    auto* const mesh = workspace.release(); // taken back when all went well
+/// What `tetrahedralize` does for these switches.
+void fill(tetgenmesh& mesh, tetgenio& output) {
+    const tetgenbehavior& behavior = *mesh.b;
     std::clock_t ignored = 0;
-    mesh->b = &behavior;
-    mesh->in = &input;
-    mesh->initializepools();
-    mesh->transfernodes();
-    exactinit(0, 0, 0, mesh->xmax - mesh->xmin, mesh->ymax - mesh->ymin, mesh->zmax - mesh->zmin);
-    mesh->incrementaldelaunay(ignored);
-    mesh->meshsurface();
+    mesh.initializepools();
+    mesh.transfernodes();
+    exactinit(0, 0, 0, mesh.xmax - mesh.xmin, mesh.ymax - mesh.ymin, mesh.zmax - mesh.zmin);
+    mesh.incrementaldelaunay(ignored);
+    mesh.meshsurface();
     if (behavior.nobisect != 0)
-        mesh->recoverboundary(ignored);
+        mesh.recoverboundary(ignored);
     else
-        mesh->constraineddelaunay(ignored);
-    mesh->carveholes();
+        mesh.constraineddelaunay(ignored);
+    mesh.carveholes();
     if (behavior.nobisect != 0) {
-        if (mesh->subvertstack->objects > 0)
-            mesh->suppresssteinerpoints();
-        mesh->recoverdelaunay();
+        if (mesh.subvertstack->objects > 0)
+            mesh.suppresssteinerpoints();
+        mesh.recoverdelaunay();
     }
-    mesh->delaunayrefinement();
-    mesh->optimizemesh();
-    output.firstnumber = input.firstnumber;
-    output.mesh_dim = input.mesh_dim;
-    mesh->outnodes(&output);
-    if (mesh->tetrahedrons->items > 0)
-        mesh->outelements(&output);
-    workspace.reset(mesh);
+    mesh.delaunayrefinement();
+    mesh.optimizemesh();
+    output.firstnumber = mesh.in->firstnumber;
+    output.mesh_dim = mesh.in->mesh_dim;
+    mesh.outnodes(&output);
+    if (mesh.tetrahedrons->items > 0)
+        mesh.outelements(&output);
+}
+
+/// `tetrahedralize` keeps its workspace on the stack, and terminatetetgen() frees the workspace
+/// before it throws: the destructor then frees it again. Here that one is never destroyed.
+void fillOrThrow(tetgenio& input, tetgenbehavior& behavior, tetgenio& output) {
+    auto workspace = std::make_unique<tetgenmesh>();
+    workspace->b = &behavior;
+    workspace->in = &input;
+    try {
+        fill(*workspace, output);
+    } catch (int) {
+        static_cast<void>(workspace.release());
+        throw;
+    }
 }
 
 Result<LinearTetrahedra> resultOf(const tetgenio& output) {
@@ -123,20 +134,37 @@ std::string sentence(int code) {
     }
 }
 
+std::string sentence(TetGenStop stop) {
+    switch (stop) {
+    case TetGenStop::cancelled:
+        return std::string(cancelledMessage);
+    case TetGenStop::tooLong:
+        return "Filling the surface with tetrahedra takes too long; simplify the mesh.";
+    default:
+        return "The surface is too degenerate to be filled with tetrahedra; remesh it.";
+    }
+}
+
+/// Ten times those of a body of 200,000 elements; some half a minute.
+constexpr std::int64_t mostChecks = 30'000'000;
+
 } // namespace
 
 Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings) {
     static std::mutex oneAtATime; // exactinit() sets globals
     const std::scoped_lock lock(oneAtATime);
+    TetGenWatch::current() = {.cancelled = settings.cancelled, .checksLeft = mostChecks};
     try {
         tetgenio input, output;
         tetgenbehavior behavior;
         copySurface(surface, input);
         configure(settings, behavior);
-        fill(input, behavior, output);
+        fillOrThrow(input, behavior, output);
         return resultOf(output);
     } catch (int code) {
         return failure(sentence(code));
+    } catch (TetGenStop stop) {
+        return failure(sentence(stop));
     } catch (const std::bad_alloc&) {
         return failure(sentence(1));
     }

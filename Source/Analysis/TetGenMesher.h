@@ -4,13 +4,16 @@
 #include "Geometry/Mesh.h"
 #include "Object/Result.h"
 
+#include <atomic>
+
 namespace idiophone {
 
 struct TetGenSettings {
-    bool keepSurface = true;     ///< no new points on the surface (-Y)
-    double radiusEdgeRatio = 2;  ///< bound on circumradius over shortest edge (-q)
-    double maximumVolumeM3 = 0;  ///< of a tetrahedron (-a); 0 for no bound
-    int maximumAddedPoints = -1; ///< (-S); −1 for no bound
+    bool keepSurface = true;                      ///< no new points on the surface (-Y)
+    double radiusEdgeRatio = 2;                   ///< bound on circumradius over shortest edge (-q)
+    double maximumVolumeM3 = 0;                   ///< of a tetrahedron (-a); 0 for no bound
+    int maximumAddedPoints = -1;                  ///< (-S); −1 for no bound
+    const std::atomic<bool>* cancelled = nullptr; ///< true ends it within a fraction of a second
 };
 
 /// Four-node tetrahedra over the convex hull of nothing but the surface's inside.
@@ -20,7 +23,7 @@ struct LinearTetrahedra {
     Eigen::VectorXi regions;    ///< [T] number of the closed-off part of space, ≥ 0
 };
 
-/// See `tetrahedralise` for the precondition. No exception leaves it.
+/// See `tetrahedralise`. No exception leaves it; a stopped one fails with `cancelledMessage`.
 Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings);
 
 } // namespace idiophone

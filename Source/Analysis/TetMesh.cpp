@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <igl/winding_number.h>
 #include <limits>
 #include <map>
@@ -157,7 +159,9 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
     if (const auto fault = faultOf(closedSurface, settings); !fault.empty())
         return failure(fault);
     const auto tooMany = [&] {
-        return failure("At an element size of " + std::to_string(settings.targetEdgeMetres * 1000) +
+        std::array<char, 32> edge{};
+        std::snprintf(edge.data(), edge.size(), "%.3g", 1000 * settings.targetEdgeMetres);
+        return failure("At an element size of " + std::string(edge.data()) +
                        " mm the body needs more than " + std::to_string(settings.maximumNodes) +
                        " nodes; lower the highest frequency or simplify the mesh.");
     };
@@ -167,7 +171,8 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
         runTetGen(closedSurface, {.keepSurface = settings.keepSurface,
                                   .radiusEdgeRatio = radiusEdgeRatio(closedSurface, settings),
                                   .maximumVolumeM3 = volumeShare * regular,
-                                  .maximumAddedPoints = mostAdded});
+                                  .maximumAddedPoints = mostAdded,
+                                  .cancelled = settings.cancelled});
     if (!filled)
         return failure(filled.error().message);
     if (filled->points.rows() >= settings.maximumNodes)

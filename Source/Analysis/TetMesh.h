@@ -6,6 +6,7 @@
 #include "Object/Result.h"
 
 #include <array>
+#include <atomic>
 #include <utility>
 
 namespace idiophone {
@@ -29,17 +30,18 @@ struct TetMeshSettings {
     /// the surface already has edges of the target length, and the only way to flat elements in
     /// thin walls. False may divide the surface, which makes good elements of any coarse surface.
     bool keepSurface = true;
-    int maximumNodes = 60000; ///< a body that needs more is refused
+    int maximumNodes = 60000;                     ///< a body that needs more is refused
+    const std::atomic<bool>* cancelled = nullptr; ///< set to true, it ends within a second
 };
 
 /// Fills a closed surface. Cavities (closed surfaces inside another) stay empty, whichever way
 /// their faces look; separate bodies may stand side by side. Mid-edge nodes lie on straight edges,
 /// also where the true body curves: the triangles of the surface are all that is known of it.
 ///
-/// Precondition, which the caller checks: the surface is closed, no face meets another but in a
-/// common edge or vertex, every vertex has a face, no two vertices coincide. TetGen 1.5 finds many
-/// violations, which then are errors, but others end the process. It cannot be interrupted. May be
-/// called on any thread; calls take turns, for TetGen keeps its tolerances in globals.
+/// The surface should be closed, with no face that meets another but in a common edge or vertex, a
+/// face for every vertex, and no two vertices in one place, for TetGen 1.5 finds violations late or
+/// never. Errors are one sentence, `cancelledMessage` among them. May be called on any thread;
+/// calls take turns, for TetGen keeps its tolerances in globals.
 Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings& settings);
 
 /// The enclosed volume of a mesh's elements.

@@ -22,8 +22,7 @@ std::vector<Tone> audibleTones(const ModalObject& object) {
     std::vector<Tone> tones;
     for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
         const double eigenvalue = object.eigenvalues[mode];
-        const double decay =
-            object.dampingRatio(mode) * object.material.damping.perSecond(eigenvalue) / 2;
+        const double decay = object.decayPerSecond(mode);
         const double frequencyHz =
             std::sqrt(std::max(eigenvalue - decay * decay, 0.0)) / (2 * std::numbers::pi);
         if (frequencyHz >= lowestToneHz && frequencyHz <= highestToneHz)

@@ -8,6 +8,7 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <numbers>
 #include <string>
@@ -23,6 +24,46 @@ using Face = Surface::Face_index;
 
 struct Cancelled {};
 struct LostInArithmetic {};
+struct TooLong {};
+
+/// Counted in questions that CGAL asks of an edge, not in time, so that the same mesh ends the same
+/// way.
+class Patience {
+public:
+    Patience(const MeshingControl& control, std::int64_t questions)
+        : control_(control), left_(questions) {}
+
+    void spend() {
+        if (--left_ < 0)
+            throw TooLong{};
+        if (left_ % 1024 == 0 && control_.isCancelled())
+            throw Cancelled{};
+    }
+
+private:
+    const MeshingControl& control_;
+    std::int64_t left_;
+};
+
+/// Which edges are sharp, for CGAL to ask: the only place where its loops can be left.
+struct SharpEdges {
+    using key_type = Edge;
+    using value_type = bool;
+    using reference = bool;
+    using category = boost::read_write_property_map_tag;
+
+    friend bool get(const SharpEdges& edges, Edge edge) {
+        edges.patience->spend();
+        return edges.isSharp[edge];
+    }
+    friend void put(const SharpEdges& edges, Edge edge, bool sharp) {
+        edges.patience->spend();
+        edges.isSharp[edge] = sharp;
+    }
+
+    Surface::Property_map<Edge, bool> isSharp;
+    Patience* patience = nullptr;
+};
 
 /// What must stay: edges, corners, and the patches of faces between those edges.
 struct Features {
@@ -114,19 +155,10 @@ private:
     const MeshingControl& control_;
 };
 
-/// About how many triangles of an edge length the surface takes, slivers included.
-double trianglesWanted(const UnitSurface& unit, double edgeLength) {
-    double triangles = 0;
-    for (const auto face : unit.surface.faces()) {
-        const auto h = unit.surface.halfedge(face);
-        const Eigen::RowVector3d a = unit.unitPoint(unit.surface.source(h));
-        const Eigen::RowVector3d u = unit.unitPoint(unit.surface.target(h)) - a;
-        const Eigen::RowVector3d v = unit.unitPoint(unit.surface.target(unit.surface.next(h))) - a;
-        const double area = u.cross(v).norm() / 2;
-        triangles += area * 4 / (std::sqrt(3.0) * edgeLength * edgeLength) +
-                     (u.norm() + v.norm() + (u - v).norm()) / (2 * edgeLength);
-    }
-    return triangles;
+/// A scan of 500,000 triangles takes 1.6 million, a tube of triangles as long as itself 3 million;
+/// ten seconds each. Needles would take hours.
+std::int64_t questionsAllowed(const UnitSurface& unit) {
+    return 4'000'000 + 20 * static_cast<std::int64_t>(unit.surface.number_of_faces());
 }
 
 void remeshUnit(UnitSurface& unit,
@@ -135,6 +167,7 @@ void remeshUnit(UnitSurface& unit,
                 const MeshingControl& control) {
     const auto features = findFeatures(unit, settings.sharpAngleDegrees);
     const auto patches = patchesOf(unit, features);
+    Patience patience(control, questionsAllowed(unit));
     for (int pass = 0; pass < settings.passes; ++pass) {
         control.report(static_cast<double>(pass) / settings.passes);
         if (control.isCancelled())
@@ -142,7 +175,7 @@ void remeshUnit(UnitSurface& unit,
         pmp::isotropic_remeshing(
             unit.surface.faces(), edgeLength, unit.surface,
             CGAL::parameters::number_of_iterations(1)
-                .edge_is_constrained_map(features.isSharp)
+                .edge_is_constrained_map(SharpEdges{features.isSharp, &patience})
                 .vertex_is_constrained_map(features.isCorner)
                 .face_patch_map(features.patchOf)
                 .projection_functor(Projection(unit, features, patches, control)));
@@ -151,6 +184,20 @@ void remeshUnit(UnitSurface& unit,
 }
 
 } // namespace
+
+double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres) {
+    double triangles = 0;
+    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face) {
+        const Eigen::RowVector3d a = mesh.vertices.row(mesh.faces(face, 0));
+        const Eigen::RowVector3d u =
+            (mesh.vertices.row(mesh.faces(face, 1)) - a) / edgeLengthMetres;
+        const Eigen::RowVector3d v =
+            (mesh.vertices.row(mesh.faces(face, 2)) - a) / edgeLengthMetres;
+        triangles +=
+            u.cross(v).norm() / 2 * 4 / std::sqrt(3.0) + (u.norm() + v.norm() + (u - v).norm()) / 2;
+    }
+    return triangles;
+}
 
 Result<Mesh>
 remesh(const Mesh& mesh, const RemeshSettings& settings, const MeshingControl& control) {
@@ -165,14 +212,16 @@ remesh(const Mesh& mesh, const RemeshSettings& settings, const MeshingControl& c
         if (!(edgeLength > 0 && edgeLength <= 0.5))
             return failure("The edge length of a remeshing must be above 0 and at most half of the "
                            "mesh's bounding diagonal.");
-        constexpr double mostTriangles = 4e6;
-        if (const double wanted = trianglesWanted(*unit, edgeLength); wanted > mostTriangles)
-            return failure("The mesh would need more than 4 million triangles at this edge length; "
-                           "choose a longer one.");
+        if (!(remeshedTriangles(mesh, settings.edgeLengthMetres) <= settings.maximumTriangles))
+            return failure("The mesh would need more than " +
+                           std::to_string(std::llround(settings.maximumTriangles)) +
+                           " triangles at this edge length; choose a longer one.");
         remeshUnit(*unit, edgeLength, settings, control);
         return meshOf(*unit);
     } catch (const Cancelled&) {
         return failure(std::string(meshingCancelledMessage));
+    } catch (const TooLong&) {
+        return failure("The mesh cannot be remeshed in reasonable time: its faces are too thin.");
     } catch (const LostInArithmetic&) {
         return failure("The mesh cannot be remeshed: its faces are too thin for arithmetic.");
     } catch (const std::exception& error) {

@@ -14,7 +14,13 @@ struct RemeshSettings {
     /// boundary stay where they are.
     double sharpAngleDegrees = 40;
     int passes = 5; ///< 1 to 20; of splitting, collapsing, flipping and smoothing
+    /// As `remeshedTriangles` counts them; a million take about a gigabyte and half a minute.
+    double maximumTriangles = 4e6;
 };
+
+/// About how many triangles of an edge length the faces take while they are being remeshed, slivers
+/// included: of a long needle many, though its area is small.
+double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres);
 
 /// Isotropic remeshing (Botsch & Kobbelt 2004, by CGAL). New vertices lie on the mesh given; its
 /// boundary stays in place. Most edges come out between 4/5 and 4/3 of the length wanted; where the
@@ -24,7 +30,7 @@ struct RemeshSettings {
 /// oriented, without degenerate faces, not guaranteed free of self-intersections; the order of
 /// vertices and faces is new.
 /// Fails, in one sentence, where repair does, for settings outside their ranges, when it would take
-/// more than about 4 million triangles, or once cancelled. Never throws. Any thread; not for the
+/// more than `maximumTriangles`, or once cancelled. Never throws. Any thread; not for the
 /// audio thread.
 Result<Mesh>
 remesh(const Mesh& mesh, const RemeshSettings& settings, const MeshingControl& control = {});

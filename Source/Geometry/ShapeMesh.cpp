@@ -1,5 +1,6 @@
 #include "Geometry/ShapeMesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -107,8 +108,18 @@ std::vector<double> spacings(const std::vector<CellFace>& faces, const Mesh& sha
     return spacing;
 }
 
+/// Whether a face between three rows looks to the side on which they are. `normals` [V,3].
+bool facesOut(const Triple& rows, const Mesh& shapes, const Eigen::MatrixXd& normals) {
+    const Eigen::RowVector3d a = shapes.vertices.row(rows[0]), b = shapes.vertices.row(rows[1]),
+                             c = shapes.vertices.row(rows[2]);
+    const Eigen::RowVector3d outward =
+        normals.row(rows[0]) + normals.row(rows[1]) + normals.row(rows[2]);
+    return (b - a).cross(c - a).dot(outward) > 0;
+}
+
 /// Where three cells meet, within reach, each meeting once.
-std::vector<Triple> meetings(const std::vector<CellFace>& faces, const Mesh& shapes) {
+std::vector<Triple>
+meetings(const std::vector<CellFace>& faces, const Mesh& shapes, const Eigen::MatrixXd& normals) {
     const auto spacing = spacings(faces, shapes);
     std::vector<Triple> found;
     for (auto [rows, reach] : faces) {
@@ -118,7 +129,8 @@ std::vector<Triple> meetings(const std::vector<CellFace>& faces, const Mesh& sha
         double widest = 0;
         for (const auto row : rows)
             widest = std::max(widest, spacing[static_cast<std::size_t>(row)]);
-        if (reach > largestReach * widest)
+        const bool isOwnFace = reach == 0;
+        if (!isOwnFace && (reach > largestReach * widest || !facesOut(rows, shapes, normals)))
             continue;
         std::ranges::rotate(rows, std::ranges::min_element(rows));
         found.push_back(rows);
@@ -136,11 +148,15 @@ Mesh shapeMesh(const ModalObject& object) {
     const auto rowCount = static_cast<Eigen::Index>(object.shapeVertexCount());
     Mesh shapes;
     shapes.vertices.resize(rowCount, 3);
-    for (Eigen::Index row = 0; row < rowCount; ++row)
-        shapes.vertices.row(row) =
-            mesh.vertices.row(object.shapeVertices[static_cast<std::size_t>(row)]);
+    const Eigen::MatrixXd meshNormals = vertexNormals(mesh);
+    Eigen::MatrixXd normals(rowCount, 3);
+    for (Eigen::Index row = 0; row < rowCount; ++row) {
+        const auto vertex = object.shapeVertices[static_cast<std::size_t>(row)];
+        shapes.vertices.row(row) = mesh.vertices.row(vertex);
+        normals.row(row) = meshNormals.row(vertex);
+    }
 
-    auto triples = meetings(cellFaces(mesh, voronoiCells(mesh, shapes, object)), shapes);
+    auto triples = meetings(cellFaces(mesh, voronoiCells(mesh, shapes, object)), shapes, normals);
     std::vector<bool> hasFace(object.shapeVertexCount(), false);
     for (const auto& rows : triples)
         for (const auto row : rows)

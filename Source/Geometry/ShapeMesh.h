@@ -11,7 +11,8 @@ namespace idiophone {
 /// Where every vertex carries shapes these are the object's own faces. Where only some do, each
 /// vertex of the object counts as its nearest one that does, and the faces between three of those
 /// are what remains: the Delaunay triangulation on the surface, dual to its Voronoi cells. What
-/// lies farther from the shapes than these are from one another stays open. A row of no face gets
+/// lies farther from the shapes than these are from one another stays open, and so does what would
+/// lie flat against them from behind, as the underside of a bar with shapes on top. A row of no face gets
 /// one of no area, so that every row can be found and the mesh has a face.
 Mesh shapeMesh(const ModalObject& object);
 

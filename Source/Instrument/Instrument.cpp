@@ -14,7 +14,7 @@ double midiNoteHz(double note) {
 /// The damped frequency of the lowest mode.
 double lowestModeHz(const ModalObject& object) {
     const double eigenvalue = object.eigenvalues.front();
-    const double decay = object.dampingRatio(0) * object.material.damping.perSecond(eigenvalue) / 2;
+    const double decay = object.decayPerSecond(0);
     return std::sqrt(std::max(eigenvalue - decay * decay, 1.0)) / (2 * std::numbers::pi);
 }
 

@@ -73,6 +73,12 @@ struct ModalObject {
                    : eigenvalues[mode];
     }
 
+    /// α [1/s] of a mode at the reference material. Any thread.
+    double decayPerSecond(std::size_t mode) const noexcept {
+        return decaysPerSecond.empty() ? material.damping.perSecond(eigenvalues[mode]) / 2
+                                       : decaysPerSecond[mode];
+    }
+
     /// By what the damping of a mode exceeds that of the material's law, 2α/d(λ), which it keeps
     /// when the material changes; 1 where no decays were measured. Any thread.
     double dampingRatio(std::size_t mode) const noexcept {

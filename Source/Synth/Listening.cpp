@@ -1,9 +1,15 @@
 #include "Synth/Listening.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace idiophone {
+namespace {
+
+constexpr double slowestDecay = 1e-3; // [1/s] for objects without damping
+
+} // namespace
 
 double radiationScale(const ModalObject& object) {
     const std::size_t modes = object.modeCount();
@@ -24,8 +30,10 @@ double radiationScale(const ModalObject& object) {
         object.radiation.weightsAt(direction, 1, weights);
         for (std::size_t i = 0; i < modes; ++i) {
             const auto weight = static_cast<double>(weights[i]);
-            near += meanSquares[i] * meanSquares[i];
-            far += meanSquares[i] * weight * weight;
+            const double ringing =
+                meanSquares[i] / std::max(object.decayPerSecond(i), slowestDecay);
+            near += ringing * meanSquares[i];
+            far += ringing * weight * weight;
         }
     }
     return far > 0 ? std::sqrt(near / far) : 0;

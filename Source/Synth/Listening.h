@@ -17,11 +17,11 @@ inline std::array<float, 3> listeningDirection(const StrikePoint& point) noexcep
     return {-point.normal[0], -point.normal[1], -point.normal[2]};
 }
 
-/// What an object's radiation weights w are multiplied by beside the shapes φ: the ratio of their
-/// root mean squares over modes (weighted by how strongly each is excited), so that an object whose
-/// parts cancel one another is not lost beside the sound of the point that is struck.
-/// √(Σ a⁴ / Σ a² w²) with a² the mean of |φ|² over the surface and w at the object's own size and
-/// material, mean over directions. 0 without weights. Takes time: not for the audio thread.
+/// What an object's radiation weights w are multiplied by beside the shapes φ, so that it is as
+/// loud from afar as near, and one whose parts cancel one another is not lost: the ratio of what
+/// rings on after blows all over the surface, √(Σ a⁴/α / Σ a² w²/α) with a² the mean of |φ|² over
+/// the surface, α the decay and w the mean over directions, all at the object's own size and
+/// material. 0 without weights. Takes time: not for the audio thread.
 double radiationScale(const ModalObject& object);
 
 } // namespace idiophone

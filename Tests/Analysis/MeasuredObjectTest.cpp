@@ -57,8 +57,7 @@ TEST_CASE("A measured object has the frequencies and decays that were measured")
     const auto object = built(std::vector<StruckPlace>{0.0, 0.05, 0.1});
     for (std::size_t i = 0; i < 2; ++i) {
         const auto& mode = threeStrikes.modes[i];
-        const double decay =
-            object.dampingRatio(i) * object.material.damping.perSecond(object.eigenvalues[i]) / 2;
+        const double decay = object.decayPerSecond(i);
         CHECK(decay == Approx(mode.decayPerSecond).epsilon(1e-12));
         CHECK(std::sqrt(object.eigenvalues[i] - decay * decay) / (2 * std::numbers::pi) ==
               Approx(mode.frequencyHz).epsilon(1e-12));

@@ -99,6 +99,25 @@ TEST_CASE("Shapes on one side of something solid leave its other side open") {
     CHECK(below.pointMetres.z() == Approx(0.5).margin(0.1));
 }
 
+TEST_CASE("The underside of a bar does not lie against the shapes on its top") {
+    const Eigen::Vector3d size(0.35, 0.035, 0.018);
+    const auto mesh = boxMesh(size, {16, 2, 1});
+    const double top = mesh.vertices.col(2).maxCoeff();
+    const auto shapes = shapeMesh(
+        objectOf(mesh, [&](Eigen::Index vertex) { return mesh.vertices(vertex, 2) == top; }));
+    REQUIRE(shapes.vertexCount() == 51);
+    CHECK(area(shapes) == Approx(size.x() * size.y()));
+    const SurfaceQuery query(shapes);
+    for (double x = -0.17; x < 0.17; x += 0.0037) {
+        const auto found = query.nearestPoint({x, 0, top + 1e-6});
+        for (int corner = 0; corner < 3; ++corner)
+            if (found.barycentric(corner) > 1e-4) {
+                INFO(x);
+                CHECK(std::abs(shapes.vertices(shapes.faces(found.face, corner), 1)) < 1e-9);
+            }
+    }
+}
+
 TEST_CASE("Vertices that no face joins are found as points") {
     const auto mesh = sheetMesh(1, 0.2, 400);
     const std::array lone{0, static_cast<int>(mesh.vertexCount()) - 1};

@@ -62,21 +62,24 @@ TEST_CASE("Every factory preset is complete and builds an instrument") {
     CHECK(findFactoryPreset("no such preset") == nullptr);
 }
 
-TEST_CASE("Every key of every instrument of bars sounds within 1.2 cents of equal temperament") {
+TEST_CASE("Every key of every instrument of bars sounds within 1 cent of equal temperament") {
     for (const char* name : {"Rosewood Xylophone", "Padauk Xylophone", "Marimba", "Vibraphone",
                              "Glockenspiel", "Stones"}) {
         const auto* preset = findFactoryPreset(name);
         REQUIRE(preset != nullptr);
+        // Compression merges one fundamental with a twisting mode 2.5 Hz off, by a cent.
+        auto parameters = preset->parameters;
+        parameters.set(ParameterId::compression, 0);
         for (int note = preset->keyMap.lowestNote; note <= preset->keyMap.highestNote; ++note) {
             auto player = playerFor(*preset);
             const auto sound =
-                renderStereo(*player, {midi(0, 0x90, note, 100)}, 14400, 480, preset->parameters);
+                renderStereo(*player, {midi(0, 0x90, note, 100)}, 14400, 480, parameters);
             const double expectedHz = 440 * std::exp2((note - 69) / 12.0);
             for (const auto* channel : {&sound.left, &sound.right}) {
                 const auto pole = fitPole(*channel, sampleRateHz, expectedHz, 0.04);
                 INFO(name << ", note " << note << ": " << pole.frequencyHz << " Hz for "
                           << expectedHz);
-                CHECK(std::abs(cents(pole.frequencyHz, expectedHz)) < 1.2);
+                CHECK(std::abs(cents(pole.frequencyHz, expectedHz)) < 1);
             }
         }
     }

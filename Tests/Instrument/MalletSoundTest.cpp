@@ -68,7 +68,7 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
         INFO(malletRack()[rackIndex].name << " on " << note << " at velocity " << velocity
                                           << ", size " << sizeRatio << ": " << centroid
                                           << " Hz after " << last);
-        CHECK(centroid > 0.999 * last);
+        CHECK(centroid > (1 - 2e-4) * last); // brass soon excites all modes alike
         last = centroid;
     }
 }
@@ -88,8 +88,8 @@ std::vector<MidiEvent> hurry(int samples) {
 
 } // namespace
 
-TEST_CASE("The spectral centroid rises with velocity for every mallet of the rack, or falls by "
-          "less than a thousandth") {
+TEST_CASE("The spectral centroid rises with velocity for every mallet of the rack, "
+          "as long as its contact is heard") {
     // The C5 bar at two and four times its size, C4 and C3: the contact of the softest mallet is
     // shorter than two of its periods, where a raised cosine has its first null.
     const auto instrument = xylophone();
@@ -225,5 +225,5 @@ TEST_CASE("A blow with modal pulses is four strikes of one period each, with the
     float largest = 0;
     for (std::size_t k = 0; k < sound.size(); ++k)
         largest = std::max(largest, std::abs(sound[k] - expected[k]));
-    CHECK(largest < 1e-4f * peak(expected));
+    CHECK(largest < 1e-5f * peak(expected));
 }
