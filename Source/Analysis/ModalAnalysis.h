@@ -21,7 +21,7 @@ struct AnalysisSettings {
     double lowestFrequencyHz = 20;
     double maxFrequencyHz = 44000;
     int maximumModes = 5000;             ///< an object with more in the band is refused
-    int elementBudget = 12000;           ///< tetrahedra, about: see SolidBodySettings
+    int elementBudget = 8000;            ///< tetrahedra, about: see SolidBodySettings
     bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
     double weldTolerance = 1e-7;         ///< see RepairSettings
     std::vector<int> shapeVertices = {}; ///< input vertices whose shapes to keep; empty: all

@@ -11,7 +11,7 @@ struct SolidBodySettings {
     Material material;
     ElasticLaw law; ///< of that material in the body's axes
     double maxFrequencyHz = 44000;
-    int elementBudget = 12000; ///< tetrahedra, about; where the band asks for more they are coarser
+    int elementBudget = 8000; ///< tetrahedra, about; where the band asks for more they are coarser
 };
 
 struct SolidBody {

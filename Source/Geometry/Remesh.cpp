@@ -1,16 +1,19 @@
 #include "Geometry/Remesh.h"
 
 #include "Geometry/CgalSurface.h"
+#include "Geometry/Decimation.h"
 #include "Geometry/SurfaceQuery.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -183,6 +186,24 @@ void remeshUnit(UnitSurface& unit,
     control.report(1);
 }
 
+/// Vertices for each that remeshing leaves: enough that decimation moves the surface by far less
+/// than remeshing does.
+constexpr double verticesKept = 8;
+
+/// Nothing where the mesh is not dense enough for it to pay, or its topology does not allow it.
+std::optional<Mesh>
+decimatedFor(double edgeLengthMetres, const Mesh& mesh, const MeshingControl& control) {
+    const double areaPerVertexM2 = std::sqrt(3.0) / 2 * edgeLengthMetres * edgeLengthMetres;
+    const double wanted = verticesKept * faceAreas(mesh).sum() / areaPerVertexM2;
+    if (!(2 * wanted < static_cast<double>(mesh.vertexCount())))
+        return {};
+    auto decimated = decimate(mesh, std::max(1000, static_cast<int>(wanted)),
+                              {.progress = {}, .cancelled = control.cancelled});
+    if (!decimated)
+        return {};
+    return std::move(*decimated);
+}
+
 } // namespace
 
 double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres) {
@@ -205,9 +226,12 @@ remesh(const Mesh& mesh, const RemeshSettings& settings, const MeshingControl& c
         !(settings.sharpAngleDegrees > 0 && settings.sharpAngleDegrees <= 180))
         return failure("Remeshing takes 1 to 20 passes and a sharp angle of 0 to 180 degrees.");
     try {
-        auto unit = unitSurfaceOf(mesh);
+        const auto lighter = decimatedFor(settings.edgeLengthMetres, mesh, control);
+        auto unit = unitSurfaceOf(lighter ? *lighter : mesh);
         if (!unit)
             return tl::unexpected(std::move(unit.error()));
+        if (control.isCancelled())
+            return failure(std::string(meshingCancelledMessage));
         const double edgeLength = settings.edgeLengthMetres / unit->diagonalMetres;
         if (!(edgeLength > 0 && edgeLength <= 0.5))
             return failure("The edge length of a remeshing must be above 0 and at most half of the "

@@ -8,6 +8,8 @@
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <random>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -156,4 +158,19 @@ TEST_CASE("A remeshing tells its progress and can be cancelled between and withi
     const auto stopped = remesh(ball, {.edgeLengthMetres = 0.01}, control);
     REQUIRE_FALSE(stopped);
     CHECK(stopped.error().message == meshingCancelledMessage);
+}
+
+TEST_CASE("A dense noisy scan comes out as a closed body of its volume, with triangles as wanted") {
+    auto scan = icosphereMesh(1, 6);
+    const double volumeM3 = checkMesh(scan).volumeM3;
+    std::mt19937 random(1);
+    std::normal_distribution<double> noiseMetres(0, 0.004); // of edges of 20 mm
+    for (Eigen::Index v = 0; v < scan.vertexCount(); ++v)
+        scan.vertices.row(v) *= 1 + noiseMetres(random);
+    const auto covered = remesh(scan, {.edgeLengthMetres = 0.2});
+    REQUIRE(covered);
+    const auto check = checkMesh(*covered);
+    CHECK(check.isSolid());
+    CHECK(std::abs(check.volumeM3 / volumeM3 - 1) < 0.02);
+    CHECK(std::abs(meanEdgeLengthMetres(*covered) / 0.2 - 1) < 0.15);
 }
