@@ -1,4 +1,5 @@
-// How fine finite elements must be for a band of frequencies. Sizes for quadratic tetrahedra only.
+// How fine elements must be for a band of frequencies, and which meshes are as fine. Sizes in
+// elements a wavelength are for quadratic tetrahedra only.
 #pragma once
 
 #include "Analysis/ElasticLaw.h"
@@ -44,5 +45,12 @@ double targetEdgeMetres(const ElasticLaw& law,
                         double densityKgPerM3,
                         double maxFrequencyHz,
                         double wallThicknessMetres);
+
+/// Between these shares of the edge wanted a surface is left as it is, for solids and shells.
+inline constexpr double finestEdgeShare = 0.4, coarsestEdgeShare = 1.6;
+
+/// Triangles that remeshing may make on its way (of long needles) beyond those that the mesh has;
+/// more take minutes and gigabytes.
+inline constexpr double mostNewTriangles = 100000;
 
 } // namespace idiophone

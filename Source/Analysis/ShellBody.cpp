@@ -12,10 +12,6 @@ namespace idiophone {
 namespace {
 
 constexpr double edgesPerWavelength = 10, fewestEdgesPerWavelength = 4;
-/// Between these shares of the edge wanted a surface is left as it is.
-constexpr double finestShare = 0.4, coarsestShare = 1.6;
-/// More than these on the way (long needles) beyond those that a scan has take minutes, gigabytes.
-constexpr double mostNewTriangles = 100000;
 /// Of the vertices a triangulation of equilateral triangles has, and their area in edges.
 constexpr double areaPerVertex = 0.866;
 
@@ -48,7 +44,7 @@ Result<double> fitMesh(Mesh& mesh,
                                           std::sqrt(area / areaPerVertex / settings.vertexBudget)),
                                  boundingDiagonalMetres(mesh) / 8);
     double given = meanEdgeLengthMetres(mesh);
-    if (given < finestShare * edge || given > coarsestShare * edge ||
+    if (given < finestEdgeShare * edge || given > coarsestEdgeShare * edge ||
         mesh.vertexCount() > 2 * settings.vertexBudget) {
         if (remeshedTriangles(mesh, edge) >
             mostNewTriangles + static_cast<double>(mesh.faceCount()))

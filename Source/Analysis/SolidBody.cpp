@@ -17,11 +17,7 @@ namespace {
 
 /// Elements of edge e in a volume V: TetGen's fill about 0.11 e³ each.
 constexpr double elementVolumeShare = 0.11;
-/// Between these shares of the edge wanted a surface is left as it is.
-constexpr double finestShare = 0.4, coarsestShare = 1.6;
 constexpr double coarsestElementsPerWavelength = 3;
-/// More than these on the way (long needles) beyond those that a scan has take minutes, gigabytes.
-constexpr double mostNewTriangles = 100000;
 
 /// The least edge that the budget allows: of a thin wall the elements are as flat as it is thin.
 double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
@@ -54,7 +50,7 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
                                    double edgeMetres,
                                    const AnalysisControl& control) {
     const double longest = std::min(edgeMetres, boundingDiagonalMetres(surface) / 4);
-    for (const double share : {1.0, 0.63, finestShare}) {
+    for (const double share : {1.0, 0.63, finestEdgeShare}) {
         const double edge = share * longest;
         if (remeshedTriangles(surface, edge) >
             mostNewTriangles + static_cast<double>(surface.faceCount())) {
@@ -91,7 +87,7 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
     Mesh& mesh = result.body.surface;
     mesh = surface;
     bool keepSurface = true;
-    if (given < finestShare * edge || given > coarsestShare * edge) {
+    if (given < finestEdgeShare * edge || given > coarsestEdgeShare * edge) {
         const auto covered = coveredAnew(surface, check, edge, control);
         if (!covered)
             return failure(covered.error().message);

@@ -1,8 +1,10 @@
-// The plugin's window: presets, parameters, status and keyboard, one above the other.
+// The plugin's window: presets, the instrument itself, parameters, status and keyboard, one above
+// the other.
 #pragma once
 
 #include "Editor/DarkLook.h"
 #include "Editor/KeyboardPanel.h"
+#include "Editor/ObjectView.h"
 #include "Editor/ParameterPanel.h"
 #include "Editor/PresetBar.h"
 #include "Editor/ProcessorView.h"
@@ -26,6 +28,7 @@ private:
     ProcessorView& view;
     DarkLook look;
     PresetBar presets;
+    ObjectView object;
     ParameterPanel parameters;
     StatusBar status;
     KeyboardPanel keyboard;

@@ -1,9 +1,13 @@
 // What the window needs of the processor, and nothing else: the editor knows no more of the plugin.
 #pragma once
 
+#include "Object/ModalObject.h"
 #include "Parameters/ParameterTable.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +28,14 @@ public:
         int highest = 127;
     };
 
+    /// Something to be seen and struck: keys may share it.
+    struct PlayedObject {
+        std::shared_ptr<const ModalObject> object;
+        double sizeRatio = 1; ///< of the object as its keys play it, to its own
+        int lowestNote = 0;   ///< MIDI notes that play it
+        int highestNote = 0;
+    };
+
     virtual ~ProcessorView() = default;
 
     virtual std::vector<std::string> presetNames() const = 0;
@@ -33,7 +45,8 @@ public:
 
     /// In the unit of the table.
     virtual double parameterValue(ParameterId parameter) const = 0;
-    /// False where no object that plays can follow the parameter: it would have to be analysed anew.
+    /// False where no object that plays can follow the parameter: it would have to be analysed
+    /// anew.
     virtual bool isLive(ParameterId parameter) const = 0;
     /// A change by hand: `begin`, any number of `change`s, `end`; the host records it.
     virtual void beginParameterChange(ParameterId parameter) = 0;
@@ -51,6 +64,15 @@ public:
     /// Velocity 1 to 127; 0 releases.
     virtual void playNote(int midiNote, int velocity) = 0;
     virtual KeyRange keyRange() const = 0; ///< the notes that sound
+
+    /// Of the instrument that plays, in the order of their keys; empty where there is none.
+    virtual std::vector<PlayedObject> playedObjects() const = 0;
+    /// Another number with every other instrument.
+    virtual int instrumentNumber() const = 0;
+    /// Strikes one of `playedObjects` at the place nearest to a point in metres of its own mesh;
+    /// velocity 1 to 127, or 0 to lift the hand that holds it. What has gone since is ignored.
+    virtual void
+    strikeObject(std::size_t index, const std::array<double, 3>& pointMetres, int velocity) = 0;
 
     virtual Status takeStatus() = 0;
 };

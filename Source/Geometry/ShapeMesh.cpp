@@ -1,5 +1,7 @@
 #include "Geometry/ShapeMesh.h"
 
+#include "Geometry/ObjectMesh.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -18,17 +20,6 @@ using Triple = std::array<std::int32_t, 3>;
 
 // Delaunay triangles of evenly spread points have circumradii of less than their spacing.
 constexpr double largestReach = 1.5; // spacings
-
-Mesh meshOf(const ModalObject& object) {
-    using Coordinates = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
-    using Corners = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
-    const auto vertexCount = static_cast<Eigen::Index>(object.vertexCount());
-    const auto faceCount = static_cast<Eigen::Index>(object.faceCount());
-    return {
-        .vertices =
-            Eigen::Map<const Coordinates>(object.vertices.data(), vertexCount, 3).cast<double>(),
-        .faces = Eigen::Map<const Corners>(object.faces.data(), faceCount, 3)};
-}
 
 /// Which row each vertex of the object belongs to, −1 where no way along edges leads to one.
 struct Cells {
@@ -144,7 +135,7 @@ meetings(const std::vector<CellFace>& faces, const Mesh& shapes, const Eigen::Ma
 } // namespace
 
 Mesh shapeMesh(const ModalObject& object) {
-    const auto mesh = meshOf(object);
+    const auto mesh = objectMesh(object);
     const auto rowCount = static_cast<Eigen::Index>(object.shapeVertexCount());
     Mesh shapes;
     shapes.vertices.resize(rowCount, 3);

@@ -12,8 +12,8 @@ namespace idiophone {
 /// vertex of the object counts as its nearest one that does, and the faces between three of those
 /// are what remains: the Delaunay triangulation on the surface, dual to its Voronoi cells. What
 /// lies farther from the shapes than these are from one another stays open, and so does what would
-/// lie flat against them from behind, as the underside of a bar with shapes on top. A row of no face gets
-/// one of no area, so that every row can be found and the mesh has a face.
+/// lie flat against them from behind, as the underside of a bar with shapes on top. A row of no
+/// face gets one of no area, so that every row can be found and the mesh has a face.
 Mesh shapeMesh(const ModalObject& object);
 
 } // namespace idiophone

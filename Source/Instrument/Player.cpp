@@ -19,6 +19,7 @@ constexpr double silencingSeconds = 0.02;     // T60 of "all sound off"
 constexpr float matchingShare = 0.15f;        // of the way to the matching gain in a cell: 10 ms
 constexpr std::size_t pendingCapacity = 1024; // 113 chattering blows with modal pulses in 15 ms
 constexpr std::size_t lateCapacity = 256;     // notes between two blocks of sound
+constexpr std::size_t surfaceCapacity = 64;   // blows on surfaces, likewise
 
 std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
     return {instrument.slots().begin(), instrument.slots().end()};
@@ -29,6 +30,23 @@ std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
     for (const auto& slot : instrument.slots())
         modes.emplace_back(*slot.object, slot.sizeRatio);
     return modes;
+}
+
+std::vector<double> malletScalesOf(const Instrument& instrument) {
+    std::vector<double> scales(instrument.slots().size(), 1);
+    for (int note = 0; note < 128; ++note)
+        if (const auto& key = instrument.key(note); key.slot >= 0)
+            scales[static_cast<std::size_t>(key.slot)] = key.malletScale;
+    return scales;
+}
+
+bool has(const Instrument& instrument, const SurfaceStrike& strike) {
+    if (strike.slot >= instrument.slots().size())
+        return false;
+    const auto rows = instrument.slots()[strike.slot].object->shapeVertexCount();
+    return std::ranges::all_of(strike.point.shapeRows, [rows](std::int32_t row) {
+        return row >= 0 && static_cast<std::size_t>(row) < rows;
+    });
 }
 
 /// The number of the first strike: 0 for the default seed, and far from one seed to the next.
@@ -46,11 +64,14 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
     : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz, 2),
       firstStrikeNumber(firstStrike(seed)), strikeCount(firstStrikeNumber),
       pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
+      malletScales(malletScalesOf(*playedInstrument)),
       held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
       loudness(playedInstrument, surface, sampleRateHz, own), motor(cellSamples / sampleRateHz),
+      slotTouched(playedInstrument->slots().size(), false),
       slotHeld(playedInstrument->slots().size(), false),
       slotSilenced(playedInstrument->slots().size(), false) {
     late.reserve(lateCapacity);
+    surfaceStrikes.reserve(surfaceCapacity);
 }
 
 void Player::process(const StereoSpan& output,
@@ -65,9 +86,7 @@ void Player::process(const StereoSpan& output,
             follow(events[next++]);
         if (cellPosition == cellSamples)
             beginCell();
-        for (const auto& event : late)
-            strikeFor(event);
-        late.clear();
+        strikeWaiting();
         for (auto event = due; event < next; ++event)
             strikeFor(events[event]);
 
@@ -95,14 +114,43 @@ void Player::strikeFor(const MidiEvent& event) {
     const auto& key = playedInstrument->key(event.bytes[1]);
     if (key.slot < 0)
         return;
-    const auto slot = static_cast<std::size_t>(key.slot);
-    const auto& own = playedInstrument->slots()[slot].object->material;
     const auto number = strikeCount++;
     const auto place = strikePlace(key.along, current, number);
+    strikeAt(static_cast<std::size_t>(key.slot),
+             playedInstrument->strip(key).between(place.along, place.across).point, velocity,
+             key.malletScale, number);
+}
+
+/// What came between two blocks of sound.
+void Player::strikeWaiting() {
+    for (const auto& event : late)
+        strikeFor(event);
+    late.clear();
+    for (const auto& strike : surfaceStrikes)
+        strikeAt(strike.slot, strike.point, strike.velocity, malletScales[strike.slot],
+                 strikeCount++);
+    surfaceStrikes.clear();
+}
+
+void Player::strikeSurface(const SurfaceStrike& strike) {
+    if (!has(*playedInstrument, strike))
+        return;
+    slotTouched[strike.slot] = strike.velocity > 0;
+    if (strike.velocity <= 0 || surfaceStrikes.size() == surfaceCapacity)
+        return;
+    slotSilenced[strike.slot] = false;
+    surfaceStrikes.push_back(strike);
+}
+
+void Player::strikeAt(std::size_t slot,
+                      const StrikePoint& point,
+                      int velocity,
+                      double malletScale,
+                      std::uint32_t number) {
+    const auto& own = playedInstrument->slots()[slot].object->material;
     const auto strike =
-        malletStrike(playedInstrument->strip(key).between(place.along, place.across).point,
-                     velocity, key.malletScale, current, surfaceCompliancePerPa(own, current));
-    auto train = contactTrain(strike, key.malletScale, current[chatter], number);
+        malletStrike(point, velocity, malletScale, current, surfaceCompliancePerPa(own, current));
+    auto train = contactTrain(strike, malletScale, current[chatter], number);
     if (current[modalPulse] != 0) {
         const auto settings = synthesisSettings(current, bend * current[bendRange]);
         train = withModalPulses(train,
@@ -200,7 +248,9 @@ void Player::copyOut(const StereoSpan& output, int position, int count) const {
 }
 
 void Player::updateDampers() {
-    slotHeld.assign(slotHeld.size(), current[letRing] != 0);
+    slotHeld = slotTouched;
+    if (current[letRing] != 0)
+        slotHeld.assign(slotHeld.size(), true);
     auto keys = keysSustained;
     for (const auto& down : keysDown)
         keys |= down;
@@ -226,6 +276,8 @@ void Player::reset() {
     motor.reset();
     pending.clear();
     late.clear();
+    surfaceStrikes.clear();
+    std::fill(slotTouched.begin(), slotTouched.end(), false);
     held.reset();
     keysDown = {};
     keysSustained.reset();
@@ -240,8 +292,8 @@ bool Player::silent() const {
         return std::all_of(samples.begin() + cellPosition, samples.end(),
                            [](float x) { return x == 0; });
     };
-    return synth.silent() && pending.empty() && late.empty() && held.silent() && played(leftCell) &&
-           played(rightCell);
+    return synth.silent() && pending.empty() && late.empty() && surfaceStrikes.empty() &&
+           held.silent() && played(leftCell) && played(rightCell);
 }
 
 std::optional<int> Player::takeProgramChange() {

@@ -30,6 +30,13 @@ struct MidiEvent {
     bool isNoteOn() const { return (bytes[0] & 0xf0) == 0x90 && (bytes[2] & 0x7f) > 0; }
 };
 
+/// A blow on a place of an object beside the keys, such as a click on its picture.
+struct SurfaceStrike {
+    std::size_t slot = 0; ///< of the instrument
+    StrikePoint point;    ///< on the slot's object
+    int velocity = 0;     ///< 1 to 127; 0 strikes nothing and lifts the hand
+};
+
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
 /// allocates, locks nor throws. The same events and parameters give the same samples, bit for bit,
 /// whatever the block sizes.
@@ -58,6 +65,10 @@ public:
                  std::span<const MidiEvent> events,
                  const ParameterValues& parameters);
 
+    /// Acts at the first sample of the next block that has one. From the blow until the hand is
+    /// lifted the object is held as by a key. What this instrument does not have is ignored.
+    void strikeSurface(const SurfaceStrike& strike);
+
     /// Silence, all keys up, controllers at rest, the grid at its start.
     void reset();
 
@@ -70,6 +81,12 @@ public:
 private:
     void follow(const MidiEvent& event);
     void strikeFor(const MidiEvent& event);
+    void strikeAt(std::size_t slot,
+                  const StrikePoint& point,
+                  int velocity,
+                  double malletScale,
+                  std::uint32_t number);
+    void strikeWaiting();
     void keyDown(int channel, int note, int velocity);
     void keyUp(int channel, int note);
     void controller(int channel, int number, int value);
@@ -92,8 +109,10 @@ private:
     std::uint32_t firstStrikeNumber;
     std::uint32_t strikeCount;
     PendingStrikes pending;
-    std::vector<MidiEvent> late;          ///< note-ons for the start of the next block
-    std::vector<LowestModes> lowestModes; ///< of each slot
+    std::vector<MidiEvent> late;               ///< note-ons for the start of the next block
+    std::vector<SurfaceStrike> surfaceStrikes; ///< for the start of the next block
+    std::vector<LowestModes> lowestModes;      ///< of each slot
+    std::vector<double> malletScales;          ///< of each slot, as its keys have it
     HeldContacts held;
 
     LoudnessMatch loudness;
@@ -104,8 +123,9 @@ private:
     std::array<std::bitset<128>, 16> keysDown; ///< of each channel
     std::bitset<128> keysSustained;
     bool sustainPedal = false;
-    double bend = 0;                ///< −1 to 1
-    std::vector<bool> slotHeld;     ///< some key of the slot is down or sustained, or it may ring
+    double bend = 0;               ///< −1 to 1
+    std::vector<bool> slotTouched; ///< a hand on its surface holds it
+    std::vector<bool> slotHeld;    ///< that, or some key of it is down or sustained, or it may ring
     std::vector<bool> slotSilenced; ///< by "all sound off", until the next strike
     std::optional<int> programChange;
 };

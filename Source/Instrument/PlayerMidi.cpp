@@ -75,8 +75,10 @@ void Player::controller(int channel, int number, int value) {
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
         pending.clear();
         late.clear();
+        surfaceStrikes.clear();
         [[fallthrough]];
     case allNotesOff:
+        std::fill(slotTouched.begin(), slotTouched.end(), false);
         held.releaseAll();
         keysDown = {};
         keysSustained.reset();

@@ -41,6 +41,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     Player* const next = handoff.take();
     const ParameterValues& values = parameters.snapshot();
     sound.changeTo(next, values);
+    hand.strikeOn(sound.player());
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
     while (const auto piece = pieces.next()) {
@@ -183,6 +184,7 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     ownDampingRatio = built->slots().empty() ? 1 : ratio;
     loadedPreset = std::move(preset);
     instrument = std::move(built);
+    ++loads;
     lastError.clear();
     if (preparedRateHz > 0)
         handoff.publish(newPlayer());

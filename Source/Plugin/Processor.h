@@ -10,6 +10,7 @@
 #include "Plugin/NoteQueue.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Plugin/State.h"
+#include "Plugin/SurfaceHand.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
 #include <juce_events/juce_events.h>
@@ -72,6 +73,11 @@ public:
     void chooseUserMaterial(int index) override;
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
+    std::vector<PlayedObject> playedObjects() const override;
+    int instrumentNumber() const override { return loads; }
+    void strikeObject(std::size_t index,
+                      const std::array<double, 3>& pointMetres,
+                      int velocity) override;
     Status takeStatus() override;
 
     /// [message side] What plays; null where nothing could be loaded.
@@ -101,6 +107,8 @@ private:
     // Between threads.
     Handoff<Player> handoff;
     NoteQueue editorNotes;
+    SurfaceHand hand;
+    std::atomic<int> loads{0};
     std::atomic<bool> resetRequested{false};
     std::atomic<int> requestedProgram{-1};
     std::atomic<int> programIndex{-1};

@@ -96,6 +96,39 @@ ProcessorView::KeyRange Processor::keyRange() const {
     return {.lowest = loadedPreset.keyMap.lowestNote, .highest = loadedPreset.keyMap.highestNote};
 }
 
+std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
+    std::vector<PlayedObject> objects;
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return objects;
+    for (const auto own : ownSlots(*playing)) {
+        const auto& slot = playing->slots()[own];
+        PlayedObject played{.object = slot.object,
+                            .sizeRatio = slot.sizeRatio,
+                            .lowestNote = 127,
+                            .highestNote = 0};
+        for (int note = 0; note < 128; ++note)
+            if (const int index = playing->key(note).slot;
+                index >= 0 &&
+                playing->slots()[static_cast<std::size_t>(index)].object == slot.object) {
+                played.lowestNote = std::min(played.lowestNote, note);
+                played.highestNote = std::max(played.highestNote, note);
+            }
+        objects.push_back(std::move(played));
+    }
+    return objects;
+}
+
+void Processor::strikeObject(std::size_t index,
+                             const std::array<double, 3>& pointMetres,
+                             int velocity) {
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return;
+    if (const auto slots = ownSlots(*playing); index < slots.size())
+        hand.strike(playing, slots[index], pointMetres, velocity);
+}
+
 ProcessorView::Status Processor::takeStatus() {
     Status status{
         .sentence = {}, .isError = false, .modesMixed = modesMixed, .peak = peak.exchange(0)};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
-#include <chrono>
 #include <cmath>
 
 using namespace idiophone;
@@ -59,10 +58,7 @@ void tryMesh(std::uint32_t seed) {
     default:
         settings.method = AnalysisMethod::tetrahedra;
     }
-    const auto start = std::chrono::steady_clock::now();
     const auto object = analyse(hostile.mesh, settings);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    CHECK(took.count() < 30);
     if (object)
         checkObject(*object, settings);
     else

@@ -111,6 +111,7 @@ TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its 
     for (std::size_t i = 0; i < malletRack().size(); ++i) {
         auto parameters = xylophoneWith(i);
         parameters.set(size, 4);
+        parameters.set(radiation, 0); // from afar the tube is louder than all else
         Player player(instrument, sampleRateHz);
         centroids.push_back(
             spectralCentroidHz(render(player, {midi(0, 0x90, 72, 100)}, 32768, 480, parameters)));

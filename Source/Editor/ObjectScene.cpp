@@ -1,0 +1,168 @@
+#include "Editor/ObjectScene.h"
+
+#include "Editor/MaterialColour.h"
+#include "Geometry/ObjectMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace idiophone {
+namespace {
+
+using Place = std::array<double, 3>;
+
+struct Box {
+    Place lowest, highest;
+
+    explicit Box(const ModalObject& object) {
+        lowest.fill(std::numeric_limits<double>::infinity());
+        highest.fill(-std::numeric_limits<double>::infinity());
+        for (std::size_t i = 0; i < object.vertices.size(); ++i) {
+            const double value = static_cast<double>(object.vertices[i]);
+            lowest[i % 3] = std::min(lowest[i % 3], value);
+            highest[i % 3] = std::max(highest[i % 3], value);
+        }
+    }
+
+    double size(std::size_t axis) const { return highest[axis] - lowest[axis]; }
+    Place centre() const {
+        return {(lowest[0] + highest[0]) / 2, (lowest[1] + highest[1]) / 2,
+                (lowest[2] + highest[2]) / 2};
+    }
+};
+
+bool isAccidental(int note) {
+    switch (note % 12) {
+    case 1:
+    case 3:
+    case 6:
+    case 8:
+    case 10:
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+/// Bars lie along y, the naturals in a row, the accidentals behind and above them in the gaps, as
+/// on every mallet instrument. Bars run along their own x and face up along z.
+std::vector<ObjectScene::Placement>
+ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) {
+    constexpr double gapMetres = 0.006, overlap = 0.9;
+    std::vector<Box> boxes;
+    double widest = 0, tallest = 0;
+    for (const auto& [object, sizeRatio, lowestNote, highestNote] : played) {
+        boxes.emplace_back(*object);
+        widest = std::max(widest, sizeRatio * boxes.back().size(1));
+        tallest = std::max(tallest, sizeRatio * boxes.back().size(2));
+    }
+    std::vector<Placement> result;
+    const double column = widest + gapMetres;
+    double x = 0, naturalLength = 0;
+    for (std::size_t i = 0; i < played.size(); ++i) {
+        const double length = played[i].sizeRatio * boxes[i].size(0);
+        const bool behind = isAccidental(played[i].lowestNote);
+        Placement placement{.pivot = boxes[i].centre(),
+                            .axes = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}},
+                            .scale = played[i].sizeRatio};
+        if (behind) {
+            placement.origin = {x - column / 2, overlap * (naturalLength + length) / 2,
+                                1.5 * tallest};
+        } else {
+            placement.origin = {x, 0, 0};
+            naturalLength = length;
+            x += column;
+        }
+        placement.nearest = placement.origin[1] - length / 2;
+        placement.farthest = placement.origin[1] + length / 2;
+        result.push_back(placement);
+    }
+    return result;
+}
+
+ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played) {
+    if (played.size() > 1) {
+        placements = keyboardOf(played);
+    } else if (!played.empty()) {
+        const Box box(*played.front().object);
+        placements = {{.pivot = box.centre(),
+                       .scale = played.front().sizeRatio,
+                       .nearest = -played.front().sizeRatio * box.size(1) / 2,
+                       .farthest = played.front().sizeRatio * box.size(1) / 2}};
+    }
+    for (std::size_t i = 0; i < played.size(); ++i) {
+        const auto mesh = objectMesh(*played[i].object);
+        const auto normals = cornerNormals(mesh);
+        const auto& placement = placements[i];
+        runs.push_back({.firstVertex = corners.size(),
+                        .vertexCount = static_cast<std::size_t>(3 * mesh.faceCount()),
+                        .colour = colourOf(played[i].object->material)});
+        for (Eigen::Index corner = 0; corner < 3 * mesh.faceCount(); ++corner) {
+            const auto vertex = mesh.faces(corner / 3, corner % 3);
+            SceneVertex placed{};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                double place = placement.origin[axis], normal = 0;
+                for (std::size_t own = 0; own < 3; ++own) {
+                    const auto component = static_cast<Eigen::Index>(own);
+                    place += placement.axes[own][axis] * placement.scale *
+                             (mesh.vertices(vertex, component) - placement.pivot[own]);
+                    normal += placement.axes[own][axis] * normals(corner, component);
+                }
+                placed.place[axis] = static_cast<float>(place);
+                placed.normal[axis] = static_cast<float>(normal);
+            }
+            corners.push_back(placed);
+        }
+        objectOfFace.insert(objectOfFace.end(), static_cast<std::size_t>(mesh.faceCount()), i);
+    }
+    if (corners.empty())
+        return;
+
+    Mesh all{Eigen::MatrixXd(corners.size(), 3), Eigen::MatrixXi(objectOfFace.size(), 3)};
+    lowest = highest = corners.front().place;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float value = corners[i].place[axis];
+            all.vertices(row, static_cast<Eigen::Index>(axis)) = static_cast<double>(value);
+            lowest[axis] = std::min(lowest[axis], value);
+            highest[axis] = std::max(highest[axis], value);
+        }
+        all.faces(row / 3, row % 3) = static_cast<int>(i);
+    }
+    surface.emplace(std::move(all));
+}
+
+float ObjectScene::radius() const {
+    return std::hypot(highest[0] - lowest[0], highest[1] - lowest[1], highest[2] - lowest[2]) / 2;
+}
+
+std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
+                                           const ScenePlace& direction) const {
+    if (!surface)
+        return std::nullopt;
+    const auto hit = surface->firstHit(Eigen::Vector3d(origin[0], origin[1], origin[2]),
+                                       Eigen::Vector3d(direction[0], direction[1], direction[2]));
+    if (!hit)
+        return std::nullopt;
+    ScenePick pick{.object = objectOfFace[static_cast<std::size_t>(hit->face)]};
+    const auto& placement = placements[pick.object];
+    for (std::size_t own = 0; own < 3; ++own) {
+        double component = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            component +=
+                placement.axes[own][axis] *
+                (hit->pointMetres(static_cast<Eigen::Index>(axis)) - placement.origin[axis]);
+        pick.pointMetres[own] = placement.pivot[own] + component / placement.scale;
+        pick.place[own] = static_cast<float>(hit->pointMetres(static_cast<Eigen::Index>(own)));
+    }
+    const double depth = placement.farthest - placement.nearest;
+    pick.towardsPlayer =
+        depth > 0 ? std::clamp((placement.farthest - hit->pointMetres.y()) / depth, 0.0, 1.0) : 1;
+    return pick;
+}
+
+} // namespace idiophone

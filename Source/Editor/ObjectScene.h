@@ -1,0 +1,76 @@
+// The objects of an instrument laid out in space, to be drawn and picked: several as a keyboard,
+// one as it is. It knows neither windows nor OpenGL.
+#pragma once
+
+#include "Editor/ProcessorView.h"
+#include "Geometry/SurfaceQuery.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+/// In metres of the scene, where x goes right, y away from the player, z up.
+using ScenePlace = std::array<float, 3>;
+
+struct SceneVertex {
+    ScenePlace place;
+    std::array<float, 3> normal; ///< unit, or zero
+};
+
+/// A run of vertices, three a face.
+struct SceneObject {
+    std::size_t firstVertex = 0;
+    std::size_t vertexCount = 0;
+    std::array<float, 3> colour{}; ///< red, green, blue; 0 to 1
+};
+
+struct ScenePick {
+    std::size_t object = 0;              ///< index into the played objects
+    std::array<double, 3> pointMetres{}; ///< on the object's own mesh
+    ScenePlace place{};
+    double towardsPlayer = 0; ///< 0 at the object's far end, 1 at its near end
+};
+
+/// Immutable once built, which takes a while for large meshes.
+class ObjectScene {
+public:
+    explicit ObjectScene(const std::vector<ProcessorView::PlayedObject>& played);
+
+    std::span<const SceneVertex> vertices() const { return corners; }
+    std::span<const SceneObject> objects() const { return runs; }
+    bool empty() const { return corners.empty(); }
+
+    /// The corners of the box that holds everything; both 0 for an empty scene.
+    ScenePlace lowestCorner() const { return lowest; }
+    ScenePlace highestCorner() const { return highest; }
+    /// Half of what lies between them; 0 for an empty scene.
+    float radius() const;
+
+    /// What a ray meets first.
+    std::optional<ScenePick> pick(const ScenePlace& origin, const ScenePlace& direction) const;
+
+private:
+    /// scene = origin + axes · (own − pivot) · scale, the axes being columns: own x, y, z.
+    struct Placement {
+        std::array<double, 3> pivot{}, origin{};
+        std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+        double scale = 1;
+        double nearest = 0, farthest = 0; ///< y in the scene
+    };
+
+    static std::vector<Placement>
+    keyboardOf(const std::vector<ProcessorView::PlayedObject>& played);
+
+    std::vector<SceneVertex> corners;
+    std::vector<SceneObject> runs;
+    std::vector<Placement> placements;
+    std::vector<std::size_t> objectOfFace;
+    std::optional<SurfaceQuery> surface; ///< all faces
+    ScenePlace lowest{}, highest{};
+};
+
+} // namespace idiophone

@@ -1,0 +1,16 @@
+// A modal object's own mesh, and normals to draw it with. ShapeMesh has the part where shapes are.
+#pragma once
+
+#include "Geometry/Mesh.h"
+#include "Object/ModalObject.h"
+
+namespace idiophone {
+
+Mesh objectMesh(const ModalObject& object);
+
+/// [3F×3] unit normals of the corners of all faces, three rows a face: the area-weighted mean over
+/// the faces around the corner that turn from its own by less than the crease angle, so that edges
+/// stay sharp. Zero where the face has no area.
+Eigen::MatrixXd cornerNormals(const Mesh& mesh, double creaseDegrees = 35);
+
+} // namespace idiophone

@@ -1,0 +1,158 @@
+// The instrument in three dimensions, as far as it goes without a screen: layout, camera, picking.
+#include "Editor/ObjectView.h"
+#include "Plugin/TestSound.h"
+
+#include "Instrument/FactoryContent.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <set>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+int presetNumber(const char* name) {
+    const auto presets = factoryPresets();
+    const auto found = std::ranges::find(presets, name, &Preset::name);
+    return static_cast<int>(found - presets.begin());
+}
+
+std::vector<ProcessorView::PlayedObject> objectsOf(Processor& processor, const char* preset) {
+    processor.setCurrentProgram(presetNumber(preset));
+    return processor.playedObjects();
+}
+
+/// The middle of an object's faces that look up.
+ScenePlace above(const ObjectScene& scene, std::size_t object) {
+    const auto& run = scene.objects()[object];
+    ScenePlace sum{};
+    float count = 0;
+    for (const auto& vertex : scene.vertices().subspan(run.firstVertex, run.vertexCount))
+        if (vertex.normal[2] > 0.9f) {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                sum[axis] += vertex.place[axis];
+            ++count;
+        }
+    for (float& component : sum)
+        component /= count;
+    return {sum[0], sum[1], sum[2] + 1};
+}
+
+} // namespace
+
+TEST_CASE("Bars lie as a keyboard: from left to right, the accidentals behind and above") {
+    Processor processor;
+    const auto played = objectsOf(processor, "Rosewood Xylophone");
+    REQUIRE(played.size() == 44);
+    CHECK(played.front().lowestNote == 65);
+    CHECK(played.front().highestNote == 65);
+    const ObjectScene scene(played);
+    const std::set accidentals{1, 3, 6, 8, 10};
+    float lastNatural = -1, lastBehind = -1;
+    for (std::size_t i = 0; i < played.size(); ++i) {
+        const auto place = above(scene, i);
+        const auto hit = scene.pick(place, {0, 0, -1});
+        REQUIRE(hit);
+        INFO("note " << played[i].lowestNote);
+        CHECK(hit->object == i);
+        const bool behind = accidentals.contains(played[i].lowestNote % 12);
+        CHECK((place[1] > 0.05f) == behind);
+        float& last = behind ? lastBehind : lastNatural;
+        CHECK(place[0] > last);
+        last = place[0];
+    }
+}
+
+TEST_CASE("What is picked is a place on the object's own mesh, harder towards the player") {
+    Processor processor;
+    const auto played = objectsOf(processor, "Rosewood Xylophone");
+    const ObjectScene scene(played);
+    for (const std::size_t i : {0u, 1u, 20u}) {
+        const auto& vertices = played[i].object->vertices;
+        float top = vertices[2], end = vertices[0];
+        for (std::size_t k = 0; k < vertices.size(); k += 3) {
+            top = std::max(top, vertices[k + 2]);
+            end = std::max(end, vertices[k]);
+        }
+        auto from = above(scene, i);
+        const auto middle = scene.pick(from, {0, 0, -1});
+        REQUIRE(middle);
+        CHECK(middle->pointMetres[2] == Approx(top).margin(1e-6));
+        CHECK(std::abs(middle->pointMetres[0]) < 0.05 * double(end));
+        CHECK(middle->towardsPlayer == Approx(0.5).margin(0.05));
+        from[1] -= 0.8f * end;
+        const auto near = scene.pick(from, {0, 0, -1});
+        REQUIRE(near);
+        CHECK(near->towardsPlayer == Approx(0.9).margin(0.05));
+        CHECK(near->pointMetres[0] == Approx(-0.8 * double(end)).epsilon(0.06));
+    }
+}
+
+TEST_CASE("A ray beside everything meets nothing, and an empty scene has nothing to meet") {
+    Processor processor;
+    const ObjectScene scene(objectsOf(processor, "Handbell"));
+    CHECK(scene.objects().size() == 1);
+    CHECK_FALSE(scene.pick({10, 0, 1}, {0, 0, -1}));
+    const ObjectScene empty({});
+    CHECK(empty.empty());
+    CHECK_FALSE(empty.pick({0, 0, 1}, {0, 0, -1}));
+}
+
+TEST_CASE(
+    "The camera sees all of a scene in windows of any shape, and its rays go where it looks") {
+    OrbitCamera camera;
+    const ScenePlace lowest{-0.4f, -0.2f, 0.1f}, highest{0.9f, 0.3f, 0.15f};
+    camera.lookAt(lowest, highest);
+    for (const auto& [around, up] : {std::pair(0.0f, 0.0f), {1.3f, 0.5f}, {-2.5f, -2.0f}}) {
+        camera.turnBy(around, up);
+        for (const float aspect : {0.4f, 1.0f, 3.0f}) {
+            float widest = 0;
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                ScenePlace place = lowest;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    if ((corner >> axis) & 1)
+                        place[axis] = highest[axis];
+                const auto seen = camera.seenAt(place, aspect);
+                CHECK(std::abs(seen[0]) <= 1);
+                CHECK(std::abs(seen[1]) <= 1);
+                widest = std::max({widest, std::abs(seen[0]), std::abs(seen[1])});
+                const auto [origin, direction] = camera.rayThrough(seen[0], seen[1], aspect);
+                const float along = direction[0] * (place[0] - origin[0]) +
+                                    direction[1] * (place[1] - origin[1]) +
+                                    direction[2] * (place[2] - origin[2]);
+                const float square = direction[0] * direction[0] + direction[1] * direction[1] +
+                                     direction[2] * direction[2];
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    CHECK(std::abs(origin[axis] + along / square * direction[axis] - place[axis]) <
+                          1e-4f);
+            }
+            CHECK(widest > 0.9f);
+        }
+    }
+}
+
+TEST_CASE("A click on the picture of a bar sounds that bar; a click beside it sounds nothing") {
+    Processor processor;
+    processor.setCurrentProgram(presetNumber("Marimba"));
+    processor.prepareToPlay(48000, 480);
+    ObjectView view(processor);
+    view.setBounds(0, 0, 900, 300);
+    juce::AudioBuffer<float> sound(2, 4800);
+    juce::MidiBuffer midi;
+    const auto level = [&] {
+        sound.clear();
+        processor.processBlock(sound, midi);
+        return sound.getMagnitude(0, sound.getNumSamples());
+    };
+    CHECK_FALSE(view.strikeAt({2, 2}));
+    CHECK(level() == 0);
+    const auto pick = view.strikeAt({450, 150});
+    REQUIRE(pick);
+    CHECK(pick->object < processor.playedObjects().size());
+    CHECK(level() > 1e-4f);
+    view.lift();
+}
