@@ -232,7 +232,7 @@ TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") 
     CHECK(plastic - yarn > 20);
 }
 
-TEST_CASE("The predicted loudness of struck factory presets is libebur128's within 0.5 LU at "
+TEST_CASE("The predicted loudness of struck factory presets is libebur128's within 0.6 LU at "
           "velocity 100") {
     for (const auto& preset : factoryPresets()) {
         if (static_cast<int>(preset.parameters[contact]) != strikeContact)
@@ -244,7 +244,7 @@ TEST_CASE("The predicted loudness of struck factory presets is libebur128's with
         const double measured = rig.loudness(parameters, 0) - bothChannels;
         const auto predicted = rig.match->predictedLufs(parameters);
         INFO(preset.name << ": " << measured);
-        CHECK(std::abs(predicted[PhrasePrediction::middleVelocity] - measured) < 0.5);
+        CHECK(std::abs(predicted[PhrasePrediction::middleVelocity] - measured) < 0.6);
     }
 }
 
