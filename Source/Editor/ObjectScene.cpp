@@ -48,7 +48,8 @@ bool isAccidental(int note) {
 } // namespace
 
 /// Bars lie along y, the naturals in a row, the accidentals behind and above them in the gaps, as
-/// on every mallet instrument. Bars run along their own x and face up along z.
+/// on every mallet instrument. Bars run along their own x and face up along z. What is higher than
+/// long, as chimes are, hangs by its upper end, the accidentals behind.
 std::vector<ObjectScene::Placement>
 ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) {
     constexpr double gapMetres = 0.006, overlap = 0.9;
@@ -64,11 +65,15 @@ ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) 
     double x = 0, naturalLength = 0;
     for (std::size_t i = 0; i < played.size(); ++i) {
         const double length = played[i].sizeRatio * boxes[i].size(0);
+        const double height = played[i].sizeRatio * boxes[i].size(2);
         const bool behind = isAccidental(played[i].lowestNote);
         Placement placement{.pivot = boxes[i].centre(),
                             .axes = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}},
                             .scale = played[i].sizeRatio};
-        if (behind) {
+        if (height > length) {
+            placement.origin = {behind ? x - column / 2 : x, behind ? column : 0, -height / 2};
+            x += behind ? 0 : column;
+        } else if (behind) {
             placement.origin = {x - column / 2, overlap * (naturalLength + length) / 2,
                                 1.5 * tallest};
         } else {

@@ -67,6 +67,21 @@ TEST_CASE("Bars lie as a keyboard: from left to right, the accidentals behind an
     }
 }
 
+TEST_CASE("Chimes hang side by side, their upper ends level") {
+    Processor processor;
+    const auto played = objectsOf(processor, "Tubular Bells");
+    REQUIRE(played.size() == 18);
+    const ObjectScene scene(played);
+    CHECK(scene.highestCorner()[1] < 0.1f);
+    for (std::size_t i = 0; i < played.size(); ++i) {
+        const auto& run = scene.objects()[i];
+        float top = -1;
+        for (const auto& vertex : scene.vertices().subspan(run.firstVertex, run.vertexCount))
+            top = std::max(top, vertex.place[2]);
+        CHECK(top == Approx(0).margin(1e-4));
+    }
+}
+
 TEST_CASE("What is picked is a place on the object's own mesh, harder towards the player") {
     Processor processor;
     const auto played = objectsOf(processor, "Rosewood Xylophone");
