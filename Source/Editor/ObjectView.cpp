@@ -1,6 +1,7 @@
 #include "Editor/ObjectView.h"
 
 #include "Editor/DarkLook.h"
+#include "Editor/OpenGlSupport.h"
 
 #include <cmath>
 
@@ -29,7 +30,10 @@ ObjectView::ObjectView(ProcessorView& processor) : view(processor) {
     context.setMultisamplingEnabled(true);
     context.setContinuousRepainting(false);
     context.setRenderer(&renderer);
-    context.attachTo(*this);
+    if (hasOpenGl())
+        context.attachTo(*this);
+    else
+        ticksWithoutContext = ticksToWait;
     refresh();
 }
 

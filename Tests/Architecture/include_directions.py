@@ -27,7 +27,7 @@ ROOMS = {
     "Instrument": ("Synth Geometry Object Parameters", "nlohmann/ Tunings.h libMTSClient.h"),
     "Scene": ("Synth Geometry Object", "bullet/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
     "Output": ("Parameters", "juce_dsp/"),
-    "Editor": ("Parameters Object Geometry", "juce_"),
+    "Editor": ("Parameters Object Geometry", "juce_ GL/ X11/"),
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
                "juce_ nlohmann/ moodycamel/ readerwriterqueue/"),
     "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
