@@ -38,7 +38,9 @@ void checkObject(const ModalObject& object, const AnalysisSettings& settings) {
 void tryMesh(std::uint32_t seed) {
     const auto hostile = hostileMesh(seed);
     CAPTURE(seed, hostile.name);
-    AnalysisSettings settings{.name = "Hostile", .source = hostile.name};
+    AnalysisSettings settings;
+    settings.name = "Hostile";
+    settings.source = hostile.name;
     settings.material = referenceWood();
     settings.thicknessMetres = seed % 3 == 0 ? 0.05 : 0.002;
     settings.maxFrequencyHz = 400;
