@@ -48,8 +48,9 @@ Result<double> fitMesh(Mesh& mesh,
         mesh.vertexCount() > 2 * settings.vertexBudget) {
         if (remeshedTriangles(mesh, edge) >
             mostNewTriangles + static_cast<double>(mesh.faceCount()))
-            return failure("The mesh needs too many triangles to be covered with those of a shell; "
-                           "simplify the mesh, or check its proportions and its unit.");
+            return failure("The mesh of " + std::to_string(mesh.vertexCount()) +
+                           " vertices needs too many triangles to be covered with those of a "
+                           "shell; simplify the mesh, or check its proportions and its unit.");
         auto remeshed = remesh(
             mesh, {.edgeLengthMetres = edge},
             {.progress = [&](double fraction) { control.report(0.1 * fraction, "Remeshing"); },
