@@ -1,6 +1,7 @@
 #include "HostileMeshes.h"
 
 #include "Geometry/ParametricMesh.h"
+#include "Geometry/TestMeshes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -38,26 +39,8 @@ private:
     std::mt19937 engine_;
 };
 
-Mesh joined(const Mesh& a, const Mesh& b) {
-    Mesh both{Eigen::MatrixXd(a.vertexCount() + b.vertexCount(), 3),
-              Eigen::MatrixXi(a.faceCount() + b.faceCount(), 3)};
-    both.vertices << a.vertices, b.vertices;
-    both.faces << a.faces, b.faces.array() + static_cast<int>(a.vertexCount());
-    return both;
-}
-
-Mesh moved(Mesh mesh, const Eigen::RowVector3d& by) {
-    mesh.vertices.rowwise() += by;
-    return mesh;
-}
-
 Mesh scaled(Mesh mesh, double factor) {
     mesh.vertices *= factor;
-    return mesh;
-}
-
-Mesh insideOut(Mesh mesh) {
-    mesh.faces.col(0).swap(mesh.faces.col(1));
     return mesh;
 }
 
@@ -321,25 +304,9 @@ Mesh bunch(Dice& dice) {
     return all;
 }
 
-Mesh kleinBottle(Dice& dice) {
+Mesh smallBottle(Dice& dice) {
     const int around = dice.from(4, 16), across = dice.from(4, 10);
-    std::vector<Eigen::RowVector3d> points;
-    std::vector<Eigen::RowVector3i> faces;
-    const auto vertex = [=](int i, int j) {
-        const int k = i == around ? 2 * across - j : j;
-        return i % around * across + k % across;
-    };
-    for (int i = 0; i < around; ++i)
-        for (int j = 0; j < across; ++j) {
-            const double u = 2 * pi * i / around, v = 2 * pi * j / across;
-            const double r = 2 + std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
-            points.emplace_back(
-                0.05 * r * std::cos(u), 0.05 * r * std::sin(u),
-                0.05 * (std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v)));
-            faces.emplace_back(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
-            faces.emplace_back(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
-        }
-    return meshOf(points, faces);
+    return scaled(kleinBottle(around, across), 0.05);
 }
 
 /// Sheets folded to and fro, on top of one another where the folds are flat.
@@ -386,7 +353,7 @@ constexpr std::array<Family, 17> families{{{"body", plainBody},
                                            {"wedge", wedge},
                                            {"pinched body", pinched},
                                            {"bunch", bunch},
-                                           {"Klein bottle", kleinBottle},
+                                           {"Klein bottle", smallBottle},
                                            {"folded sheet", folded},
                                            {"fan", fan},
                                            {"body again", plainBody}}};
@@ -404,15 +371,6 @@ Mesh withHoles(Mesh mesh, Dice& dice) {
             mesh.faces.row(kept++) = mesh.faces.row(face).eval();
     mesh.faces.conservativeResize(kept, Eigen::NoChange);
     return mesh;
-}
-
-Mesh asSoup(const Mesh& mesh) {
-    Mesh result{Eigen::MatrixXd(3 * mesh.faceCount(), 3), mesh.faces};
-    for (Eigen::Index i = 0; i < result.vertices.rows(); ++i) {
-        result.vertices.row(i) = mesh.vertices.row(mesh.faces(i / 3, i % 3));
-        result.faces(i / 3, i % 3) = static_cast<int>(i);
-    }
-    return result;
 }
 
 /// What happens to meshes on their way.
@@ -448,7 +406,7 @@ void spoil(HostileMesh& result, Dice& dice) {
         break;
     case 6:
         note("as soup");
-        mesh = asSoup(mesh);
+        mesh = soupOf(mesh);
         break;
     case 7:
         note("turned over at random");

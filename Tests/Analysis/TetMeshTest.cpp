@@ -1,6 +1,7 @@
 #include "Analysis/TetMesh.h"
 
 #include "Geometry/ParametricMesh.h"
+#include "Geometry/TestMeshes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,22 +16,10 @@
 #include <vector>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
 namespace {
-
-Mesh together(const Mesh& a, const Mesh& b) {
-    Mesh both{Eigen::MatrixXd(a.vertexCount() + b.vertexCount(), 3),
-              Eigen::MatrixXi(a.faceCount() + b.faceCount(), 3)};
-    both.vertices << a.vertices, b.vertices;
-    both.faces << a.faces, b.faces.array() + static_cast<int>(a.vertexCount());
-    return both;
-}
-
-Mesh moved(Mesh mesh, const Eigen::RowVector3d& by) {
-    mesh.vertices.rowwise() += by;
-    return mesh;
-}
 
 /// The number of element faces (three corners) that belong to one element only.
 int outerFaces(const TetMesh& mesh) {
@@ -124,8 +113,7 @@ TEST_CASE("Cavities stay empty whichever way their faces look") {
 
 TEST_CASE("Separate bodies are all filled") {
     const auto box = boxMesh({1, 1, 1}, {2, 2, 2});
-    const auto mesh =
-        tetrahedralise(together(box, moved(box, {3, 0, 0})), {.targetEdgeMetres = 0.5});
+    const auto mesh = tetrahedralise(joined(box, moved(box, {3, 0, 0})), {.targetEdgeMetres = 0.5});
     REQUIRE(mesh);
     CHECK_THAT(volumeM3(*mesh), WithinRel(2, 1e-12));
 }
@@ -173,7 +161,7 @@ TEST_CASE("Bodies that cannot be filled are refused in one sentence") {
 
 TEST_CASE("Two boxes that cross each other are an error, not a crash") {
     const auto box = boxMesh({1, 1, 1}, {2, 2, 2});
-    const auto crossing = together(box, moved(box, {0.37, 0.21, 0.13}));
+    const auto crossing = joined(box, moved(box, {0.37, 0.21, 0.13}));
     for (const bool keep : {true, false}) {
         const auto mesh = tetrahedralise(crossing, {.targetEdgeMetres = 0.4, .keepSurface = keep});
         REQUIRE_FALSE(mesh);
