@@ -1,5 +1,7 @@
 #include "Analysis/Radiation.h"
 
+#include "Analysis/Air.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double soundSpeedMetresPerSecond = 343;
 constexpr double lowestAudibleHz = 20, highestAudibleHz = 22000;
 constexpr double samePole = 1e-9;
 /// Rounding leaves this much of the mean |A n·φ| in a sum that ought to vanish.
@@ -151,7 +152,7 @@ std::vector<FarField> farFields(const Eigen::MatrixXd& flows,
         const double waveNumber =
             std::clamp(ratio * std::sqrt(eigenvalue), 2 * std::numbers::pi * lowestAudibleHz,
                        2 * std::numbers::pi * highestAudibleHz) /
-            soundSpeedMetresPerSecond;
+            speedOfSoundMetresPerSecond;
         if (!fields.empty() && fields.back().waveNumber == waveNumber) {
             fields.push_back(fields.back());
             continue;

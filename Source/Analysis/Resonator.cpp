@@ -1,5 +1,7 @@
 #include "Analysis/Resonator.h"
 
+#include "Analysis/Air.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,7 +12,6 @@
 namespace idiophone {
 namespace {
 
-constexpr double speedOfSoundMetresPerSecond = 343, airDensityKgPerM3 = 1.204;
 /// k in rad/m.
 double waveNumber(double frequencyHz) {
     return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;

@@ -3,6 +3,7 @@
 #include "Analysis/ModalAnalysis.h"
 #include "Geometry/MeshRepair.h"
 #include "Geometry/ParametricMesh.h"
+#include "Geometry/TestMeshes.h"
 #include "TestMaterials.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -31,14 +32,11 @@ AnalysisSettings settingsOf(double maxFrequencyHz) {
 
 Mesh twoCrossedBoxes() {
     const Mesh one = boxMesh({0.3, 0.05, 0.02}, {6, 2, 1});
-    Mesh both{Eigen::MatrixXd(2 * one.vertexCount(), 3), Eigen::MatrixXi(2 * one.faceCount(), 3)};
-    Eigen::MatrixXd turned = one.vertices;
-    turned.col(0) = one.vertices.col(1);
-    turned.col(1) = one.vertices.col(0);
-    turned.col(2).array() += 0.001;
-    both.vertices << one.vertices, turned;
-    both.faces << one.faces, (one.faces.array() + static_cast<int>(one.vertexCount())).matrix();
-    return both;
+    Mesh turned = one;
+    turned.vertices.col(0) = one.vertices.col(1);
+    turned.vertices.col(1) = one.vertices.col(0);
+    turned.vertices.col(2).array() += 0.001;
+    return joined(one, turned);
 }
 
 } // namespace

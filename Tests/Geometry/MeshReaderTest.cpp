@@ -2,6 +2,7 @@
 
 #include "Geometry/MeshWriter.h"
 #include "Geometry/ParametricMesh.h"
+#include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -16,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 std::filesystem::path fileOf(const std::string& name, const std::string& bytes) {
-    const auto path = std::filesystem::path(IDIOPHONE_TEST_DIR) / name;
+    const auto path = test::testFolder() / name;
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
 }
@@ -73,7 +74,7 @@ const std::string triangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 TEST_CASE("A mesh written as OBJ or PLY reads back bit for bit") {
     const auto sphere = icosphereMesh(0.1234567, 2);
     for (const char* name : {"round.obj", "round.ply"}) {
-        const auto path = std::filesystem::path(IDIOPHONE_TEST_DIR) / name;
+        const auto path = test::testFolder() / name;
         REQUIRE(writeMesh(sphere, path));
         const auto read = readMesh(path);
         REQUIRE(read);
@@ -195,9 +196,9 @@ TEST_CASE("Each fault of a mesh file has one sentence that names the file") {
 
 TEST_CASE("A file that is missing, or a folder, is one sentence") {
     CHECK_THAT(readMesh("/no/such/bar.obj").error().message, ContainsSubstring("\"bar.obj\""));
-    CHECK_FALSE(readMesh(std::filesystem::path(IDIOPHONE_TEST_DIR)));
-    std::filesystem::create_directories(std::filesystem::path(IDIOPHONE_TEST_DIR) / "folder.obj");
-    CHECK_FALSE(readMesh(std::filesystem::path(IDIOPHONE_TEST_DIR) / "folder.obj"));
+    CHECK_FALSE(readMesh(test::testFolder()));
+    std::filesystem::create_directories(test::testFolder() / "folder.obj");
+    CHECK_FALSE(readMesh(test::testFolder() / "folder.obj"));
 }
 
 TEST_CASE("A binary file cut anywhere is refused, never read as something else") {
@@ -212,7 +213,7 @@ TEST_CASE("A binary file cut anywhere is refused, never read as something else")
 
 TEST_CASE("Files with random bytes changed never crash the reader") {
     const auto sphere = icosphereMesh(1, 0);
-    const auto obj = std::filesystem::path(IDIOPHONE_TEST_DIR) / "fuzz-source.obj";
+    const auto obj = test::testFolder() / "fuzz-source.obj";
     REQUIRE(writeMesh(sphere, obj));
     std::ifstream stream(obj, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -2,6 +2,7 @@
 #include "Geometry/ColourMap.h"
 #include "Geometry/MeshReader.h"
 #include "Geometry/ParametricMesh.h"
+#include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <filesystem>
@@ -13,7 +14,7 @@ using namespace idiophone;
 namespace {
 
 std::filesystem::path scratch(const char* name) {
-    return std::filesystem::path(IDIOPHONE_TEST_DIR) / name;
+    return test::testFolder() / name;
 }
 
 } // namespace

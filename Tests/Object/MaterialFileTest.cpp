@@ -1,4 +1,5 @@
 #include "Object/MaterialFile.h"
+#include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -35,7 +36,7 @@ std::string with(const std::string& before, const std::string& after) {
 
 /// A folder of this test's own, empty.
 std::filesystem::path folder(const char* name) {
-    const auto path = std::filesystem::path(IDIOPHONE_TEST_DIR) / name;
+    const auto path = test::testFolder() / name;
     std::filesystem::remove_all(path);
     std::filesystem::create_directories(path);
     return path;

@@ -1,5 +1,6 @@
 #include "Object/ModalObjectFile.h"
 #include "Support/SyntheticObject.h"
+#include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -113,7 +114,7 @@ TEST_CASE("Half-precision shapes are within half a unit of the eleventh bit") {
 }
 
 TEST_CASE("A file written to disk reads back, and an unwritable place is one sentence") {
-    const auto directory = std::filesystem::path(IDIOPHONE_TEST_DIR);
+    const auto directory = test::testFolder();
     const auto file = directory / "written.modal";
     REQUIRE(writeModalObject(syntheticObject({100}), file));
     CHECK(readModalObject(file));

@@ -2,6 +2,7 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Plugin/TestSound.h"
+#include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -13,7 +14,7 @@ using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
 
 TEST_CASE("An object from a file travels in the state and outlives the file") {
-    const auto file = std::filesystem::path(IDIOPHONE_TEST_DIR) / "embedded.modal";
+    const auto file = testFolder() / "embedded.modal";
     REQUIRE(writeModalObject(syntheticObject({440, 1000}), file));
     auto state = testState();
     state.preset.keyMap.object = file.string();

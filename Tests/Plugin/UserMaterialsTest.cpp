@@ -1,6 +1,7 @@
 // The user's own materials in the window: listed, chosen, shown by name, and faults said.
 #include "Object/MaterialFile.h"
 #include "Plugin/TestSound.h"
+#include "Support/TestFolder.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -51,7 +52,7 @@ private:
         setenv(variable, value, 1);
     }
 #endif
-    const std::filesystem::path root = std::filesystem::path(IDIOPHONE_TEST_DIR) / "settings";
+    const std::filesystem::path root = testFolder() / "settings";
     const std::string before = std::getenv(variable) != nullptr ? std::getenv(variable) : "";
 };
 

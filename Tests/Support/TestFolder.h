@@ -1,0 +1,27 @@
+// A folder for a test's files that no other running test shares.
+#pragma once
+
+#include <filesystem>
+#include <random>
+#include <string>
+
+namespace idiophone::test {
+
+/// This process's own folder, removed when it ends: CTest runs every test case as a process of its
+/// own, several at a time, so a name fixed for all of them would be written by two at once.
+inline const std::filesystem::path& testFolder() {
+    struct Folder {
+        Folder() { std::filesystem::create_directories(path); }
+        ~Folder() {
+            std::error_code ignored;
+            std::filesystem::remove_all(path, ignored);
+        }
+        const std::filesystem::path path = std::filesystem::path(IDIOPHONE_TEST_DIR) /
+                                           ("files-" + std::to_string(std::random_device{}()) +
+                                            std::to_string(std::random_device{}()));
+    };
+    static const Folder folder;
+    return folder.path;
+}
+
+} // namespace idiophone::test
