@@ -13,11 +13,11 @@ namespace idiophone {
 
 /// How a mesh is made an object.
 struct ImportSettings {
-    std::string unit;               ///< "m", "cm", "mm", "in", "ft"; empty: guessed from the size
+    std::string unit = {};          ///< "m", "cm", "mm", "in", "ft"; empty: guessed from the size
     std::string material = "Steel"; ///< the library's or the user's own
     double thicknessMetres = 0.002; ///< of a shell; 1e-5 to 1
     /// "fem", "two-layer", "spring-mass", "van-gelder"; empty: what suits the mesh.
-    std::string method;
+    std::string method = {};
 
     bool operator==(const ImportSettings&) const = default;
 };

@@ -104,6 +104,7 @@ private:
     std::unique_ptr<Player> newPlayer() const;
 
     // ProcessorForWorkshop.cpp; for the message thread.
+    double rateHz() const;
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);
     void playMapped(const KeyMap& map);

@@ -3,6 +3,7 @@
 
 #include "Geometry/ObjectMesh.h"
 #include "Instrument/LoudnessMatch.h"
+#include "Instrument/Mallet.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
@@ -19,12 +20,39 @@ constexpr KeyMapKind kindOf(KeyLayout layout) {
     return layout == KeyLayout::zones ? KeyMapKind::zones : KeyMapKind::scaled;
 }
 
+bool isStruck(const ParameterValues& values) {
+    return static_cast<int>(values[ParameterId::contact]) == strikeContact;
+}
+
 double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values) {
     const LoudnessMatch match(instrument, surface, sampleRateHz, values);
     return match.predictedLufs(values)[PhrasePrediction::middleVelocity];
+}
+
+/// The values, but with a mallet of the rack where theirs leaves the instrument all but silent, as
+/// yarn does a small ball of steel: the softest that makes it sound, or the one that does it best.
+ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
+                                  const Surface& surface,
+                                  double sampleRateHz,
+                                  const ParameterValues& values) {
+    constexpr double faintestLufs = wantedLufs - 12; // what the level has to make up for
+    const auto loudnessOf = [&](const ParameterValues& with) {
+        return predictedLufs(instrument, surface, sampleRateHz, with);
+    };
+    double loudest = loudnessOf(values);
+    auto best = values;
+    for (std::size_t k = 0; k < malletRack().size() && !(loudest >= faintestLufs); ++k) {
+        auto with = values;
+        with.set(ParameterId::mallet, static_cast<double>(firstRackMallet + k));
+        if (const double lufs = loudnessOf(with); lufs > loudest) {
+            loudest = lufs;
+            best = with;
+        }
+    }
+    return best;
 }
 
 } // namespace
@@ -84,11 +112,6 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
         map = singleObjectMap(object, product.objectName, KeyMapKind::scaled);
     map.object = product.objectName;
     map.referenceNote = -1;
-    if (product.isFirst) {
-        values.set(ParameterId::material, ownMaterial);
-        values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
-        preset.parameters = values;
-    }
     preset.name = object.name;
     preset.author.clear();
     preset.description = object.name + ": " + summaryOf(object);
@@ -100,8 +123,20 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
         lastError = object.name + " cannot be played: " + built.error().message;
         return;
     }
+    if (product.isFirst) {
+        values.set(ParameterId::material, ownMaterial);
+        values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
+        if (isNew && isStruck(values))
+            values = withAudibleMallet(*built, preset.surface, rateHz(), values);
+        preset.parameters = values;
+    }
     playAsLoud(std::move(preset), std::move(*built), values,
                isNew ? std::optional(wantedLufs) : std::nullopt);
+}
+
+double Processor::rateHz() const {
+    const std::scoped_lock lock(soundMutex);
+    return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
 /// With the level that a loudness asks for, or else that keeps what plays as loud as it is.
@@ -109,14 +144,12 @@ void Processor::playAsLoud(Preset preset,
                            std::shared_ptr<const Instrument> built,
                            ParameterValues values,
                            std::optional<double> lufs) {
-    const double rateHz = preparedRateHz > 0 ? preparedRateHz : 48000;
     const auto before = loadedInstrument();
     const auto now = parameters.values();
-    const bool isStruck = static_cast<int>(now[ParameterId::contact]) == strikeContact;
     // The loudness of scrapes and rolls is known but for a constant.
-    if (before != nullptr && (!lufs || !isStruck))
-        lufs = predictedLufs(before, preset.surface, rateHz, now) + now[ParameterId::level];
-    const double level = lufs ? *lufs - predictedLufs(built, preset.surface, rateHz, values)
+    if (before != nullptr && (!lufs || !isStruck(now)))
+        lufs = predictedLufs(before, preset.surface, rateHz(), now) + now[ParameterId::level];
+    const double level = lufs ? *lufs - predictedLufs(built, preset.surface, rateHz(), values)
                               : now[ParameterId::level];
     if (std::isfinite(level))
         values.set(ParameterId::level, level);
