@@ -45,6 +45,12 @@ public:
 
     /// In the unit of the table.
     virtual double parameterValue(ParameterId parameter) const = 0;
+    /// What holds now: of a material's or mallet's figures those of the one that is chosen, or of
+    /// what the objects themselves are made of.
+    virtual double effectiveValue(ParameterId parameter) const = 0;
+    /// Before a figure of the chosen material or mallet is changed by hand: the custom one takes
+    /// all its figures and is chosen. Nothing where it is, and for other parameters.
+    virtual void makeCustom(ParameterId figure) = 0;
     /// False where no object that plays can follow the parameter: it would have to be analysed
     /// anew.
     virtual bool isLive(ParameterId parameter) const = 0;

@@ -1,7 +1,5 @@
 #include "Editor/SceneRenderer.h"
 
-#include "Editor/DarkLook.h"
-
 #include <cstddef>
 
 using namespace juce::gl;
@@ -86,12 +84,12 @@ void SceneRenderer::upload(const ObjectScene& scene) {
 }
 
 void SceneRenderer::renderOpenGL() {
-    clear(palette::panel);
     SceneFrame shown;
     {
         const std::scoped_lock lock(frameMutex);
         shown = frame;
     }
+    clear(shown.background);
     if (!ready || shown.scene == nullptr || shown.scene->empty())
         return;
 
@@ -110,8 +108,8 @@ void SceneRenderer::renderOpenGL() {
     program->setUniformMat4("viewProjection", shown.viewProjection.data(), 1, false);
     set("eye", shown.eye);
     set("glowPlace", shown.glowPlace);
-    set("glowColour", {palette::accent.getFloatRed(), palette::accent.getFloatGreen(),
-                       palette::accent.getFloatBlue()});
+    set("glowColour", {shown.glowColour.getFloatRed(), shown.glowColour.getFloatGreen(),
+                       shown.glowColour.getFloatBlue()});
     program->setUniform("glow", shown.glow);
     program->setUniform("glowRadius", 0.02f * shown.scene->radius());
 

@@ -16,6 +16,7 @@ struct SceneFrame {
     std::shared_ptr<const ObjectScene> scene;
     std::array<float, 16> viewProjection{}; ///< column-major
     ScenePlace eye{};
+    juce::Colour background, glowColour;
     ScenePlace glowPlace{};
     float glow = 0; ///< 0 to 1
 };

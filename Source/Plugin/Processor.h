@@ -15,6 +15,7 @@
 #include <juce_audio_processors/juce_audio_processors.h>
 #include <juce_events/juce_events.h>
 #include <mutex>
+#include <span>
 
 namespace idiophone {
 
@@ -64,6 +65,8 @@ public:
     int presetIndex() const override { return programIndex; }
     void choosePreset(int index) override { setCurrentProgram(index); }
     double parameterValue(ParameterId parameter) const override;
+    double effectiveValue(ParameterId parameter) const override;
+    void makeCustom(ParameterId figure) override;
     bool isLive(ParameterId parameter) const override;
     void beginParameterChange(ParameterId parameter) override;
     void changeParameter(ParameterId parameter, double value) override;
@@ -86,6 +89,7 @@ public:
 private:
     void timerCallback() override;
     void followProgramChange();
+    void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     std::unique_ptr<Player> newPlayer() const;
