@@ -5,6 +5,8 @@
 
 namespace idiophone {
 
+struct SoundFrame;
+
 /// Its name is what its tab says.
 class DeckPage : public juce::Component {
 public:
@@ -20,6 +22,10 @@ public:
     /// Shows what holds now; repaints only what changed. Called by the window's timer while the
     /// page can be seen.
     virtual void refresh() = 0;
+
+    /// Each frame of the sound as it is now, which the window takes from the processor once for
+    /// all; while the page can be seen.
+    virtual void showSound(const SoundFrame&) {}
 };
 
 } // namespace idiophone

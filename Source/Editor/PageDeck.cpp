@@ -54,6 +54,12 @@ void PageDeck::refresh() {
             page->refresh();
 }
 
+void PageDeck::showSound(const SoundFrame& frame) {
+    for (auto& page : pages)
+        if (page->isVisible())
+            page->showSound(frame);
+}
+
 int PageDeck::widthFor(int count) {
     return count * DeckPage::leastWidth + (count - 1) * gap;
 }

@@ -20,6 +20,7 @@ public:
 
     /// The pages that can be seen.
     void refresh();
+    void showSound(const SoundFrame& frame);
 
     /// How wide the deck is that shows this many pages, at their least.
     static int widthFor(int pages);
