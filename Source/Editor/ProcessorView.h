@@ -1,6 +1,7 @@
 // What the window needs of the processor, and nothing else: the editor knows no more of the plugin.
 #pragma once
 
+#include "Editor/WorkshopView.h"
 #include "Object/ModalObject.h"
 #include "Parameters/ParameterTable.h"
 
@@ -14,7 +15,7 @@
 namespace idiophone {
 
 /// For the message thread.
-class ProcessorView {
+class ProcessorView : public WorkshopView {
 public:
     struct Status {
         std::string sentence; ///< what is loaded, or what went wrong last
@@ -35,8 +36,6 @@ public:
         int lowestNote = 0;   ///< MIDI notes that play it
         int highestNote = 0;
     };
-
-    virtual ~ProcessorView() = default;
 
     virtual std::vector<std::string> presetNames() const = 0;
     /// −1 where what plays is none of them.

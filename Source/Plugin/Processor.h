@@ -8,6 +8,7 @@
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
 #include "Plugin/NoteQueue.h"
+#include "Plugin/ObjectWorkshop.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Plugin/State.h"
 #include "Plugin/SurfaceHand.h"
@@ -83,6 +84,18 @@ public:
                       int velocity) override;
     Status takeStatus() override;
 
+    bool canOpen(const std::filesystem::path& file) const override;
+    void openFile(const std::filesystem::path& file) override;
+    bool canAnalyseAgain() const override;
+    void analyseAgain(const ImportSettings& settings) override;
+    void cancelImport() override { workshop.cancel(); }
+    ImportStatus importStatus() const override { return workshop.status(); }
+    std::optional<KeyLayout> keyLayout() const override;
+    void setKeyLayout(KeyLayout layout) override;
+    std::vector<std::array<double, 3>> strikePath(std::size_t index) const override;
+    void setStrikePath(std::size_t index,
+                       const std::vector<std::array<double, 3>>& pathMetres) override;
+
     /// [message side] What plays; null where nothing could be loaded.
     std::shared_ptr<const Instrument> loadedInstrument() const;
 
@@ -94,11 +107,25 @@ private:
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     std::unique_ptr<Player> newPlayer() const;
 
+    // ProcessorForWorkshop.cpp; for the message thread.
+    void followWorkshop();
+    void playProduct(const ObjectWorkshop::Product& product);
+    void playMapped(const KeyMap& map);
+    void playAsLoud(Preset preset,
+                    std::shared_ptr<const Instrument> built,
+                    ParameterValues values,
+                    std::optional<double> lufs);
+
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
 
     HostParameters parameters;
-    std::vector<Material> userMaterials; ///< the message thread's
+    // The message thread's.
+    std::vector<Material> userMaterials;
+    ObjectWorkshop workshop;
+    ImportSettings importSettings; ///< used last
+    int importLoads = -1;          ///< `loads` as of the workshop's job, while that is played
+    bool importFailureShown = true;
 
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;
