@@ -1,11 +1,12 @@
-// The plugin's window: presets, the instrument itself, parameters, status and keyboard, one above
-// the other.
+// The plugin's window: presets on top, the instrument itself, the deck of pages below or beside it,
+// status and keyboard.
 #pragma once
 
-#include "Editor/DarkLook.h"
 #include "Editor/KeyboardPanel.h"
+#include "Editor/Look.h"
 #include "Editor/ObjectView.h"
-#include "Editor/ParameterPanel.h"
+#include "Editor/PageDeck.h"
+#include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
@@ -16,20 +17,28 @@ namespace idiophone {
 
 class EditorWindow final : public juce::AudioProcessorEditor, private juce::Timer {
 public:
+    static constexpr int leastWidth = 800, leastHeight = 500;
+    static constexpr int mostWidth = 3840, mostHeight = 2160;
+
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;
 
     void paint(juce::Graphics& g) override;
     void resized() override;
 
+    void setLook(LookScheme scheme);
+
 private:
     void timerCallback() override;
+    void makePages();
 
     ProcessorView& view;
-    DarkLook look;
+    Preferences preferences;
+    Look look;
     PresetBar presets;
+    juce::TextButton lookButton;
     ObjectView object;
-    ParameterPanel parameters;
+    PageDeck deck;
     StatusBar status;
     KeyboardPanel keyboard;
     juce::TooltipWindow tooltips{this, 600};

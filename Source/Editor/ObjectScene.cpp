@@ -121,6 +121,7 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played)
             }
             corners.push_back(placed);
         }
+        addBox(runs.back());
         objectOfFace.insert(objectOfFace.end(), static_cast<std::size_t>(mesh.faceCount()), i);
     }
     if (corners.empty())
@@ -139,6 +140,20 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played)
         all.faces(row / 3, row % 3) = static_cast<int>(i);
     }
     surface.emplace(std::move(all));
+}
+
+void ObjectScene::addBox(const SceneObject& run) {
+    if (run.vertexCount == 0)
+        return;
+    ScenePlace least = corners[run.firstVertex].place, most = least;
+    for (const auto& corner : std::span(corners).subspan(run.firstVertex, run.vertexCount))
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least[axis] = std::min(least[axis], corner.place[axis]);
+            most[axis] = std::max(most[axis], corner.place[axis]);
+        }
+    for (unsigned index = 0; index < 8; ++index)
+        boxCorners.push_back({index & 1 ? most[0] : least[0], index & 2 ? most[1] : least[1],
+                              index & 4 ? most[2] : least[2]});
 }
 
 float ObjectScene::radius() const {

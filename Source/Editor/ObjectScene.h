@@ -44,10 +44,10 @@ public:
     std::span<const SceneObject> objects() const { return runs; }
     bool empty() const { return corners.empty(); }
 
-    /// The corners of the box that holds everything; both 0 for an empty scene.
-    ScenePlace lowestCorner() const { return lowest; }
-    ScenePlace highestCorner() const { return highest; }
-    /// Half of what lies between them; 0 for an empty scene.
+    /// The corners of the boxes that hold each object: all there is lies between them.
+    const std::vector<ScenePlace>& outline() const { return boxCorners; }
+    ScenePlace highestCorner() const { return highest; } ///< of all; 0 for an empty scene
+    /// Half of the way across everything; 0 for an empty scene.
     float radius() const;
 
     /// What a ray meets first.
@@ -65,10 +65,13 @@ private:
     static std::vector<Placement>
     keyboardOf(const std::vector<ProcessorView::PlayedObject>& played);
 
+    void addBox(const SceneObject& run);
+
     std::vector<SceneVertex> corners;
     std::vector<SceneObject> runs;
     std::vector<Placement> placements;
     std::vector<std::size_t> objectOfFace;
+    std::vector<ScenePlace> boxCorners;
     std::optional<SurfaceQuery> surface; ///< all faces
     ScenePlace lowest{}, highest{};
 };

@@ -1,6 +1,6 @@
 #include "Editor/ObjectView.h"
 
-#include "Editor/DarkLook.h"
+#include "Editor/Look.h"
 #include "Editor/OpenGlSupport.h"
 
 #include <cmath>
@@ -50,7 +50,7 @@ void ObjectView::refresh() {
         shownInstrument = playing;
         scene = std::make_shared<const ObjectScene>(view.playedObjects());
         if (!scene->empty())
-            camera.lookAt(scene->lowestCorner(), scene->highestCorner());
+            camera.lookAt(scene->outline());
         glow = 0;
         redraw();
     }
@@ -101,7 +101,10 @@ void ObjectView::mouseDrag(const juce::MouseEvent& event) {
     const auto moved =
         (event.position - *turningFrom) / static_cast<float>(juce::jmax(1, getHeight()));
     turningFrom = event.position;
-    camera.turnBy(-3 * moved.x, 3 * moved.y);
+    if (event.mods.isShiftDown() || event.mods.isMiddleButtonDown())
+        camera.moveBy(moved.x, -moved.y);
+    else
+        camera.turnBy(-3 * moved.x, 3 * moved.y);
     redraw();
 }
 
@@ -135,6 +138,8 @@ void ObjectView::redraw() {
     renderer.show({.scene = scene,
                    .viewProjection = camera.viewProjection(aspect()),
                    .eye = camera.eye(aspect()),
+                   .background = colourOf(*this, LookColour::panel),
+                   .glowColour = colourOf(*this, LookColour::accent),
                    .glowPlace = glowPlace,
                    .glow = glow});
     context.triggerRepaint();
@@ -144,14 +149,18 @@ void ObjectView::resized() {
     redraw();
 }
 
+void ObjectView::lookAndFeelChanged() {
+    redraw();
+}
+
 void ObjectView::paint(juce::Graphics& g) {
     if (renderer.works())
         return;
-    g.fillAll(palette::panel);
+    g.fillAll(colourOf(*this, LookColour::panel));
     if (ticksWithoutContext < ticksToWait)
         return;
-    g.setColour(palette::dimText);
-    g.setFont(DarkLook::textFont());
+    g.setColour(colourOf(*this, LookColour::dimText));
+    g.setFont(Look::textFont());
     g.drawFittedText("There is no OpenGL here to draw the instrument with. Everything else works.",
                      getLocalBounds().reduced(12), juce::Justification::centred, 2);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Editor/SoundView.h"
+#include "Editor/WorkshopView.h"
 #include "Object/ModalObject.h"
 #include "Parameters/ParameterTable.h"
 
@@ -15,7 +16,7 @@
 namespace idiophone {
 
 /// For the message thread.
-class ProcessorView : public SoundView {
+class ProcessorView : public SoundView, public WorkshopView {
 public:
     struct Status {
         std::string sentence; ///< what is loaded, or what went wrong last
@@ -44,6 +45,12 @@ public:
 
     /// In the unit of the table.
     virtual double parameterValue(ParameterId parameter) const = 0;
+    /// What holds now: of a material's or mallet's figures those of the one that is chosen, or of
+    /// what the objects themselves are made of.
+    virtual double effectiveValue(ParameterId parameter) const = 0;
+    /// Before a figure of the chosen material or mallet is changed by hand: the custom one takes
+    /// all its figures and is chosen. Nothing where it is, and for other parameters.
+    virtual void makeCustom(ParameterId figure) = 0;
     /// False where no object that plays can follow the parameter: it would have to be analysed
     /// anew.
     virtual bool isLive(ParameterId parameter) const = 0;

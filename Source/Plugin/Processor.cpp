@@ -254,6 +254,7 @@ Result<void> Processor::restore(const State& state) {
 
 void Processor::timerCallback() {
     followProgramChange();
+    followWorkshop();
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock)
         handoff.collect();

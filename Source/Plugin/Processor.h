@@ -9,6 +9,7 @@
 #include "Plugin/HostParameters.h"
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
+#include "Plugin/ObjectWorkshop.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Plugin/SoundMonitor.h"
 #include "Plugin/SoundPicture.h"
@@ -19,6 +20,7 @@
 #include <juce_audio_processors/juce_audio_processors.h>
 #include <juce_events/juce_events.h>
 #include <mutex>
+#include <span>
 
 namespace idiophone {
 
@@ -68,6 +70,8 @@ public:
     int presetIndex() const override { return programIndex; }
     void choosePreset(int index) override { setCurrentProgram(index); }
     double parameterValue(ParameterId parameter) const override;
+    double effectiveValue(ParameterId parameter) const override;
+    void makeCustom(ParameterId figure) override;
     bool isLive(ParameterId parameter) const override;
     void beginParameterChange(ParameterId parameter) override;
     void changeParameter(ParameterId parameter, double value) override;
@@ -94,12 +98,25 @@ public:
     void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
 
+    bool canOpen(const std::filesystem::path& file) const override;
+    void openFile(const std::filesystem::path& file) override;
+    bool canAnalyseAgain() const override;
+    void analyseAgain(const ImportSettings& settings) override;
+    void cancelImport() override { workshop.cancel(); }
+    ImportStatus importStatus() const override { return workshop.status(); }
+    std::optional<KeyLayout> keyLayout() const override;
+    void setKeyLayout(KeyLayout layout) override;
+    std::vector<std::array<double, 3>> strikePath(std::size_t index) const override;
+    void setStrikePath(std::size_t index,
+                       const std::vector<std::array<double, 3>>& pathMetres) override;
+
     /// [message side] What plays; null where nothing could be loaded.
     std::shared_ptr<const Instrument> loadedInstrument() const;
 
 private:
     void timerCallback() override;
     void followProgramChange();
+    void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     std::unique_ptr<Player> newPlayer() const;
@@ -107,17 +124,29 @@ private:
     changeModes(std::size_t object,
                 const std::function<bool(const std::string& name, std::size_t modeCount)>& change);
 
+    // ProcessorForWorkshop.cpp; for the message thread.
+    void followWorkshop();
+    void playProduct(const ObjectWorkshop::Product& product);
+    void playMapped(const KeyMap& map);
+    void playAsLoud(Preset preset,
+                    std::shared_ptr<const Instrument> built,
+                    ParameterValues values,
+                    std::optional<double> lufs);
+
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
 
     HostParameters parameters;
-
     // The message thread's.
     std::vector<Material> userMaterials;
     SoundPicture picture;
     int asksUnanswered = 0;
     std::optional<std::size_t> watched; ///< of the instrument of that number
     int watchedInstrument = 0;
+    ObjectWorkshop workshop;
+    ImportSettings importSettings; ///< used last
+    int importLoads = -1;          ///< `loads` as of the workshop's job, while that is played
+    bool importFailureShown = true;
 
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;

@@ -25,6 +25,32 @@ double Processor::parameterValue(ParameterId parameter) const {
     return parameters[parameter].exactValue();
 }
 
+double Processor::effectiveValue(ParameterId parameter) const {
+    if (!isFigure(parameter))
+        return parameterValue(parameter);
+    const auto playing = loadedInstrument();
+    const auto* own = playing == nullptr || playing->slots().empty()
+                          ? nullptr
+                          : &playing->slots().front().object->material;
+    return effectiveFigures(parameters.values(), own)[parameter];
+}
+
+void Processor::makeCustom(ParameterId figure) {
+    const bool ofMaterial = std::ranges::find(materialFigures, figure) != materialFigures.end();
+    const auto choice = ofMaterial ? ParameterId::material : ParameterId::mallet;
+    const double custom = ofMaterial ? double{customMaterial} : double{customMallet};
+    if (!isFigure(figure) || parameterValue(choice) == custom)
+        return;
+    auto wanted = parameters.values();
+    const auto figures = ofMaterial ? std::span<const ParameterId>(materialFigures)
+                                    : std::span<const ParameterId>(malletFigures);
+    for (const auto parameter : figures)
+        wanted.set(parameter, effectiveValue(parameter));
+    wanted.set(choice, custom);
+    changeByHand(wanted, figures);
+    changeByHand(wanted, std::array{choice}); // last: what plays up to here keeps its own figures
+}
+
 bool Processor::isLive(ParameterId parameter) const {
     if (parameter != ParameterId::thickness)
         return true;
@@ -78,13 +104,16 @@ void Processor::chooseUserMaterial(int index) {
         return;
     const auto wanted =
         withCustomMaterial(parameters.values(), userMaterials[static_cast<std::size_t>(index)]);
-    const auto change = [&](ParameterId parameter) {
+    changeByHand(wanted, materialFigures);
+    changeByHand(wanted, std::array{ParameterId::material}); // last, as above
+}
+
+void Processor::changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed) {
+    for (const auto parameter : changed) {
         beginParameterChange(parameter);
         changeParameter(parameter, wanted[parameter]);
         endParameterChange(parameter);
-    };
-    std::ranges::for_each(materialFigures, change);
-    change(ParameterId::material); // last: what plays up to here keeps its own figures
+    }
 }
 
 void Processor::playNote(int midiNote, int velocity) {
