@@ -83,6 +83,10 @@ void EditorWindow::timerCallback() {
     deck.refresh();
     keyboard.refresh();
     status.show(view.takeStatus());
+    if (const auto* frame = view.takeSoundFrame()) {
+        object.picture().showSound(*frame);
+        deck.showSound(*frame);
+    }
     // In a host the keys of the computer are the host's.
     if (!focusTaken && juce::JUCEApplicationBase::isStandaloneApp() && isShowing()) {
         focusTaken = true;
