@@ -1,6 +1,7 @@
 // What the window needs of the processor, and nothing else: the editor knows no more of the plugin.
 #pragma once
 
+#include "Editor/SoundView.h"
 #include "Editor/WorkshopView.h"
 #include "Object/ModalObject.h"
 #include "Parameters/ParameterTable.h"
@@ -15,7 +16,7 @@
 namespace idiophone {
 
 /// For the message thread.
-class ProcessorView : public WorkshopView {
+class ProcessorView : public SoundView, public WorkshopView {
 public:
     struct Status {
         std::string sentence; ///< what is loaded, or what went wrong last
@@ -81,6 +82,13 @@ public:
     /// velocity 1 to 127, or 0 to lift the hand that holds it. What has gone since is ignored.
     virtual void
     strikeObject(std::size_t index, const std::array<double, 3>& pointMetres, int velocity) = 0;
+
+    /// Drags over one of `playedObjects`, to the place nearest to a point in metres of its own
+    /// mesh: the way there from the last one sounds as fast as it is gone, and standing still is
+    /// silent. Pressure 0 to 1 of the contact force; 0 lifts the hand. There is one hand: on
+    /// another object it starts anew. What has gone since is ignored.
+    virtual void
+    scrapeObject(std::size_t index, const std::array<double, 3>& pointMetres, double pressure) = 0;
 
     virtual Status takeStatus() = 0;
 };

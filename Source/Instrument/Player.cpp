@@ -152,6 +152,11 @@ void Player::scrapeSurface(const SurfaceTouch& touch) {
     handScrape.touch(touch);
 }
 
+void Player::liftHands() {
+    std::fill(slotTouched.begin(), slotTouched.end(), false);
+    handScrape.lift();
+}
+
 void Player::setSilencedModes(const SilencedModes& silenced) {
     const auto slots = playedInstrument->slots();
     for (std::size_t slot = 0; slot < slots.size(); ++slot) {

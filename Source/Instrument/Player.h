@@ -76,6 +76,9 @@ public:
     /// is ignored.
     void scrapeSurface(const SurfaceTouch& touch);
 
+    /// All hands leave all surfaces.
+    void liftHands();
+
     /// Acts at the first grid point of the next block, or from the first one on where none was
     /// rendered; a `reset` changes nothing.
     void setSilencedModes(const SilencedModes& silenced);

@@ -80,9 +80,8 @@ void Player::controller(int channel, int number, int value) {
         surfaceStrikes.clear();
         [[fallthrough]];
     case allNotesOff:
-        std::fill(slotTouched.begin(), slotTouched.end(), false);
+        liftHands();
         held.releaseAll();
-        handScrape.lift();
         keysDown = {};
         keysSustained.reset();
         break;

@@ -7,12 +7,16 @@
 #include "Plugin/BlockPieces.h"
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
+#include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
 #include "Plugin/ObjectWorkshop.h"
 #include "Plugin/PlayerCrossfade.h"
+#include "Plugin/SoundMonitor.h"
+#include "Plugin/SoundPicture.h"
 #include "Plugin/State.h"
 #include "Plugin/SurfaceHand.h"
 
+#include <functional>
 #include <juce_audio_processors/juce_audio_processors.h>
 #include <juce_events/juce_events.h>
 #include <mutex>
@@ -83,6 +87,16 @@ public:
     void strikeObject(std::size_t index,
                       const std::array<double, 3>& pointMetres,
                       int velocity) override;
+    void scrapeObject(std::size_t index,
+                      const std::array<double, 3>& pointMetres,
+                      double pressure) override;
+    const SoundFrame* takeSoundFrame() override;
+    void watchObject(std::optional<std::size_t> object) override;
+    std::optional<std::size_t> watchedObject() const override { return watched; }
+    bool muteMode(std::size_t object, std::int32_t mode, bool isMuted) override;
+    bool hearModeAlone(std::size_t object, std::int32_t mode, bool isAlone) override;
+    void unmuteModes(std::size_t object) override;
+    void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
 
     bool canOpen(const std::filesystem::path& file) const override;
@@ -107,6 +121,9 @@ private:
     Result<void> restore(const State& state);
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     std::unique_ptr<Player> newPlayer() const;
+    bool
+    changeModes(std::size_t object,
+                const std::function<bool(const std::string& name, std::size_t modeCount)>& change);
 
     // ProcessorForWorkshop.cpp; for the message thread.
     void followWorkshop();
@@ -123,6 +140,10 @@ private:
     HostParameters parameters;
     // The message thread's.
     std::vector<Material> userMaterials;
+    SoundPicture picture;
+    int asksUnanswered = 0;
+    std::optional<std::size_t> watched; ///< of the instrument of that number
+    int watchedInstrument = 0;
     ObjectWorkshop workshop;
     ImportSettings importSettings; ///< used last
     int importLoads = -1;          ///< `loads` as of the workshop's job, while that is played
@@ -131,6 +152,7 @@ private:
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;
     Preset loadedPreset;
+    ModeSet modesHeardAlone;
     std::shared_ptr<const Instrument> instrument;
     std::vector<std::pair<std::string, double>> unknownParameters;
     std::string lastError;
@@ -140,6 +162,8 @@ private:
     Handoff<Player> handoff;
     NoteQueue editorNotes;
     SurfaceHand hand;
+    ModeSilencer silencer;
+    SoundMonitor monitor;
     std::atomic<int> loads{0};
     std::atomic<bool> resetRequested{false};
     std::atomic<int> requestedProgram{-1};

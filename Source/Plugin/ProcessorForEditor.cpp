@@ -197,6 +197,16 @@ void Processor::strikeObject(std::size_t index,
         hand.strike(playing, slots[index], pointMetres, velocity);
 }
 
+void Processor::scrapeObject(std::size_t index,
+                             const std::array<double, 3>& pointMetres,
+                             double pressure) {
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return;
+    if (const auto slots = ownSlots(*playing); index < slots.size())
+        hand.scrape(playing, slots[index], pointMetres, pressure);
+}
+
 ProcessorView::Status Processor::takeStatus() {
     Status status{
         .sentence = {}, .isError = false, .modesMixed = modesMixed, .peak = peak.exchange(0)};
