@@ -80,10 +80,12 @@ void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
     deck.refresh();
-    if (const SoundFrame* frame = view.takeSoundFrame())
-        deck.showSound(*frame);
     keyboard.refresh();
     status.show(view.takeStatus());
+    if (const auto* frame = view.takeSoundFrame()) {
+        object.picture().showSound(*frame);
+        deck.showSound(*frame);
+    }
     // In a host the keys of the computer are the host's.
     if (!focusTaken && juce::JUCEApplicationBase::isStandaloneApp() && isShowing()) {
         focusTaken = true;

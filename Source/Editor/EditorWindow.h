@@ -4,7 +4,7 @@
 
 #include "Editor/KeyboardPanel.h"
 #include "Editor/Look.h"
-#include "Editor/ObjectView.h"
+#include "Editor/ObjectPane.h"
 #include "Editor/PageDeck.h"
 #include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
@@ -37,7 +37,7 @@ private:
     Look look;
     PresetBar presets;
     juce::TextButton lookButton;
-    ObjectView object;
+    ObjectPane object;
     PageDeck deck;
     StatusBar status;
     KeyboardPanel keyboard;

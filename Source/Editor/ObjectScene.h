@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,7 @@ struct SceneObject {
     std::size_t firstVertex = 0;
     std::size_t vertexCount = 0;
     std::array<float, 3> colour{}; ///< red, green, blue; 0 to 1
+    float radius = 0;              ///< half of the way across it
 };
 
 struct ScenePick {
@@ -50,6 +52,14 @@ public:
     /// Half of the way across everything; 0 for an empty scene.
     float radius() const;
 
+    /// A place in metres of an object's own mesh, in the scene. The object exists.
+    ScenePlace placeOf(std::size_t object, const std::array<double, 3>& pointMetres) const;
+
+    /// For each of an object's vertices here, how far it is moved where every vertex of its own
+    /// mesh is moved so, [N,3] in the directions and units of the mesh.
+    std::vector<ScenePlace> offsetsOf(std::size_t object,
+                                      std::span<const float> displacements) const;
+
     /// What a ray meets first.
     std::optional<ScenePick> pick(const ScenePlace& origin, const ScenePlace& direction) const;
 
@@ -65,11 +75,12 @@ private:
     static std::vector<Placement>
     keyboardOf(const std::vector<ProcessorView::PlayedObject>& played);
 
-    void addBox(const SceneObject& run);
+    void addBox(SceneObject& run);
 
     std::vector<SceneVertex> corners;
     std::vector<SceneObject> runs;
     std::vector<Placement> placements;
+    std::vector<std::int32_t> ownVertices; ///< of each corner, in its object's own mesh
     std::vector<std::size_t> objectOfFace;
     std::vector<ScenePlace> boxCorners;
     std::optional<SurfaceQuery> surface; ///< all faces

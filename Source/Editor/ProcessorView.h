@@ -73,6 +73,9 @@ public:
 
     /// Of the instrument that plays, in the order of their keys; empty where there is none.
     virtual std::vector<PlayedObject> playedObjects() const = 0;
+    /// Where keys strike one of them, in metres of its own mesh: places on its surface along the
+    /// strike path, from the lowest key's end on. Empty where there is no such object.
+    virtual std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const = 0;
     /// Another number with every other instrument.
     virtual int instrumentNumber() const = 0;
     /// Strikes one of `playedObjects` at the place nearest to a point in metres of its own mesh;

@@ -30,10 +30,10 @@ struct SceneFrame {
     std::shared_ptr<const ObjectScene> scene;
     std::array<float, 16> viewProjection{}; ///< column-major
     ScenePlace eye{};
-    juce::Colour background, accent, text;
+    juce::Colour background, accent;
     ScenePlace glowPlace{};
-    float glow = 0;                        ///< of the place struck, 0 to 1
-    std::vector<float> lights;             ///< of each object, how loud it is, 0 to 1; or empty
+    float glow = 0;            ///< of the place struck, 0 to 1
+    std::vector<float> lights; ///< of each object, how loud it is, 0 to 1; or empty
     std::optional<SceneMotion> motion;
 };
 

@@ -28,13 +28,16 @@ void SlowMotion::follow(std::span<const ModeNow> modes) {
         const double displacement =
             double(now.amplitude) / (2 * std::numbers::pi * double(now.frequencyHz));
         whole += displacement;
-        next.push_back(
-            {.mode = mode, .extent = displacement, .frequencyHz = double(now.frequencyHz), .phase = 0});
+        next.push_back({.mode = mode,
+                        .extent = displacement,
+                        .frequencyHz = double(now.frequencyHz),
+                        .phase = 0});
     }
     largestDisplacement = std::max(whole, forgetting * largestDisplacement);
-    visible = whole > 0 ? std::clamp(1 + 20 * std::log10(whole / largestDisplacement) / visibleDecibels,
-                                     0.0, 1.0)
-                        : 0;
+    visible = whole > 0
+                  ? std::clamp(1 + 20 * std::log10(whole / largestDisplacement) / visibleDecibels,
+                               0.0, 1.0)
+                  : 0;
     if (visible <= 0)
         next.clear();
     if (next.size() > mostModes) {
@@ -65,9 +68,9 @@ void SlowMotion::advance(double seconds) {
 std::vector<SlowMotion::Swing> SlowMotion::swings() const {
     std::vector<Swing> result;
     for (const auto& mode : shown)
-        result.push_back({.mode = mode.mode,
-                          .displacement = static_cast<float>(visible * mode.extent *
-                                                             std::sin(mode.phase))});
+        result.push_back(
+            {.mode = mode.mode,
+             .displacement = static_cast<float>(visible * mode.extent * std::sin(mode.phase))});
     return result;
 }
 

@@ -13,7 +13,8 @@ SurfaceMotion::SurfaceMotion(std::shared_ptr<const ModalObject> moved) : object(
     places.reserve(object->vertexCount());
     for (std::size_t vertex = 0; vertex < object->vertexCount(); ++vertex) {
         const float* at = object->vertices.data() + 3 * vertex;
-        const auto nearest = surface.nearestPoint(Eigen::Vector3f(at[0], at[1], at[2]).cast<double>());
+        const auto nearest =
+            surface.nearestPoint(Eigen::Vector3f(at[0], at[1], at[2]).cast<double>());
         Place place;
         for (int corner = 0; corner < 3; ++corner) {
             const auto index = static_cast<std::size_t>(corner);

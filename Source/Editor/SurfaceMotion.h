@@ -12,8 +12,8 @@
 
 namespace idiophone {
 
-/// Immutable once built, which takes a while for large meshes. Vertices without shapes of their own,
-/// as the underside of a bar, move as the nearest place that has them.
+/// Immutable once built, which takes a while for large meshes. Vertices without shapes of their
+/// own, as the underside of a bar, move as the nearest place that has them.
 class SurfaceMotion {
 public:
     /// The object carries shapes at a vertex.

@@ -82,6 +82,7 @@ public:
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
     std::vector<PlayedObject> playedObjects() const override;
+    std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const override;
     int instrumentNumber() const override { return loads; }
     void strikeObject(std::size_t index,
                       const std::array<double, 3>& pointMetres,

@@ -9,6 +9,22 @@
 #include <algorithm>
 
 namespace idiophone {
+namespace {
+
+std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& point) {
+    std::array<double, 3> place{};
+    for (std::size_t k = 0; k < point.weights.size(); ++k) {
+        if (point.weights[k] == 0)
+            continue;
+        const auto row = static_cast<std::size_t>(point.shapeRows[k]);
+        const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            place[axis] += double(point.weights[k]) * double(object.vertices[3 * vertex + axis]);
+    }
+    return place;
+}
+
+} // namespace
 
 juce::AudioProcessorEditor* Processor::createEditor() {
     return new EditorWindow(*this, *this);
@@ -146,6 +162,29 @@ std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
         objects.push_back(std::move(played));
     }
     return objects;
+}
+
+std::vector<std::array<double, 3>> Processor::struckPlaces(std::size_t index) const {
+    std::vector<std::array<double, 3>> places;
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return places;
+    const auto slots = ownSlots(*playing);
+    if (index >= slots.size())
+        return places;
+    const auto& object = *playing->slots()[slots[index]].object;
+    for (int note = 0; note < 128; ++note) {
+        const auto& key = playing->key(note);
+        if (key.slot != static_cast<int>(slots[index]))
+            continue;
+        const auto& strip = playing->strip(key);
+        for (int along = 0; along < strip.alongCount; ++along)
+            places.push_back(metresOf(
+                object,
+                strip.at(static_cast<double>(along) / std::max(strip.alongCount - 1, 1), 0)));
+        break; // the keys of one object share its path
+    }
+    return places;
 }
 
 void Processor::strikeObject(std::size_t index,
