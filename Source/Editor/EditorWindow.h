@@ -1,11 +1,13 @@
-// The plugin's window: presets, the instrument itself, parameters, status and keyboard, one above
-// the other.
+// The plugin's window: presets on top, the instrument itself, the deck of pages below or beside it,
+// status and keyboard.
 #pragma once
 
-#include "Editor/DarkLook.h"
+#include "Editor/DropFrame.h"
 #include "Editor/KeyboardPanel.h"
-#include "Editor/ObjectView.h"
-#include "Editor/ParameterPanel.h"
+#include "Editor/Look.h"
+#include "Editor/ObjectPane.h"
+#include "Editor/PageDeck.h"
+#include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
@@ -14,24 +16,42 @@
 
 namespace idiophone {
 
-class EditorWindow final : public juce::AudioProcessorEditor, private juce::Timer {
+class EditorWindow final : public juce::AudioProcessorEditor,
+                           public juce::FileDragAndDropTarget,
+                           private juce::Timer {
 public:
+    static constexpr int leastWidth = 800, leastHeight = 500;
+    static constexpr int mostWidth = 3840, mostHeight = 2160;
+
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;
 
     void paint(juce::Graphics& g) override;
     void resized() override;
 
+    void setLook(LookScheme scheme);
+
+    /// Files that the workshop reads may be dropped anywhere on the window.
+    bool isInterestedInFileDrag(const juce::StringArray& files) override;
+    void fileDragEnter(const juce::StringArray& files, int x, int y) override;
+    void fileDragExit(const juce::StringArray& files) override;
+    void filesDropped(const juce::StringArray& files, int x, int y) override;
+
 private:
     void timerCallback() override;
+    void makePages();
 
     ProcessorView& view;
-    DarkLook look;
+    Preferences preferences;
+    Look look;
     PresetBar presets;
-    ObjectView object;
-    ParameterPanel parameters;
+    juce::TextButton lookButton;
+    ObjectPane object;
+    PageDeck deck;
     StatusBar status;
     KeyboardPanel keyboard;
+    DropFrame dropFrame;
+    int importPage = 0; ///< of the deck
     juce::TooltipWindow tooltips{this, 600};
     bool focusTaken = false;
 };

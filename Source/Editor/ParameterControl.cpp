@@ -1,6 +1,6 @@
 #include "Editor/ParameterControl.h"
 
-#include "Editor/DarkLook.h"
+#include "Editor/Look.h"
 
 #include <limits>
 
@@ -22,9 +22,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
     : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()) {
     const auto title = juce::String::fromUTF8(info.name);
     setTitle(title);
-    name.setText(title, juce::dontSendNotification);
-    name.setFont(DarkLook::textFont());
-    name.setColour(juce::Label::textColourId, palette::dimText);
+    name.setFont(Look::textFont());
     name.setBorderSize({0, 0, 0, 0});
     name.setMinimumHorizontalScale(0.8f);
     name.setTooltip(juce::String::fromUTF8(info.description));
@@ -52,9 +50,10 @@ void ParameterControl::makeSlider() {
     slider->onDragStart = [this] { view.beginParameterChange(info.parameter); };
     slider->onDragEnd = [this] { view.endParameterChange(info.parameter); };
     slider->onValueChange = [this] {
-        if (slider->isMouseButtonDown())
+        if (slider->isMouseButtonDown()) {
+            view.makeCustom(info.parameter);
             view.changeParameter(info.parameter, slider->getValue());
-        else
+        } else
             changeOnce(slider->getValue());
         refresh();
     };
@@ -70,7 +69,7 @@ void ParameterControl::makeSwitch() {
 }
 
 void ParameterControl::makeValueText() {
-    value.setFont(DarkLook::textFont());
+    value.setFont(Look::textFont());
     value.setJustificationType(juce::Justification::centredRight);
     value.setBorderSize({0, 0, 0, 0});
     value.setMinimumHorizontalScale(0.8f);
@@ -83,6 +82,7 @@ void ParameterControl::makeValueText() {
 
 void ParameterControl::changeOnce(double number) {
     view.beginParameterChange(info.parameter);
+    view.makeCustom(info.parameter);
     view.changeParameter(info.parameter, number);
     view.endParameterChange(info.parameter);
 }
@@ -97,7 +97,7 @@ void ParameterControl::typed() {
 void ParameterControl::refresh() {
     if (list != nullptr)
         list->refresh();
-    const double now = view.parameterValue(info.parameter);
+    const double now = view.effectiveValue(info.parameter);
     const bool live = view.isLive(info.parameter);
     if (now == shown && live == isLive)
         return;
@@ -116,6 +116,18 @@ void ParameterControl::refresh() {
         toggle->setToggleState(now != 0, juce::dontSendNotification);
 }
 
+void ParameterControl::lookAndFeelChanged() {
+    name.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
+}
+
+void ParameterControl::placeName(juce::Rectangle<int> area) {
+    const auto full = getTitle();
+    const bool fits = juce::GlyphArrangement::getStringWidth(name.getFont(), full) <=
+                      static_cast<float>(area.getWidth());
+    name.setText(fits ? full : juce::String::fromUTF8(info.shortName), juce::dontSendNotification);
+    name.setBounds(area);
+}
+
 void ParameterControl::resized() {
     auto area = getLocalBounds();
     if (slider == nullptr) {
@@ -124,12 +136,12 @@ void ParameterControl::resized() {
             list->setBounds(area.removeFromRight(area.getWidth() * 3 / 5).reduced(0, 1));
         else
             toggle->setBounds(area.removeFromRight(40));
-        name.setBounds(area);
+        placeName(area);
         return;
     }
     auto line = area.removeFromTop(17);
     value.setBounds(line.removeFromRight(juce::jmax(84, line.getWidth() * 3 / 8)));
-    name.setBounds(line);
+    placeName(line);
     slider->setBounds(area.withHeight(juce::jmin(area.getHeight(), 22)));
 }
 

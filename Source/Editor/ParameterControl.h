@@ -18,6 +18,7 @@ public:
     void refresh();
 
     void resized() override;
+    void lookAndFeelChanged() override;
 
 private:
     void makeSlider();
@@ -25,6 +26,7 @@ private:
     void makeValueText();
     void changeOnce(double value);
     void typed();
+    void placeName(juce::Rectangle<int> area);
 
     const ParameterInfo& info;
     ProcessorView& view;

@@ -1,6 +1,6 @@
 #include "Editor/PresetBar.h"
 
-#include "Editor/DarkLook.h"
+#include "Editor/Look.h"
 
 namespace idiophone {
 
@@ -36,8 +36,8 @@ void PresetBar::refresh() {
 }
 
 void PresetBar::paint(juce::Graphics& g) {
-    g.setColour(palette::accent);
-    g.setFont(DarkLook::headingFont(21));
+    g.setColour(colourOf(*this, LookColour::accent));
+    g.setFont(Look::headingFont(21));
     g.drawText("Idiophone", getLocalBounds(), juce::Justification::centredLeft);
 }
 

@@ -7,15 +7,20 @@
 #include "Plugin/BlockPieces.h"
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
+#include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
 #include "Plugin/ObjectWorkshop.h"
 #include "Plugin/PlayerCrossfade.h"
+#include "Plugin/SoundMonitor.h"
+#include "Plugin/SoundPicture.h"
 #include "Plugin/State.h"
 #include "Plugin/SurfaceHand.h"
 
+#include <functional>
 #include <juce_audio_processors/juce_audio_processors.h>
 #include <juce_events/juce_events.h>
 #include <mutex>
+#include <span>
 
 namespace idiophone {
 
@@ -65,6 +70,8 @@ public:
     int presetIndex() const override { return programIndex; }
     void choosePreset(int index) override { setCurrentProgram(index); }
     double parameterValue(ParameterId parameter) const override;
+    double effectiveValue(ParameterId parameter) const override;
+    void makeCustom(ParameterId figure) override;
     bool isLive(ParameterId parameter) const override;
     void beginParameterChange(ParameterId parameter) override;
     void changeParameter(ParameterId parameter, double value) override;
@@ -75,18 +82,30 @@ public:
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
     std::vector<PlayedObject> playedObjects() const override;
+    std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const override;
     int instrumentNumber() const override { return loads; }
     void strikeObject(std::size_t index,
                       const std::array<double, 3>& pointMetres,
                       int velocity) override;
+    void scrapeObject(std::size_t index,
+                      const std::array<double, 3>& pointMetres,
+                      double pressure) override;
+    const SoundFrame* takeSoundFrame() override;
+    void watchObject(std::optional<std::size_t> object) override;
+    std::optional<std::size_t> watchedObject() const override { return watched; }
+    bool muteMode(std::size_t object, std::int32_t mode, bool isMuted) override;
+    bool hearModeAlone(std::size_t object, std::int32_t mode, bool isAlone) override;
+    void unmuteModes(std::size_t object) override;
+    void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
 
     bool canOpen(const std::filesystem::path& file) const override;
     void openFile(const std::filesystem::path& file) override;
     bool canAnalyseAgain() const override;
-    void analyseAgain(const ImportSettings& settings) override;
+    void setImportSettings(const ImportSettings& settings) override;
+    void analyseAgain() override;
     void cancelImport() override { workshop.cancel(); }
-    ImportStatus importStatus() const override { return workshop.status(); }
+    ImportStatus importStatus() const override;
     std::optional<KeyLayout> keyLayout() const override;
     void setKeyLayout(KeyLayout layout) override;
     std::vector<std::array<double, 3>> strikePath(std::size_t index) const override;
@@ -99,12 +118,17 @@ public:
 private:
     void timerCallback() override;
     void followProgramChange();
+    void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     std::unique_ptr<Player> newPlayer() const;
+    bool
+    changeModes(std::size_t object,
+                const std::function<bool(const std::string& name, std::size_t modeCount)>& change);
 
     // ProcessorForWorkshop.cpp; for the message thread.
     double rateHz() const;
+    bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);
     void playMapped(const KeyMap& map);
@@ -119,14 +143,19 @@ private:
     HostParameters parameters;
     // The message thread's.
     std::vector<Material> userMaterials;
+    SoundPicture picture;
+    int asksUnanswered = 0;
+    std::optional<std::size_t> watched; ///< of the instrument of that number
+    int watchedInstrument = 0;
     ObjectWorkshop workshop;
-    ImportSettings importSettings; ///< used last
-    int importLoads = -1;          ///< `loads` as of the workshop's job, while that is played
+    ImportSettings importSettings;
+    int importLoads = -1; ///< `loads` as of the workshop's job, while that is played
     bool importFailureShown = true;
 
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;
     Preset loadedPreset;
+    ModeSet modesHeardAlone;
     std::shared_ptr<const Instrument> instrument;
     std::vector<std::pair<std::string, double>> unknownParameters;
     std::string lastError;
@@ -136,6 +165,8 @@ private:
     Handoff<Player> handoff;
     NoteQueue editorNotes;
     SurfaceHand hand;
+    ModeSilencer silencer;
+    SoundMonitor monitor;
     std::atomic<int> loads{0};
     std::atomic<bool> resetRequested{false};
     std::atomic<int> requestedProgram{-1};

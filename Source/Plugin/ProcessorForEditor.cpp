@@ -9,6 +9,22 @@
 #include <algorithm>
 
 namespace idiophone {
+namespace {
+
+std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& point) {
+    std::array<double, 3> place{};
+    for (std::size_t k = 0; k < point.weights.size(); ++k) {
+        if (point.weights[k] == 0)
+            continue;
+        const auto row = static_cast<std::size_t>(point.shapeRows[k]);
+        const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            place[axis] += double(point.weights[k]) * double(object.vertices[3 * vertex + axis]);
+    }
+    return place;
+}
+
+} // namespace
 
 juce::AudioProcessorEditor* Processor::createEditor() {
     return new EditorWindow(*this, *this);
@@ -23,6 +39,32 @@ std::vector<std::string> Processor::presetNames() const {
 
 double Processor::parameterValue(ParameterId parameter) const {
     return parameters[parameter].exactValue();
+}
+
+double Processor::effectiveValue(ParameterId parameter) const {
+    if (!isFigure(parameter))
+        return parameterValue(parameter);
+    const auto playing = loadedInstrument();
+    const auto* own = playing == nullptr || playing->slots().empty()
+                          ? nullptr
+                          : &playing->slots().front().object->material;
+    return effectiveFigures(parameters.values(), own)[parameter];
+}
+
+void Processor::makeCustom(ParameterId figure) {
+    const bool ofMaterial = std::ranges::find(materialFigures, figure) != materialFigures.end();
+    const auto choice = ofMaterial ? ParameterId::material : ParameterId::mallet;
+    const double custom = ofMaterial ? double{customMaterial} : double{customMallet};
+    if (!isFigure(figure) || parameterValue(choice) == custom)
+        return;
+    auto wanted = parameters.values();
+    const auto figures = ofMaterial ? std::span<const ParameterId>(materialFigures)
+                                    : std::span<const ParameterId>(malletFigures);
+    for (const auto parameter : figures)
+        wanted.set(parameter, effectiveValue(parameter));
+    wanted.set(choice, custom);
+    changeByHand(wanted, figures);
+    changeByHand(wanted, std::array{choice}); // last: what plays up to here keeps its own figures
 }
 
 bool Processor::isLive(ParameterId parameter) const {
@@ -78,13 +120,16 @@ void Processor::chooseUserMaterial(int index) {
         return;
     const auto wanted =
         withCustomMaterial(parameters.values(), userMaterials[static_cast<std::size_t>(index)]);
-    const auto change = [&](ParameterId parameter) {
+    changeByHand(wanted, materialFigures);
+    changeByHand(wanted, std::array{ParameterId::material}); // last, as above
+}
+
+void Processor::changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed) {
+    for (const auto parameter : changed) {
         beginParameterChange(parameter);
         changeParameter(parameter, wanted[parameter]);
         endParameterChange(parameter);
-    };
-    std::ranges::for_each(materialFigures, change);
-    change(ParameterId::material); // last: what plays up to here keeps its own figures
+    }
 }
 
 void Processor::playNote(int midiNote, int velocity) {
@@ -119,6 +164,29 @@ std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
     return objects;
 }
 
+std::vector<std::array<double, 3>> Processor::struckPlaces(std::size_t index) const {
+    std::vector<std::array<double, 3>> places;
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return places;
+    const auto slots = ownSlots(*playing);
+    if (index >= slots.size())
+        return places;
+    const auto& object = *playing->slots()[slots[index]].object;
+    for (int note = 0; note < 128; ++note) {
+        const auto& key = playing->key(note);
+        if (key.slot != static_cast<int>(slots[index]))
+            continue;
+        const auto& strip = playing->strip(key);
+        for (int along = 0; along < strip.alongCount; ++along)
+            places.push_back(metresOf(
+                object,
+                strip.at(static_cast<double>(along) / std::max(strip.alongCount - 1, 1), 0)));
+        break; // the keys of one object share its path
+    }
+    return places;
+}
+
 void Processor::strikeObject(std::size_t index,
                              const std::array<double, 3>& pointMetres,
                              int velocity) {
@@ -127,6 +195,16 @@ void Processor::strikeObject(std::size_t index,
         return;
     if (const auto slots = ownSlots(*playing); index < slots.size())
         hand.strike(playing, slots[index], pointMetres, velocity);
+}
+
+void Processor::scrapeObject(std::size_t index,
+                             const std::array<double, 3>& pointMetres,
+                             double pressure) {
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return;
+    if (const auto slots = ownSlots(*playing); index < slots.size())
+        hand.scrape(playing, slots[index], pointMetres, pressure);
 }
 
 ProcessorView::Status Processor::takeStatus() {

@@ -68,21 +68,33 @@ void Processor::openFile(const std::filesystem::path& file) {
 }
 
 bool Processor::canAnalyseAgain() const {
-    return (importLoads == loads && workshop.hasMesh()) || keyLayout().has_value();
+    return followsImportSettings() || keyLayout().has_value();
 }
 
-void Processor::analyseAgain(const ImportSettings& settings) {
-    const auto playing = loadedInstrument();
-    const bool ours = importLoads == loads && workshop.hasMesh();
-    if (!ours && !keyLayout())
-        return;
+void Processor::setImportSettings(const ImportSettings& settings) {
     importSettings = settings;
+    if (followsImportSettings())
+        analyseAgain();
+}
+
+void Processor::analyseAgain() {
+    const bool isOurs = followsImportSettings();
+    if (!isOurs && !keyLayout())
+        return;
     importLoads = loads;
     importFailureShown = false;
-    if (ours)
-        return workshop.analyseAgain(settings);
+    if (isOurs)
+        return workshop.analyseAgain(importSettings);
+    const auto playing = loadedInstrument();
     const auto& object = *playing->slots().front().object;
-    workshop.analyse(objectMesh(object), object.name, settings);
+    workshop.analyse(objectMesh(object), object.name, importSettings);
+}
+
+ImportStatus Processor::importStatus() const {
+    auto status = workshop.status();
+    status.followsSettings = followsImportSettings();
+    status.settings = importSettings;
+    return status;
 }
 
 /// A product plays where nothing else was chosen meanwhile.
@@ -117,6 +129,7 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     preset.description = object.name + ": " + summaryOf(object);
     preset.tags = {"imported"};
     preset.unknownParameters.clear();
+    preset.mutedModes = {};
     auto built = buildSingleObject(map, product.object);
     if (!built) {
         const std::scoped_lock lock(soundMutex);
@@ -197,8 +210,7 @@ std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) cons
     return pathMetres(*playing->slots()[slots[index]].object, playing->keyMap());
 }
 
-void Processor::setStrikePath(std::size_t index,
-                              const std::vector<std::array<double, 3>>& metres) {
+void Processor::setStrikePath(std::size_t index, const std::vector<std::array<double, 3>>& metres) {
     const auto playing = loadedInstrument();
     if (playing == nullptr)
         return;

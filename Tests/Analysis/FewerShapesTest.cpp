@@ -13,13 +13,12 @@ using namespace idiophone;
 namespace {
 
 ModalObject plate() {
-    return analyse(sheetMesh(0.2, 0.1, 200),
-                   {.name = "plate",
-                    .source = "test",
-                    .material = *findMaterial("Steel"),
-                    .method = AnalysisMethod::twoLayer,
-                    .thicknessMetres = 0.003,
-                    .maxFrequencyHz = 4000})
+    return analyse(sheetMesh(0.2, 0.1, 200), {.name = "plate",
+                                              .source = "test",
+                                              .material = *findMaterial("Steel"),
+                                              .method = AnalysisMethod::twoLayer,
+                                              .thicknessMetres = 0.003,
+                                              .maxFrequencyHz = 4000})
         .value();
 }
 
@@ -44,8 +43,8 @@ TEST_CASE("Fewer shapes are some of those there were, in half precision, over th
     }
     // 30 places on 0.02 m² are about 26 mm apart: no vertex is much farther from the nearest.
     for (std::size_t v = 0; v < whole.vertexCount(); ++v) {
-        const auto row = nearestShapeRow(fewer, {whole.vertices[3 * v], whole.vertices[3 * v + 1],
-                                                 whole.vertices[3 * v + 2]});
+        const auto row = nearestShapeRow(
+            fewer, {whole.vertices[3 * v], whole.vertices[3 * v + 1], whole.vertices[3 * v + 2]});
         const auto* p = &fewer.vertices[static_cast<std::size_t>(fewer.shapeVertices[row]) * 3];
         CHECK(std::hypot(p[0] - whole.vertices[3 * v], p[1] - whole.vertices[3 * v + 1]) < 0.03f);
     }

@@ -68,7 +68,8 @@ TEST_CASE("A preview follows the method asked for, and springs of any kind by th
     CHECK(methodOf(AnalysisMethod::twoLayer) == "two-layer");
     CHECK(methodOf(AnalysisMethod::springMass) == "two-layer");
     CHECK(methodOf(AnalysisMethod::vanGelder) == "two-layer");
-    const auto open = analysePreview(sheetMesh(0.1, 0.1, 100), settings(AnalysisMethod::tetrahedra));
+    const auto open =
+        analysePreview(sheetMesh(0.1, 0.1, 100), settings(AnalysisMethod::tetrahedra));
     CHECK_FALSE(open);
 }
 

@@ -51,7 +51,8 @@ TEST_CASE("The path over the top of a ball runs from side to side over its crown
     CHECK(path[16][2] > 0.98);
 }
 
-TEST_CASE("A ring's path meets both of its sides, and what stands upright is struck from below up") {
+TEST_CASE(
+    "A ring's path meets both of its sides, and what stands upright is struck from below up") {
     for (const auto& [x, y, z] : pathOverTop(objectOf(torusMesh(0.1, 0.01, 40, 12))))
         CHECK(std::abs(x) > 0.75);
     Mesh pole = boxMesh({0.02, 0.02, 0.5}, {2, 2, 20});
@@ -86,7 +87,8 @@ TEST_CASE("A path in metres comes back as it was, held to the object's box and t
     constexpr double infinity = std::numeric_limits<double>::infinity();
     CHECK(relativePath(object, {}).empty());
     CHECK(relativePath(object, {{infinity, 0, 0}, {0, std::nan(""), 0}}).empty());
-    CHECK(relativePath(object, {{7, -7, 0}}) == Path{{1, -1, relativePath(object, {{0, 0, 0}})[0][2]}});
+    CHECK(relativePath(object, {{7, -7, 0}}) ==
+          Path{{1, -1, relativePath(object, {{0, 0, 0}})[0][2]}});
     Path endless;
     for (int i = 0; i < 5000; ++i)
         endless.push_back({0.1 * i / 4999, 0, 0});

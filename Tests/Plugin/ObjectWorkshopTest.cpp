@@ -108,9 +108,9 @@ TEST_CASE("Settings that cannot be are refused in a sentence, and the mesh stays
     CHECK(productsOf(workshop).empty());
     CHECK_THAT(workshop.status().error, ContainsSubstring("thickness"));
     REQUIRE(workshop.hasMesh());
-    for (const auto& settings : {ImportSettings{.unit = "furlong"},
-                                 ImportSettings{.material = "Unobtainium"},
-                                 ImportSettings{.method = "guesswork"}}) {
+    for (const auto& settings :
+         {ImportSettings{.unit = "furlong"}, ImportSettings{.material = "Unobtainium"},
+          ImportSettings{.method = "guesswork"}}) {
         workshop.analyseAgain(settings);
         CHECK(productsOf(workshop).empty());
         CHECK(workshop.status().stage == Stage::failed);

@@ -19,7 +19,8 @@ namespace {
 constexpr int blockSamples = 512;
 
 /// Lets the message thread's timers run until the job has ended and what it made plays.
-void finish(Processor& processor, const std::function<void()>& meanwhile = [] {}) {
+void finish(
+    Processor& processor, const std::function<void()>& meanwhile = [] {}) {
     while (processor.importStatus().isWorking()) {
         juce::Timer::callPendingTimersSynchronously();
         meanwhile();
@@ -93,8 +94,7 @@ TEST_CASE("The sound before plays on until the object is there, and nothing clic
     const auto stepOf = [](const std::vector<float>& samples) {
         float largest = 0;
         for (std::size_t i = 2; i < samples.size(); ++i)
-            largest = std::max(largest,
-                               std::abs(samples[i] - 2 * samples[i - 1] + samples[i - 2]));
+            largest = std::max(largest, std::abs(samples[i] - 2 * samples[i - 1] + samples[i - 2]));
         return largest;
     };
     const auto ringing = render(processor, 4800, blockSamples, chord);
@@ -182,11 +182,30 @@ TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     CHECK(second.keyLayout() == KeyLayout::zones);
     // And there it can be analysed anew, of its own mesh.
     REQUIRE(second.canAnalyseAgain());
-    second.analyseAgain({.material = "Copper", .thicknessMetres = 0.003});
+    CHECK_FALSE(second.importStatus().followsSettings);
+    second.setImportSettings({.material = "Copper", .thicknessMetres = 0.003});
+    CHECK_FALSE(second.importStatus().isWorking());
+    second.analyseAgain();
     finish(second);
     CHECK(second.importStatus().stage == Stage::done);
     CHECK(second.playedObjects().front().object->material.name == "Copper");
     CHECK(second.keyLayout() == KeyLayout::zones);
+}
+
+TEST_CASE("Other settings make another object of the same mesh at once") {
+    Processor processor;
+    const auto file = smallPlateFile("plate.obj", 1);
+    open(processor, file);
+    std::filesystem::remove(file);
+    processor.setKeyLayout(KeyLayout::zones);
+    REQUIRE(processor.importStatus().followsSettings);
+    processor.setImportSettings({.material = "Glass", .thicknessMetres = 0.004});
+    finish(processor);
+    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(processor.importStatus().settings.material == "Glass");
+    CHECK(processor.playedObjects().front().object->material.name == "Glass");
+    CHECK(processor.playedObjects().front().object->thicknessMetres == 0.004);
+    CHECK(processor.keyLayout() == KeyLayout::zones);
 }
 
 TEST_CASE("A state of a large object stays below 12 MB") {
