@@ -41,10 +41,14 @@ Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string
 }
 
 std::shared_ptr<const ModalObject> ObjectLibrary::add(const std::string& name, ModalObject object) {
-    const std::scoped_lock lock(mutex);
     auto kept = std::make_shared<const ModalObject>(std::move(object));
-    loaded[name] = kept;
+    add(name, kept);
     return kept;
+}
+
+void ObjectLibrary::add(const std::string& name, const std::shared_ptr<const ModalObject>& object) {
+    const std::scoped_lock lock(mutex);
+    loaded[name] = object;
 }
 
 } // namespace idiophone

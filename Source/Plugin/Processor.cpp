@@ -39,6 +39,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     }
     // The player before the values: a new one never plays values older than its own.
     Player* const next = handoff.take();
+    controllers.follow(midi, parameters);
     const ParameterValues& values = parameters.snapshot();
     sound.changeTo(next, values);
     hand.strikeOn(sound.player());
@@ -167,6 +168,7 @@ void Processor::setCurrentProgram(int index) {
         parameters.load(values);
         play(preset, std::move(*built));
         programIndex = index;
+        presetId = factoryPresetId(preset.name);
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
@@ -183,6 +185,8 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     ownSlowestDecay = slowest;
     ownDampingRatio = built->slots().empty() ? 1 : ratio;
     loadedPreset = std::move(preset);
+    storedParameters = loadedPreset.parameters;
+    presetId.clear();
     instrument = std::move(built);
     ++loads;
     lastError.clear();
@@ -202,7 +206,8 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
                 .parameters = parameters.values(),
                 .unknownParameters = {},
                 .preset = {},
-                .objects = {}};
+                .objects = {},
+                .controllers = controllers.assignments()};
     {
         const std::scoped_lock lock(soundMutex);
         state.unknownParameters = unknownParameters;
@@ -235,6 +240,7 @@ Result<void> Processor::restore(const State& state) {
         return failure("The saved state cannot be played: " + built.error().message);
     unknownParameters = state.unknownParameters;
     parameters.load(state.parameters);
+    controllers.assign(state.controllers);
     play(state.preset, std::move(*built));
     const auto presets = factoryPresets();
     const auto factory = std::ranges::find_if(presets, [&](const Preset& preset) {
@@ -242,11 +248,15 @@ Result<void> Processor::restore(const State& state) {
     });
     programIndex =
         factory == presets.end() ? -1 : static_cast<int>(std::distance(presets.begin(), factory));
+    if (factory != presets.end())
+        presetId = factoryPresetId(factory->name);
     return {};
 }
 
 void Processor::timerCallback() {
     followProgramChange();
+    if (!isNonRealtime())
+        controllers.tellHost(parameters);
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock)
         handoff.collect();

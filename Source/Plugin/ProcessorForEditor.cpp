@@ -11,6 +11,7 @@
 namespace idiophone {
 
 juce::AudioProcessorEditor* Processor::createEditor() {
+    history.endAllGestures();
     return new EditorWindow(*this, *this);
 }
 
@@ -35,10 +36,12 @@ bool Processor::isLive(ParameterId parameter) const {
 }
 
 void Processor::beginParameterChange(ParameterId parameter) {
+    history.beginGesture(parameter);
     parameters[parameter].beginChangeGesture();
 }
 
 void Processor::changeParameter(ParameterId parameter, double value) {
+    history.willChange(parameter);
     auto& changed = parameters[parameter];
     changed.setExactValue(value);
     changed.sendValueChangedMessageToListeners(changed.getValue());
@@ -46,6 +49,7 @@ void Processor::changeParameter(ParameterId parameter, double value) {
 
 void Processor::endParameterChange(ParameterId parameter) {
     parameters[parameter].endChangeGesture();
+    history.endGesture(parameter);
 }
 
 std::vector<std::string> Processor::readUserMaterials() {
@@ -76,15 +80,17 @@ int Processor::userMaterialIndex() const {
 void Processor::chooseUserMaterial(int index) {
     if (index < 0 || index >= static_cast<int>(userMaterials.size()))
         return;
-    const auto wanted =
-        withCustomMaterial(parameters.values(), userMaterials[static_cast<std::size_t>(index)]);
+    const auto& chosen = userMaterials[static_cast<std::size_t>(index)];
+    const auto wanted = withCustomMaterial(parameters.values(), chosen);
     const auto change = [&](ParameterId parameter) {
         beginParameterChange(parameter);
         changeParameter(parameter, wanted[parameter]);
         endParameterChange(parameter);
     };
+    history.beginEdit(chosen.name);
     std::ranges::for_each(materialFigures, change);
     change(ParameterId::material); // last: what plays up to here keeps its own figures
+    history.endEdit();
 }
 
 void Processor::playNote(int midiNote, int velocity) {
