@@ -143,8 +143,17 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
             values = withAudibleMallet(*built, preset.surface, rateHz(), values);
         preset.parameters = values;
     }
-    playAsLoud(std::move(preset), std::move(*built), values,
-               isNew ? std::optional(wantedLufs) : std::nullopt);
+    const auto former = loadedInstrument();
+    const auto play = [&] {
+        playAsLoud(preset, *built, values, isNew ? std::optional(wantedLufs) : std::nullopt);
+    };
+    if (product.isFirst) {
+        history.record((product.isNewFile ? "Open " : "Analyse ") + object.name, play);
+    } else {
+        play();
+        history.replaceInstrument(former, loadedSound());
+    }
+    importLoads = loads;
 }
 
 double Processor::rateHz() const {
@@ -171,7 +180,6 @@ void Processor::playAsLoud(Preset preset,
         parameters.load(values);
         play(std::move(preset), std::move(built));
         programIndex = -1;
-        importLoads = loads;
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
@@ -197,7 +205,7 @@ void Processor::setKeyLayout(KeyLayout layout) {
         return;
     auto map = loadedInstrument()->keyMap();
     map.kind = kindOf(layout);
-    playMapped(map);
+    playMapped(map, layout == KeyLayout::zones ? "Keys along a path" : "Keys at their pitches");
 }
 
 std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) const {
@@ -220,12 +228,12 @@ void Processor::setStrikePath(std::size_t index, const std::vector<std::array<do
     auto map = playing->keyMap();
     map.strikePath = relativePath(*playing->slots()[slots[index]].object, metres);
     if (!map.strikePath.empty())
-        playMapped(map);
+        playMapped(map, "Strike path");
 }
 
 /// The same objects, played by other keys or at other places.
-void Processor::playMapped(const KeyMap& map) {
-    const bool ours = importLoads == loads;
+void Processor::playMapped(const KeyMap& map, const std::string& step) {
+    const bool isOurs = importLoads == loads;
     auto built = rebuilt(*loadedInstrument(), map);
     if (!built) {
         const std::scoped_lock lock(soundMutex);
@@ -238,9 +246,8 @@ void Processor::playMapped(const KeyMap& map) {
         preset = loadedPreset;
     }
     preset.keyMap = map;
-    playAsLoud(std::move(preset), std::move(*built), parameters.values(), std::nullopt);
-    if (!ours)
-        importLoads = -1;
+    history.record(step, [&] { playAsLoud(preset, *built, parameters.values(), std::nullopt); });
+    importLoads = isOurs ? loads.load() : -1;
 }
 
 } // namespace idiophone
