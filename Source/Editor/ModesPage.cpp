@@ -4,6 +4,7 @@
 #include "Editor/ModeText.h"
 
 #include <algorithm>
+#include <juce_audio_basics/juce_audio_basics.h>
 
 namespace idiophone {
 namespace {
