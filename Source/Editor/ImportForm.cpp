@@ -18,7 +18,7 @@ struct Choice {
 constexpr std::array units{Choice{"", "Guessed"},       Choice{"m", "Metres"},
                            Choice{"cm", "Centimetres"}, Choice{"mm", "Millimetres"},
                            Choice{"in", "Inches"},      Choice{"ft", "Feet"}};
-constexpr std::array methods{Choice{"", "Automatic"}, Choice{"fem", "Solid, finite elements"},
+constexpr std::array methods{Choice{"", "Auto"}, Choice{"fem", "Finite elements"},
                              Choice{"two-layer", "Shell, two layers"},
                              Choice{"spring-mass", "Shell, springs as published"},
                              Choice{"van-gelder", "Shell, van Gelder's springs"}};

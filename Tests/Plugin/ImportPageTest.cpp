@@ -89,7 +89,7 @@ TEST_CASE("The page shows the file, what was chosen and why, and other settings 
     CHECK(p.report().contains("Taken as a shell of 2 mm"));
     CHECK_FALSE(part<juce::Button>(p.page, "Cancel the analysis").isVisible());
     CHECK(part<juce::ComboBox>(p.page, "Unit").getText() == "Guessed: Millimetres");
-    CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Automatic: Shell, two layers");
+    CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Auto: Shell, two layers");
 
     part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
     CHECK(p.processor.importStatus().isWorking());
