@@ -19,6 +19,9 @@ constexpr int margin = 12, barHeight = 44, statusHeight = 32;
 /// With less for both, the picture stands beside the deck and not above it.
 constexpr int leastHeightForBoth = PageDeck::leastHeight + 200;
 constexpr double deckShare = 0.44;
+/// How often the window looks for what has changed: while something sounds or the mouse is over it,
+/// and after a while without either.
+constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 
 } // namespace
 
@@ -38,7 +41,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
     const auto size = preferences.windowSize();
     setSize(size.x > 0 ? size.x : firstWidth, size.y > 0 ? size.y : firstHeight);
-    startTimerHz(25);
+    startTimer(1000 / busyHz);
 }
 
 EditorWindow::~EditorWindow() {
@@ -49,7 +52,11 @@ EditorWindow::~EditorWindow() {
 void EditorWindow::makePages() {
     deck.add(std::make_unique<StrikePage>(view));
     deck.add(std::make_unique<MaterialPage>(view));
-    deck.add(std::make_unique<ModesPage>(view));
+    auto modes = std::make_unique<ModesPage>(view);
+    modes->onModeShown = [this](std::size_t played, std::optional<std::int32_t> mode) {
+        object.picture().showMode(played, mode);
+    };
+    deck.add(std::move(modes));
     deck.add(std::make_unique<QualityPage>(view));
     deck.add(std::make_unique<ParameterPage>(
         "Contact",
@@ -81,7 +88,9 @@ void EditorWindow::timerCallback() {
     object.refresh();
     deck.refresh();
     keyboard.refresh();
-    status.show(view.takeStatus());
+    const auto now = view.takeStatus();
+    setBusy(now.peak > 0 || isMouseOver(true));
+    status.show(now);
     if (const auto* frame = view.takeSoundFrame()) {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
@@ -91,6 +100,13 @@ void EditorWindow::timerCallback() {
         focusTaken = true;
         keyboard.takeFocus();
     }
+}
+
+void EditorWindow::setBusy(bool busy) {
+    ticksAtRest = busy ? 0 : std::min(ticksAtRest + 1, ticksToRest);
+    const int hertz = ticksAtRest < ticksToRest ? busyHz : restHz;
+    if (getTimerInterval() != 1000 / hertz)
+        startTimer(1000 / hertz);
 }
 
 void EditorWindow::paint(juce::Graphics& g) {

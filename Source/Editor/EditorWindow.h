@@ -31,6 +31,7 @@ public:
 private:
     void timerCallback() override;
     void makePages();
+    void setBusy(bool busy);
 
     ProcessorView& view;
     Preferences preferences;
@@ -43,6 +44,7 @@ private:
     KeyboardPanel keyboard;
     juce::TooltipWindow tooltips{this, 600};
     bool focusTaken = false;
+    int ticksAtRest = 0;
 };
 
 } // namespace idiophone
