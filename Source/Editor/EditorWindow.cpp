@@ -49,7 +49,11 @@ EditorWindow::~EditorWindow() {
 void EditorWindow::makePages() {
     deck.add(std::make_unique<StrikePage>(view));
     deck.add(std::make_unique<MaterialPage>(view));
-    deck.add(std::make_unique<ModesPage>(view));
+    auto modes = std::make_unique<ModesPage>(view);
+    modes->onModeShown = [this](std::optional<std::size_t> mode) {
+        object.picture().showMode(mode);
+    };
+    deck.add(std::move(modes));
     deck.add(std::make_unique<QualityPage>(view));
     deck.add(std::make_unique<ParameterPage>(
         "Contact",

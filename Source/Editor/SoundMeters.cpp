@@ -3,6 +3,7 @@
 #include "Editor/Look.h"
 
 #include <algorithm>
+#include <juce_audio_basics/juce_audio_basics.h>
 
 namespace idiophone {
 namespace {
