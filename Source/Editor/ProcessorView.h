@@ -1,6 +1,10 @@
 // What the window needs of the processor, and nothing else: the editor knows no more of the plugin.
 #pragma once
 
+#include "Editor/EditHistory.h"
+#include "Editor/MidiLearnView.h"
+#include "Editor/PresetShelf.h"
+#include "Editor/SoundVariants.h"
 #include "Editor/SoundView.h"
 #include "Editor/WorkshopView.h"
 #include "Object/ModalObject.h"
@@ -91,6 +95,12 @@ public:
     scrapeObject(std::size_t index, const std::array<double, 3>& pointMetres, double pressure) = 0;
 
     virtual Status takeStatus() = 0;
+
+    /// For as long as this lives.
+    virtual PresetShelf& presetShelf() = 0;
+    virtual EditHistory& editHistory() = 0;
+    virtual SoundVariants& soundVariants() = 0;
+    virtual MidiLearnView& midiLearn() = 0;
 };
 
 } // namespace idiophone

@@ -40,6 +40,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     }
     // The player before the values: a new one never plays values older than its own.
     Player* const next = handoff.take();
+    controllers.follow(midi, parameters);
     const ParameterValues& values = parameters.snapshot();
     sound.changeTo(next, values);
     silencer.silence(sound.player());
@@ -171,6 +172,7 @@ void Processor::setCurrentProgram(int index) {
         parameters.load(values);
         play(preset, std::move(*built));
         programIndex = index;
+        presetId = factoryPresetId(preset.name);
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
@@ -189,6 +191,8 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     loadedPreset = std::move(preset);
     if (instrument != built)
         modesHeardAlone = {};
+    storedParameters = loadedPreset.parameters;
+    presetId.clear();
     instrument = std::move(built);
     ++loads;
     lastError.clear();
@@ -209,7 +213,8 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
                 .parameters = parameters.values(),
                 .unknownParameters = {},
                 .preset = {},
-                .objects = {}};
+                .objects = {},
+                .controllers = controllers.assignments()};
     {
         const std::scoped_lock lock(soundMutex);
         state.unknownParameters = unknownParameters;
@@ -242,6 +247,7 @@ Result<void> Processor::restore(const State& state) {
         return failure("The saved state cannot be played: " + built.error().message);
     unknownParameters = state.unknownParameters;
     parameters.load(state.parameters);
+    controllers.assign(state.controllers);
     play(state.preset, std::move(*built));
     const auto presets = factoryPresets();
     const auto factory = std::ranges::find_if(presets, [&](const Preset& preset) {
@@ -249,12 +255,16 @@ Result<void> Processor::restore(const State& state) {
     });
     programIndex =
         factory == presets.end() ? -1 : static_cast<int>(std::distance(presets.begin(), factory));
+    if (factory != presets.end())
+        presetId = factoryPresetId(factory->name);
     return {};
 }
 
 void Processor::timerCallback() {
     followProgramChange();
     followWorkshop();
+    if (!isNonRealtime())
+        controllers.tellHost(parameters);
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock)
         handoff.collect();

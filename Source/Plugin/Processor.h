@@ -7,10 +7,13 @@
 #include "Plugin/BlockPieces.h"
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
+#include "Plugin/MidiLearn.h"
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
 #include "Plugin/ObjectWorkshop.h"
 #include "Plugin/PlayerCrossfade.h"
+#include "Plugin/PresetCollection.h"
+#include "Plugin/SoundHistory.h"
 #include "Plugin/SoundMonitor.h"
 #include "Plugin/SoundPicture.h"
 #include "Plugin/State.h"
@@ -29,7 +32,10 @@ namespace idiophone {
 /// and takes `soundMutex`, which the audio thread never does; it gets finished players through the
 /// handoff. In an offline render the callback itself loads the program that MIDI asks for, between
 /// two blocks; in real time a timer of the message thread does, some 50 ms later.
-class Processor final : public juce::AudioProcessor, public ProcessorView, private juce::Timer {
+class Processor final : public juce::AudioProcessor,
+                        public ProcessorView,
+                        public SoundHolder,
+                        private juce::Timer {
 public:
     Processor();
     ~Processor() override;
@@ -98,6 +104,16 @@ public:
     void unmuteModes(std::size_t object) override;
     void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
+    PresetCollection& presetShelf() override { return shelf; }
+    SoundHistory& editHistory() override { return history; }
+    SoundHistory& soundVariants() override { return history; }
+    MidiLearn& midiLearn() override { return controllers; }
+
+    Sound loadedSound() const override;
+    void playSound(const Sound& wanted) override;
+    int soundNumber() const override { return loads; }
+    double valueOf(ParameterId parameter) const override { return parameterValue(parameter); }
+    void setValue(ParameterId parameter, double value) override;
 
     bool canOpen(const std::filesystem::path& file) const override;
     void openFile(const std::filesystem::path& file) override;
@@ -155,6 +171,8 @@ private:
     ModeSet modesHeardAlone;
     std::shared_ptr<const Instrument> instrument;
     std::vector<std::pair<std::string, double>> unknownParameters;
+    std::string presetId;             ///< of the shelf, or empty
+    ParameterValues storedParameters; ///< of that preset
     std::string lastError;
     double preparedRateHz = 0; ///< 0 until prepared
 
@@ -164,6 +182,7 @@ private:
     SurfaceHand hand;
     ModeSilencer silencer;
     SoundMonitor monitor;
+    MidiLearn controllers;
     std::atomic<int> loads{0};
     std::atomic<bool> resetRequested{false};
     std::atomic<int> requestedProgram{-1};
@@ -179,6 +198,10 @@ private:
     OutputStage output;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<float*, 2> channelPointers{};
+
+    // The message thread's.
+    SoundHistory history{*this};
+    PresetCollection shelf{*this, history, userSettingsFolder()};
 };
 
 } // namespace idiophone

@@ -27,6 +27,7 @@ std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& poi
 } // namespace
 
 juce::AudioProcessorEditor* Processor::createEditor() {
+    history.endAllGestures();
     return new EditorWindow(*this, *this);
 }
 
@@ -77,10 +78,12 @@ bool Processor::isLive(ParameterId parameter) const {
 }
 
 void Processor::beginParameterChange(ParameterId parameter) {
+    history.beginGesture(parameter);
     parameters[parameter].beginChangeGesture();
 }
 
 void Processor::changeParameter(ParameterId parameter, double value) {
+    history.willChange(parameter);
     auto& changed = parameters[parameter];
     changed.setExactValue(value);
     changed.sendValueChangedMessageToListeners(changed.getValue());
@@ -88,6 +91,7 @@ void Processor::changeParameter(ParameterId parameter, double value) {
 
 void Processor::endParameterChange(ParameterId parameter) {
     parameters[parameter].endChangeGesture();
+    history.endGesture(parameter);
 }
 
 std::vector<std::string> Processor::readUserMaterials() {
@@ -118,10 +122,12 @@ int Processor::userMaterialIndex() const {
 void Processor::chooseUserMaterial(int index) {
     if (index < 0 || index >= static_cast<int>(userMaterials.size()))
         return;
-    const auto wanted =
-        withCustomMaterial(parameters.values(), userMaterials[static_cast<std::size_t>(index)]);
+    const auto& chosen = userMaterials[static_cast<std::size_t>(index)];
+    const auto wanted = withCustomMaterial(parameters.values(), chosen);
+    history.beginEdit(chosen.name);
     changeByHand(wanted, materialFigures);
     changeByHand(wanted, std::array{ParameterId::material}); // last, as above
+    history.endEdit();
 }
 
 void Processor::changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed) {

@@ -164,8 +164,7 @@ std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) cons
     return pathMetres(*playing->slots()[slots[index]].object, playing->keyMap());
 }
 
-void Processor::setStrikePath(std::size_t index,
-                              const std::vector<std::array<double, 3>>& metres) {
+void Processor::setStrikePath(std::size_t index, const std::vector<std::array<double, 3>>& metres) {
     const auto playing = loadedInstrument();
     if (playing == nullptr)
         return;

@@ -82,6 +82,24 @@ std::vector<EmbeddedObject> parseObjects(const json& list) {
     return objects;
 }
 
+// Numbers that cannot be learned are refused; parameters of a newer version stay without.
+ControllerAssignments parseControllers(const json& object) {
+    if (!object.is_object())
+        throw Fault{"has 'controllers' that are not a JSON object"};
+    ControllerAssignments assignments;
+    for (const auto& info : parameterTable()) {
+        const auto found = object.find(info.id);
+        if (found == object.end())
+            continue;
+        if (!found->is_number_integer() || *found < 0 || *found > 127 ||
+            !isLearnable(found->get<int>()))
+            throw Fault{"has a controller for '" + std::string(info.id) +
+                        "' that cannot be learned"};
+        assignments[info.parameter] = found->get<std::int8_t>();
+    }
+    return assignments;
+}
+
 State parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
         throw Fault{"is not one of Idiophone's"};
@@ -99,6 +117,8 @@ State parse(const json& root) {
         throw Fault{"has a fault in " + preset.error().message};
     state.preset = std::move(*preset);
     state.objects = parseObjects(member(root, "objects"));
+    if (root.contains("controllers"))
+        state.controllers = parseControllers(root["controllers"]);
     return state;
 }
 
@@ -113,12 +133,18 @@ std::string encodeState(const State& state) {
     ordered_json objects = ordered_json::array();
     for (const auto& object : state.objects)
         objects.push_back({{"name", object.name}, {"modal", packed(object.modal)}});
-    const ordered_json root{{"format", formatName},
-                            {"version", stateFormatVersion},
-                            {"engine", state.engineVersion},
-                            {"parameters", parameters},
-                            {"preset", ordered_json::parse(encodePreset(state.preset))},
-                            {"objects", objects}};
+    ordered_json controllers = ordered_json::object();
+    for (const auto& info : parameterTable())
+        if (const int number = state.controllers[info.parameter]; number != noController)
+            controllers[info.id] = number;
+    ordered_json root{{"format", formatName},
+                      {"version", stateFormatVersion},
+                      {"engine", state.engineVersion},
+                      {"parameters", parameters},
+                      {"preset", ordered_json::parse(encodePreset(state.preset))},
+                      {"objects", objects}};
+    if (!controllers.empty())
+        root["controllers"] = controllers;
     // Names come from people and files: replace what is not UTF-8 rather than throw.
     return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

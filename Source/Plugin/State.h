@@ -1,9 +1,11 @@
 // What a host saves with its project, as bytes: versioned JSON (docs: "format", "version",
-// "engine", "parameters", "preset", "objects"). Plain data; applying it is the processor's.
+// "engine", "parameters", "preset", "objects", "controllers"). Plain data; applying it is the
+// processor's.
 #pragma once
 
 #include "Instrument/Preset.h"
 #include "Object/Result.h"
+#include "Plugin/ControllerAssignments.h"
 
 #include <cstddef>
 #include <string>
@@ -31,6 +33,7 @@ struct State {
     std::vector<std::pair<std::string, double>> unknownParameters;
     Preset preset;
     std::vector<EmbeddedObject> objects;
+    ControllerAssignments controllers; ///< none in states that say none
 
     bool operator==(const State&) const = default;
 };

@@ -111,6 +111,27 @@ TEST_CASE("Damaged states are refused with one sentence each") {
     checkRefused(replaced(good, "\"objects\":[", "\"objects\":[7,"));
     checkRefused(replaced(good, "\"modal\":\"", "\"modal\":\"!!"));
     checkRefused(replaced(good, "\"modal\":\"", "\"modal\":\"AAAA"));
+    for (const auto* controllers :
+         {"7", "[]", "null", R"({"tau":-1})", R"({"tau":0})", R"({"tau":120})", R"({"tau":1e9})",
+          R"({"tau":7.5})", R"({"tau":"7"})", R"({"tau":99999999999999999999})"}) {
+        auto bytes = good;
+        bytes.back() = ',';
+        checkRefused(bytes + "\"controllers\":" + controllers + "}");
+    }
+}
+
+TEST_CASE(
+    "Learned controllers come back; those of parameters that this version lacks are dropped") {
+    auto state = testState();
+    state.controllers[ParameterId::tau] = 119;
+    state.controllers[ParameterId::thickness] = 1;
+    const auto bytes = encodeState(state);
+    CHECK(parseState(bytes)->controllers == state.controllers);
+    const auto later =
+        parseState(replaced(bytes, "\"controllers\":{", "\"controllers\":{\"radiance\":\"?\","));
+    REQUIRE(later);
+    CHECK(*later == state);
+    CHECK(encodeState(testState()).find("controllers") == std::string::npos);
 }
 
 TEST_CASE("Any truncation of a state is refused") {

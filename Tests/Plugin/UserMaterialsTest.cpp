@@ -1,13 +1,11 @@
 // The user's own materials in the window: listed, chosen, shown by name, and faults said.
 #include "Object/MaterialFile.h"
 #include "Plugin/TestSound.h"
-#include "Support/TestFolder.h"
+#include "Plugin/UserSettings.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
-#include <cstdlib>
-#include <fstream>
 #include <juce_gui_basics/juce_gui_basics.h>
 
 using namespace idiophone;
@@ -21,39 +19,11 @@ const char* const jade = R"({"name": "Jade", "youngs_modulus_pa": 1.1e11, "poiss
     "density_kg_per_m3": 3300, "fluid_damping_per_s": 3, "viscoelastic_damping_s": 2e-8,
     "loss_factor": 1e-4})";
 
-/// An empty folder of user materials while it lives, in place of this machine's.
-class UserFolder {
+class UserFolder : public UserSettings {
 public:
-    UserFolder() {
-        std::filesystem::remove_all(root);
-        setSettings(root.string().c_str());
-        std::filesystem::create_directories(userMaterialFolder());
-    }
-    ~UserFolder() { setSettings(before.c_str()); }
-
     void write(const std::string& name, const std::string& text) {
-        std::ofstream(userMaterialFolder() / name, std::ios::binary) << text;
+        UserSettings::write(userMaterialFolder().filename() / name, text);
     }
-
-private:
-#if defined(_WIN32)
-    static constexpr const char* variable = "APPDATA";
-    static void setSettings(const char* value) {
-        _putenv_s(variable, value);
-    }
-#elif defined(__APPLE__)
-    static constexpr const char* variable = "HOME";
-    static void setSettings(const char* value) {
-        setenv(variable, value, 1);
-    }
-#else
-    static constexpr const char* variable = "XDG_CONFIG_HOME";
-    static void setSettings(const char* value) {
-        setenv(variable, value, 1);
-    }
-#endif
-    const std::filesystem::path root = testFolder() / "settings";
-    const std::string before = std::getenv(variable) != nullptr ? std::getenv(variable) : "";
 };
 
 juce::ComboBox* materialList(juce::Component& component) {

@@ -1,0 +1,36 @@
+#include "Instrument/PresetFile.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Object/TextFile.h"
+
+namespace idiophone {
+namespace {
+
+constexpr std::uintmax_t largestFileBytes = 1 << 20;
+constexpr int foldersAbove = 4;
+
+} // namespace
+
+Result<Preset> readPresetFile(const std::filesystem::path& file) {
+    return readTextFile(file, largestFileBytes).and_then([&](const std::string& text) {
+        return parsePreset(text, file.filename().string());
+    });
+}
+
+KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile) {
+    const auto first = keyMap.objectFor(keyMap.lowestNote);
+    if (factoryObject(first))
+        return keyMap;
+    std::error_code fault;
+    auto folder = std::filesystem::absolute(presetFile, fault).parent_path();
+    for (int above = 0; above <= foldersAbove && !folder.empty(); ++above) {
+        if (std::filesystem::is_regular_file(folder / first, fault)) {
+            keyMap.object = (folder / keyMap.object).string();
+            break;
+        }
+        folder = folder.parent_path();
+    }
+    return keyMap;
+}
+
+} // namespace idiophone

@@ -1,0 +1,17 @@
+// Presets as files on disk, and the modal objects that lie beside them.
+#pragma once
+
+#include "Instrument/Preset.h"
+
+#include <filesystem>
+
+namespace idiophone {
+
+/// The error names the file. Not for the audio thread.
+Result<Preset> readPresetFile(const std::filesystem::path& file);
+
+/// The key map with the full path of its object where a file of that relative path lies in the
+/// preset's folder or one of the four above it; else as it is, as with factory objects.
+KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile);
+
+} // namespace idiophone

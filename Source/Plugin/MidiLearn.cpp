@@ -1,0 +1,91 @@
+#include "Plugin/MidiLearn.h"
+
+#include <cmath>
+
+namespace idiophone {
+
+double controlledValue(const ParameterInfo& info, int controllerValue) noexcept {
+    const double place = controllerValue / 127.0;
+    const auto names = choiceNames(info.parameter);
+    return names.empty() ? info.fromNormalised(place)
+                         : std::round(place * static_cast<double>(names.size() - 1));
+}
+
+MidiLearn::MidiLearn() {
+    for (auto& number : numbers)
+        number = noController;
+    // The first look makes the list, which the audio thread must not do.
+    for (const auto& info : parameterTable())
+        choiceNames(info.parameter);
+}
+
+void MidiLearn::follow(const juce::MidiBuffer& midi, const HostParameters& parameters) noexcept {
+    std::array<std::int8_t, 128> values;
+    values.fill(nothing);
+    for (const auto message : midi) {
+        if (message.numBytes != 3 || (message.data[0] & 0xf0) != 0xb0)
+            continue;
+        const int number = message.data[1] & 0x7f;
+        values[static_cast<std::size_t>(number)] = static_cast<std::int8_t>(message.data[2] & 0x7f);
+        if (int waiting = learning; waiting != nothing && isLearnable(number) &&
+                                    learning.compare_exchange_strong(waiting, nothing))
+            numbers[static_cast<std::size_t>(waiting)] = static_cast<std::int8_t>(number);
+    }
+    for (const auto& info : parameterTable()) {
+        const auto index = static_cast<std::size_t>(info.parameter);
+        const int number = numbers[index];
+        if (number == noController || values[static_cast<std::size_t>(number)] == nothing)
+            continue;
+        parameters[info.parameter].setExactValue(
+            controlledValue(info, values[static_cast<std::size_t>(number)]));
+        moved[index] = true;
+    }
+}
+
+void MidiLearn::tellHost(const HostParameters& parameters) {
+    for (const auto& info : parameterTable()) {
+        if (!moved[static_cast<std::size_t>(info.parameter)].exchange(false))
+            continue;
+        auto& parameter = parameters[info.parameter];
+        parameter.beginChangeGesture();
+        parameter.sendValueChangedMessageToListeners(parameter.getValue());
+        parameter.endChangeGesture();
+    }
+}
+
+ControllerAssignments MidiLearn::assignments() const noexcept {
+    ControllerAssignments result;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        result.numbers[i] = numbers[i];
+    return result;
+}
+
+void MidiLearn::assign(const ControllerAssignments& assignments) noexcept {
+    learning = nothing;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = assignments.numbers[i];
+}
+
+std::optional<int> MidiLearn::controllerOf(ParameterId parameter) const {
+    const int number = numbers[static_cast<std::size_t>(parameter)];
+    return number == noController ? std::nullopt : std::optional(number);
+}
+
+void MidiLearn::learnController(ParameterId parameter) {
+    learning = static_cast<int>(parameter);
+}
+
+std::optional<ParameterId> MidiLearn::learningParameter() const {
+    const int waiting = learning;
+    return waiting == nothing ? std::nullopt : std::optional(static_cast<ParameterId>(waiting));
+}
+
+void MidiLearn::stopLearning() {
+    learning = nothing;
+}
+
+void MidiLearn::forgetController(ParameterId parameter) {
+    numbers[static_cast<std::size_t>(parameter)] = noController;
+}
+
+} // namespace idiophone

@@ -1,0 +1,251 @@
+#include "Plugin/PresetCollection.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Instrument/InitialPreset.h"
+#include "Instrument/LoudnessMatch.h"
+#include "Object/MaterialFile.h"
+#include "Plugin/ObjectEmbedding.h"
+#include "Plugin/PresetObjects.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+constexpr double anyRateHz = 48000; // both sides of a match are predicted at the same
+
+juce::File below(const juce::File& settings, const char* name) {
+    return settings == juce::File() ? settings : settings.getChildFile(name);
+}
+
+Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std::string id) {
+    const auto values = preset.parameters;
+    return {.preset = std::move(preset),
+            .instrument = std::move(instrument),
+            .parameters = values,
+            .unknownParameters = {},
+            .presetId = std::move(id),
+            .stored = values};
+}
+
+/// What is saved sounds as it does now, when its own material and mallet are what "match loudness"
+/// keeps to.
+ParameterValues storedValues(const Sound& sound) {
+    auto values = sound.parameters;
+    values.set(ParameterId::bypass, 0);
+    LoudnessMatch match(sound.instrument, sound.preset.surface, anyRateHz, sound.preset.parameters);
+    match.prepare(values);
+    values.set(ParameterId::level, values[ParameterId::level] + match.gainDb());
+    return values;
+}
+
+ShelvedPreset shelved(const Preset& preset, std::string id) {
+    return {.id = std::move(id),
+            .name = preset.name,
+            .author = preset.author,
+            .description = preset.description,
+            .tags = preset.tags,
+            .folder = {},
+            .isFactory = false,
+            .isFavourite = false,
+            .fault = {}};
+}
+
+const Preset* factoryPreset(const std::string& id) {
+    const auto presets = factoryPresets();
+    const auto preset = std::ranges::find_if(
+        presets, [&](const Preset& candidate) { return factoryPresetId(candidate.name) == id; });
+    return preset == presets.end() ? nullptr : &*preset;
+}
+
+} // namespace
+
+juce::File userSettingsFolder() {
+    const auto materials = userMaterialFolder();
+    return materials.empty()
+               ? juce::File()
+               : juce::File(juce::String::fromUTF8(materials.parent_path().string().c_str()));
+}
+
+PresetCollection::PresetCollection(SoundHolder& soundHolder,
+                                   SoundHistory& soundHistory,
+                                   const juce::File& settings)
+    : holder(soundHolder), history(soundHistory), folder(below(settings, "Presets")),
+      favourites(below(settings, "favourites.json")) {}
+
+void PresetCollection::readPresets() {
+    favourites.read();
+    shelf.clear();
+    for (const auto& preset : factoryPresets()) {
+        shelf.push_back(shelved(preset, factoryPresetId(preset.name)));
+        shelf.back().isFactory = true;
+    }
+    for (const auto& entry : folder.read()) {
+        shelf.push_back(entry.preset ? shelved(*entry.preset, entry.id) : ShelvedPreset{});
+        auto& last = shelf.back();
+        last.id = entry.id;
+        last.folder = entry.folder;
+        if (!entry.preset) {
+            last.name = folder.fileOf(entry.id).getFileNameWithoutExtension().toStdString();
+            last.fault = entry.preset.error().message;
+        }
+    }
+    for (auto& preset : shelf)
+        preset.isFavourite = favourites.contains(preset.id);
+}
+
+std::string PresetCollection::chosenPreset() const {
+    return holder.loadedSound().presetId;
+}
+
+PresetDetails PresetCollection::soundDetails() const {
+    const auto sound = holder.loadedSound();
+    const auto* entry = folder.find(sound.presetId);
+    return {.name = sound.preset.name,
+            .folder = entry != nullptr ? entry->folder : "",
+            .author = sound.preset.author,
+            .description = sound.preset.description,
+            .tags = sound.preset.tags};
+}
+
+bool PresetCollection::soundIsChanged() const {
+    const auto sound = holder.loadedSound();
+    auto now = sound.parameters;
+    now.set(ParameterId::bypass, sound.stored[ParameterId::bypass]);
+    return now != sound.stored;
+}
+
+Result<Sound> PresetCollection::soundOf(const std::string& id) {
+    const auto cannot = [&](const std::string& name, const Error& why) {
+        return failure(name + " cannot be played: " + why.message);
+    };
+    if (const auto* preset = factoryPreset(id)) {
+        auto built = buildInstrument(preset->keyMap, {});
+        return built ? Result<Sound>(soundWith(*preset, std::move(*built), id))
+                     : cannot(preset->name, built.error());
+    }
+    if (folder.find(id) == nullptr)
+        readPresets();
+    const auto* entry = folder.find(id);
+    if (entry == nullptr)
+        return failure("There is no preset '" + id + "' any more.");
+    if (!entry->preset)
+        return tl::unexpected(entry->preset.error());
+    auto built = buildPresetInstrument(entry->preset->keyMap, folder.fileOf(id));
+    return built ? Result<Sound>(soundWith(*entry->preset, std::move(*built), id))
+                 : cannot(entry->preset->name, built.error());
+}
+
+Result<void> PresetCollection::loadPreset(const std::string& id) {
+    return soundOf(id).map([&](const Sound& sound) {
+        history.record(sound.preset.name, [&] { holder.playSound(sound); });
+    });
+}
+
+Result<void> PresetCollection::loadInitialSound() {
+    const auto preset = initialPreset();
+    return buildInstrument(preset.keyMap, {}).map([&](std::shared_ptr<const Instrument> built) {
+        const auto sound = soundWith(preset, std::move(built), {});
+        history.record(preset.name, [&] { holder.playSound(sound); });
+    });
+}
+
+Result<void> PresetCollection::auditionPreset(const std::string& id) {
+    return soundOf(id).map(
+        [&](const Sound& sound) { history.audition([&] { holder.playSound(sound); }); });
+}
+
+void PresetCollection::keepAudition() {
+    history.keepAudition(holder.loadedSound().preset.name);
+}
+
+void PresetCollection::endAudition() {
+    history.endAudition();
+}
+
+bool PresetCollection::presetExists(const PresetDetails& details) const {
+    const auto place = folder.placeFor(details.name, details.folder);
+    return place && place->exists();
+}
+
+Result<void> PresetCollection::savePreset(const PresetDetails& details, bool replace) {
+    const auto sound = holder.loadedSound();
+    if (sound.instrument == nullptr)
+        return failure("There is nothing to save: no instrument is loaded.");
+    if (!replace && presetExists(details))
+        return failure("There is already a preset '" + details.name + "'.");
+    auto preset = sound.preset;
+    preset.name = details.name;
+    preset.author = details.author;
+    preset.description = details.description;
+    preset.tags = details.tags;
+    preset.parameters = storedValues(sound);
+    return folder.placeFor(details.name, details.folder)
+        .and_then([&](const juce::File&) { return folder.folder(); })
+        .and_then([&](const juce::File& root) {
+            return writePresetObjects(preset.keyMap, *sound.instrument, root);
+        })
+        .and_then([&](const KeyMap& keyMap) {
+            preset.keyMap = keyMap;
+            return folder.write(preset, details.folder, replace);
+        })
+        .map([&](const std::string& id) {
+            nameSound(id, preset);
+            readPresets();
+        });
+}
+
+// What plays goes on as it is, and so keeps what "match loudness" keeps to and where its objects
+// came from; it only bears the preset's name from now on.
+void PresetCollection::nameSound(const std::string& id, const Preset& saved) {
+    auto sound = holder.loadedSound();
+    sound.preset.name = saved.name;
+    sound.preset.author = saved.author;
+    sound.preset.description = saved.description;
+    sound.preset.tags = saved.tags;
+    sound.presetId = id;
+    sound.stored = sound.parameters;
+    holder.playSound(sound);
+}
+
+Result<void> PresetCollection::renamePreset(const std::string& id, const std::string& name) {
+    if (factoryPreset(id) != nullptr)
+        return failure("Factory presets keep their names.");
+    return folder.rename(id, name).and_then([&](const std::string& newId) {
+        auto sound = holder.loadedSound();
+        if (sound.presetId == id) {
+            sound.preset.name = name;
+            sound.presetId = newId;
+            holder.playSound(sound);
+        }
+        const auto renamed = favourites.rename(id, newId);
+        readPresets();
+        return renamed;
+    });
+}
+
+Result<void> PresetCollection::deletePreset(const std::string& id) {
+    if (factoryPreset(id) != nullptr)
+        return failure("Factory presets are part of the program and stay.");
+    return folder.moveToBin(id).and_then([&] {
+        auto sound = holder.loadedSound();
+        if (sound.presetId == id) {
+            sound.presetId.clear();
+            holder.playSound(sound);
+        }
+        const auto forgotten = favourites.set(id, false);
+        readPresets();
+        return forgotten;
+    });
+}
+
+Result<void> PresetCollection::setFavourite(const std::string& id, bool favourite) {
+    return favourites.set(id, favourite).map([this] { readPresets(); });
+}
+
+Result<std::string> PresetCollection::presetFolder() {
+    return folder.folder().map(
+        [](const juce::File& made) { return made.getFullPathName().toStdString(); });
+}
+
+} // namespace idiophone

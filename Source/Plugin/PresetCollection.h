@@ -1,0 +1,51 @@
+// The shelf of presets: the factory's, and the user's folder, and what loading and saving do to the
+// sound that plays.
+#pragma once
+
+#include "Editor/PresetShelf.h"
+#include "Plugin/Favourites.h"
+#include "Plugin/PresetFolder.h"
+#include "Plugin/SoundHistory.h"
+
+namespace idiophone {
+
+/// For the message thread.
+class PresetCollection final : public PresetShelf {
+public:
+    /// Presets lie in `Presets` of the settings folder, favourites in a file there; an empty folder
+    /// is a machine without settings. Reads nothing yet.
+    PresetCollection(SoundHolder& holder, SoundHistory& history, const juce::File& settings);
+
+    const std::vector<ShelvedPreset>& presets() const override { return shelf; }
+    void readPresets() override;
+    std::string chosenPreset() const override;
+    PresetDetails soundDetails() const override;
+    bool soundIsChanged() const override;
+    Result<void> loadPreset(const std::string& id) override;
+    Result<void> loadInitialSound() override;
+    Result<void> auditionPreset(const std::string& id) override;
+    void keepAudition() override;
+    void endAudition() override;
+    bool presetExists(const PresetDetails& details) const override;
+    Result<void> savePreset(const PresetDetails& details, bool replace) override;
+    Result<void> renamePreset(const std::string& id, const std::string& name) override;
+    Result<void> deletePreset(const std::string& id) override;
+    Result<void> setFavourite(const std::string& id, bool favourite) override;
+    Result<std::string> presetFolder() override;
+
+private:
+    Result<Sound> soundOf(const std::string& id);
+    void nameSound(const std::string& id, const Preset& saved);
+
+    SoundHolder& holder;
+    SoundHistory& history;
+    PresetFolder folder;
+    Favourites favourites;
+    std::vector<ShelvedPreset> shelf;
+};
+
+/// The folder of this user's settings for Idiophone, where materials and presets lie; an empty file
+/// where the environment names none.
+juce::File userSettingsFolder();
+
+} // namespace idiophone

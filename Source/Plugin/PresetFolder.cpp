@@ -1,0 +1,188 @@
+#include "Plugin/PresetFolder.h"
+
+#include "Instrument/PresetFile.h"
+#include "Plugin/PresetObjects.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace idiophone {
+namespace {
+
+constexpr int longestName = 100;
+constexpr const char* ending = ".json";
+
+juce::String shown(const std::string& text) {
+    return juce::String::fromUTF8(text.c_str());
+}
+
+std::string nameOf(const PresetFolder::Entry& entry) {
+    return entry.preset ? entry.preset->name : entry.id;
+}
+
+Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
+    const auto legal =
+        juce::File::createLegalFileName(shown(name)).trim().trimCharactersAtStart(".");
+    if (legal.isEmpty())
+        return failure(std::string(ofWhat) + " needs a name that a file can have.");
+    if (legal.length() > longestName)
+        return failure(std::string(ofWhat) + " needs a name of at most " +
+                       std::to_string(longestName) + " characters.");
+    return legal;
+}
+
+Result<void> replaceText(const juce::File& file, const std::string& text) {
+    if (!file.getParentDirectory().createDirectory().wasOk() ||
+        !file.replaceWithData(text.data(), text.size()))
+        return failure(file.getFullPathName().toStdString() + ": the preset cannot be written.");
+    return {};
+}
+
+/// The preset's JSON with another name; what this version does not know stays in it.
+Result<std::string> renamedText(const juce::File& file, const std::string& name) {
+    const auto text = file.loadFileAsString().toStdString();
+    try {
+        auto root = nlohmann::ordered_json::parse(text);
+        root.at("name") = name;
+        return root.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    } catch (const nlohmann::json::exception&) {
+        return failure(file.getFileName().toStdString() +
+                       ": it cannot be read, and so not renamed.");
+    }
+}
+
+} // namespace
+
+std::string PresetFolder::idOf(const juce::File& file) const {
+    return file.getRelativePathFrom(root).replaceCharacter('\\', '/').toStdString();
+}
+
+juce::File PresetFolder::fileOf(const std::string& id) const {
+    return root.getChildFile(shown(id));
+}
+
+const std::vector<PresetFolder::Entry>& PresetFolder::read() {
+    found.clear();
+    std::map<std::string, Known> seen;
+    if (root != juce::File() && root.isDirectory())
+        for (const auto& item :
+             juce::RangedDirectoryIterator(root, true, juce::String("*") + ending,
+                                           juce::File::findFiles | juce::File::ignoreHiddenFiles,
+                                           juce::File::FollowSymlinks::noCycles)) {
+            const auto id = idOf(item.getFile());
+            const auto depth = std::ranges::count(id, '/');
+            if (depth > deepestFolder || id.starts_with(std::string(presetObjectFolder) + "/"))
+                continue;
+            if (seen.size() >= mostFiles)
+                break;
+            const auto bytes = item.getFileSize();
+            const auto written = item.getModificationTime();
+            const auto before = known.find(id);
+            const bool isKnown = before != known.end() && before->second.bytes == bytes &&
+                                 before->second.written == written;
+            auto preset = isKnown ? std::move(before->second.preset)
+                                  : readPresetFile(item.getFile().getFullPathName().toStdString());
+            const auto slash = id.rfind('/');
+            found.push_back({.id = id,
+                             .folder = slash == std::string::npos ? "" : id.substr(0, slash),
+                             .preset = preset});
+            seen.emplace(id,
+                         Known{.bytes = bytes, .written = written, .preset = std::move(preset)});
+        }
+    known = std::move(seen);
+    std::ranges::sort(found, [](const Entry& a, const Entry& b) {
+        const int folders = shown(a.folder).compareNatural(shown(b.folder));
+        const int names = shown(nameOf(a)).compareNatural(shown(nameOf(b)));
+        return folders != 0 ? folders < 0 : names != 0 ? names < 0 : a.id < b.id;
+    });
+    return found;
+}
+
+const PresetFolder::Entry* PresetFolder::find(const std::string& id) const {
+    const auto entry = std::ranges::find(found, id, &Entry::id);
+    return entry == found.end() ? nullptr : &*entry;
+}
+
+Result<juce::File> PresetFolder::folder() const {
+    if (root == juce::File())
+        return failure("There is no place for presets of your own on this machine.");
+    if (const auto made = root.createDirectory(); !made.wasOk())
+        return failure(root.getFullPathName().toStdString() + ": the folder cannot be made.");
+    return root;
+}
+
+Result<juce::File> PresetFolder::placeFor(const std::string& name,
+                                          const std::string& folderName) const {
+    if (root == juce::File())
+        return failure("There is no place for presets of your own on this machine.");
+    auto place = root;
+    const auto parts = juce::StringArray::fromTokens(shown(folderName), "/\\", "");
+    int depth = 0;
+    for (const auto& part : parts) {
+        if (part.trim().isEmpty())
+            continue;
+        const auto legal = legalName(part.toStdString(), "A folder");
+        if (!legal)
+            return tl::unexpected(legal.error());
+        if (++depth > deepestFolder)
+            return failure("Folders of presets go " + std::to_string(deepestFolder) + " deep.");
+        if (depth == 1 && legal->equalsIgnoreCase(presetObjectFolder))
+            return failure(std::string("The folder '") + presetObjectFolder +
+                           "' is for the objects of presets.");
+        place = place.getChildFile(*legal);
+    }
+    return legalName(name, "A preset").map([&](const juce::String& legal) {
+        return place.getChildFile(legal + ending);
+    });
+}
+
+Result<std::string>
+PresetFolder::write(const Preset& preset, const std::string& folderName, bool replace) {
+    const auto place = placeFor(preset.name, folderName);
+    if (!place)
+        return tl::unexpected(place.error());
+    if (place->exists() && !replace)
+        return failure("There is already a preset '" +
+                       place->getFileNameWithoutExtension().toStdString() + "'.");
+    return replaceText(*place, encodePreset(preset)).map([&] { return idOf(*place); });
+}
+
+Result<std::string> PresetFolder::rename(const std::string& id, const std::string& name) {
+    const auto file = fileOf(id);
+    const auto* entry = find(id);
+    if (entry == nullptr || !file.existsAsFile())
+        return failure("There is no preset '" + id + "' any more.");
+    const auto place = placeFor(name, entry->folder);
+    if (!place)
+        return tl::unexpected(place.error());
+    const bool sameFile = *place == file;
+    if (place->exists() && !sameFile)
+        return failure("There is already a preset '" +
+                       place->getFileNameWithoutExtension().toStdString() + "'.");
+    return renamedText(file, name)
+        .and_then([&](const std::string& text) { return replaceText(*place, text); })
+        .and_then([&]() -> Result<std::string> {
+            if (!sameFile && !file.deleteFile()) {
+                place->deleteFile();
+                return failure(file.getFullPathName().toStdString() +
+                               ": the preset cannot be renamed.");
+            }
+            return idOf(*place);
+        });
+}
+
+Result<void> PresetFolder::moveToBin(const std::string& id) {
+    const auto file = fileOf(id);
+    if (find(id) == nullptr || !file.existsAsFile())
+        return failure("There is no preset '" + id + "' any more.");
+#if JUCE_LINUX
+    // JUCE takes the bin as the desktop has made it; a desktop that never deleted anything has not.
+    juce::File("~/.local/share/Trash/files").createDirectory();
+#endif
+    if (!file.moveToTrash())
+        return failure(file.getFullPathName().toStdString() +
+                       ": it cannot be moved to the bin, and stays.");
+    return {};
+}
+
+} // namespace idiophone

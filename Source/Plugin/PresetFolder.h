@@ -1,0 +1,60 @@
+// The user's preset files: a folder with folders in it. It reads, writes and moves files; what
+// plays is no business of it.
+#pragma once
+
+#include "Instrument/Preset.h"
+
+#include <juce_core/juce_core.h>
+#include <map>
+#include <vector>
+
+namespace idiophone {
+
+/// For the message thread. Errors are one sentence; where there is one, no file has changed.
+class PresetFolder {
+public:
+    struct Entry {
+        std::string id;     ///< path below the folder, with '/': "Bells/Small bell.json"
+        std::string folder; ///< "Bells"
+        Result<Preset> preset;
+    };
+
+    /// Deeper folders and further files are not looked at.
+    static constexpr int deepestFolder = 4, mostFiles = 10000;
+
+    /// An empty file is a folder that this machine has no place for.
+    explicit PresetFolder(juce::File folder) : root(std::move(folder)) {}
+
+    /// By folder and name, whatever the case. Files that are as they were are not read again.
+    const std::vector<Entry>& read();
+    const std::vector<Entry>& entries() const { return found; }
+    const Entry* find(const std::string& id) const;
+
+    juce::File fileOf(const std::string& id) const;
+    /// Where a preset of that name in that folder is saved; an error where there is no such place.
+    Result<juce::File> placeFor(const std::string& name, const std::string& folder) const;
+
+    /// Through a file beside it, so that what is there is never half overwritten. Returns the id.
+    Result<std::string> write(const Preset& preset, const std::string& folder, bool replace);
+    /// Changes the name in the file and of it; all else in the file stays. Returns the new id.
+    Result<std::string> rename(const std::string& id, const std::string& name);
+    Result<void> moveToBin(const std::string& id);
+
+    /// The folder, made if it was not there.
+    Result<juce::File> folder() const;
+
+private:
+    struct Known {
+        juce::int64 bytes = 0;
+        juce::Time written;
+        Result<Preset> preset;
+    };
+
+    std::string idOf(const juce::File& file) const;
+
+    juce::File root;
+    std::map<std::string, Known> known;
+    std::vector<Entry> found;
+};
+
+} // namespace idiophone

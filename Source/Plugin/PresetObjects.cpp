@@ -1,0 +1,111 @@
+#include "Plugin/PresetObjects.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Instrument/PresetFile.h"
+#include "Object/ModalObjectFile.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string_view>
+
+namespace idiophone {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+std::string_view asText(const Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// By name, for every note that has one.
+std::map<std::string, const ModalObject*> objectsOf(const KeyMap& keyMap,
+                                                    const Instrument& instrument) {
+    std::map<std::string, const ModalObject*> objects;
+    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note)
+        if (const int slot = instrument.key(note).slot; slot >= 0)
+            objects[keyMap.objectFor(note)] =
+                instrument.slots()[static_cast<std::size_t>(slot)].object.get();
+    return objects;
+}
+
+/// What people called it, as far as a file can be called that.
+juce::String fileStem(const KeyMap& keyMap) {
+    const auto name = juce::String::fromUTF8(keyMap.object.c_str()).replace("{note}", "");
+    const auto last = name.trimCharactersAtEnd("/\\").fromLastOccurrenceOf("/", false, false);
+    const auto legal = juce::File::createLegalFileName(last.upToLastOccurrenceOf(".", false, false))
+                           .upToLastOccurrenceOf("-", false, false) // as writePresetObjects adds
+                           .substring(0, 60)
+                           .trim();
+    return legal.isEmpty() ? "Object" : legal;
+}
+
+Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
+    juce::MemoryBlock present;
+    if (file.existsAsFile() && file.loadFileAsData(present) &&
+        present.matches(bytes.data(), bytes.size()))
+        return {};
+    if (!file.getParentDirectory().createDirectory().wasOk() ||
+        !file.replaceWithData(bytes.data(), bytes.size()))
+        return failure(file.getFullPathName().toStdString() + ": the object cannot be written.");
+    return {};
+}
+
+} // namespace
+
+Result<KeyMap>
+writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder) {
+    const auto objects = objectsOf(keyMap, instrument);
+    if (std::ranges::all_of(
+            objects, [](const auto& named) { return factoryObject(named.first).has_value(); }))
+        return keyMap;
+
+    std::map<std::string, Bytes> files;
+    std::size_t hash = objects.size();
+    for (const auto& [name, object] : objects) {
+        auto bytes = encodeModalObject(*object);
+        hash = hash * 31 + std::hash<std::string_view>()(asText(bytes));
+        files.emplace(name, std::move(bytes));
+    }
+    const bool isOne = files.size() == 1 && keyMap.objectFor(0) == keyMap.objectFor(1);
+    auto stored = keyMap;
+    stored.object = std::string(presetObjectFolder) + "/" + fileStem(keyMap).toStdString() + "-" +
+                    juce::String::toHexString(static_cast<juce::int64>(hash)).toStdString() +
+                    (isOne ? ".modal" : "/{note}.modal");
+    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
+        const auto bytes = files.find(keyMap.objectFor(note));
+        if (bytes == files.end())
+            continue;
+        const auto name = juce::String::fromUTF8(stored.objectFor(note).c_str());
+        if (auto written = writeOnce(folder.getChildFile(name), bytes->second); !written)
+            return tl::unexpected(written.error());
+        if (isOne)
+            break;
+    }
+    return stored;
+}
+
+Result<std::shared_ptr<const Instrument>> buildPresetInstrument(const KeyMap& keyMap,
+                                                                const juce::File& presetFile) {
+    const auto file = presetFile.getFullPathName().toStdString();
+    const auto found = withObjectsBeside(keyMap, file);
+    if (found.object == keyMap.object)
+        return Instrument::build(keyMap, ObjectLibrary::shared());
+    // A library of its own, where the names mean these objects; the objects are shared all the
+    // same.
+    ObjectLibrary own;
+    std::map<std::string, std::shared_ptr<const ModalObject>> kept;
+    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
+        const auto name = keyMap.objectFor(note);
+        if (kept.contains(name) || factoryObject(name))
+            continue;
+        auto object = ObjectLibrary::shared().find(found.objectFor(note));
+        if (!object)
+            return tl::unexpected(object.error());
+        own.add(name, *object);
+        kept.emplace(name, std::move(*object));
+    }
+    return Instrument::build(keyMap, own);
+}
+
+} // namespace idiophone

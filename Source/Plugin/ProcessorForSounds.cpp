@@ -1,0 +1,64 @@
+// Whole sounds of the processor, for its history and presets.
+#include "Plugin/Processor.h"
+
+#include "Instrument/FactoryContent.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+/// Whether a player of the one plays the other too, given its parameters.
+bool playsAlike(const Preset& a, const Preset& b) {
+    return a.surface == b.surface && a.seed == b.seed && a.parameters == b.parameters;
+}
+
+int programOf(const std::string& presetId) {
+    const auto presets = factoryPresets();
+    const auto found = std::ranges::find_if(
+        presets, [&](const Preset& preset) { return factoryPresetId(preset.name) == presetId; });
+    return found == presets.end() ? -1 : static_cast<int>(std::distance(presets.begin(), found));
+}
+
+} // namespace
+
+Sound Processor::loadedSound() const {
+    const std::scoped_lock lock(soundMutex);
+    return {.preset = loadedPreset,
+            .instrument = instrument,
+            .parameters = parameters.values(),
+            .unknownParameters = unknownParameters,
+            .presetId = presetId,
+            .stored = storedParameters};
+}
+
+void Processor::playSound(const Sound& wanted) {
+    if (wanted.instrument == nullptr)
+        return;
+    {
+        const std::scoped_lock lock(soundMutex);
+        auto values = wanted.parameters;
+        values.set(ParameterId::bypass, parameters[ParameterId::bypass].exactValue());
+        parameters.load(values);
+        if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset))
+            loadedPreset = wanted.preset;
+        else
+            play(wanted.preset, wanted.instrument);
+        unknownParameters = wanted.unknownParameters;
+        presetId = wanted.presetId;
+        storedParameters = wanted.stored;
+        programIndex = programOf(presetId);
+    }
+    parameters.notifyListeners();
+    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+}
+
+void Processor::setValue(ParameterId parameter, double value) {
+    auto& changed = parameters[parameter];
+    changed.beginChangeGesture();
+    changed.setExactValue(value);
+    changed.sendValueChangedMessageToListeners(changed.getValue());
+    changed.endChangeGesture();
+}
+
+} // namespace idiophone

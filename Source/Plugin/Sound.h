@@ -1,0 +1,50 @@
+// A whole sound, to be kept and played again: cheap to copy, as the objects are shared.
+#pragma once
+
+#include "Instrument/Instrument.h"
+#include "Instrument/Preset.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace idiophone {
+
+struct Sound {
+    Preset preset; ///< as loaded: its values are what "match loudness" keeps to
+    std::shared_ptr<const Instrument> instrument;
+    ParameterValues parameters; ///< as they are now
+    /// Of a state from a newer version: kept, and saved again.
+    std::vector<std::pair<std::string, double>> unknownParameters;
+    std::string presetId;   ///< of the preset on the shelf (PresetShelf.h), or empty
+    ParameterValues stored; ///< what that preset has, to tell whether the sound was changed
+
+    bool operator==(const Sound&) const = default;
+};
+
+/// By which the shelf knows the factory's preset of that name.
+inline std::string factoryPresetId(const std::string& name) {
+    return "factory:" + name;
+}
+
+/// What has a sound and plays others: the processor. For the message thread.
+class SoundHolder {
+public:
+    virtual ~SoundHolder() = default;
+
+    /// What plays; its instrument is null where nothing could be loaded.
+    virtual Sound loadedSound() const = 0;
+    /// Plays the sound at once, with bypass as it is. What rings fades out where the instrument or
+    /// its preset is another one, and goes on where only parameters change. A sound without
+    /// instrument is not played.
+    virtual void playSound(const Sound& sound) = 0;
+    /// Another number after every load, by whomever.
+    virtual int soundNumber() const = 0;
+
+    virtual double valueOf(ParameterId parameter) const = 0;
+    /// As a change by hand, which the host records.
+    virtual void setValue(ParameterId parameter, double value) = 0;
+};
+
+} // namespace idiophone

@@ -1,0 +1,211 @@
+#include "Plugin/SoundHistory.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace idiophone {
+namespace {
+
+// In KiB, of which so many are kept, but the newest steps in any case.
+constexpr int mostUnits = 512 * 1024, fewestSteps = 8;
+constexpr int unitsOfParameters = 64; // more than they take: so no more than 8192 steps are kept
+constexpr int unitsOfSound = 256;
+
+int unitsOfObjects(const Sound& sound) {
+    if (sound.instrument == nullptr)
+        return 0;
+    std::set<const ModalObject*> objects;
+    for (const auto& slot : sound.instrument->slots())
+        objects.insert(slot.object.get());
+    std::size_t bytes = 0;
+    for (const auto* object : objects)
+        bytes += sizeof(float) * (object->shapes.size() + object->vertices.size() +
+                                  object->radiation.weights.size());
+    return static_cast<int>(std::min<std::size_t>(bytes / 1024, mostUnits));
+}
+
+} // namespace
+
+/// Some parameters that changed together.
+class SoundHistory::ParameterStep final : public juce::UndoableAction {
+public:
+    ParameterStep(SoundHistory& owner, std::vector<Change> done)
+        : history(owner), changes(std::move(done)) {}
+
+    bool perform() override {
+        if (std::exchange(isDone, true)) // the first time the hand has done it
+            history.change(changes, true);
+        return true;
+    }
+    bool undo() override {
+        history.change(changes, false);
+        return true;
+    }
+    int getSizeInUnits() override { return unitsOfParameters; }
+
+private:
+    SoundHistory& history;
+    std::vector<Change> changes;
+    bool isDone = false;
+};
+
+/// From one session to another.
+class SoundHistory::LoadStep final : public juce::UndoableAction {
+public:
+    LoadStep(SoundHistory& owner, std::shared_ptr<LoadedSessions> done)
+        : history(owner), sessions(std::move(done)) {
+        const auto& [before, after] = *sessions;
+        units = unitsOfSound;
+        if (before.playing.instrument != after.playing.instrument)
+            units += unitsOfObjects(before.playing);
+    }
+
+    bool perform() override {
+        if (std::exchange(isDone, true))
+            history.play(sessions->after);
+        return true;
+    }
+    bool undo() override {
+        history.play(sessions->before);
+        return true;
+    }
+    int getSizeInUnits() override { return units; }
+
+private:
+    SoundHistory& history;
+    std::shared_ptr<LoadedSessions> sessions;
+    int units;
+    bool isDone = false;
+};
+
+SoundHistory::SoundHistory(SoundHolder& soundHolder)
+    : holder(soundHolder), steps(mostUnits, fewestSteps) {}
+
+SoundHistory::~SoundHistory() = default;
+
+bool SoundHistory::canUndo() {
+    followHolder();
+    return !changes.empty() || steps.canUndo();
+}
+
+bool SoundHistory::canRedo() {
+    followHolder();
+    return changes.empty() && steps.canRedo();
+}
+
+std::string SoundHistory::undoName() {
+    followHolder();
+    return steps.getUndoDescription().toStdString();
+}
+
+std::string SoundHistory::redoName() {
+    followHolder();
+    return steps.getRedoDescription().toStdString();
+}
+
+void SoundHistory::undo() {
+    endAudition();
+    followHolder();
+    closeEdit();
+    steps.undo();
+}
+
+void SoundHistory::redo() {
+    endAudition();
+    followHolder();
+    closeEdit();
+    steps.redo();
+}
+
+void SoundHistory::record(const std::string& name, const std::function<void()>& load) {
+    endAudition();
+    followHolder();
+    closeEdit();
+    const auto before = session();
+    load();
+    pushLoad(name, before);
+}
+
+void SoundHistory::replaceInstrument(const std::shared_ptr<const Instrument>& old,
+                                     const Sound& now) {
+    knownNumber = holder.soundNumber();
+    const auto replace = [&](Sound& sound) {
+        if (old == nullptr || sound.instrument != old)
+            return;
+        sound.instrument = now.instrument;
+        sound.preset.keyMap = now.preset.keyMap;
+    };
+    const auto replaceIn = [&](Session& kept) {
+        replace(kept.playing);
+        if (kept.other)
+            replace(*kept.other);
+    };
+    for (const auto& known : loads)
+        if (const auto sessions = known.lock()) {
+            replaceIn(sessions->before);
+            replaceIn(sessions->after);
+        }
+    if (other)
+        replace(*other);
+    if (beforeAudition)
+        replaceIn(*beforeAudition);
+}
+
+Session SoundHistory::session() const {
+    return {.playing = holder.loadedSound(), .other = other, .playsB = isB};
+}
+
+void SoundHistory::play(const Session& wanted) {
+    other = wanted.other;
+    isB = wanted.playsB;
+    if (holder.loadedSound() != wanted.playing)
+        holder.playSound(wanted.playing);
+    knownNumber = holder.soundNumber();
+}
+
+void SoundHistory::followHolder() {
+    if (holder.soundNumber() != knownNumber)
+        forgetAll();
+}
+
+void SoundHistory::forgetAll() {
+    knownNumber = holder.soundNumber();
+    steps.clearUndoHistory();
+    other.reset();
+    isB = false;
+    beforeAudition.reset();
+    changes.clear();
+}
+
+void SoundHistory::closeEdit() {
+    auto done = std::exchange(changes, {});
+    for (auto& change : done)
+        change.after = holder.valueOf(change.parameter);
+    std::erase_if(done, [](const Change& change) { return change.after == change.before; });
+    if (done.empty())
+        return;
+    const auto name = !editName.empty()  ? editName
+                      : done.size() == 1 ? std::string(parameterInfo(done.front().parameter).name)
+                                         : std::to_string(done.size()) + " parameters";
+    push(new ParameterStep(*this, std::move(done)), name);
+}
+
+void SoundHistory::push(juce::UndoableAction* step, const std::string& name) {
+    steps.beginNewTransaction(juce::String::fromUTF8(name.c_str()));
+    steps.perform(step);
+}
+
+void SoundHistory::pushLoad(const std::string& name, const Session& before) {
+    knownNumber = holder.soundNumber();
+    auto after = session();
+    if (after == before)
+        return;
+    auto sessions = std::make_shared<LoadedSessions>(
+        LoadedSessions{.before = before, .after = std::move(after)});
+    std::erase_if(loads, [](const auto& known) { return known.expired(); });
+    loads.push_back(sessions);
+    push(new LoadStep(*this, std::move(sessions)), name);
+}
+
+} // namespace idiophone

@@ -1,0 +1,106 @@
+// Undo and redo of all that is done to the sound in the window, and its A and B. It remembers; the
+// processor plays.
+#pragma once
+
+#include "Editor/EditHistory.h"
+#include "Editor/SoundVariants.h"
+#include "Plugin/Sound.h"
+
+#include <bitset>
+#include <functional>
+#include <juce_data_structures/juce_data_structures.h>
+#include <optional>
+
+namespace idiophone {
+
+/// What plays, what it is compared with, and which of them is B.
+struct Session {
+    Sound playing;
+    std::optional<Sound> other;
+    bool playsB = false;
+
+    bool operator==(const Session&) const = default;
+};
+
+/// For the message thread. Loads that do not come through `record` or `undo` (the host's states and
+/// programs) are noticed by the holder's number, and forget all steps and the other variant.
+class SoundHistory final : public EditHistory, public SoundVariants {
+public:
+    /// Asks nothing of the holder yet.
+    explicit SoundHistory(SoundHolder& holder);
+    ~SoundHistory() override;
+
+    bool canUndo() override;
+    bool canRedo() override;
+    std::string undoName() override;
+    std::string redoName() override;
+    void undo() override;
+    void redo() override;
+    void beginEdit(const std::string& name) override;
+    void endEdit() override;
+
+    bool playsB() override;
+    void compare() override;
+    void copyToOther() override;
+    void mutate(double strength, std::uint32_t seed) override;
+
+    /// Between these two a parameter changes by hand, of which `willChange` tells every time,
+    /// before.
+    void beginGesture(ParameterId parameter);
+    void willChange(ParameterId parameter);
+    void endGesture(ParameterId parameter);
+    /// Ends whatever gestures and edits have not ended, as those of a window that was closed.
+    void endAllGestures();
+
+    /// Does something that plays another sound, as one step of that name; none where the sound is
+    /// the same afterwards, as when it failed.
+    void record(const std::string& name, const std::function<void()>& load);
+
+    /// Another instrument has taken the place of one for good, as a finished analysis that of its
+    /// preview: steps and the other variant that knew the old one know the new one and its key map.
+    /// No step.
+    void replaceInstrument(const std::shared_ptr<const Instrument>& old, const Sound& now);
+
+    /// Plays sounds to listen to, without steps, until `keepAudition`, which makes one step of them
+    /// all, or `endAudition`, which returns to what played before. Without an audition under way
+    /// both do nothing.
+    void audition(const std::function<void()>& load);
+    void keepAudition(const std::string& name);
+    void endAudition();
+
+private:
+    class ParameterStep;
+    class LoadStep;
+    struct LoadedSessions {
+        Session before, after;
+    };
+    struct Change {
+        ParameterId parameter;
+        double before = 0, after = 0;
+    };
+
+    Session session() const;
+    void play(const Session& wanted);
+    void change(const std::vector<Change>& changes, bool forward);
+    void followHolder();
+    void forgetAll();
+    void closeEdit();
+    void push(juce::UndoableAction* step, const std::string& name);
+    void pushLoad(const std::string& name, const Session& before);
+
+    SoundHolder& holder;
+    juce::UndoManager steps;
+    std::vector<std::weak_ptr<LoadedSessions>> loads; ///< of the steps that live
+    int knownNumber = -1;                             ///< of what the steps lead to
+
+    std::optional<Sound> other;
+    bool isB = false;
+    std::optional<Session> beforeAudition;
+
+    std::bitset<parameterCount> gestures; ///< under way
+    int openEdits = 0;
+    std::string editName;
+    std::vector<Change> changes; ///< of the edit or gesture under way
+};
+
+} // namespace idiophone

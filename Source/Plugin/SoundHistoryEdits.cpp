@@ -1,0 +1,115 @@
+// How changes by hand become steps, and what the variants and auditions do.
+#include "Plugin/SoundHistory.h"
+
+#include "Instrument/Mutation.h"
+
+#include <algorithm>
+
+namespace idiophone {
+
+void SoundHistory::beginGesture(ParameterId parameter) {
+    followHolder();
+    if (gestures.none() && openEdits == 0)
+        closeEdit();
+    gestures.set(static_cast<std::size_t>(parameter));
+}
+
+void SoundHistory::willChange(ParameterId parameter) {
+    if (openEdits == 0 && !gestures.test(static_cast<std::size_t>(parameter)))
+        return;
+    followHolder();
+    const auto known =
+        std::ranges::any_of(changes, [&](const Change& c) { return c.parameter == parameter; });
+    if (!known)
+        changes.push_back({.parameter = parameter, .before = holder.valueOf(parameter)});
+}
+
+void SoundHistory::endGesture(ParameterId parameter) {
+    gestures.reset(static_cast<std::size_t>(parameter));
+    if (gestures.none() && openEdits == 0)
+        closeEdit();
+}
+
+void SoundHistory::endAllGestures() {
+    gestures.reset();
+    openEdits = 0;
+    closeEdit();
+    editName.clear();
+}
+
+void SoundHistory::beginEdit(const std::string& name) {
+    followHolder();
+    if (openEdits++ > 0)
+        return;
+    closeEdit();
+    editName = name;
+}
+
+void SoundHistory::endEdit() {
+    if (openEdits == 0 || --openEdits > 0)
+        return;
+    closeEdit();
+    editName.clear();
+}
+
+void SoundHistory::change(const std::vector<Change>& wanted, bool forward) {
+    const auto set = [&](const Change& change) {
+        holder.setValue(change.parameter, forward ? change.after : change.before);
+    };
+    if (forward)
+        std::ranges::for_each(wanted, set);
+    else
+        std::for_each(wanted.rbegin(), wanted.rend(), set);
+}
+
+bool SoundHistory::playsB() {
+    followHolder();
+    return isB;
+}
+
+void SoundHistory::compare() {
+    record(playsB() ? "Compare with A" : "Compare with B", [this] {
+        const auto now = holder.loadedSound();
+        const auto next = other.value_or(now);
+        play({.playing = next, .other = now, .playsB = !isB});
+    });
+}
+
+void SoundHistory::copyToOther() {
+    record(playsB() ? "Copy B to A" : "Copy A to B", [this] { other = holder.loadedSound(); });
+}
+
+void SoundHistory::mutate(double strength, std::uint32_t seed) {
+    record("Mutate", [&] {
+        auto next = holder.loadedSound();
+        next.parameters = mutated(next.parameters, next.instrument, next.preset, strength, seed);
+        holder.playSound(next);
+    });
+}
+
+void SoundHistory::audition(const std::function<void()>& load) {
+    followHolder();
+    closeEdit();
+    if (!beforeAudition)
+        beforeAudition = session();
+    load();
+    knownNumber = holder.soundNumber();
+}
+
+void SoundHistory::keepAudition(const std::string& name) {
+    followHolder();
+    if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
+        closeEdit();
+        pushLoad(name, *before);
+    }
+}
+
+void SoundHistory::endAudition() {
+    followHolder();
+    if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
+        changes.clear();
+        play(*before);
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,131 @@
+#include "Instrument/Mutation.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Instrument/LoudnessMatch.h"
+#include "Instrument/Player.h"
+#include "Instrument/TestInstruments.h"
+#include "Support/RenderNotes.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <set>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+using enum ParameterId;
+
+namespace {
+
+std::shared_ptr<const Instrument> built(const Preset& preset) {
+    return Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+}
+
+const Preset& rosewood() {
+    return *findFactoryPreset("Rosewood Xylophone");
+}
+
+ParameterValues mutatedRosewood(double strength, std::uint32_t seed) {
+    return mutated(rosewood().parameters, built(rosewood()), rosewood(), strength, seed);
+}
+
+} // namespace
+
+TEST_CASE("The same seed mutates to the same sound, another seed to another") {
+    CHECK(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 7));
+    CHECK_FALSE(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 8));
+}
+
+TEST_CASE("A mutation of no strength, or of no instrument, changes nothing") {
+    CHECK(mutatedRosewood(0, 3) == rosewood().parameters);
+    CHECK(mutatedRosewood(std::nan(""), 3) == rosewood().parameters);
+    CHECK(mutated(rosewood().parameters, nullptr, rosewood(), 1, 3) == rosewood().parameters);
+}
+
+TEST_CASE("A mutation moves what shapes the sound and leaves pitch, quality and bypass alone") {
+    std::set<ParameterId> mayMove{material, mallet, level, youngsModulus, density};
+    for (const auto& row : mutationSteps())
+        mayMove.insert(row.parameter);
+    for (const auto kept : {tune, bypass, size, thickness, tau, qualitySlope, modeBudget,
+                            compression, bendRange, letRing, contact, matchLoudness})
+        CHECK_FALSE(mayMove.contains(kept));
+    const auto next = mutatedRosewood(1, 5);
+    for (const auto& info : parameterTable()) {
+        INFO(info.id);
+        if (!mayMove.contains(info.parameter))
+            CHECK(next[info.parameter] == rosewood().parameters[info.parameter]);
+    }
+    // The custom material stands in for the bars' own: as stiff and as heavy, so as high.
+    const auto& own = built(rosewood())->slots().front().object->material;
+    CHECK(next[material] == double{customMaterial});
+    CHECK(next[youngsModulus] == Approx(own.youngsModulusPa / 1e9));
+    CHECK(next[density] == Approx(own.densityKgPerM3));
+}
+
+TEST_CASE("Every step stays within its share of the range and within musical bounds") {
+    const auto start = mutatedRosewood(1e-12, 1); // with the figures of what is played
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+        const auto next = mutatedRosewood(0.3, seed);
+        for (const auto& row : mutationSteps()) {
+            const auto& info = parameterInfo(row.parameter);
+            INFO(info.id);
+            const double moved =
+                info.toNormalised(next[row.parameter]) - info.toNormalised(start[row.parameter]);
+            CHECK(std::abs(moved) <= 0.3 * row.step + 1e-9);
+            CHECK(next[row.parameter] >= std::min(row.lowest, start[row.parameter]) - 1e-9);
+            CHECK(next[row.parameter] <= std::max(row.highest, start[row.parameter]) + 1e-9);
+        }
+    }
+}
+
+TEST_CASE("A hundred mutations of mutations stay within the bounds") {
+    const auto instrument = built(rosewood());
+    auto now = rosewood().parameters;
+    for (std::uint32_t seed = 0; seed < 100; ++seed)
+        now = mutated(now, instrument, rosewood(), 1, seed);
+    for (const auto& row : mutationSteps()) {
+        INFO(parameterInfo(row.parameter).id);
+        CHECK(now[row.parameter] >= row.lowest * (row.lowest > 0 ? 0.999 : 1.001));
+        CHECK(now[row.parameter] <= row.highest * 1.001);
+    }
+    CHECK(now[level] <= 0);
+}
+
+TEST_CASE("A mutation is as loud as what it comes from, where the level reaches, and no louder") {
+    for (const auto* name : {"Rosewood Xylophone", "Steel Plate", "Handbell"}) {
+        const auto& preset = *findFactoryPreset(name);
+        const auto instrument = built(preset);
+        const LoudnessMatch match(instrument, preset.surface, 48000, preset.parameters);
+        const auto loudness = [&](const ParameterValues& values) {
+            return match.predictedLufs(values)[PhrasePrediction::middleVelocity] + values[level];
+        };
+        for (std::uint32_t seed = 0; seed < 6; ++seed) {
+            INFO(name << ", seed " << seed);
+            const auto next = mutated(preset.parameters, instrument, preset, 1, seed);
+            const double louder = loudness(next) - loudness(preset.parameters);
+            CHECK(louder <= 0.01);
+            CHECK(next[level] <= preset.parameters[level] + 6.01);
+            if (next[level] < preset.parameters[level] + 5.9 && next[level] < -0.1)
+                CHECK(louder >= -0.01);
+        }
+    }
+}
+
+TEST_CASE("No mutation of a factory preset struck hard goes beyond full scale") {
+    for (const auto* name : {"Rosewood Xylophone", "Glockenspiel", "Ammunition Shell"}) {
+        const auto& preset = *findFactoryPreset(name);
+        const auto instrument = built(preset);
+        const int note = (preset.keyMap.lowestNote + preset.keyMap.highestNote) / 2;
+        for (std::uint32_t seed = 0; seed < 12; ++seed) {
+            const auto next = mutated(preset.parameters, instrument, preset, 1, seed);
+            Player player(instrument, 48000, preset.surface, preset.seed, preset.parameters);
+            const auto sound = render(player, {midi(0, 0x90, note, 127)}, 24000, 512, next);
+            float peak = 0;
+            for (const float sample : sound)
+                peak = std::max(peak, std::abs(sample));
+            INFO(name << ", seed " << seed);
+            CHECK(peak * std::pow(10, next[level] / 20) < 1);
+            CHECK(peak > 0);
+        }
+    }
+}

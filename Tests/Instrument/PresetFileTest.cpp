@@ -1,0 +1,78 @@
+#include "Instrument/PresetFile.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Instrument/InitialPreset.h"
+#include "Instrument/LoudnessMatch.h"
+#include "Support/TestFolder.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <fstream>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+std::filesystem::path write(const std::filesystem::path& name, const std::string& text) {
+    const auto file = testFolder() / name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+}
+
+} // namespace
+
+TEST_CASE("A preset file is read whole; what is none is an error that names it") {
+    const auto& preset = factoryPresets()[2];
+    CHECK(readPresetFile(write("a/preset.json", encodePreset(preset))).value() == preset);
+    for (const auto& file : {write("a/broken.json", "{"), testFolder() / "a/missing.json",
+                             write("a/large.json", std::string((1 << 20) + 1, ' '))}) {
+        const auto read = readPresetFile(file);
+        REQUIRE_FALSE(read);
+        CHECK_THAT(read.error().message, ContainsSubstring(file.filename().string()));
+    }
+}
+
+TEST_CASE("Objects beside a preset are found in its folder and those above, the nearest first") {
+    const auto top = write("b/Objects/bowl.modal", "top");
+    const auto near = write("b/Bells/Objects/bowl.modal", "near");
+    write("b/Objects/stones/60.modal", "stone");
+    const KeyMap bowl{.kind = KeyMapKind::scaled, .object = "Objects/bowl.modal"};
+    const auto found = [&](const KeyMap& map, const char* preset) {
+        return withObjectsBeside(map, testFolder() / preset).object;
+    };
+    CHECK(found(bowl, "b/x.json") == top.string());
+    CHECK(found(bowl, "b/Bells/x.json") == near.string());
+    CHECK(found(bowl, "b/Gongs/Large/x.json") == top.string());
+    CHECK(found(bowl, "c/x.json") == bowl.object);
+    const KeyMap stones{.kind = KeyMapKind::bars,
+                        .lowestNote = 60,
+                        .highestNote = 64,
+                        .object = "Objects/stones/{note}.modal"};
+    CHECK(found(stones, "b/x.json") == (testFolder() / "b" / stones.object).string());
+    const auto& factory = factoryPresets().front();
+    write("b/xylophone-65", "not this one");
+    CHECK(withObjectsBeside(factory.keyMap, testFolder() / "b/x.json") == factory.keyMap);
+    // A full path stays one, and a folder is no object.
+    const KeyMap full{.kind = KeyMapKind::zones, .object = near.string()};
+    CHECK(found(full, "c/x.json") == near.string());
+    const KeyMap none{.kind = KeyMapKind::zones, .object = ""};
+    CHECK(found(none, "b/x.json").empty());
+}
+
+TEST_CASE("The initial preset is plain, plays, and is as loud as the first of the factory") {
+    const auto loudness = [](const Preset& preset) {
+        const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+        const LoudnessMatch match(instrument, preset.surface, 48000, preset.parameters);
+        return match.predictedLufs(preset.parameters)[PhrasePrediction::middleVelocity] +
+               preset.parameters[ParameterId::level];
+    };
+    const auto initial = initialPreset();
+    CHECK(parsePreset(encodePreset(initial), "Init").value() == initial);
+    auto plain = initial.parameters;
+    plain.set(ParameterId::level, parameterInfo(ParameterId::level).defaultValue);
+    CHECK(plain == ParameterValues());
+    CHECK(std::abs(loudness(initial) - loudness(factoryPresets().front())) < 0.5);
+}

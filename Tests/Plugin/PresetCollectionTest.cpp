@@ -1,0 +1,260 @@
+// What the shelf of presets does to the sound and to the user's files.
+#include "Plugin/PresetCollection.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Plugin/TestSound.h"
+#include "Plugin/UserSettings.h"
+
+#include <algorithm>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+PresetDetails called(const std::string& name, const std::string& folder = "") {
+    return {.name = name,
+            .folder = folder,
+            .author = "Anna",
+            .description = "A test.",
+            .tags = {"test", "small"}};
+}
+
+const ShelvedPreset* find(const PresetShelf& shelf, const std::string& name) {
+    const auto found = std::ranges::find(shelf.presets(), name, &ShelvedPreset::name);
+    return found == shelf.presets().end() ? nullptr : &*found;
+}
+
+std::vector<float> firstSecond(Processor& processor) {
+    processor.prepareToPlay(48000, 480);
+    return render(processor, 48000, 480, testMusic(48000, 4801));
+}
+
+} // namespace
+
+TEST_CASE("The factory's presets are on the shelf in the order of the programs") {
+    const UserSettings user;
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    shelf.readPresets();
+    REQUIRE(shelf.presets().size() == factoryPresets().size());
+    for (std::size_t i = 0; i < factoryPresets().size(); ++i) {
+        CHECK(shelf.presets()[i].name == factoryPresets()[i].name);
+        CHECK(shelf.presets()[i].isFactory);
+        REQUIRE(shelf.loadPreset(shelf.presets()[i].id));
+        CHECK(processor.getCurrentProgram() == static_cast<int>(i));
+        CHECK(shelf.chosenPreset() == shelf.presets()[i].id);
+        CHECK_FALSE(shelf.soundIsChanged());
+    }
+}
+
+TEST_CASE("A saved sound comes back as it was, and plays the same samples") {
+    const UserSettings user;
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    processor.setCurrentProgram(3);
+    processor.changeParameter(ParameterId::density, 1234.5);
+    processor.changeParameter(ParameterId::size, 1.5);
+    CHECK(shelf.soundIsChanged());
+    const auto values = processor.loadedSound().parameters;
+    REQUIRE(shelf.savePreset(called("Mine", "Tests"), false));
+    CHECK_FALSE(shelf.soundIsChanged());
+    CHECK(shelf.chosenPreset() == "Tests/Mine.json");
+    CHECK(processor.getCurrentProgram() == 0); // no longer the factory's
+    const auto expected = firstSecond(processor);
+
+    Processor other;
+    auto& otherShelf = other.presetShelf();
+    otherShelf.readPresets();
+    const auto* mine = find(otherShelf, "Mine");
+    REQUIRE(mine != nullptr);
+    CHECK(mine->folder == "Tests");
+    CHECK(mine->author == "Anna");
+    CHECK(mine->tags == std::vector<std::string>{"test", "small"});
+    CHECK_FALSE(mine->isFactory);
+    REQUIRE(otherShelf.loadPreset(mine->id));
+    CHECK(other.loadedSound().parameters == values);
+    CHECK(otherShelf.soundDetails().folder == "Tests");
+    CHECK(firstSecond(other) == expected);
+}
+
+TEST_CASE("A preset saved while foreign objects play opens later and elsewhere") {
+    const UserSettings user;
+    std::vector<float> expected;
+    {
+        Processor processor;
+        restore(processor, testState("stones"));
+        REQUIRE(processor.presetShelf().savePreset(called("Stones", "Found"), false));
+        expected = firstSecond(processor);
+        REQUIRE(loudest(expected) > 0.001f);
+    }
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.loadPreset("Found/Stones.json"));
+    CHECK(firstSecond(processor) == expected);
+
+    // The project that is saved from it needs no preset any more.
+    const auto project = saved(processor);
+    CHECK(project.find(user.folder().string()) == std::string::npos);
+    std::filesystem::remove_all(user.folder() / "Presets");
+    Processor reopened;
+    restoreBytes(reopened, project);
+    CHECK_FALSE(reopened.takeStatus().isError);
+    CHECK(firstSecond(reopened) == expected);
+}
+
+TEST_CASE("What was saved under match loudness is as loud when it is loaded") {
+    const UserSettings user;
+    Processor processor;
+    restore(processor, testState());
+    using enum ParameterId;
+    processor.changeParameter(matchLoudness, 1);
+    processor.changeParameter(material, customMaterial);
+    processor.changeParameter(density, 3000);
+    processor.changeParameter(malletHardness, 300);
+    const auto expected = firstSecond(processor);
+    REQUIRE(processor.presetShelf().savePreset(called("Loud"), false));
+    Processor other;
+    REQUIRE(other.presetShelf().loadPreset("Loud.json"));
+    CHECK(other.parameterValue(level) != processor.parameterValue(level));
+    CHECK(loudest(firstSecond(other)) == Approx(loudest(expected)).epsilon(0.001));
+    // The one that was saved plays on as it did.
+    CHECK(firstSecond(processor) == expected);
+}
+
+TEST_CASE("Saving never cuts what rings") {
+    const UserSettings user;
+    Processor processor, untouched;
+    for (auto* each : {&processor, &untouched}) {
+        restore(*each, testState());
+        each->prepareToPlay(48000, 480);
+        render(*each, 4800, 480, testMusic(4800, 500));
+    }
+    REQUIRE(processor.presetShelf().savePreset(called("Ringing"), false));
+    CHECK(render(processor, 4800, 480, {}) == render(untouched, 4800, 480, {}));
+}
+
+TEST_CASE("Saving over a preset has to be said; bypass is not saved") {
+    const UserSettings user;
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.savePreset(called("Twice"), false));
+    CHECK(shelf.presetExists(called("Twice")));
+    CHECK_FALSE(shelf.presetExists(called("Thrice")));
+    CHECK_FALSE(shelf.presetExists(called("")));
+    const auto before = user.read("Presets/Twice.json");
+    processor.changeParameter(ParameterId::tau, 5);
+    processor.changeParameter(ParameterId::bypass, 1);
+    const auto refused = shelf.savePreset(called("Twice"), false);
+    REQUIRE_FALSE(refused);
+    CHECK(user.read("Presets/Twice.json") == before);
+    REQUIRE(shelf.savePreset(called("Twice"), true));
+    Processor other;
+    REQUIRE(other.presetShelf().loadPreset("Twice.json"));
+    CHECK(other.parameterValue(ParameterId::tau) == 5);
+    CHECK(other.parameterValue(ParameterId::bypass) == 0);
+}
+
+TEST_CASE("A load is one step of the history") {
+    const UserSettings user;
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    const auto before = saved(processor);
+    REQUIRE(shelf.loadPreset(factoryPresetId("Wok")));
+    CHECK(processor.editHistory().undoName() == "Wok");
+    processor.editHistory().undo();
+    CHECK(saved(processor) == before);
+    REQUIRE(shelf.loadInitialSound());
+    CHECK(shelf.soundDetails().name == "Init");
+    CHECK(shelf.chosenPreset().empty());
+    CHECK_FALSE(shelf.soundIsChanged());
+    CHECK(loudest(firstSecond(processor)) > 0.01f);
+    processor.editHistory().undo();
+    CHECK(saved(processor) == before);
+}
+
+TEST_CASE(
+    "Broken presets stay on the shelf with their sentence, and loading them changes nothing") {
+    const UserSettings user;
+    user.write("Presets/Old/broken.json", "{");
+    user.write("Presets/lost.json", [] {
+        auto preset = factoryPresets()[3];
+        preset.name = "Lost";
+        preset.keyMap.object = "Objects/lost-12.modal";
+        return encodePreset(preset);
+    }());
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    shelf.readPresets();
+    const auto* broken = find(shelf, "broken");
+    REQUIRE(broken != nullptr);
+    CHECK_THAT(broken->fault, ContainsSubstring("broken.json"));
+    CHECK(broken->folder == "Old");
+    const auto before = saved(processor);
+    for (const auto* id :
+         {"Old/broken.json", "lost.json", "nowhere.json", "", "factory:", "../favourites.json"}) {
+        const auto loaded = shelf.loadPreset(id);
+        REQUIRE_FALSE(loaded);
+        CHECK_FALSE(loaded.error().message.empty());
+        CHECK_FALSE(shelf.auditionPreset(id));
+    }
+    CHECK_THAT(shelf.loadPreset("lost.json").error().message, ContainsSubstring("lost-12.modal"));
+    shelf.endAudition();
+    CHECK(saved(processor) == before);
+    CHECK_FALSE(processor.editHistory().canUndo());
+}
+
+TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
+    const UserSettings user;
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.savePreset(called("One"), false));
+    REQUIRE(shelf.setFavourite("One.json", true));
+    REQUIRE(shelf.setFavourite(factoryPresetId("Wok"), true));
+    REQUIRE(shelf.renamePreset("One.json", "Two"));
+    CHECK(shelf.chosenPreset() == "Two.json");
+    CHECK(shelf.soundDetails().name == "Two");
+    Processor other;
+    other.presetShelf().readPresets();
+    for (const auto& preset : other.presetShelf().presets())
+        CHECK(preset.isFavourite == (preset.name == "Two" || preset.name == "Wok"));
+    CHECK_FALSE(shelf.renamePreset(factoryPresetId("Wok"), "Pan"));
+    CHECK_FALSE(shelf.deletePreset(factoryPresetId("Wok")));
+}
+
+#if JUCE_LINUX
+TEST_CASE("A deleted preset plays on, goes to the bin, and is no favourite any more") {
+    const UserSettings user;
+    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+    setenv("HOME", (testFolder() / "home").string().c_str(), 1);
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.savePreset(called("One"), false));
+    REQUIRE(shelf.setFavourite("One.json", true));
+    const auto instrument = processor.loadedInstrument();
+    REQUIRE(shelf.deletePreset("One.json"));
+    setenv("HOME", home.c_str(), 1);
+    CHECK(find(shelf, "One") == nullptr);
+    CHECK(processor.loadedInstrument() == instrument);
+    CHECK(shelf.chosenPreset().empty());
+    CHECK(user.read("favourites.json").find("One") == std::string::npos);
+    CHECK(std::filesystem::exists(testFolder() / "home/.local/share/Trash/files/One.json"));
+}
+#endif
+
+TEST_CASE(
+    "Where there is no place for settings, the factory's presets are there and saving says so") {
+    Processor processor;
+    PresetCollection shelf(processor, processor.editHistory(), juce::File());
+    shelf.readPresets();
+    CHECK(shelf.presets().size() == factoryPresets().size());
+    REQUIRE(shelf.loadPreset(shelf.presets()[2].id));
+    CHECK_FALSE(shelf.savePreset(called("x"), false));
+    CHECK_FALSE(shelf.setFavourite(shelf.presets()[2].id, true));
+    CHECK_FALSE(shelf.presetFolder());
+}

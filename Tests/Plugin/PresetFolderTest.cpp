@@ -1,0 +1,238 @@
+#include "Plugin/PresetFolder.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Support/TestFolder.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cstdlib>
+#include <random>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+juce::File freshFolder() {
+    const auto folder = juce::File(testFolder().string()).getChildFile("Presets");
+    folder.deleteRecursively();
+    return folder;
+}
+
+Preset named(const std::string& name) {
+    auto preset = factoryPresets()[3];
+    preset.name = name;
+    return preset;
+}
+
+template <class Outcome>
+void checkRefused(const Outcome& outcome) {
+    REQUIRE_FALSE(outcome);
+    CHECK(outcome.error().message.back() == '.');
+}
+
+/// In place of the user's home, and with it of the bin.
+class Home {
+public:
+    Home() { setenv("HOME", (testFolder() / "home").string().c_str(), 1); }
+    ~Home() { setenv("HOME", before.c_str(), 1); }
+
+private:
+    const std::string before = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+};
+
+} // namespace
+
+TEST_CASE("A folder that is not there has no presets and is not made by looking") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    CHECK(folder.read().empty());
+    CHECK_FALSE(root.exists());
+    CHECK(PresetFolder(juce::File()).read().empty());
+}
+
+TEST_CASE("What is written is read back equal, by folder and name") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    CHECK(folder.write(named("zebra"), "", false).value() == "zebra.json");
+    CHECK(folder.write(named("Ärger: 7/8?"), "Bells/Small", false).value() ==
+          "Bells/Small/Ärger 78.json");
+    CHECK(folder.write(named("Apple"), "", false).value() == "Apple.json");
+    const auto& entries = folder.read();
+    REQUIRE(entries.size() == 3);
+    CHECK(entries[0].preset.value() == named("Apple"));
+    CHECK(entries[1].preset.value() == named("zebra"));
+    CHECK(entries[2].preset.value() == named("Ärger: 7/8?"));
+    CHECK(entries[2].folder == "Bells/Small");
+    PresetFolder other(root);
+    CHECK(other.read().size() == 3);
+}
+
+TEST_CASE("A preset is replaced only where that is said, and then whole") {
+    PresetFolder folder(freshFolder());
+    REQUIRE(folder.write(named("One"), "", false));
+    auto second = named("One");
+    second.description = "another";
+    const auto refused = folder.write(second, "", false);
+    checkRefused(refused);
+    CHECK_THAT(refused.error().message, ContainsSubstring("'One'"));
+    CHECK(folder.read().front().preset.value() == named("One"));
+    REQUIRE(folder.write(second, "", true));
+    CHECK(folder.read().front().preset.value() == second);
+    CHECK(folder.fileOf("One.json")
+              .getParentDirectory()
+              .getNumberOfChildFiles(juce::File::findFiles) == 1);
+}
+
+TEST_CASE("Names and folders that no file can have are refused, and none leads out of the folder") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    for (const auto* name : {"", "   ", "///", "..", ".", "\\", "???"}) {
+        INFO(name);
+        checkRefused(folder.write(named(name), "", false));
+    }
+    checkRefused(folder.write(named(std::string(300, 'x')), "", false));
+    checkRefused(folder.write(named("x"), "Objects", false));
+    checkRefused(folder.write(named("x"), "a/b/c/d/e", false));
+    checkRefused(folder.write(named("x"), "..", false));
+    CHECK_FALSE(root.exists());
+    for (const auto* name : {"../../x", "/etc/x", "C:\\x", "..\\x", "a\nb"}) {
+        INFO(name);
+        const auto id = folder.write(named(name), "", true);
+        REQUIRE(id);
+        CHECK(folder.fileOf(*id).isAChildOf(root));
+        CHECK(folder.fileOf(*id).getParentDirectory() == root);
+    }
+}
+
+TEST_CASE("A folder that cannot be written is one sentence") {
+    const auto root = freshFolder();
+    root.create(); // a file where the folder should be
+    PresetFolder folder(root);
+    checkRefused(folder.write(named("One"), "", false));
+    checkRefused(folder.folder());
+    CHECK(folder.read().empty());
+    root.deleteFile();
+}
+
+TEST_CASE("Broken files are listed with one sentence that names them, and stay") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    REQUIRE(folder.write(named("Good"), "", false));
+    root.getChildFile("empty.json").create();
+    root.getChildFile("noise.json").replaceWithText("\x01{[");
+    root.getChildFile("huge.json").replaceWithText(juce::String::repeatedString("x", 2 << 20));
+    root.getChildFile("later.json")
+        .replaceWithText(R"({"format":"idiophone-preset","version":9,"name":"x"})");
+    root.getChildFile("folder.json").createDirectory();
+    root.getChildFile("notes.txt").create();
+    int broken = 0;
+    for (const auto& entry : folder.read()) {
+        if (entry.preset)
+            continue;
+        ++broken;
+        CHECK_THAT(entry.preset.error().message, ContainsSubstring(entry.id));
+        if (entry.id != "later.json")
+            checkRefused(folder.rename(entry.id, "New name"));
+        CHECK(folder.fileOf(entry.id).existsAsFile());
+    }
+    CHECK(broken == 4);
+}
+
+TEST_CASE("A file that changed is read again, and one that is gone is gone") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    REQUIRE(folder.write(named("One"), "", false));
+    CHECK(folder.read().size() == 1);
+    root.getChildFile("One.json").replaceWithText("{}");
+    CHECK_FALSE(folder.read().front().preset);
+    root.getChildFile("One.json").deleteFile();
+    CHECK(folder.read().empty());
+    CHECK(folder.find("One.json") == nullptr);
+}
+
+TEST_CASE("Folders deeper than the deepest, links in a circle and objects are not looked at") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    REQUIRE(folder.write(named("Top"), "a/b/c/d", false));
+    const auto file = folder.fileOf("a/b/c/d/Top.json");
+    const auto deep = root.getChildFile("a/b/c/d/e/Deep.json");
+    deep.create();
+    file.copyFileTo(deep);
+    root.getChildFile("Objects/hidden.json").create();
+    root.createSymbolicLink(root.getChildFile("a/b/again"), true);
+    REQUIRE(folder.read().size() >= 1);
+    for (const auto& entry : folder.read())
+        CHECK(entry.id.ends_with("Top.json"));
+}
+
+TEST_CASE("A renamed preset keeps its folder and all that this version does not know") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    const auto id = folder.write(named("One"), "Bells", false).value();
+    const auto text = folder.fileOf(id).loadFileAsString();
+    folder.fileOf(id).replaceWithText(
+        text.replaceFirstOccurrenceOf("\"seed\"", "\"sheen\": [1.25, \"x\"], \"seed\"")
+            .replaceFirstOccurrenceOf("\"tau\"", "\"radiance\": 0.1, \"tau\""));
+    folder.read();
+    const auto renamed = folder.rename(id, "Two");
+    REQUIRE(renamed);
+    CHECK(*renamed == "Bells/Two.json");
+    CHECK_FALSE(folder.fileOf(id).exists());
+    const auto now = folder.fileOf(*renamed).loadFileAsString();
+    CHECK(now.contains("sheen"));
+    CHECK(now.contains("radiance"));
+    REQUIRE(folder.read().size() == 1);
+    CHECK(folder.read().front().preset->name == "Two");
+    // To what differs in letters that files do not have.
+    CHECK(folder.rename(*renamed, "Two?").value() == *renamed);
+    CHECK(folder.read().front().preset->name == "Two?");
+}
+
+TEST_CASE("A rename onto another preset, of none, or to no name changes nothing") {
+    PresetFolder folder(freshFolder());
+    REQUIRE(folder.write(named("One"), "", false));
+    REQUIRE(folder.write(named("Two"), "", false));
+    folder.read();
+    checkRefused(folder.rename("One.json", "Two"));
+    checkRefused(folder.rename("One.json", "/"));
+    checkRefused(folder.rename("Three.json", "Four"));
+    checkRefused(folder.rename("../Presets/One.json", "Four"));
+    CHECK(folder.read().size() == 2);
+    CHECK(folder.find("One.json")->preset.value() == named("One"));
+}
+
+TEST_CASE("A deleted preset is in the bin, and two of one name are both there") {
+#if JUCE_LINUX
+    const Home home;
+    const auto bin =
+        juce::File((testFolder() / "home").string()).getChildFile(".local/share/Trash");
+    bin.deleteRecursively();
+    PresetFolder folder(freshFolder());
+    for (int i = 0; i < 2; ++i) {
+        REQUIRE(folder.write(named("One"), "", false));
+        folder.read();
+        REQUIRE(folder.moveToBin("One.json"));
+        CHECK(folder.read().empty());
+        checkRefused(folder.moveToBin("One.json"));
+    }
+    CHECK(bin.getChildFile("files").getNumberOfChildFiles(juce::File::findFiles, "One*.json") == 2);
+#endif
+}
+
+TEST_CASE("Random files in the folder never crash") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    const auto good = encodePreset(named("One"));
+    std::mt19937 random(5);
+    for (int i = 0; i < 200; ++i) {
+        auto damaged = good;
+        for (int flip = 0; flip < 4; ++flip)
+            damaged[random() % damaged.size()] = static_cast<char>(random());
+        root.createDirectory();
+        root.getChildFile("f" + juce::String(i) + ".json")
+            .replaceWithData(damaged.data(), random() % damaged.size());
+    }
+    CHECK(folder.read().size() == 200);
+}

@@ -1,0 +1,161 @@
+#include "Plugin/PresetObjects.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Object/ModalObjectFile.h"
+#include "Support/SyntheticObject.h"
+#include "Support/TestFolder.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+juce::File freshFolder() {
+    const auto folder = juce::File(testFolder().string()).getChildFile("Presets");
+    folder.deleteRecursively();
+    return folder;
+}
+
+struct Played {
+    KeyMap keyMap;
+    std::shared_ptr<const Instrument> instrument;
+};
+
+Played bowl(const std::string& name, double frequencyHz) {
+    ObjectLibrary library;
+    const auto kept = library.add(name, syntheticObject({frequencyHz, 3 * frequencyHz}));
+    const KeyMap map{
+        .kind = KeyMapKind::scaled, .lowestNote = 48, .highestNote = 60, .object = name};
+    return {map, Instrument::build(map, library).value()};
+}
+
+Played keyboard(const std::string& name) {
+    ObjectLibrary library;
+    std::vector<std::shared_ptr<const ModalObject>> kept;
+    KeyMap map{.kind = KeyMapKind::bars, .lowestNote = 60, .highestNote = 64, .object = name};
+    for (int note = 60; note <= 64; ++note)
+        kept.push_back(library.add(map.objectFor(note), syntheticObject({note * 10.0})));
+    return {map, Instrument::build(map, library).value()};
+}
+
+int objectFiles(const juce::File& folder) {
+    return folder.getNumberOfChildFiles(juce::File::findFiles, "*") +
+           (folder.getChildFile("Objects").isDirectory()
+                ? folder.getChildFile("Objects")
+                      .findChildFiles(juce::File::findFiles, true, "*.modal")
+                      .size()
+                : 0);
+}
+
+bool sameObjects(const Instrument& a, const Instrument& b) {
+    return std::ranges::equal(a.slots(), b.slots(), [](const auto& x, const auto& y) {
+        return encodeModalObject(*x.object) == encodeModalObject(*y.object) &&
+               x.sizeRatio == y.sizeRatio;
+    });
+}
+
+} // namespace
+
+TEST_CASE("A foreign object is written once, whoever saves it, and comes back byte for byte") {
+    const auto folder = freshFolder();
+    const auto played = bowl("/home/somebody/My bowl.modal", 300);
+    const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);
+    REQUIRE(stored);
+    CHECK_THAT(stored->object, StartsWith("Objects/"));
+    CHECK(objectFiles(folder) == 1);
+    CHECK(writePresetObjects(played.keyMap, *played.instrument, folder).value() == *stored);
+    CHECK(objectFiles(folder) == 1);
+
+    const auto built = buildPresetInstrument(*stored, folder.getChildFile("Bells/x.json"));
+    REQUIRE(built);
+    CHECK(sameObjects(**built, *played.instrument));
+    CHECK((*built)->keyMap() == *stored);
+    // Saved again it is the same file.
+    CHECK(writePresetObjects(*stored, **built, folder).value() == *stored);
+    CHECK(objectFiles(folder) == 1);
+}
+
+TEST_CASE("Two objects of one name do not overwrite each other") {
+    const auto folder = freshFolder();
+    const auto first = bowl("bowl.obj", 300), second = bowl("bowl.obj", 500);
+    const auto firstStored = writePresetObjects(first.keyMap, *first.instrument, folder).value();
+    const auto secondStored = writePresetObjects(second.keyMap, *second.instrument, folder).value();
+    CHECK(firstStored.object != secondStored.object);
+    const auto preset = folder.getChildFile("x.json");
+    CHECK(sameObjects(**buildPresetInstrument(firstStored, preset), *first.instrument));
+    CHECK(sameObjects(**buildPresetInstrument(secondStored, preset), *second.instrument));
+}
+
+TEST_CASE("A keyboard of foreign objects is written whole") {
+    const auto folder = freshFolder();
+    const auto played = keyboard("stones/{note}");
+    const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);
+    REQUIRE(stored);
+    CHECK(objectFiles(folder) == 5);
+    const auto built = buildPresetInstrument(*stored, folder.getChildFile("x.json"));
+    REQUIRE(built);
+    CHECK(sameObjects(**built, *played.instrument));
+}
+
+TEST_CASE("The factory's objects are not written") {
+    const auto folder = freshFolder();
+    for (const auto& preset : factoryPresets()) {
+        const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+        CHECK(writePresetObjects(preset.keyMap, *instrument, folder).value() == preset.keyMap);
+    }
+    CHECK_FALSE(folder.exists());
+}
+
+TEST_CASE("The folder of presets opens elsewhere, objects and all, and instances share them") {
+    const auto folder = freshFolder();
+    const auto played = bowl("bowl.obj", 300);
+    const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder).value();
+    const auto elsewhere = juce::File(testFolder().string()).getChildFile("elsewhere/From Anna");
+    elsewhere.getParentDirectory().deleteRecursively();
+    elsewhere.getParentDirectory().createDirectory();
+    REQUIRE(folder.moveFileTo(elsewhere));
+    const auto preset = elsewhere.getChildFile("x.json");
+    const auto first = buildPresetInstrument(stored, preset);
+    const auto second = buildPresetInstrument(stored, preset);
+    REQUIRE((first && second));
+    CHECK(sameObjects(**first, *played.instrument));
+    CHECK((*first)->slots()[0].object == (*second)->slots()[0].object);
+}
+
+TEST_CASE("A missing or damaged object is one error that names it") {
+    const auto folder = freshFolder();
+    const auto played = bowl("bowl.obj", 300);
+    const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder).value();
+    const auto object = folder.getChildFile(juce::String(stored.object));
+    const auto preset = folder.getChildFile("x.json");
+    object.replaceWithText("no object");
+    const auto damaged = buildPresetInstrument(stored, preset);
+    REQUIRE_FALSE(damaged);
+    CHECK_THAT(damaged.error().message, ContainsSubstring(object.getFileName().toStdString()));
+    // Saving it again mends it.
+    CHECK(writePresetObjects(played.keyMap, *played.instrument, folder).value() == stored);
+    CHECK(buildPresetInstrument(stored, preset));
+    object.deleteFile();
+    const auto missing = buildPresetInstrument(stored, preset);
+    REQUIRE_FALSE(missing);
+    CHECK_THAT(missing.error().message, ContainsSubstring(object.getFileName().toStdString()));
+}
+
+TEST_CASE("Objects of hostile names are written below the folder and nowhere else") {
+    for (const auto* name : {"../../../evil", "/etc/passwd", "..", "a\\..\\b", "", "x\ny", "{note}",
+                             "Objects/../../x.modal"}) {
+        const auto folder = freshFolder();
+        const auto played = bowl(name, 300);
+        const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);
+        REQUIRE(stored);
+        INFO(name << " " << stored->object);
+        CHECK(folder.getChildFile(juce::String(stored->object)).isAChildOf(folder));
+        CHECK(objectFiles(folder) == 1);
+    }
+}

@@ -1,0 +1,402 @@
+#include "Plugin/SoundHistory.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <thread>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using enum ParameterId;
+
+namespace {
+
+void drag(Processor& processor, ParameterId parameter, std::initializer_list<double> values) {
+    processor.beginParameterChange(parameter);
+    for (const double value : values)
+        processor.changeParameter(parameter, value);
+    processor.endParameterChange(parameter);
+}
+
+ParameterValues valuesOf(const Processor& processor) {
+    return processor.loadedSound().parameters;
+}
+
+void load(Processor& processor, std::size_t preset) {
+    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId(factoryPresets()[preset].name)));
+}
+
+juce::MidiBuffer oneNote() {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, 72, static_cast<juce::uint8>(100)), 0);
+    return midi;
+}
+
+float largestStep(const std::vector<float>& samples) {
+    float step = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        step = std::max(step, std::abs(samples[i] - samples[i - 1]));
+    return step;
+}
+
+} // namespace
+
+TEST_CASE("A new instance has nothing to undo or redo") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    CHECK_FALSE(history.canUndo());
+    CHECK_FALSE(history.canRedo());
+    CHECK(history.undoName().empty());
+    const auto before = saved(processor);
+    history.undo();
+    history.redo();
+    CHECK(saved(processor) == before);
+}
+
+TEST_CASE("A gesture is one step, however far it goes, and has the parameter's name") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    const double before = processor.parameterValue(density);
+    drag(processor, density, {900, 1000, 1100.5});
+    CHECK(history.undoName() == "Density");
+    history.undo();
+    CHECK(processor.parameterValue(density) == before);
+    CHECK_FALSE(history.canUndo());
+    CHECK(history.redoName() == "Density");
+    history.redo();
+    CHECK(processor.parameterValue(density) == 1100.5);
+    CHECK_FALSE(history.canRedo());
+}
+
+TEST_CASE("A gesture that ends where it began is no step") {
+    Processor processor;
+    drag(processor, density, {900, 1000, processor.parameterValue(density)});
+    CHECK_FALSE(processor.editHistory().canUndo());
+}
+
+TEST_CASE("Undo gives back every state on the way and redo the same ones again") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    std::vector<std::string> states{saved(processor)};
+    const auto step = [&](auto&& action) {
+        action();
+        states.push_back(saved(processor));
+    };
+    step([&] { drag(processor, tau, {0.5}); });
+    step([&] { load(processor, 3); });
+    step([&] { drag(processor, material, {5}); });
+    step([&] { history.mutate(0.5, 3); });
+    step([&] { history.compare(); });
+    step([&] { load(processor, 8); });
+    step([&] { drag(processor, size, {2, 3}); });
+    step([&] { history.compare(); });
+    for (std::size_t i = states.size() - 1; i > 0; --i) {
+        CHECK(saved(processor) == states[i]);
+        history.undo();
+    }
+    CHECK(saved(processor) == states[0]);
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        history.redo();
+        CHECK(saved(processor) == states[i]);
+    }
+    CHECK_FALSE(history.canRedo());
+}
+
+TEST_CASE("A new step after an undo forgets what was undone") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    drag(processor, tau, {0.5});
+    history.undo();
+    drag(processor, density, {1000});
+    CHECK_FALSE(history.canRedo());
+    CHECK(history.undoName() == "Density");
+}
+
+TEST_CASE("Several parameters of one edit, and gestures that overlap, are one step") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    const auto before = valuesOf(processor);
+    SECTION("an edit with a name") {
+        history.beginEdit("Steel as measured");
+        drag(processor, youngsModulus, {200});
+        history.beginEdit("inner");
+        drag(processor, density, {7850});
+        history.endEdit();
+        history.endEdit();
+        CHECK(history.undoName() == "Steel as measured");
+    }
+    SECTION("two fingers") {
+        processor.beginParameterChange(youngsModulus);
+        processor.changeParameter(youngsModulus, 200);
+        processor.beginParameterChange(density);
+        processor.changeParameter(density, 7850);
+        processor.endParameterChange(youngsModulus);
+        processor.endParameterChange(density);
+        CHECK(history.undoName() == "2 parameters");
+    }
+    history.undo();
+    CHECK(valuesOf(processor) == before);
+    CHECK_FALSE(history.canUndo());
+    history.redo();
+    CHECK(processor.parameterValue(youngsModulus) == 200);
+    CHECK(processor.parameterValue(density) == 7850);
+}
+
+TEST_CASE("Automation during a gesture and between steps is neither a step nor undone") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    auto* automated = processor.getParameters()[static_cast<int>(level)];
+    const double before = processor.parameterValue(density);
+    processor.beginParameterChange(density);
+    processor.changeParameter(density, 1000);
+    automated->setValue(0.25f);
+    processor.endParameterChange(density);
+    const double level25 = processor.parameterValue(level);
+    automated->setValue(0.5f);
+    const double level50 = processor.parameterValue(level);
+    CHECK(level25 != level50);
+    history.undo();
+    CHECK(processor.parameterValue(density) == before);
+    CHECK(processor.parameterValue(level) == level50);
+    CHECK_FALSE(history.canUndo());
+}
+
+TEST_CASE("The host hears of an undone parameter as of a gesture by hand") {
+    struct Listener final : juce::AudioProcessorListener {
+        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
+            log += "=";
+        }
+        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
+        void audioProcessorParameterChangeGestureBegin(juce::AudioProcessor*, int) override {
+            log += "(";
+        }
+        void audioProcessorParameterChangeGestureEnd(juce::AudioProcessor*, int) override {
+            log += ")";
+        }
+        juce::String log;
+    } listener;
+    Processor processor;
+    drag(processor, density, {1000});
+    processor.addListener(&listener);
+    processor.editHistory().undo();
+    processor.removeListener(&listener);
+    CHECK(listener.log == "(=)");
+}
+
+TEST_CASE("States and programs that the host loads forget the steps and the other variant") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    drag(processor, density, {1000});
+    history.compare();
+    CHECK(history.playsB());
+    SECTION("a state") {
+        restore(processor, testState());
+    }
+    SECTION("a program") {
+        processor.setCurrentProgram(2);
+    }
+    const auto before = saved(processor);
+    CHECK_FALSE(history.canUndo());
+    CHECK_FALSE(history.playsB());
+    history.undo();
+    CHECK(saved(processor) == before);
+    drag(processor, density, {1200});
+    CHECK(history.canUndo());
+}
+
+TEST_CASE("A host's state in the middle of a gesture or an audition harms nothing") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    processor.beginParameterChange(density);
+    processor.changeParameter(density, 1000);
+    restore(processor, testState());
+    processor.changeParameter(density, 1500);
+    processor.endParameterChange(density);
+    history.undo();
+    CHECK(processor.parameterValue(density) == testState().parameters[density]);
+
+    REQUIRE(processor.presetShelf().auditionPreset(factoryPresetId(factoryPresets()[2].name)));
+    restore(processor, testState());
+    const auto before = saved(processor);
+    processor.presetShelf().endAudition();
+    processor.presetShelf().keepAudition();
+    CHECK(saved(processor) == before);
+}
+
+TEST_CASE("A window that closes in the middle of a gesture leaves a whole step") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    processor.beginParameterChange(density);
+    processor.changeParameter(density, 1000);
+    history.beginEdit("never ended");
+    history.endAllGestures();
+    drag(processor, tau, {1});
+    CHECK(history.undoName() == "Truncation threshold");
+    history.undo();
+    history.undo();
+    CHECK_FALSE(history.canUndo());
+    history.endEdit(); // of an edit that nobody began
+    drag(processor, tau, {1});
+    CHECK(history.canUndo());
+}
+
+TEST_CASE("An undone load plays the very objects of before, and bypass stays where it is") {
+    Processor processor;
+    const auto first = processor.loadedInstrument();
+    load(processor, 4);
+    CHECK(processor.loadedInstrument() != first);
+    processor.changeParameter(bypass, 1);
+    processor.editHistory().undo();
+    CHECK(processor.loadedInstrument() == first);
+    CHECK(processor.parameterValue(bypass) == 1);
+    CHECK(processor.getCurrentProgram() == 0);
+}
+
+TEST_CASE("Steps are bounded, and the newest stay") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    for (int i = 0; i < 20000; ++i)
+        drag(processor, density, {1000.0 + i % 1000});
+    int steps = 0;
+    while (history.canUndo()) {
+        history.undo();
+        ++steps;
+    }
+    CHECK(steps > 1000);
+    CHECK(steps < 10000);
+}
+
+TEST_CASE("A and B are two whole sounds; B begins as a copy of A") {
+    Processor processor;
+    auto& variants = processor.soundVariants();
+    drag(processor, density, {1000});
+    const auto a = valuesOf(processor);
+    CHECK_FALSE(variants.playsB());
+    variants.compare();
+    CHECK(variants.playsB());
+    CHECK(valuesOf(processor) == a);
+    load(processor, 5);
+    drag(processor, density, {2000});
+    const auto b = saved(processor);
+    variants.compare();
+    CHECK_FALSE(variants.playsB());
+    CHECK(valuesOf(processor) == a);
+    CHECK(processor.getCurrentProgram() == 0);
+    variants.compare();
+    CHECK(saved(processor) == b);
+
+    variants.copyToOther();
+    variants.compare();
+    CHECK(saved(processor) == b);
+    processor.editHistory().undo();
+    processor.editHistory().undo(); // the copy
+    variants.compare();
+    CHECK(valuesOf(processor) == a);
+}
+
+TEST_CASE("A mutation is one step, of the same seed the same, and keeps the instrument") {
+    Processor processor;
+    const auto instrument = processor.loadedInstrument();
+    const auto before = valuesOf(processor);
+    processor.soundVariants().mutate(0.5, 9);
+    const auto once = valuesOf(processor);
+    CHECK_FALSE(once == before);
+    CHECK(processor.loadedInstrument() == instrument);
+    processor.editHistory().undo();
+    CHECK(valuesOf(processor) == before);
+    processor.soundVariants().mutate(0.5, 9);
+    CHECK(valuesOf(processor) == once);
+}
+
+TEST_CASE("Auditioned presets are one step when kept and none when not") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    auto& shelf = processor.presetShelf();
+    drag(processor, density, {1000});
+    const auto before = saved(processor);
+    for (const std::size_t preset : {1, 2, 3})
+        REQUIRE(shelf.auditionPreset(factoryPresetId(factoryPresets()[preset].name)));
+    CHECK(processor.getCurrentProgram() == 3);
+    SECTION("kept") {
+        shelf.keepAudition();
+        CHECK(processor.getCurrentProgram() == 3);
+        CHECK(history.undoName() == factoryPresets()[3].name);
+        history.undo();
+        CHECK(saved(processor) == before);
+        CHECK(history.undoName() == "Density");
+    }
+    SECTION("left") {
+        shelf.endAudition();
+        CHECK(saved(processor) == before);
+        CHECK(history.undoName() == "Density");
+        CHECK_FALSE(history.canRedo());
+    }
+}
+
+TEST_CASE("An instrument that takes another's place does so in the steps too") {
+    Processor processor;
+    auto& history = processor.editHistory();
+    const auto preview = processor.loadedInstrument();
+    load(processor, 3);
+    auto full = processor.loadedSound();
+    history.replaceInstrument(preview, full);
+    history.undo();
+    CHECK(processor.loadedInstrument() == full.instrument);
+    CHECK(processor.loadedSound().preset.keyMap == full.preset.keyMap);
+}
+
+TEST_CASE("Undo, compare and mutate while notes ring make no step larger than the sound's own") {
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, 480);
+    auto& history = processor.editHistory();
+    history.compare(); // B: another mallet and material
+    drag(processor, malletHardness, {200});
+    drag(processor, material, {firstLibraryMaterial});
+    history.compare();
+    const auto ringing = render(processor, 9600, 480, oneNote());
+    float natural = largestStep({ringing.end() - 4800, ringing.end()});
+    float last = ringing.back();
+    const auto check = [&](auto&& action) {
+        action();
+        auto after = render(processor, 960, 480, {});
+        after.insert(after.begin(), last);
+        CHECK(loudest(after) > 0);
+        CHECK(largestStep(after) <= 1.5f * natural);
+        last = after.back();
+    };
+    check([&] { history.compare(); });
+    check([&] { history.undo(); });
+    check([&] { history.mutate(1, 4); });
+    check([&] { history.undo(); });
+    check([&] { history.redo(); });
+}
+
+TEST_CASE(
+    "Loads undone and redone while the audio runs keep the sound finite and end where begun") {
+    Processor processor;
+    processor.prepareToPlay(48000, 256);
+    std::atomic<bool> stop{false}, finite{true};
+    std::thread audio([&] {
+        while (!stop)
+            if (!allFinite(render(processor, 256, 256, testMusic(256, 50))))
+                finite = false;
+    });
+    const auto before = saved(processor);
+    auto& history = processor.editHistory();
+    for (std::size_t i = 0; i < 20; ++i) {
+        load(processor, i % 4 + 1);
+        history.mutate(0.3, static_cast<std::uint32_t>(i));
+        history.compare();
+        history.undo();
+        history.undo();
+        history.redo();
+    }
+    while (history.canUndo())
+        history.undo();
+    stop = true;
+    audio.join();
+    CHECK(finite);
+    CHECK(saved(processor) == before);
+}
