@@ -125,13 +125,6 @@ preparedSprings(const Mesh& mesh, AnalysisMethod method, const AnalysisSettings&
     return PreparedBody{std::move(body), settings.maxFrequencyHz};
 }
 
-/// Wood grows along the longest side of what is made of it.
-GrainAxes grainAlong(const Mesh& mesh) {
-    Eigen::Index longest = 0;
-    (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff(&longest);
-    return {.grain = Eigen::Vector3d::Unit(longest)};
-}
-
 Result<PreparedBody>
 preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     const GrainAxes axes = grainAlong(mesh);

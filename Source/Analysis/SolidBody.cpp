@@ -75,6 +75,12 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
 
 } // namespace
 
+GrainAxes grainAlong(const Mesh& mesh) {
+    Eigen::Index longest = 0;
+    (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff(&longest);
+    return {.grain = Eigen::Vector3d::Unit(longest)};
+}
+
 Result<SolidBody>
 solidBody(const Mesh& surface, const SolidBodySettings& settings, const AnalysisControl& control) {
     const MeshCheck check = checkMesh(surface, control.cancelled);

@@ -7,6 +7,9 @@
 
 namespace idiophone {
 
+/// Wood grows along the longest side of what is made of it.
+GrainAxes grainAlong(const Mesh& mesh);
+
 struct SolidBodySettings {
     Material material;
     ElasticLaw law; ///< of that material in the body's axes

@@ -2,25 +2,11 @@
 
 #include "Object/MaterialFile.h"
 
-#include <algorithm>
-#include <cctype>
-
 namespace idiophone {
-namespace {
-
-bool sameName(const std::string& a, const std::string& b) {
-    return std::ranges::equal(
-        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
-} // namespace
 
 Result<Material> findOrReadMaterial(const std::string& nameOrFile) {
-    if (const auto* known = findMaterial(nameOrFile))
-        return *known;
-    for (auto& material : readMaterialFolder(userMaterialFolder()).materials)
-        if (sameName(material.name, nameOrFile))
-            return std::move(material);
+    if (auto known = findAnyMaterial(nameOrFile))
+        return known;
     std::error_code ignored;
     if (!std::filesystem::exists(nameOrFile, ignored))
         return failure(nameOrFile + ": it is neither a material's name (`idiophone materials` "

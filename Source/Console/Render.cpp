@@ -59,6 +59,7 @@ Result<RenderTally> playSong(const Preset& preset,
         return tl::unexpected(song.error());
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
                   preset.parameters);
+    player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
     auto tally =
         renderSong(player, *song, values, options.format, to, options.midi.filename().string());
     if (tally && tally->strikes == 0)

@@ -1,35 +1,117 @@
 #include "Editor/EditorWindow.h"
 
+#include "Editor/MaterialPage.h"
+#include "Editor/ParameterPage.h"
+#include "Editor/StrikePage.h"
+
+#include <algorithm>
+#include <vector>
+
 namespace idiophone {
 namespace {
 
-constexpr int leastParameterHeight = 390, leastObjectHeight = 120;
+using enum ParameterId;
+
+constexpr int firstWidth = 1180, firstHeight = 860;
+constexpr int margin = 12, barHeight = 44, statusHeight = 32;
+/// With less for both, the picture stands beside the deck and not above it.
+constexpr int leastHeightForBoth = PageDeck::leastHeight + 200;
+constexpr double deckShare = 0.44;
 
 } // namespace
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
-    : AudioProcessorEditor(audioProcessor), view(processorView), presets(view), object(view),
-      parameters(view), keyboard(view) {
+    : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
+      presets(view), object(view), browser(view.presetShelf()), keyboard(view) {
     setLookAndFeel(&look);
-    for (auto* child : std::initializer_list<juce::Component*>{&presets, &object, &parameters,
-                                                               &status, &keyboard})
+    makePages();
+    lookButton.onClick = [this] {
+        setLook(look.scheme() == LookScheme::dark ? LookScheme::light : LookScheme::dark);
+    };
+    for (auto* child : std::initializer_list<juce::Component*>{&presets, &lookButton, &object,
+                                                               &deck, &status, &keyboard})
         addAndMakeVisible(child);
+    addChildComponent(browser);
+    presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
+    presets.onSaveAs = [this] {
+        setBrowsing(true);
+        browser.openToSave();
+    };
+    browser.onClose = [this] { setBrowsing(false); };
+    setLook(look.scheme());
     setResizable(true, true);
-    setResizeLimits(1080, 560, 3840, 2160);
-    setSize(1180, 860);
+    setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
+    const auto size = preferences.windowSize();
+    setSize(size.x > 0 ? size.x : firstWidth, size.y > 0 ? size.y : firstHeight);
     startTimerHz(25);
 }
 
 EditorWindow::~EditorWindow() {
+    browser.settle();
+    preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
+}
+
+void EditorWindow::makePages() {
+    deck.add(std::make_unique<StrikePage>(view));
+    deck.add(std::make_unique<MaterialPage>(view));
+    deck.add(std::make_unique<ParameterPage>(
+        "Quality",
+        std::vector<ParameterGroup>{{"Quality", 0, {tau, qualitySlope}},
+                                    {"", 1, {modeBudget, compression}}},
+        view));
+    deck.add(std::make_unique<ParameterPage>(
+        "Contact",
+        std::vector<ParameterGroup>{
+            {"Scrape and roll", 0, {contact, contactForce, contactSpeed, roughness, rollCoupling}},
+            {"Keys", 1, {letRing, releaseTime, bendRange}},
+            {"Motor", 1, {motorSpeed, motorDepth}}},
+        view));
+    deck.add(std::make_unique<ParameterPage>(
+        "Output",
+        std::vector<ParameterGroup>{{"Listening", 0, {radiation, width}},
+                                    {"Output", 1, {level, tune, bypass}}},
+        view));
+}
+
+void EditorWindow::setLook(LookScheme scheme) {
+    look.setScheme(scheme);
+    preferences.setLook(scheme);
+    const bool dark = scheme == LookScheme::dark;
+    lookButton.setButtonText(juce::String::fromUTF8(dark ? "\xe2\x98\xbe" : "\xe2\x98\x80"));
+    lookButton.setTitle(dark ? "Light look" : "Dark look");
+    lookButton.setTooltip(dark ? "Change to the light look" : "Change to the dark look");
+    sendLookAndFeelChange();
+    repaint();
+}
+
+void EditorWindow::setBrowsing(bool browses) {
+    if (!browses)
+        browser.settle();
+    browser.setVisible(browses);
+    object.setVisible(!browses);
+    deck.setVisible(!browses);
+    if (browses)
+        browser.open();
+    else if (isShowing())
+        presets.grabKeyboardFocus();
+    presets.refresh();
+}
+
+bool EditorWindow::keyPressed(const juce::KeyPress& key) {
+    return presets.handleKey(key) || AudioProcessorEditor::keyPressed(key);
 }
 
 void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
-    parameters.refresh();
+    deck.refresh();
     keyboard.refresh();
     status.show(view.takeStatus());
+    if (const auto* frame = view.takeSoundFrame()) {
+        object.picture().showSound(*frame);
+        deck.showSound(*frame);
+    }
     // In a host the keys of the computer are the host's.
     if (!focusTaken && juce::JUCEApplicationBase::isStandaloneApp() && isShowing()) {
         focusTaken = true;
@@ -38,22 +120,29 @@ void EditorWindow::timerCallback() {
 }
 
 void EditorWindow::paint(juce::Graphics& g) {
-    g.fillAll(palette::background);
+    g.fillAll(colourOf(*this, LookColour::background));
 }
 
 void EditorWindow::resized() {
-    auto area = getLocalBounds().reduced(12, 0);
-    presets.setBounds(area.removeFromTop(44));
-    area.removeFromBottom(10);
-    keyboard.setBounds(area.removeFromBottom(juce::jlimit(64, 140, getHeight() / 7)));
-    status.setBounds(area.removeFromBottom(34));
-    const int forParameters =
-        juce::jmax(leastParameterHeight, juce::roundToInt(0.4 * area.getHeight()));
-    const int forObject = area.getHeight() - forParameters;
-    object.setVisible(forObject >= leastObjectHeight);
-    if (object.isVisible())
-        object.setBounds(area.removeFromTop(forObject));
-    parameters.setBounds(area);
+    auto area = getLocalBounds().reduced(margin, 0);
+    auto bar = area.removeFromTop(barHeight);
+    lookButton.setBounds(bar.removeFromRight(34).reduced(0, 8));
+    presets.setBounds(bar.withTrimmedRight(8));
+    area.removeFromBottom(8);
+    keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));
+    status.setBounds(area.removeFromBottom(statusHeight));
+    browser.setBounds(area);
+    if (area.getHeight() < leastHeightForBoth) {
+        const int fitting = (area.getWidth() * 3 / 5) / DeckPage::leastWidth;
+        const int pages = std::clamp(fitting, 1, deck.pageCount());
+        deck.setBounds(area.removeFromRight(PageDeck::widthFor(pages)));
+        object.setBounds(area.withTrimmedRight(PageDeck::gap));
+        return;
+    }
+    const auto share = static_cast<int>(deckShare * area.getHeight());
+    deck.setBounds(area.removeFromBottom(
+        std::clamp(share, PageDeck::leastHeight, PageDeck::tabHeight + DeckPage::mostHeight)));
+    object.setBounds(area.withTrimmedBottom(4));
 }
 
 } // namespace idiophone

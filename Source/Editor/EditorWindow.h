@@ -1,12 +1,14 @@
-// The plugin's window: presets, the instrument itself, parameters, status and keyboard, one above
-// the other.
+// The plugin's window: presets on top, the instrument itself, the deck of pages below or beside it,
+// status and keyboard.
 #pragma once
 
-#include "Editor/DarkLook.h"
 #include "Editor/KeyboardPanel.h"
-#include "Editor/ObjectView.h"
-#include "Editor/ParameterPanel.h"
+#include "Editor/Look.h"
+#include "Editor/ObjectPane.h"
+#include "Editor/PageDeck.h"
+#include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
+#include "Editor/PresetBrowser.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
 
@@ -16,20 +18,33 @@ namespace idiophone {
 
 class EditorWindow final : public juce::AudioProcessorEditor, private juce::Timer {
 public:
+    static constexpr int leastWidth = 800, leastHeight = 500;
+    static constexpr int mostWidth = 3840, mostHeight = 2160;
+
     EditorWindow(juce::AudioProcessor& processor, ProcessorView& view);
     ~EditorWindow() override;
 
     void paint(juce::Graphics& g) override;
     void resized() override;
+    bool keyPressed(const juce::KeyPress& key) override;
+
+    /// Shows the list of presets in place of picture and pages, or these again.
+    void setBrowsing(bool browses);
+
+    void setLook(LookScheme scheme);
 
 private:
     void timerCallback() override;
+    void makePages();
 
     ProcessorView& view;
-    DarkLook look;
+    Preferences preferences;
+    Look look;
     PresetBar presets;
-    ObjectView object;
-    ParameterPanel parameters;
+    juce::TextButton lookButton;
+    ObjectPane object;
+    PageDeck deck;
+    PresetBrowser browser;
     StatusBar status;
     KeyboardPanel keyboard;
     juce::TooltipWindow tooltips{this, 600};

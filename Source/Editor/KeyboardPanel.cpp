@@ -1,6 +1,6 @@
 #include "Editor/KeyboardPanel.h"
 
-#include "Editor/DarkLook.h"
+#include "Editor/Look.h"
 
 #include <cmath>
 
@@ -21,19 +21,23 @@ int whiteKeys(int lowest, int highest) {
 } // namespace
 
 KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
-    using Keyboard = juce::MidiKeyboardComponent;
-    keyboard.setColour(Keyboard::whiteNoteColourId, juce::Colour(0xffd9d6cf));
-    keyboard.setColour(Keyboard::blackNoteColourId, juce::Colour(0xff23262c));
-    keyboard.setColour(Keyboard::keySeparatorLineColourId, palette::outline);
-    keyboard.setColour(Keyboard::keyDownOverlayColourId, palette::accent);
-    keyboard.setColour(Keyboard::mouseOverKeyOverlayColourId, palette::accent.withAlpha(0.35f));
-    keyboard.setColour(Keyboard::shadowColourId, juce::Colours::transparentBlack);
     keyboard.setScrollButtonsVisible(false);
     keyboard.setOctaveForMiddleC(4);
     keyboard.setTitle("Keyboard");
     addAndMakeVisible(keyboard);
     state.addListener(this);
     refresh();
+}
+
+void KeyboardPanel::lookAndFeelChanged() {
+    using Keyboard = juce::MidiKeyboardComponent;
+    const auto accent = colourOf(*this, LookColour::accent);
+    keyboard.setColour(Keyboard::whiteNoteColourId, juce::Colour(0xffd9d6cf));
+    keyboard.setColour(Keyboard::blackNoteColourId, juce::Colour(0xff23262c));
+    keyboard.setColour(Keyboard::keySeparatorLineColourId, juce::Colour(0xff2e333c));
+    keyboard.setColour(Keyboard::keyDownOverlayColourId, accent);
+    keyboard.setColour(Keyboard::mouseOverKeyOverlayColourId, accent.withAlpha(0.35f));
+    keyboard.setColour(Keyboard::shadowColourId, juce::Colours::transparentBlack);
 }
 
 KeyboardPanel::~KeyboardPanel() {

@@ -17,6 +17,7 @@ public:
     void takeFocus() { keyboard.grabKeyboardFocus(); }
 
     void resized() override;
+    void lookAndFeelChanged() override;
 
 private:
     void handleNoteOn(juce::MidiKeyboardState*, int channel, int note, float velocity) override;

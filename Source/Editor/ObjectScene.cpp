@@ -120,7 +120,9 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played)
                 placed.normal[axis] = static_cast<float>(normal);
             }
             corners.push_back(placed);
+            ownVertices.push_back(vertex);
         }
+        addBox(runs.back());
         objectOfFace.insert(objectOfFace.end(), static_cast<std::size_t>(mesh.faceCount()), i);
     }
     if (corners.empty())
@@ -141,8 +143,54 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played)
     surface.emplace(std::move(all));
 }
 
+void ObjectScene::addBox(SceneObject& run) {
+    if (run.vertexCount == 0)
+        return;
+    ScenePlace least = corners[run.firstVertex].place, most = least;
+    for (const auto& corner : std::span(corners).subspan(run.firstVertex, run.vertexCount))
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            least[axis] = std::min(least[axis], corner.place[axis]);
+            most[axis] = std::max(most[axis], corner.place[axis]);
+        }
+    run.radius = std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]) / 2;
+    for (unsigned index = 0; index < 8; ++index)
+        boxCorners.push_back({index & 1 ? most[0] : least[0], index & 2 ? most[1] : least[1],
+                              index & 4 ? most[2] : least[2]});
+}
+
 float ObjectScene::radius() const {
     return std::hypot(highest[0] - lowest[0], highest[1] - lowest[1], highest[2] - lowest[2]) / 2;
+}
+
+ScenePlace ObjectScene::placeOf(std::size_t object,
+                                const std::array<double, 3>& pointMetres) const {
+    const auto& placement = placements[object];
+    ScenePlace result{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double place = placement.origin[axis];
+        for (std::size_t own = 0; own < 3; ++own)
+            place += placement.axes[own][axis] * placement.scale *
+                     (pointMetres[own] - placement.pivot[own]);
+        result[axis] = static_cast<float>(place);
+    }
+    return result;
+}
+
+std::vector<ScenePlace> ObjectScene::offsetsOf(std::size_t object,
+                                               std::span<const float> displacements) const {
+    const auto& placement = placements[object];
+    const auto& run = runs[object];
+    std::vector<ScenePlace> offsets(run.vertexCount);
+    for (std::size_t corner = 0; corner < run.vertexCount; ++corner) {
+        const auto vertex = static_cast<std::size_t>(ownVertices[run.firstVertex + corner]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double sum = 0;
+            for (std::size_t own = 0; own < 3; ++own)
+                sum += placement.axes[own][axis] * double(displacements[3 * vertex + own]);
+            offsets[corner][axis] = static_cast<float>(sum);
+        }
+    }
+    return offsets;
 }
 
 std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,7 @@ struct SceneObject {
     std::size_t firstVertex = 0;
     std::size_t vertexCount = 0;
     std::array<float, 3> colour{}; ///< red, green, blue; 0 to 1
+    float radius = 0;              ///< half of the way across it
 };
 
 struct ScenePick {
@@ -44,11 +46,19 @@ public:
     std::span<const SceneObject> objects() const { return runs; }
     bool empty() const { return corners.empty(); }
 
-    /// The corners of the box that holds everything; both 0 for an empty scene.
-    ScenePlace lowestCorner() const { return lowest; }
-    ScenePlace highestCorner() const { return highest; }
-    /// Half of what lies between them; 0 for an empty scene.
+    /// The corners of the boxes that hold each object: all there is lies between them.
+    const std::vector<ScenePlace>& outline() const { return boxCorners; }
+    ScenePlace highestCorner() const { return highest; } ///< of all; 0 for an empty scene
+    /// Half of the way across everything; 0 for an empty scene.
     float radius() const;
+
+    /// A place in metres of an object's own mesh, in the scene. The object exists.
+    ScenePlace placeOf(std::size_t object, const std::array<double, 3>& pointMetres) const;
+
+    /// For each of an object's vertices here, how far it is moved where every vertex of its own
+    /// mesh is moved so, [N,3] in the directions and units of the mesh.
+    std::vector<ScenePlace> offsetsOf(std::size_t object,
+                                      std::span<const float> displacements) const;
 
     /// What a ray meets first.
     std::optional<ScenePick> pick(const ScenePlace& origin, const ScenePlace& direction) const;
@@ -65,10 +75,14 @@ private:
     static std::vector<Placement>
     keyboardOf(const std::vector<ProcessorView::PlayedObject>& played);
 
+    void addBox(SceneObject& run);
+
     std::vector<SceneVertex> corners;
     std::vector<SceneObject> runs;
     std::vector<Placement> placements;
+    std::vector<std::int32_t> ownVertices; ///< of each corner, in its object's own mesh
     std::vector<std::size_t> objectOfFace;
+    std::vector<ScenePlace> boxCorners;
     std::optional<SurfaceQuery> surface; ///< all faces
     ScenePlace lowest{}, highest{};
 };

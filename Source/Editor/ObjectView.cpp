@@ -1,27 +1,28 @@
 #include "Editor/ObjectView.h"
 
-#include "Editor/DarkLook.h"
+#include "Editor/Look.h"
 #include "Editor/OpenGlSupport.h"
 
+#include <algorithm>
 #include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
+#include <numbers>
 
 namespace idiophone {
 namespace {
 
 constexpr int framesPerSecond = 30;
 constexpr float glowFallPerFrame = 0.85f, faintestGlow = 0.01f;
-constexpr int ticksToWait = 50; // of the window's timer, for a context to come
-constexpr double softest = 45, hardest = 127;
-
-int velocityOf(const ScenePick& pick) {
-    return juce::roundToInt(softest + (hardest - softest) * pick.towardsPlayer);
-}
+constexpr int ticksToWait = 50;       // of the window's timer, for a context to come
+constexpr float exaggeration = 0.05f; // of an object's size, at the largest blow
+constexpr double modeSwingHz = 1.2;
+constexpr float darkDecibels = -60; // an object as quiet as this is not lit
 
 } // namespace
 
 ObjectView::ObjectView(ProcessorView& processor) : view(processor) {
     setTitle("Instrument");
-    setDescription("Click to strike; drag beside it to turn, wheel to zoom");
+    setDescription("Click to strike, drag to scrape; drag beside it to turn, wheel to zoom");
     setOpaque(true);
     juce::OpenGLPixelFormat format;
     format.multisamplingLevel = 4;
@@ -41,6 +42,8 @@ ObjectView::~ObjectView() {
     context.detach();
 }
 
+// What is shown.
+
 void ObjectView::refresh() {
     if (!renderer.works() && ticksWithoutContext < ticksToWait && isShowing() &&
         ++ticksWithoutContext == ticksToWait)
@@ -48,86 +51,156 @@ void ObjectView::refresh() {
     if (const int playing = view.instrumentNumber(); playing != shownInstrument) {
         lift();
         shownInstrument = playing;
-        scene = std::make_shared<const ObjectScene>(view.playedObjects());
-        if (!scene->empty())
-            camera.lookAt(scene->lowestCorner(), scene->highestCorner());
-        glow = 0;
-        redraw();
+        newScene();
     }
 }
 
-float ObjectView::aspect() const {
-    return static_cast<float>(juce::jmax(1, getWidth())) /
-           static_cast<float>(juce::jmax(1, getHeight()));
+void ObjectView::newScene() {
+    played = view.playedObjects();
+    scene = std::make_shared<const ObjectScene>(played);
+    if (!scene->empty())
+        camera.lookAt(scene->outline());
+    path.paths.clear();
+    for (std::size_t i = 0; i < played.size(); ++i) {
+        PathOverlay::Path line;
+        for (const auto& place : view.struckPlaces(i))
+            line.places.push_back(scene->placeOf(i, place));
+        if (played[i].highestNote > played[i].lowestNote) {
+            line.lowestKey =
+                juce::MidiMessage::getMidiNoteName(played[i].lowestNote, true, true, 4);
+            line.highestKey =
+                juce::MidiMessage::getMidiNoteName(played[i].highestNote, true, true, 4);
+        }
+        path.paths.push_back(std::move(line));
+    }
+    glow = 0;
+    lights.clear();
+    slowMotion.reset();
+    surfaceMotions.clear();
+    shapeOffsets.reset();
+    shownMode.reset();
+    watched = 0;
+    cameraMoved();
 }
 
-std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
-    if (scene == nullptr || getLocalBounds().isEmpty())
+void ObjectView::showSound(const SoundFrame& frame) {
+    if (frame.instrumentNumber != shownInstrument)
+        return;
+    lights.assign(played.size(), 0);
+    for (const auto& slot : frame.slots)
+        if (const auto object = static_cast<std::size_t>(slot.object); object < lights.size())
+            lights[object] = std::max(
+                lights[object],
+                1 - juce::Decibels::gainToDecibels(slot.amplitude, darkDecibels) / darkDecibels);
+    if (frame.object >= 0) {
+        if (static_cast<std::size_t>(frame.object) != watched)
+            slowMotion.reset();
+        watched = static_cast<std::size_t>(frame.object);
+        slowMotion.follow(frame.modes);
+    }
+    wake();
+}
+
+void ObjectView::showMode(std::optional<std::size_t> mode) {
+    if (mode == shownMode)
+        return;
+    shownMode = mode;
+    shownModePhase = std::numbers::pi / 2;
+    wake();
+}
+
+void ObjectView::setShowsVibration(bool shows) {
+    showsVibration = shows;
+    wake();
+}
+
+void ObjectView::setShowsNodes(bool shows) {
+    showsNodes = shows;
+    wake();
+}
+
+void ObjectView::setShowsPath(bool shows) {
+    showsPath = shows;
+    cameraMoved();
+}
+
+void ObjectView::setDrawsPath(bool draws) {
+    drawsPath = draws;
+    lift();
+}
+
+std::optional<std::size_t> ObjectView::modeWithNodes() const {
+    if (shownMode || !showsNodes)
+        return shownMode;
+    const auto swings = slowMotion.swings();
+    const auto strongest = std::ranges::max_element(
+        swings, {}, [](const auto& swing) { return std::abs(swing.displacement); });
+    return strongest == swings.end() ? 0 : strongest->mode;
+}
+
+const SurfaceMotion* ObjectView::motionOf(std::size_t object) {
+    if (object >= played.size())
+        return nullptr;
+    return &surfaceMotions.try_emplace(object, played[object].object).first->second;
+}
+
+std::optional<SceneMotion> ObjectView::sceneMotion() {
+    const auto mode = modeWithNodes();
+    if (!mode && (!showsVibration || slowMotion.atRest()))
         return std::nullopt;
-    const float x = 2 * position.x / static_cast<float>(getWidth()) - 1;
-    const float y = 1 - 2 * position.y / static_cast<float>(getHeight());
-    const auto ray = camera.rayThrough(x, y, aspect());
-    return scene->pick(ray.origin, ray.direction);
-}
-
-std::optional<ScenePick> ObjectView::strikeAt(juce::Point<float> position) {
-    lift();
-    struck = pickAt(position);
-    if (struck) {
-        view.strikeObject(struck->object, struck->pointMetres, velocityOf(*struck));
-        glow = 1;
-        glowPlace = struck->place;
-        startTimerHz(framesPerSecond);
-        redraw();
+    const auto* motion = motionOf(watched);
+    if (motion == nullptr || (mode && *mode >= motion->modeCount()))
+        return std::nullopt;
+    const auto& box = scene->objects()[watched];
+    SceneMotion result{.object = watched, .offsets = {}, .scale = exaggeration * box.radius};
+    std::vector<float> displacements(played[watched].object->vertices.size());
+    if (mode) {
+        if (shapeOffsets == nullptr || shapeOf != std::pair(watched, *mode)) {
+            motion->add(*mode, 1, displacements);
+            shapeOf = {watched, *mode};
+            shapeOffsets = std::make_shared<const std::vector<ScenePlace>>(
+                scene->offsetsOf(watched, displacements));
+        }
+        result.offsets = shapeOffsets;
+        result.scale *= static_cast<float>(std::sin(shownModePhase));
+        result.showsNodes = true;
+        return result;
     }
-    return struck;
+    for (const auto& swing : slowMotion.swings())
+        motion->add(swing.mode, swing.displacement, displacements);
+    result.offsets =
+        std::make_shared<const std::vector<ScenePlace>>(scene->offsetsOf(watched, displacements));
+    return result;
 }
 
-void ObjectView::lift() {
-    if (struck)
-        view.strikeObject(struck->object, struck->pointMetres, 0);
-    struck.reset();
+bool ObjectView::moves() const {
+    const bool swings = !slowMotion.atRest() && (showsVibration || showsNodes);
+    return glow > 0 || shownMode || swings;
 }
 
-void ObjectView::mouseDown(const juce::MouseEvent& event) {
-    if (event.mods.isLeftButtonDown() && strikeAt(event.position))
-        return;
-    turningFrom = event.position;
-}
-
-void ObjectView::mouseDrag(const juce::MouseEvent& event) {
-    if (!turningFrom)
-        return;
-    const auto moved =
-        (event.position - *turningFrom) / static_cast<float>(juce::jmax(1, getHeight()));
-    turningFrom = event.position;
-    camera.turnBy(-3 * moved.x, 3 * moved.y);
-    redraw();
-}
-
-void ObjectView::mouseUp(const juce::MouseEvent&) {
-    lift();
-    turningFrom.reset();
-}
-
-void ObjectView::mouseDoubleClick(const juce::MouseEvent& event) {
-    if (pickAt(event.position))
-        return;
-    camera.reset();
-    redraw();
-}
-
-void ObjectView::mouseWheelMove(const juce::MouseEvent&, const juce::MouseWheelDetails& wheel) {
-    camera.zoomBy(std::exp(0.8f * wheel.deltaY));
-    redraw();
+void ObjectView::wake() {
+    if (moves() && isShowing() && !isTimerRunning())
+        startTimerHz(framesPerSecond);
+    else if (!isTimerRunning())
+        redraw();
 }
 
 void ObjectView::timerCallback() {
-    glow *= glowFallPerFrame;
-    if (glow < faintestGlow) {
+    glow = scraping ? glow : glow * glowFallPerFrame;
+    if (glow < faintestGlow)
         glow = 0;
+    slowMotion.advance(1.0 / framesPerSecond);
+    shownModePhase =
+        std::remainder(shownModePhase + 2 * std::numbers::pi * modeSwingHz / framesPerSecond,
+                       2 * std::numbers::pi);
+    if (!moves() || !isShowing())
         stopTimer();
-    }
+    redraw();
+}
+
+void ObjectView::cameraMoved() {
+    if (showsPath || !drawn.empty())
+        repaint();
     redraw();
 }
 
@@ -135,25 +208,41 @@ void ObjectView::redraw() {
     renderer.show({.scene = scene,
                    .viewProjection = camera.viewProjection(aspect()),
                    .eye = camera.eye(aspect()),
+                   .background = colourOf(*this, LookColour::panel),
+                   .accent = colourOf(*this, LookColour::accent),
                    .glowPlace = glowPlace,
-                   .glow = glow});
+                   .glow = glow,
+                   .lights = lights,
+                   .motion = scene == nullptr || scene->empty() ? std::nullopt : sceneMotion()});
     context.triggerRepaint();
 }
 
 void ObjectView::resized() {
-    redraw();
+    cameraMoved();
+}
+
+void ObjectView::lookAndFeelChanged() {
+    cameraMoved();
 }
 
 void ObjectView::paint(juce::Graphics& g) {
-    if (renderer.works())
+    if (renderer.works()) {
+        if (scene != nullptr && !scene->empty() && (showsPath || !drawn.empty())) {
+            auto shown = path;
+            if (!showsPath)
+                shown.paths.clear();
+            shown.paint(g, getLocalBounds().toFloat(), *scene, camera,
+                        colourOf(*this, LookColour::accent), colourOf(*this, LookColour::text));
+        }
         return;
-    g.fillAll(palette::panel);
+    }
+    g.fillAll(colourOf(*this, LookColour::panel));
     if (ticksWithoutContext < ticksToWait)
         return;
-    g.setColour(palette::dimText);
-    g.setFont(DarkLook::textFont());
+    g.setColour(colourOf(*this, LookColour::dimText));
+    g.setFont(Look::textFont());
     g.drawFittedText("There is no OpenGL here to draw the instrument with. Everything else works.",
-                     getLocalBounds().reduced(12), juce::Justification::centred, 2);
+                     getLocalBounds().reduced(12), juce::Justification::centred, 3);
 }
 
 } // namespace idiophone

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
 constexpr float halfFieldRadians = 14 * std::numbers::pi_v<float> / 180; // of the window's height
 constexpr float farthestZoom = 0.2f, nearestZoom = 20;
-constexpr float margin = 1.04f;
+constexpr float margin = 1.06f;
+constexpr float farthestMove = 1;
 constexpr float thinnest = 1e-4f; // metres: a scene without depth still has a distance
 constexpr float lowestElevation = 0.03f, highestElevation = 1.5f;
 
@@ -23,11 +26,19 @@ float dot(const ScenePlace& a, const ScenePlace& b) {
 
 } // namespace
 
-void OrbitCamera::lookAt(const ScenePlace& lowest, const ScenePlace& highest) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+void OrbitCamera::lookAt(std::vector<ScenePlace> points) {
+    seen = std::move(points);
+    ScenePlace lowest = seen.front(), highest = seen.front();
+    for (const auto& point : seen)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            lowest[axis] = std::min(lowest[axis], point[axis]);
+            highest[axis] = std::max(highest[axis], point[axis]);
+        }
+    for (std::size_t axis = 0; axis < 3; ++axis)
         middle[axis] = (lowest[axis] + highest[axis]) / 2;
-        half[axis] = std::max((highest[axis] - lowest[axis]) / 2, thinnest);
-    }
+    reach = std::max(
+        std::hypot(highest[0] - lowest[0], highest[1] - lowest[1], highest[2] - lowest[2]) / 2,
+        thinnest);
 }
 
 void OrbitCamera::turnBy(float aroundRadians, float upRadians) {
@@ -39,7 +50,13 @@ void OrbitCamera::zoomBy(float factor) {
     zoom = std::clamp(zoom * factor, farthestZoom, nearestZoom);
 }
 
+void OrbitCamera::moveBy(float right, float up) {
+    movedRight = std::clamp(movedRight + right / zoom, -farthestMove, farthestMove);
+    movedUp = std::clamp(movedUp + up / zoom, -farthestMove, farthestMove);
+}
+
 void OrbitCamera::reset() {
+    movedRight = movedUp = 0;
     around = initialAround;
     elevation = initialElevation;
     zoom = 1;
@@ -52,35 +69,41 @@ OrbitCamera::Axes OrbitCamera::axes() const {
     return {right, cross(right, forward), forward};
 }
 
-/// At which every corner of the scene's box is within the window.
-float OrbitCamera::distance(float aspect) const {
+/// Where each of the window's four sides touches a point: two planes facing each other leave the
+/// eye a wedge, whose edge is as near as it may come.
+OrbitCamera::Eye OrbitCamera::place(float aspect) const {
     const auto [right, up, forward] = axes();
-    const float slopeY = std::tan(halfFieldRadians), slopeX = slopeY * aspect;
-    float farEnough = 0;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        ScenePlace place = half;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if ((corner >> axis) & 1)
-                place[axis] = -place[axis];
-        farEnough = std::max({farEnough, std::abs(dot(place, right)) / slopeX - dot(place, forward),
-                              std::abs(dot(place, up)) / slopeY - dot(place, forward)});
+    const float slopeY = std::tan(halfFieldRadians) / margin, slopeX = slopeY * aspect;
+    constexpr float none = std::numeric_limits<float>::max();
+    float fromLeft = none, fromRight = -none, fromBelow = none, fromAbove = -none;
+    for (const auto& point : seen) {
+        const float x = dot(point, right), y = dot(point, up), z = dot(point, forward);
+        fromLeft = std::min(fromLeft, x + slopeX * z);
+        fromRight = std::max(fromRight, x - slopeX * z);
+        fromBelow = std::min(fromBelow, y + slopeY * z);
+        fromAbove = std::max(fromAbove, y - slopeY * z);
     }
-    return margin * farEnough / zoom;
+    const float z = std::min((fromLeft - fromRight) / slopeX, (fromBelow - fromAbove) / slopeY) / 2;
+    const float whole = std::max(dot(middle, forward) - z, thinnest), depth = whole / zoom;
+    const float height = 2 * slopeY * whole;
+    const float x = (fromLeft + fromRight) / 2 - movedRight * height;
+    const float y = (fromBelow + fromAbove) / 2 - movedUp * height;
+    const float along = dot(middle, forward) - depth;
+    Eye eye{.depthOfMiddle = depth};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        eye.place[axis] = x * right[axis] + y * up[axis] + along * forward[axis];
+    return eye;
 }
 
 ScenePlace OrbitCamera::eye(float aspect) const {
-    const auto forward = axes().forward;
-    const float far = distance(aspect);
-    return {middle[0] - far * forward[0], middle[1] - far * forward[1],
-            middle[2] - far * forward[2]};
+    return place(aspect).place;
 }
 
 std::array<float, 16> OrbitCamera::viewProjection(float aspect) const {
     const auto [right, up, forward] = axes();
-    const auto from = eye(aspect);
-    const float reach = std::hypot(half[0], half[1], half[2]);
-    const float far = distance(aspect) + 1.1f * reach;
-    const float near = std::max(distance(aspect) - 1.1f * reach, far / 2000);
+    const auto [from, depth] = place(aspect);
+    const float far = depth + 1.1f * reach;
+    const float near = std::max(depth - 1.1f * reach, far / 2000);
     const float scaleY = 1 / std::tan(halfFieldRadians), scaleX = scaleY / aspect;
     const float depthScale = (far + near) / (far - near);
     const float depthShift = -2 * far * near / (far - near);

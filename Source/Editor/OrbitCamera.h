@@ -4,6 +4,7 @@
 #include "Editor/ObjectScene.h"
 
 #include <array>
+#include <vector>
 
 namespace idiophone {
 
@@ -14,14 +15,16 @@ struct ViewRay {
 
 class OrbitCamera {
 public:
-    /// Looks at a scene that lies between two corners from the player's side, so that all of it is
-    /// seen at any shape of the window and little else. Turn and zoom stay as they are.
-    void lookAt(const ScenePlace& lowest, const ScenePlace& highest);
+    /// Looks at a scene from the player's side so that all of its points are seen, at any shape of
+    /// the window, and little else. Turn and zoom stay as they are. `points` is not empty.
+    void lookAt(std::vector<ScenePlace> points);
 
     /// In radians; the eye stays above the horizon and below the zenith.
     void turnBy(float aroundRadians, float upRadians);
     /// Above 1 nearer; within a twentieth and five times of the distance that shows all.
     void zoomBy(float factor);
+    /// Moves the scene sideways and up, in heights of the window.
+    void moveBy(float right, float up);
     /// As at first.
     void reset();
 
@@ -38,12 +41,18 @@ private:
         ScenePlace right, up, forward;
     };
     Axes axes() const;
-    float distance(float aspect) const;
+    struct Eye {
+        ScenePlace place{};
+        float depthOfMiddle = 0; ///< along the line of sight
+    };
+    Eye place(float aspect) const;
 
+    std::vector<ScenePlace> seen{{}};
     ScenePlace middle{};
-    ScenePlace half{1, 1, 1}; ///< of the scene's box
+    float reach = 1; ///< from the middle
     float around = initialAround, elevation = initialElevation, zoom = 1;
-    static constexpr float initialAround = -0.25f, initialElevation = 0.75f;
+    float movedRight = 0, movedUp = 0;
+    static constexpr float initialAround = -0.2f, initialElevation = 0.62f;
 };
 
 } // namespace idiophone

@@ -1,11 +1,14 @@
 #include "Editor/ParameterControl.h"
 
-#include "Editor/DarkLook.h"
+#include "Editor/Look.h"
+#include "Editor/ParameterMenu.h"
 
 #include <limits>
 
 namespace idiophone {
 namespace {
+
+constexpr float markWidth = 11; ///< of the mark of a controller, with the gap behind it
 
 // Slider with steps of the mouse wheel and arrow keys in proportion to its range, in real units.
 juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
@@ -22,9 +25,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
     : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()) {
     const auto title = juce::String::fromUTF8(info.name);
     setTitle(title);
-    name.setText(title, juce::dontSendNotification);
-    name.setFont(DarkLook::textFont());
-    name.setColour(juce::Label::textColourId, palette::dimText);
+    name.setFont(Look::textFont());
     name.setBorderSize({0, 0, 0, 0});
     name.setMinimumHorizontalScale(0.8f);
     name.setTooltip(juce::String::fromUTF8(info.description));
@@ -35,13 +36,15 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
         addAndMakeVisible(*(list = std::make_unique<ChoiceList>(info, view)));
     else
         makeSlider();
+    setInterceptsMouseClicks(false, true); // else they would come twice
+    addMouseListener(this, true);
     refresh();
 }
 
 void ParameterControl::makeSlider() {
     makeValueText();
-    slider =
-        std::make_unique<juce::Slider>(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox);
+    slider = std::make_unique<LeftClicked<juce::Slider>>(juce::Slider::LinearHorizontal,
+                                                         juce::Slider::NoTextBox);
     slider->setTitle(getTitle());
     slider->setNormalisableRange(rangeOf(info));
     slider->setDoubleClickReturnValue(true, info.defaultValue);
@@ -52,9 +55,10 @@ void ParameterControl::makeSlider() {
     slider->onDragStart = [this] { view.beginParameterChange(info.parameter); };
     slider->onDragEnd = [this] { view.endParameterChange(info.parameter); };
     slider->onValueChange = [this] {
-        if (slider->isMouseButtonDown())
+        if (slider->isMouseButtonDown()) {
+            view.makeCustom(info.parameter);
             view.changeParameter(info.parameter, slider->getValue());
-        else
+        } else
             changeOnce(slider->getValue());
         refresh();
     };
@@ -62,7 +66,7 @@ void ParameterControl::makeSlider() {
 }
 
 void ParameterControl::makeSwitch() {
-    toggle = std::make_unique<juce::ToggleButton>();
+    toggle = std::make_unique<LeftClicked<juce::ToggleButton>>();
     toggle->setTitle(getTitle());
     toggle->setTooltip(juce::String::fromUTF8(info.description));
     toggle->onClick = [this] { changeOnce(toggle->getToggleState() ? 1 : 0); };
@@ -70,7 +74,7 @@ void ParameterControl::makeSwitch() {
 }
 
 void ParameterControl::makeValueText() {
-    value.setFont(DarkLook::textFont());
+    value.setFont(Look::textFont());
     value.setJustificationType(juce::Justification::centredRight);
     value.setBorderSize({0, 0, 0, 0});
     value.setMinimumHorizontalScale(0.8f);
@@ -83,6 +87,7 @@ void ParameterControl::makeValueText() {
 
 void ParameterControl::changeOnce(double number) {
     view.beginParameterChange(info.parameter);
+    view.makeCustom(info.parameter);
     view.changeParameter(info.parameter, number);
     view.endParameterChange(info.parameter);
 }
@@ -97,7 +102,8 @@ void ParameterControl::typed() {
 void ParameterControl::refresh() {
     if (list != nullptr)
         list->refresh();
-    const double now = view.parameterValue(info.parameter);
+    refreshController();
+    const double now = view.effectiveValue(info.parameter);
     const bool live = view.isLive(info.parameter);
     if (now == shown && live == isLive)
         return;
@@ -116,6 +122,74 @@ void ParameterControl::refresh() {
         toggle->setToggleState(now != 0, juce::dontSendNotification);
 }
 
+void ParameterControl::refreshController() {
+    const auto& midi = view.midiLearn();
+    const auto number = midi.controllerOf(info.parameter);
+    const bool learning = midi.learningParameter() == info.parameter;
+    if (number == controller && learning == isLearning)
+        return;
+    controller = number;
+    isLearning = learning;
+    const auto sentence = controllerSentence(info, midi);
+    name.setTooltip(juce::String::fromUTF8(info.description) +
+                    (sentence.isEmpty() ? "" : "\n" + sentence));
+    setDescription(sentence);
+    resized();
+    repaint();
+}
+
+juce::PopupMenu ParameterControl::menu() {
+    const juce::Component::SafePointer<ParameterControl> self(this);
+    return parameterMenu(info, view, slider == nullptr ? nullptr : std::function<void()>([self] {
+                             if (self != nullptr)
+                                 self->value.showEditor();
+                         }));
+}
+
+void ParameterControl::showMenu() {
+    menu().showMenuAsync(
+        juce::PopupMenu::Options().withTargetComponent(*this).withDeletionCheck(*this));
+}
+
+void ParameterControl::mouseDown(const juce::MouseEvent& event) {
+    if (event.mods.isPopupMenu())
+        showMenu();
+}
+
+bool ParameterControl::keyPressed(const juce::KeyPress& key) {
+    if (!asksForMenu(key))
+        return false;
+    showMenu();
+    return true;
+}
+
+void ParameterControl::paint(juce::Graphics& g) {
+    if (!controller && !isLearning)
+        return;
+    const auto mark =
+        juce::Rectangle<float>(markWidth - 4, markWidth - 4)
+            .withCentre({(markWidth - 4) / 2, static_cast<float>(name.getBounds().getCentreY())});
+    g.setColour(colourOf(*this, LookColour::accent));
+    if (isLearning)
+        g.drawEllipse(mark.reduced(0.75f), 1.5f);
+    else
+        g.fillEllipse(mark);
+}
+
+void ParameterControl::lookAndFeelChanged() {
+    name.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
+}
+
+void ParameterControl::placeName(juce::Rectangle<int> area) {
+    if (controller || isLearning)
+        area.removeFromLeft(juce::roundToInt(markWidth));
+    const auto full = getTitle();
+    const bool fits = juce::GlyphArrangement::getStringWidth(name.getFont(), full) <=
+                      static_cast<float>(area.getWidth());
+    name.setText(fits ? full : juce::String::fromUTF8(info.shortName), juce::dontSendNotification);
+    name.setBounds(area);
+}
+
 void ParameterControl::resized() {
     auto area = getLocalBounds();
     if (slider == nullptr) {
@@ -124,12 +198,12 @@ void ParameterControl::resized() {
             list->setBounds(area.removeFromRight(area.getWidth() * 3 / 5).reduced(0, 1));
         else
             toggle->setBounds(area.removeFromRight(40));
-        name.setBounds(area);
+        placeName(area);
         return;
     }
     auto line = area.removeFromTop(17);
     value.setBounds(line.removeFromRight(juce::jmax(84, line.getWidth() * 3 / 8)));
-    name.setBounds(line);
+    placeName(line);
     slider->setBounds(area.withHeight(juce::jmin(area.getHeight(), 22)));
 }
 

@@ -5,6 +5,8 @@
 #include "Editor/MidiLearnView.h"
 #include "Editor/PresetShelf.h"
 #include "Editor/SoundVariants.h"
+#include "Editor/SoundView.h"
+#include "Editor/WorkshopView.h"
 #include "Object/ModalObject.h"
 #include "Parameters/ParameterTable.h"
 
@@ -18,7 +20,7 @@
 namespace idiophone {
 
 /// For the message thread.
-class ProcessorView {
+class ProcessorView : public SoundView, public WorkshopView {
 public:
     struct Status {
         std::string sentence; ///< what is loaded, or what went wrong last
@@ -40,15 +42,14 @@ public:
         int highestNote = 0;
     };
 
-    virtual ~ProcessorView() = default;
-
-    virtual std::vector<std::string> presetNames() const = 0;
-    /// −1 where what plays is none of them.
-    virtual int presetIndex() const = 0;
-    virtual void choosePreset(int index) = 0;
-
     /// In the unit of the table.
     virtual double parameterValue(ParameterId parameter) const = 0;
+    /// What holds now: of a material's or mallet's figures those of the one that is chosen, or of
+    /// what the objects themselves are made of.
+    virtual double effectiveValue(ParameterId parameter) const = 0;
+    /// Before a figure of the chosen material or mallet is changed by hand: the custom one takes
+    /// all its figures and is chosen. Nothing where it is, and for other parameters.
+    virtual void makeCustom(ParameterId figure) = 0;
     /// False where no object that plays can follow the parameter: it would have to be analysed
     /// anew.
     virtual bool isLive(ParameterId parameter) const = 0;
@@ -71,6 +72,9 @@ public:
 
     /// Of the instrument that plays, in the order of their keys; empty where there is none.
     virtual std::vector<PlayedObject> playedObjects() const = 0;
+    /// Where keys strike one of them, in metres of its own mesh: places on its surface along the
+    /// strike path, from the lowest key's end on. Empty where there is no such object.
+    virtual std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const = 0;
     /// Another number with every other instrument.
     virtual int instrumentNumber() const = 0;
     /// Strikes one of `playedObjects` at the place nearest to a point in metres of its own mesh;
@@ -78,7 +82,16 @@ public:
     virtual void
     strikeObject(std::size_t index, const std::array<double, 3>& pointMetres, int velocity) = 0;
 
+    /// Drags over one of `playedObjects`, to the place nearest to a point in metres of its own
+    /// mesh: the way there from the last one sounds as fast as it is gone, and standing still is
+    /// silent. Pressure 0 to 1 of the contact force; 0 lifts the hand. There is one hand: on
+    /// another object it starts anew. What has gone since is ignored.
+    virtual void
+    scrapeObject(std::size_t index, const std::array<double, 3>& pointMetres, double pressure) = 0;
+
     virtual Status takeStatus() = 0;
+    /// One sentence of the window about what went wrong, for the status to say.
+    virtual void reportError(const std::string& sentence) = 0;
 
     /// For as long as this lives.
     virtual PresetShelf& presetShelf() = 0;

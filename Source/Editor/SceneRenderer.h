@@ -8,16 +8,33 @@
 #include <juce_opengl/juce_opengl.h>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 namespace idiophone {
+
+/// How one object of the scene is moved out of its rest.
+struct SceneMotion {
+    std::size_t object = 0;
+    /// A place of the scene for each of the object's vertices, to be added to its own. A new one is
+    /// a new pointer.
+    std::shared_ptr<const std::vector<ScenePlace>> offsets;
+    float scale = 1;
+    /// Where the offsets go out and in are coloured apart, with lines where they do neither.
+    bool showsNodes = false;
+    float largestOffset = 1; ///< > 0; for the colours
+};
 
 /// What one picture shows.
 struct SceneFrame {
     std::shared_ptr<const ObjectScene> scene;
     std::array<float, 16> viewProjection{}; ///< column-major
     ScenePlace eye{};
+    juce::Colour background, accent;
     ScenePlace glowPlace{};
-    float glow = 0; ///< 0 to 1
+    float glow = 0;            ///< of the place struck, 0 to 1
+    std::vector<float> lights; ///< of each object, how loud it is, 0 to 1; or empty
+    std::optional<SceneMotion> motion;
 };
 
 /// The message thread shows frames, the OpenGL thread draws the last one; a mutex is held while the
@@ -38,6 +55,8 @@ public:
 
 private:
     void upload(const ObjectScene& scene);
+    void uploadOffsets(std::shared_ptr<const std::vector<ScenePlace>> offsets);
+    void draw(const SceneFrame& shown);
 
     juce::OpenGLContext& context;
     std::mutex frameMutex;
@@ -46,8 +65,9 @@ private:
 
     // The OpenGL thread's.
     std::unique_ptr<juce::OpenGLShaderProgram> program;
-    GLuint buffer = 0;
+    GLuint buffer = 0, offsetBuffer = 0;
     std::shared_ptr<const ObjectScene> uploaded;
+    std::shared_ptr<const std::vector<ScenePlace>> uploadedOffsets;
 };
 
 } // namespace idiophone

@@ -1,6 +1,6 @@
 #include "Editor/StatusBar.h"
 
-#include "Editor/DarkLook.h"
+#include "Editor/Look.h"
 
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -25,15 +25,17 @@ void StatusBar::paint(juce::Graphics& g) {
     const auto meter = area.removeFromRight(120).toFloat().withSizeKeepingCentre(120, 6);
     const auto modes = area.removeFromRight(110).withTrimmedRight(12);
     const float filled = static_cast<float>(shownDecibels - silentDecibels) / -silentDecibels;
-    g.setColour(palette::outline);
+    g.setColour(colourOf(*this, LookColour::outline));
     g.fillRoundedRectangle(meter, 3);
-    g.setColour(shownDecibels >= 0 ? palette::error : palette::accent);
+    g.setColour(shownDecibels >= 0 ? colourOf(*this, LookColour::error)
+                                   : colourOf(*this, LookColour::accent));
     g.fillRoundedRectangle(meter.withWidth(meter.getWidth() * juce::jlimit(0.0f, 1.0f, filled)), 3);
 
-    g.setFont(DarkLook::textFont());
-    g.setColour(palette::dimText);
+    g.setFont(Look::textFont());
+    g.setColour(colourOf(*this, LookColour::dimText));
     g.drawText(juce::String(shown.modesMixed) + " modes", modes, juce::Justification::centredRight);
-    g.setColour(shown.isError ? palette::error : palette::text);
+    g.setColour(shown.isError ? colourOf(*this, LookColour::error)
+                              : colourOf(*this, LookColour::text));
     g.drawFittedText(juce::String::fromUTF8(shown.sentence.c_str()), area,
                      juce::Justification::centredLeft, 2, 0.85f);
 }

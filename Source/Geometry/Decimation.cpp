@@ -3,7 +3,7 @@
 #include "Geometry/CgalSurface.h"
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_probabilistic_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <algorithm>
 #include <exception>
@@ -35,7 +35,7 @@ private:
 };
 
 void collapseEdges(UnitSurface& unit, std::size_t budget, const MeshingControl& control) {
-    using Policies = sms::GarlandHeckbert_plane_policies<Surface, SurfaceKernel>;
+    using Policies = sms::GarlandHeckbert_probabilistic_plane_policies<Surface, SurfaceKernel>;
     const BudgetReached stop(unit.surface.number_of_vertices(), budget, control);
     {
         const Policies policies(unit.surface);

@@ -1,34 +1,22 @@
 #include "Instrument/HeldContacts.h"
 
+#include "Instrument/DraggedForce.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 namespace idiophone {
 namespace {
 
 using enum ParameterId;
-using Vector = std::array<float, 3>;
-
-constexpr int shortestFadeSamples = 16;
-constexpr double nothing = 1e-9; // of a fade, to which it falls but for rounding
-
-/// Into the surface, and along the path by the friction.
-ForcePoint pushed(const StripPlace& place, double friction) {
-    const auto along = static_cast<float>(friction);
-    ForcePoint push{.point = place.point};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        push.direction[axis] = along * place.direction[axis] - place.point.normal[axis];
-    return push;
-}
 
 ForcePlace pushed(const StripStep& place, double friction) {
-    return {.points = {pushed(place.first, friction), pushed(place.second, friction)},
+    return {.points = {draggedForce(place.first.point, place.first.direction, friction),
+                       draggedForce(place.second.point, place.second.direction, friction)},
             .way = static_cast<float>(place.way)};
 }
 
@@ -44,9 +32,7 @@ HeldContacts::HeldContacts(const Instrument& played,
                            std::shared_ptr<const SurfaceProfile> profile,
                            std::uint64_t seed)
     : instrument(played), lowestModes(lowestModesOfSlots), rateHz(profile->sampleRateHz()),
-      // What is left where the release waits longest for its grid point.
-      fadeSamples(std::max(shortestFadeSamples,
-                           static_cast<int>(releaseSeconds * rateHz) - (cellSamples - 1))) {
+      releaseFade(rateHz) {
     static_assert(2 * capacity <= forceCapacity);
     contacts.reserve(2 * capacity);
     for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
@@ -206,7 +192,7 @@ void HeldContacts::soundOne(Contact& contact,
         for (std::size_t i = 0; i < newtons.size(); ++i)
             newtons[i] *= fromGain + static_cast<float>(i + 1) * gainStep;
         if (contact.isReleased)
-            fadeOut(contact, newtons);
+            releaseFade.apply(contact.fade, newtons);
         synthesiser.applyForce(slot,
                                {.contact = static_cast<std::size_t>(&contact - contacts.data()),
                                 .start = pushed(from, friction),
@@ -216,19 +202,9 @@ void HeldContacts::soundOne(Contact& contact,
     }
     contact.begins = false;
     if (contact.isReleased) {
-        contact.fade -= static_cast<double>(cellSamples) / fadeSamples;
-        if (contact.fade < nothing)
+        contact.fade = releaseFade.after(contact.fade);
+        if (contact.fade == 0)
             contact.note = -1;
-    }
-}
-
-/// From 1 to 0 as half a cosine, which has no corner at either end.
-void HeldContacts::fadeOut(const Contact& contact,
-                           std::span<float, cellSamples> newtons) const noexcept {
-    double left = contact.fade;
-    for (float& force : newtons) {
-        left = std::max(left - 1.0 / fadeSamples, 0.0);
-        force *= static_cast<float>((1 - std::cos(std::numbers::pi * left)) / 2);
     }
 }
 

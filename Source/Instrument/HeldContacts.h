@@ -4,6 +4,7 @@
 
 #include "Instrument/Instrument.h"
 #include "Instrument/LowestModes.h"
+#include "Instrument/ReleaseFade.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
@@ -28,9 +29,6 @@ public:
     /// Keys held at a time; beyond, the oldest gives way as if it were released.
     static constexpr std::size_t capacity = 16;
     static constexpr std::size_t channels = 16;
-    /// From a release to silence of the force, however far the next grid point is, at sample rates
-    /// of 8 kHz and more. Below, a cell alone takes as long.
-    static constexpr double releaseSeconds = 0.01;
     /// A contact follows CC74 in about this time, but no faster than this speed.
     static constexpr double glideSeconds = 0.02;
     static constexpr double fastestGlideMetresPerSecond = 5;
@@ -102,7 +100,6 @@ private:
                   Synthesiser& synthesiser,
                   const CellOutput& cell) noexcept;
     void move(Contact& contact, const Key& key, const ParameterValues& parameters) const noexcept;
-    void fadeOut(const Contact& contact, std::span<float, cellSamples> newtons) const noexcept;
 
     Contact* find(int channel, int note) noexcept; ///< the held key, or nullptr
     Contact& freeContact() noexcept;
@@ -115,7 +112,7 @@ private:
     const Instrument& instrument;
     std::span<const LowestModes> lowestModes;
     double rateHz;
-    int fadeSamples;
+    ReleaseFade releaseFade;
     std::vector<Contact> contacts; ///< the second half takes over from those that fade out
     std::uint64_t pressCount = 0;
     std::array<Controllers, channels> controllers{};

@@ -12,15 +12,6 @@ namespace {
 
 using enum ParameterId;
 
-/// The mallet of the rack that is chosen, or nullptr where the custom one is.
-const Mallet* chosenMallet(const ParameterValues& parameters) {
-    const auto index = static_cast<int>(parameters[mallet]) - firstRackMallet;
-    const auto rack = malletRack();
-    return index >= 0 && index < static_cast<int>(rack.size())
-               ? &rack[static_cast<std::size_t>(index)]
-               : nullptr;
-}
-
 StrikePlace placeBeside(double keyAlong, double along, double across) {
     along = std::clamp(along, -1.0, 1.0);
     return {.along = keyAlong + along * (along > 0 ? 1 - keyAlong : keyAlong),

@@ -23,7 +23,7 @@ public:
     /// Makes an object known under a name, as one embedded in a saved state; it wins over the
     /// factory and files for as long as somebody holds the pointer that is returned.
     std::shared_ptr<const ModalObject> add(const std::string& name, ModalObject object);
-    /// The same of an object that is shared already.
+    /// The same with one that is shared already; it is not null.
     void add(const std::string& name, const std::shared_ptr<const ModalObject>& object);
 
 private:

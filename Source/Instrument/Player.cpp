@@ -40,11 +40,11 @@ std::vector<double> malletScalesOf(const Instrument& instrument) {
     return scales;
 }
 
-bool has(const Instrument& instrument, const SurfaceStrike& strike) {
-    if (strike.slot >= instrument.slots().size())
+bool has(const Instrument& instrument, std::size_t slot, const StrikePoint& point) {
+    if (slot >= instrument.slots().size())
         return false;
-    const auto rows = instrument.slots()[strike.slot].object->shapeVertexCount();
-    return std::ranges::all_of(strike.point.shapeRows, [rows](std::int32_t row) {
+    const auto rows = instrument.slots()[slot].object->shapeVertexCount();
+    return std::ranges::all_of(point.shapeRows, [rows](std::int32_t row) {
         return row >= 0 && static_cast<std::size_t>(row) < rows;
     });
 }
@@ -66,6 +66,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
       malletScales(malletScalesOf(*playedInstrument)),
       held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
+      handScrape(*playedInstrument, sharedSurfaceProfile(surface, sampleRateHz), seed),
       loudness(playedInstrument, surface, sampleRateHz, own), motor(cellSamples / sampleRateHz),
       slotTouched(playedInstrument->slots().size(), false),
       slotHeld(playedInstrument->slots().size(), false),
@@ -133,13 +134,39 @@ void Player::strikeWaiting() {
 }
 
 void Player::strikeSurface(const SurfaceStrike& strike) {
-    if (!has(*playedInstrument, strike))
+    if (!has(*playedInstrument, strike.slot, strike.point))
         return;
+    playedLast = strike.slot;
     slotTouched[strike.slot] = strike.velocity > 0;
     if (strike.velocity <= 0 || surfaceStrikes.size() == surfaceCapacity)
         return;
     slotSilenced[strike.slot] = false;
     surfaceStrikes.push_back(strike);
+}
+
+void Player::scrapeSurface(const SurfaceTouch& touch) {
+    if (!has(*playedInstrument, touch.slot, touch.point))
+        return;
+    playedLast = touch.slot;
+    slotSilenced[touch.slot] = false;
+    handScrape.touch(touch);
+}
+
+void Player::liftHands() {
+    std::fill(slotTouched.begin(), slotTouched.end(), false);
+    handScrape.lift();
+}
+
+void Player::setSilencedModes(const SilencedModes& silenced) {
+    const auto slots = playedInstrument->slots();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+        const auto found = std::ranges::find(silenced.objects, slots[slot].object.get(),
+                                             &SilencedModes::OfObject::object);
+        if (found == silenced.objects.end())
+            synth.setSilencedModes(slot, {});
+        else
+            synth.setSilencedModes(slot, found->isSilenced);
+    }
 }
 
 void Player::strikeAt(std::size_t slot,
@@ -213,6 +240,7 @@ void Player::beginCell() {
     updateDampers();
     synth.beginCell(cell());
     held.sound(current, settings, synth, cell());
+    handScrape.sound(current, malletScales, synth, cell());
     ++cellIndex;
     updateGain();
     cellPosition = 0;
@@ -249,6 +277,8 @@ void Player::copyOut(const StereoSpan& output, int position, int count) const {
 
 void Player::updateDampers() {
     slotHeld = slotTouched;
+    if (const auto slot = handScrape.heldSlot())
+        slotHeld[*slot] = true;
     if (current[letRing] != 0)
         slotHeld.assign(slotHeld.size(), true);
     auto keys = keysSustained;
@@ -279,6 +309,8 @@ void Player::reset() {
     surfaceStrikes.clear();
     std::fill(slotTouched.begin(), slotTouched.end(), false);
     held.reset();
+    handScrape.reset();
+    playedLast.reset();
     keysDown = {};
     keysSustained.reset();
     sustainPedal = false;
@@ -293,7 +325,7 @@ bool Player::silent() const {
                            [](float x) { return x == 0; });
     };
     return synth.silent() && pending.empty() && late.empty() && surfaceStrikes.empty() &&
-           held.silent() && played(leftCell) && played(rightCell);
+           held.silent() && handScrape.silent() && played(leftCell) && played(rightCell);
 }
 
 std::optional<int> Player::takeProgramChange() {

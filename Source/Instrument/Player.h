@@ -2,12 +2,14 @@
 // dampers, and the synthesiser's cells become a stream of any block size.
 #pragma once
 
+#include "Instrument/HandScrape.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/LowestModes.h"
 #include "Instrument/Motor.h"
 #include "Instrument/PendingStrikes.h"
+#include "Instrument/SilencedModes.h"
 #include "Instrument/StereoSpan.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Synthesiser.h"
@@ -69,6 +71,18 @@ public:
     /// lifted the object is held as by a key. What this instrument does not have is ignored.
     void strikeSurface(const SurfaceStrike& strike);
 
+    /// Drags a hand over a surface, whatever the keys do; acts at the first grid point of the next
+    /// block. Until it is lifted the object is held as by a key. What this instrument does not have
+    /// is ignored.
+    void scrapeSurface(const SurfaceTouch& touch);
+
+    /// All hands leave all surfaces.
+    void liftHands();
+
+    /// Acts at the first grid point of the next block, or from the first one on where none was
+    /// rendered; a `reset` changes nothing.
+    void setSilencedModes(const SilencedModes& silenced);
+
     /// Silence, all keys up, controllers at rest, the grid at its start.
     void reset();
 
@@ -77,6 +91,8 @@ public:
     std::optional<int> takeProgramChange();
     const Synthesiser& synthesiser() const { return synth; }
     const Instrument& instrument() const { return *playedInstrument; }
+    /// Of the key or the blow that came last; nothing before the first one.
+    std::optional<std::size_t> slotPlayedLast() const { return playedLast; }
 
 private:
     void follow(const MidiEvent& event);
@@ -114,6 +130,8 @@ private:
     std::vector<LowestModes> lowestModes;      ///< of each slot
     std::vector<double> malletScales;          ///< of each slot, as its keys have it
     HeldContacts held;
+    HandScrape handScrape;
+    std::optional<std::size_t> playedLast;
 
     LoudnessMatch loudness;
     float matchingGain = 1;

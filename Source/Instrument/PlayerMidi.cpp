@@ -44,8 +44,10 @@ void Player::keyDown(int channel, int note, int velocity) {
     keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
     if (!strikes(current))
         held.press(channel, note, velocity / 127.0);
-    if (const auto slot = playedInstrument->key(note).slot; slot >= 0)
+    if (const auto slot = playedInstrument->key(note).slot; slot >= 0) {
         slotSilenced[static_cast<std::size_t>(slot)] = false;
+        playedLast = static_cast<std::size_t>(slot);
+    }
 }
 
 void Player::keyUp(int channel, int note) {
@@ -78,7 +80,7 @@ void Player::controller(int channel, int number, int value) {
         surfaceStrikes.clear();
         [[fallthrough]];
     case allNotesOff:
-        std::fill(slotTouched.begin(), slotTouched.end(), false);
+        liftHands();
         held.releaseAll();
         keysDown = {};
         keysSustained.reset();

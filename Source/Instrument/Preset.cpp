@@ -128,6 +128,27 @@ std::uint32_t parseSeed(const json& root) {
     return static_cast<std::uint32_t>(number(root, "seed", 0, 4294967295));
 }
 
+ModeSet parseMutedModes(const json& object) {
+    if (!object.is_object())
+        throw Fault{"'mutedModes' are not a JSON object"};
+    ModeSet muted;
+    for (const auto& [name, modes] : object.items()) {
+        if (!modes.is_array())
+            throw Fault{"'mutedModes' has something for '" + name + "' that is not a list"};
+        for (const auto& mode : modes) {
+            const bool isNumber = mode.is_number_unsigned() &&
+                                  mode.get<std::uint64_t>() < std::uint64_t{ModeSet::mostModes};
+            if (!isNumber)
+                throw Fault{"'mutedModes' holds something for '" + name +
+                            "' that is not the number of a mode"};
+            if (!muted.set(name, mode.get<std::int32_t>(), true))
+                throw Fault{"'mutedModes' holds more than " + std::to_string(ModeSet::capacity) +
+                            " modes"};
+        }
+    }
+    return muted;
+}
+
 Preset parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-preset")
         throw Fault{"it is not an Idiophone preset"};
@@ -155,6 +176,8 @@ Preset parse(const json& root) {
         parseParameters(root["parameters"], preset);
     if (root.contains("surface"))
         preset.surface = parseSurfaceOf(root);
+    if (root.contains("mutedModes"))
+        preset.mutedModes = parseMutedModes(root["mutedModes"]);
     if (root.contains("seed"))
         preset.seed = parseSeed(root);
     return preset;
@@ -199,16 +222,18 @@ std::string encodePreset(const Preset& preset) {
     ordered_json parameters = ordered_json::object();
     for (const auto& info : parameterTable())
         parameters[info.id] = preset.parameters[info.parameter];
-    const ordered_json root{{"format", "idiophone-preset"},
-                            {"version", presetFormatVersion},
-                            {"name", preset.name},
-                            {"author", preset.author},
-                            {"description", preset.description},
-                            {"tags", preset.tags},
-                            {"keyMap", keyMap},
-                            {"parameters", parameters},
-                            {"surface", ordered_json::parse(encodeSurface(preset.surface))},
-                            {"seed", preset.seed}};
+    ordered_json root{{"format", "idiophone-preset"},
+                      {"version", presetFormatVersion},
+                      {"name", preset.name},
+                      {"author", preset.author},
+                      {"description", preset.description},
+                      {"tags", preset.tags},
+                      {"keyMap", keyMap},
+                      {"parameters", parameters},
+                      {"surface", ordered_json::parse(encodeSurface(preset.surface))},
+                      {"seed", preset.seed}};
+    if (!preset.mutedModes.empty())
+        root["mutedModes"] = preset.mutedModes.objects();
     // Names come from people and files: replace what is not UTF-8 rather than throw.
     return root.dump(4, ' ', false, ordered_json::error_handler_t::replace);
 }

@@ -2,6 +2,7 @@
 // Plain data and its JSON; building the instrument from it is Instrument.h's.
 #pragma once
 
+#include "Instrument/ModeSet.h"
 #include "Object/Result.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Surface.h"
@@ -55,6 +56,7 @@ struct Preset {
     ParameterValues parameters; ///< those the file does not name have their default
     Surface surface;            ///< what scrapes and rolls sound like; valid
     std::uint32_t seed = 1;     ///< of their noise, spread and chatter, so that a render repeats
+    ModeSet mutedModes;         ///< of its objects, by the names of its key map
     /// Ids of parameters in the file that this version does not know.
     std::vector<std::string> unknownParameters;
 

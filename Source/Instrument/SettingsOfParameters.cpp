@@ -1,5 +1,8 @@
 #include "Instrument/SettingsOfParameters.h"
 
+#include "Instrument/MalletStrike.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace idiophone {
@@ -38,6 +41,26 @@ ParameterValues withCustomMaterial(ParameterValues values, const Material& own) 
     return values;
 }
 
+bool isFigure(ParameterId parameter) {
+    return std::ranges::find(materialFigures, parameter) != materialFigures.end() ||
+           std::ranges::find(malletFigures, parameter) != malletFigures.end();
+}
+
+ParameterValues effectiveFigures(ParameterValues values, const Material* own) {
+    const double choice = values[material];
+    if (const auto* chosen = choice == double{ownMaterial} ? own : chosenLibraryMaterial(values)) {
+        values = withCustomMaterial(values, *chosen);
+        values.set(material, choice);
+    }
+    if (const auto* racked = chosenMallet(values)) {
+        const double compliance = own != nullptr ? surfaceCompliancePerPa(*own, values) : 0;
+        values.set(malletHardness, contactModulusPa(*racked, compliance) * 1e-6);
+        values.set(malletMass, racked->massKg * 1e3);
+        values.set(malletRadius, racked->headRadiusMetres * 1e3);
+    }
+    return values;
+}
+
 SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones) {
     const double slope = values[qualitySlope];
     return {.tau = values[tau],
@@ -56,6 +79,14 @@ const Material* chosenLibraryMaterial(const ParameterValues& values) {
     const auto library = materialLibrary();
     const auto index = static_cast<std::size_t>(choice - firstLibraryMaterial);
     return choice >= firstLibraryMaterial && index < library.size() ? &library[index] : nullptr;
+}
+
+const Mallet* chosenMallet(const ParameterValues& values) {
+    const auto index = static_cast<int>(values[mallet]) - firstRackMallet;
+    const auto rack = malletRack();
+    return index >= 0 && index < static_cast<int>(rack.size())
+               ? &rack[static_cast<std::size_t>(index)]
+               : nullptr;
 }
 
 } // namespace idiophone

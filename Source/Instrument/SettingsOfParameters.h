@@ -1,6 +1,7 @@
 // What the parameters ask of the synthesiser.
 #pragma once
 
+#include "Instrument/Mallet.h"
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/SynthesisSettings.h"
@@ -14,6 +15,18 @@ inline constexpr std::array materialFigures{
     ParameterId::youngsModulus, ParameterId::density, ParameterId::fluidDamping,
     ParameterId::viscoelasticDamping, ParameterId::lossFactor};
 
+/// What the custom mallet has.
+inline constexpr std::array malletFigures{ParameterId::malletHardness, ParameterId::malletMass,
+                                          ParameterId::malletRadius};
+
+/// Of the custom material or mallet.
+bool isFigure(ParameterId parameter);
+
+/// The values with the figures of the material and the mallet that are chosen in the place of the
+/// custom ones', so that the custom ones with these sound alike; `own` is what the objects are made
+/// of, or nullptr. Any thread.
+ParameterValues effectiveFigures(ParameterValues values, const Material* own);
+
 /// The values with that material as the custom one, its figures held to the parameters' ranges. Its
 /// Poisson ratio and contact figures are not among them. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
@@ -24,5 +37,8 @@ SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSe
 
 /// The library's material where one is chosen to be live, else nullptr. Any thread.
 const Material* chosenLibraryMaterial(const ParameterValues& values);
+
+/// The mallet of the rack that is chosen, or nullptr where the custom one is. Any thread.
+const Mallet* chosenMallet(const ParameterValues& values);
 
 } // namespace idiophone

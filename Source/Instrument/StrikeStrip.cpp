@@ -1,11 +1,11 @@
 #include "Instrument/StrikeStrip.h"
 
+#include "Instrument/ObjectBox.h"
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/PlaceBetween.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace idiophone {
 namespace {
@@ -35,34 +35,6 @@ Point cross(const Point& a, const Point& b) {
 double length(const Point& a) {
     return std::hypot(a[0], a[1], a[2]);
 }
-
-struct BoundingBox {
-    Point centre{};
-    Point halfExtent{};
-
-    explicit BoundingBox(const ModalObject& object) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            double lowest = std::numeric_limits<double>::infinity();
-            double highest = -lowest;
-            for (std::size_t i = axis; i < object.vertices.size(); i += 3) {
-                lowest = std::min(lowest, static_cast<double>(object.vertices[i]));
-                highest = std::max(highest, static_cast<double>(object.vertices[i]));
-            }
-            centre[axis] = (lowest + highest) / 2;
-            halfExtent[axis] = (highest - lowest) / 2;
-        }
-    }
-
-    Point at(const Point& relative) const {
-        return {centre[0] + relative[0] * halfExtent[0], centre[1] + relative[1] * halfExtent[1],
-                centre[2] + relative[2] * halfExtent[2]};
-    }
-
-    double reach(const Point& direction) const {
-        return std::abs(direction[0]) * halfExtent[0] + std::abs(direction[1]) * halfExtent[1] +
-               std::abs(direction[2]) * halfExtent[2];
-    }
-};
 
 struct PathPlace {
     Point point;
@@ -115,13 +87,13 @@ Vector towards(const Vector& sum) {
 } // namespace
 
 StrikeStrip strikeStrip(const ModalObject& object, const KeyMap& map) {
-    const BoundingBox box(object);
+    const ObjectBox box(object);
     const ObjectSurface surface(object);
     std::vector<Point> path;
     for (const auto& relative : map.strikePath)
         path.push_back(box.at(relative));
     // A path through the middle of something solid must not change sides by rounding.
-    const Point upwards{0, 0, hair * length(box.halfExtent)};
+    const Point upwards{0, 0, hair * length(box.halfExtentMetres)};
     const auto pointAt = [&](const Point& point) { return surface.nearest(point + upwards); };
 
     struct Rung {
@@ -135,7 +107,7 @@ StrikeStrip strikeStrip(const ModalObject& object, const KeyMap& map) {
         const auto normal = pointAt(middle.point).normal;
         Point reach = cross({normal[0], normal[1], normal[2]}, middle.direction);
         if (const double norm = length(reach); norm > 0)
-            reach = reach * (map.strikeWidth * box.reach(reach * (1 / norm)) / norm);
+            reach = reach * (map.strikeWidth * box.reachMetres(reach * (1 / norm)) / norm);
         widest = std::max(widest, length(reach));
         rungs.push_back({middle, reach});
     }

@@ -39,4 +39,8 @@ UserMaterials readMaterialFolder(const std::filesystem::path& folder);
 /// names none of these. Nothing is created.
 std::filesystem::path userMaterialFolder();
 
+/// The material of that name, in any case: the library's, or one of the user's own folder. The
+/// error says that there is none.
+Result<Material> findAnyMaterial(std::string_view name);
+
 } // namespace idiophone

@@ -1,6 +1,7 @@
 #include "Object/MaterialFile.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 
 namespace idiophone {
@@ -52,6 +53,18 @@ UserMaterials readMaterialFolder(const fs::path& folder) {
 fs::path userMaterialFolder() {
     const auto settings = settingsFolder();
     return settings.empty() ? settings : settings / "Idiophone" / "Materials";
+}
+
+Result<Material> findAnyMaterial(std::string_view name) {
+    if (const auto* known = findMaterial(name))
+        return *known;
+    const auto sameLetter = [](unsigned char a, unsigned char b) {
+        return std::tolower(a) == std::tolower(b);
+    };
+    for (auto& material : readMaterialFolder(userMaterialFolder()).materials)
+        if (std::ranges::equal(material.name, name, sameLetter))
+            return std::move(material);
+    return failure("There is no material '" + std::string(name) + "'.");
 }
 
 } // namespace idiophone

@@ -65,9 +65,10 @@ enum class ParameterScale { linear, logarithmic, steps, onOff, choice, cubic };
 /// whole numbers only.
 struct ParameterInfo {
     ParameterId parameter;
-    const char* id;   ///< stable for ever: stored in states, presets and host automation
-    const char* name; ///< for people
-    const char* unit; ///< empty where the number has none
+    const char* id;        ///< stable for ever: stored in states, presets and host automation
+    const char* name;      ///< for people
+    const char* shortName; ///< where there is little room and others of its kind are beside it
+    const char* unit;      ///< empty where the number has none
     ParameterScale scale;
     double minimum;
     double maximum;

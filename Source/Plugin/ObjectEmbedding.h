@@ -18,4 +18,13 @@ std::vector<EmbeddedObject> foreignObjects(const Instrument& instrument);
 Result<std::shared_ptr<const Instrument>>
 buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects);
 
+/// Builds the instrument of a single object, which is not null: the map's, whose kind is not
+/// `bars`.
+Result<std::shared_ptr<const Instrument>>
+buildSingleObject(const KeyMap& keyMap, const std::shared_ptr<const ModalObject>& object);
+
+/// Builds an instrument of the same objects as another: the map differs in how keys play them, not
+/// in which there are.
+Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const KeyMap& keyMap);
+
 } // namespace idiophone

@@ -32,6 +32,7 @@ double slowestDecay(const DampingLaw& damping) noexcept {
 
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
     const juce::ScopedNoDenormals noDenormals;
+    const SoundMonitor::Callback watchedCallback(monitor, sound, buffer.getNumSamples());
     if (resetRequested.exchange(false)) {
         pieces.reset();
         sound.reset();
@@ -42,7 +43,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     controllers.follow(midi, parameters);
     const ParameterValues& values = parameters.snapshot();
     sound.changeTo(next, values);
-    hand.strikeOn(sound.player());
+    silencer.silence(sound.player());
+    hand.playOn(sound.player());
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
     while (const auto piece = pieces.next()) {
@@ -67,9 +69,10 @@ std::span<float* const> Processor::channelsFrom(juce::AudioBuffer<float>& buffer
 }
 
 void Processor::report(std::span<float* const> channels, int count) noexcept {
-    for (const float* channel : channels) {
-        const auto range = juce::FloatVectorOperations::findMinAndMax(channel, count);
+    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+        const auto range = juce::FloatVectorOperations::findMinAndMax(channels[channel], count);
         const float highest = std::max(-range.getStart(), range.getEnd());
+        monitor.hear(channel, highest);
         if (highest > peak.load())
             peak = highest;
     }
@@ -105,6 +108,7 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     preparedRateHz = std::isfinite(sampleRateHz) && sampleRateHz > 0 ? sampleRateHz : 44100;
     // Blocks are rendered in pieces of our own size: the host's may be of any.
     output.prepare(preparedRateHz, BlockPieces::maximumSamples);
+    monitor.prepare(preparedRateHz);
     delete handoff.take();
     sound.install(instrument ? newPlayer() : nullptr);
     handoff.collect();
@@ -187,6 +191,8 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     loadedPreset = std::move(preset);
     storedParameters = loadedPreset.parameters;
     presetId.clear();
+    if (instrument != built)
+        modesHeardAlone = {};
     instrument = std::move(built);
     ++loads;
     lastError.clear();
@@ -197,6 +203,7 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
 std::unique_ptr<Player> Processor::newPlayer() const {
     auto player = std::make_unique<Player>(instrument, preparedRateHz, loadedPreset.surface,
                                            loadedPreset.seed, loadedPreset.parameters);
+    player->setSilencedModes(silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
     player->prepare(parameters.values());
     return player;
 }
@@ -257,6 +264,7 @@ void Processor::timerCallback() {
     followProgramChange();
     if (!isNonRealtime())
         controllers.tellHost(parameters);
+    followWorkshop();
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock)
         handoff.collect();

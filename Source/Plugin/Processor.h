@@ -8,16 +8,22 @@
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
 #include "Plugin/MidiLearn.h"
+#include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
+#include "Plugin/ObjectWorkshop.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Plugin/PresetCollection.h"
 #include "Plugin/SoundHistory.h"
+#include "Plugin/SoundMonitor.h"
+#include "Plugin/SoundPicture.h"
 #include "Plugin/State.h"
 #include "Plugin/SurfaceHand.h"
 
+#include <functional>
 #include <juce_audio_processors/juce_audio_processors.h>
 #include <juce_events/juce_events.h>
 #include <mutex>
+#include <span>
 
 namespace idiophone {
 
@@ -66,10 +72,9 @@ public:
     bool hasEditor() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override;
 
-    std::vector<std::string> presetNames() const override;
-    int presetIndex() const override { return programIndex; }
-    void choosePreset(int index) override { setCurrentProgram(index); }
     double parameterValue(ParameterId parameter) const override;
+    double effectiveValue(ParameterId parameter) const override;
+    void makeCustom(ParameterId figure) override;
     bool isLive(ParameterId parameter) const override;
     void beginParameterChange(ParameterId parameter) override;
     void changeParameter(ParameterId parameter, double value) override;
@@ -80,21 +85,46 @@ public:
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
     std::vector<PlayedObject> playedObjects() const override;
+    std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const override;
     int instrumentNumber() const override { return loads; }
     void strikeObject(std::size_t index,
                       const std::array<double, 3>& pointMetres,
                       int velocity) override;
+    void scrapeObject(std::size_t index,
+                      const std::array<double, 3>& pointMetres,
+                      double pressure) override;
+    const SoundFrame* takeSoundFrame() override;
+    void watchObject(std::optional<std::size_t> object) override;
+    std::optional<std::size_t> watchedObject() const override { return watched; }
+    bool muteMode(std::size_t object, std::int32_t mode, bool isMuted) override;
+    bool hearModeAlone(std::size_t object, std::int32_t mode, bool isAlone) override;
+    void unmuteModes(std::size_t object) override;
+    void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
+    void reportError(const std::string& sentence) override;
     PresetCollection& presetShelf() override { return shelf; }
     SoundHistory& editHistory() override { return history; }
     SoundHistory& soundVariants() override { return history; }
     MidiLearn& midiLearn() override { return controllers; }
 
     Sound loadedSound() const override;
+    SoundLabel loadedLabel() const override;
     void playSound(const Sound& wanted) override;
     int soundNumber() const override { return loads; }
     double valueOf(ParameterId parameter) const override { return parameterValue(parameter); }
     void setValue(ParameterId parameter, double value) override;
+
+    bool canOpen(const std::filesystem::path& file) const override;
+    void openFile(const std::filesystem::path& file) override;
+    bool canAnalyseAgain() const override;
+    void analyseAgain(const ImportSettings& settings) override;
+    void cancelImport() override { workshop.cancel(); }
+    ImportStatus importStatus() const override { return workshop.status(); }
+    std::optional<KeyLayout> keyLayout() const override;
+    void setKeyLayout(KeyLayout layout) override;
+    std::vector<std::array<double, 3>> strikePath(std::size_t index) const override;
+    void setStrikePath(std::size_t index,
+                       const std::vector<std::array<double, 3>>& pathMetres) override;
 
     /// [message side] What plays; null where nothing could be loaded.
     std::shared_ptr<const Instrument> loadedInstrument() const;
@@ -102,19 +132,42 @@ public:
 private:
     void timerCallback() override;
     void followProgramChange();
+    void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     std::unique_ptr<Player> newPlayer() const;
+    bool
+    changeModes(std::size_t object,
+                const std::function<bool(const std::string& name, std::size_t modeCount)>& change);
+
+    // ProcessorForWorkshop.cpp; for the message thread.
+    void followWorkshop();
+    void playProduct(const ObjectWorkshop::Product& product);
+    void playMapped(const KeyMap& map);
+    void playAsLoud(Preset preset,
+                    std::shared_ptr<const Instrument> built,
+                    ParameterValues values,
+                    std::optional<double> lufs);
 
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
 
     HostParameters parameters;
-    std::vector<Material> userMaterials; ///< the message thread's
+    // The message thread's.
+    std::vector<Material> userMaterials;
+    SoundPicture picture;
+    int asksUnanswered = 0;
+    std::optional<std::size_t> watched; ///< of the instrument of that number
+    int watchedInstrument = 0;
+    ObjectWorkshop workshop;
+    ImportSettings importSettings; ///< used last
+    int importLoads = -1;          ///< `loads` as of the workshop's job, while that is played
+    bool importFailureShown = true;
 
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;
     Preset loadedPreset;
+    ModeSet modesHeardAlone;
     std::shared_ptr<const Instrument> instrument;
     std::vector<std::pair<std::string, double>> unknownParameters;
     std::string presetId;             ///< of the shelf, or empty
@@ -127,6 +180,8 @@ private:
     NoteQueue editorNotes;
     SurfaceHand hand;
     MidiLearn controllers;
+    ModeSilencer silencer;
+    SoundMonitor monitor;
     std::atomic<int> loads{0};
     std::atomic<bool> resetRequested{false};
     std::atomic<int> requestedProgram{-1};

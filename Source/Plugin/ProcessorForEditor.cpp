@@ -2,28 +2,62 @@
 #include "Editor/EditorWindow.h"
 #include "Plugin/Processor.h"
 
-#include "Instrument/FactoryContent.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Object/MaterialFile.h"
 
 #include <algorithm>
 
 namespace idiophone {
+namespace {
+
+std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& point) {
+    std::array<double, 3> place{};
+    for (std::size_t k = 0; k < point.weights.size(); ++k) {
+        if (point.weights[k] == 0)
+            continue;
+        const auto row = static_cast<std::size_t>(point.shapeRows[k]);
+        const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            place[axis] += double(point.weights[k]) * double(object.vertices[3 * vertex + axis]);
+    }
+    return place;
+}
+
+} // namespace
 
 juce::AudioProcessorEditor* Processor::createEditor() {
     history.endAllGestures();
     return new EditorWindow(*this, *this);
 }
 
-std::vector<std::string> Processor::presetNames() const {
-    std::vector<std::string> names;
-    for (const auto& preset : factoryPresets())
-        names.push_back(preset.name);
-    return names;
-}
-
 double Processor::parameterValue(ParameterId parameter) const {
     return parameters[parameter].exactValue();
+}
+
+double Processor::effectiveValue(ParameterId parameter) const {
+    if (!isFigure(parameter))
+        return parameterValue(parameter);
+    const auto playing = loadedInstrument();
+    const auto* own = playing == nullptr || playing->slots().empty()
+                          ? nullptr
+                          : &playing->slots().front().object->material;
+    return effectiveFigures(parameters.values(), own)[parameter];
+}
+
+void Processor::makeCustom(ParameterId figure) {
+    const bool ofMaterial = std::ranges::find(materialFigures, figure) != materialFigures.end();
+    const auto choice = ofMaterial ? ParameterId::material : ParameterId::mallet;
+    const double custom = ofMaterial ? double{customMaterial} : double{customMallet};
+    if (!isFigure(figure) || parameterValue(choice) == custom)
+        return;
+    auto wanted = parameters.values();
+    const auto figures = ofMaterial ? std::span<const ParameterId>(materialFigures)
+                                    : std::span<const ParameterId>(malletFigures);
+    for (const auto parameter : figures)
+        wanted.set(parameter, effectiveValue(parameter));
+    wanted.set(choice, custom);
+    changeByHand(wanted, figures);
+    changeByHand(wanted, std::array{choice}); // last: what plays up to here keeps its own figures
 }
 
 bool Processor::isLive(ParameterId parameter) const {
@@ -82,15 +116,18 @@ void Processor::chooseUserMaterial(int index) {
         return;
     const auto& chosen = userMaterials[static_cast<std::size_t>(index)];
     const auto wanted = withCustomMaterial(parameters.values(), chosen);
-    const auto change = [&](ParameterId parameter) {
+    history.beginEdit(chosen.name);
+    changeByHand(wanted, materialFigures);
+    changeByHand(wanted, std::array{ParameterId::material}); // last, as above
+    history.endEdit();
+}
+
+void Processor::changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed) {
+    for (const auto parameter : changed) {
         beginParameterChange(parameter);
         changeParameter(parameter, wanted[parameter]);
         endParameterChange(parameter);
-    };
-    history.beginEdit(chosen.name);
-    std::ranges::for_each(materialFigures, change);
-    change(ParameterId::material); // last: what plays up to here keeps its own figures
-    history.endEdit();
+    }
 }
 
 void Processor::playNote(int midiNote, int velocity) {
@@ -125,6 +162,29 @@ std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
     return objects;
 }
 
+std::vector<std::array<double, 3>> Processor::struckPlaces(std::size_t index) const {
+    std::vector<std::array<double, 3>> places;
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return places;
+    const auto slots = ownSlots(*playing);
+    if (index >= slots.size())
+        return places;
+    const auto& object = *playing->slots()[slots[index]].object;
+    for (int note = 0; note < 128; ++note) {
+        const auto& key = playing->key(note);
+        if (key.slot != static_cast<int>(slots[index]))
+            continue;
+        const auto& strip = playing->strip(key);
+        for (int along = 0; along < strip.alongCount; ++along)
+            places.push_back(metresOf(
+                object,
+                strip.at(static_cast<double>(along) / std::max(strip.alongCount - 1, 1), 0)));
+        break; // the keys of one object share its path
+    }
+    return places;
+}
+
 void Processor::strikeObject(std::size_t index,
                              const std::array<double, 3>& pointMetres,
                              int velocity) {
@@ -135,6 +195,16 @@ void Processor::strikeObject(std::size_t index,
         hand.strike(playing, slots[index], pointMetres, velocity);
 }
 
+void Processor::scrapeObject(std::size_t index,
+                             const std::array<double, 3>& pointMetres,
+                             double pressure) {
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return;
+    if (const auto slots = ownSlots(*playing); index < slots.size())
+        hand.scrape(playing, slots[index], pointMetres, pressure);
+}
+
 ProcessorView::Status Processor::takeStatus() {
     Status status{
         .sentence = {}, .isError = false, .modesMixed = modesMixed, .peak = peak.exchange(0)};
@@ -142,6 +212,11 @@ ProcessorView::Status Processor::takeStatus() {
     status.isError = !lastError.empty();
     status.sentence = status.isError ? lastError : loadedPreset.description;
     return status;
+}
+
+void Processor::reportError(const std::string& sentence) {
+    const std::scoped_lock lock(soundMutex);
+    lastError = sentence;
 }
 
 std::shared_ptr<const Instrument> Processor::loadedInstrument() const {

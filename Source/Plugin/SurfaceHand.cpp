@@ -1,9 +1,26 @@
 #include "Plugin/SurfaceHand.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace idiophone {
+namespace {
+
+// Of a drag between two events: what lies between is as straight as a hand is fast.
+constexpr int mostSteps = 8;
+
+/// No longer than an edge of the mesh each, where that many do.
+int stepsBetween(const std::array<double, 3>& from,
+                 const std::array<double, 3>& to,
+                 double edgeMetres) {
+    const double metres = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    if (!(edgeMetres > 0) || !(metres > edgeMetres))
+        return 1;
+    return static_cast<int>(std::min(std::ceil(metres / edgeMetres), double(mostSteps)));
+}
+
+} // namespace
 
 std::vector<std::size_t> ownSlots(const Instrument& instrument) {
     const auto slots = instrument.slots();
@@ -27,20 +44,68 @@ void SurfaceHand::strike(const std::shared_ptr<const Instrument>& instrument,
                          std::size_t slot,
                          const std::array<double, 3>& pointMetres,
                          int velocity) {
-    const auto& object = instrument->slots()[slot].object;
-    if (!surface || surface->object != object)
-        surface.emplace(object);
-    blows.push({.instrument = instrument.get(),
-                .strike = {.slot = slot,
-                           .point = surface->places.nearest(pointMetres),
-                           .velocity = velocity}});
+    const auto& places = placesOn(instrument->slots()[slot].object);
+    push({.instrument = instrument.get(),
+          .isTouch = false,
+          .strike = {.slot = slot, .point = places.nearest(pointMetres), .velocity = velocity},
+          .touch = {}},
+         velocity <= 0);
 }
 
-void SurfaceHand::strikeOn(Player* player) noexcept {
-    blows.read([player](const Blow& blow) {
-        if (player != nullptr && &player->instrument() == blow.instrument)
-            player->strikeSurface(blow.strike);
+void SurfaceHand::scrape(const std::shared_ptr<const Instrument>& instrument,
+                         std::size_t slot,
+                         const std::array<double, 3>& pointMetres,
+                         double pressure) {
+    const auto& places = placesOn(instrument->slots()[slot].object);
+    const auto touchAt = [&](const std::array<double, 3>& point) {
+        push({.instrument = instrument.get(),
+              .isTouch = true,
+              .strike = {},
+              .touch = {.slot = slot, .point = places.nearest(point), .pressure = pressure}},
+             !(pressure > 0));
+    };
+    const bool goesOn =
+        drag && pressure > 0 && drag->instrument == instrument.get() && drag->slot == slot;
+    if (goesOn) {
+        const auto& from = drag->pointMetres;
+        const int steps = stepsBetween(from, pointMetres, places.meanEdgeMetres());
+        for (int step = 1; step < steps; ++step) {
+            std::array<double, 3> between;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                between[axis] =
+                    from[axis] + (pointMetres[axis] - from[axis]) * step / double(steps);
+            touchAt(between);
+        }
+    }
+    touchAt(pointMetres);
+    if (pressure > 0)
+        drag = {.instrument = instrument.get(), .slot = slot, .pointMetres = pointMetres};
+    else
+        drag.reset();
+}
+
+const ObjectSurface& SurfaceHand::placesOn(const std::shared_ptr<const ModalObject>& object) {
+    if (!surface || surface->object != object)
+        surface.emplace(object);
+    return surface->places;
+}
+
+void SurfaceHand::push(const Gesture& gesture, bool lifts) noexcept {
+    if (!gestures.push(gesture) && lifts)
+        liftLost = true;
+}
+
+void SurfaceHand::playOn(Player* player) noexcept {
+    gestures.read([player](const Gesture& gesture) {
+        if (player == nullptr || &player->instrument() != gesture.instrument)
+            return;
+        if (gesture.isTouch)
+            player->scrapeSurface(gesture.touch);
+        else
+            player->strikeSurface(gesture.strike);
     });
+    if (liftLost.exchange(false) && player != nullptr)
+        player->liftHands();
 }
 
 } // namespace idiophone

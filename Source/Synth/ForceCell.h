@@ -11,7 +11,7 @@
 namespace idiophone {
 
 /// Forces that a synthesiser takes at a time.
-inline constexpr std::size_t forceCapacity = 32;
+inline constexpr std::size_t forceCapacity = 34;
 
 /// A point of an object's surface and the force there for each newton of the signal.
 struct ForcePoint {

@@ -151,7 +151,8 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           const PoleLaw& law,
                           double lowestHz,
                           double highestHz,
-                          std::span<const double> dampingRatios) noexcept {
+                          std::span<const double> dampingRatios,
+                          std::span<const std::uint8_t> silenced) noexcept {
     heavyModes.clear();
     audibleModes = 0;
     resonancesHz.clear();
@@ -169,8 +170,9 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         const double hz = naturalFrequencyHz(moved);
         const bool inBand = hz >= lowestHz && hz < highestHz;
         const bool light = moved.damping * moved.damping < 4e-4 * moved.stiffness;
-        audibles[g] = inBand ? 1.0f : 0.0f;
-        audibleModes += inBand ? 1 : 0;
+        const bool isHeard = inBand && (silenced.empty() || silenced[g] == 0);
+        audibles[g] = isHeard ? 1.0f : 0.0f;
+        audibleModes += isHeard ? 1 : 0;
         if (inBand && light)
             resonancesHz.push_back(hz);
         if (!oscillates)

@@ -102,12 +102,13 @@ public:
     /// ratio ([size], or empty: all 1). States stay
     /// (DESIGN 5, State: no step in the velocity); where the coordinates change near critical
     /// damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f < `highestHz` (natural
-    /// frequency) become inaudible.
+    /// frequency) become inaudible, and so do `silenced` ones ([size] not 0, or empty: none).
     void movePoles(std::span<const double> referenceEigenvalues,
                    const PoleLaw& law,
                    double lowestHz,
                    double highestHz,
-                   std::span<const double> dampingRatios = {}) noexcept;
+                   std::span<const double> dampingRatios = {},
+                   std::span<const std::uint8_t> silenced = {}) noexcept;
 
     ModalPole pole(std::size_t g) const noexcept { return {stiffness[g], damping[g]}; }
     bool audible(std::size_t g) const noexcept { return audibles[g] != 0; }
@@ -185,8 +186,8 @@ public:
                const ModeResidues& endResidues,
                double dampingPerSecond) noexcept;
 
-    /// Frequencies of lightly damped audible modes in Hz, ascending: those that a contact time must
-    /// keep clear of.
+    /// Frequencies of lightly damped modes within the band in Hz, ascending, silenced or not: those
+    /// that a contact time must keep clear of.
     std::span<const double> resonances() const noexcept { return resonancesHz; }
 
 private:

@@ -186,9 +186,9 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
     for (std::size_t c = 0; c < channelCount; ++c)
         channels[c] = {startResidues[c].data(), endResidues[c].data(), states.x[c].data(),
                        states.y[c].data()};
-    forceModes({sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data(),
-                velocityShare.data()},
-               fallen.data(), paddedSize(), std::span(channels).first(channelCount), energy.data());
+    forceModes(
+        {sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data(), velocityShare.data()},
+        fallen.data(), paddedSize(), std::span(channels).first(channelCount), energy.data());
     for (const HeavyMode& heavy : heavyModes)
         forceHeavy(heavy, fallen, startResidues, endResidues);
 }

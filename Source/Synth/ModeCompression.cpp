@@ -57,14 +57,17 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
                        std::span<std::int32_t> groupStarts,
-                       std::span<const double> dampingRatios) noexcept {
+                       std::span<const double> dampingRatios,
+                       std::span<const std::uint8_t> kinds) noexcept {
     std::size_t groups = 0;
     std::size_t start = 0;
     FirstMode first({}, 1, compression);
     for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
         const double dampingRatio = dampingRatioOf(dampingRatios, i);
         const ModalPole pole = law.pole(referenceEigenvalues[i], dampingRatio);
-        if (groups > 0 && i - start < largestGroup && first.canMerge(pole, dampingRatio))
+        const bool isOfKind = kinds.empty() || kinds[i] == kinds[start];
+        if (groups > 0 && isOfKind && i - start < largestGroup &&
+            first.canMerge(pole, dampingRatio))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;

@@ -27,12 +27,13 @@ double discriminationHz(double frequencyHz) noexcept;
 ///  - their own damping ratios (empty: all 1), the first's over its, are 0.75 to 1.4: decay times
 ///  that far apart sound alike (Järveläinen & Tolonen 2001).
 /// Modes whose λ agree within 1e-9, and whose damping ratios are equal, are one pole and always
-/// join, even at compression 0.
+/// join, even at compression 0. Modes of different `kinds` (empty: all alike) never meet.
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
                        std::span<std::int32_t> groupStarts,
-                       std::span<const double> dampingRatios = {}) noexcept;
+                       std::span<const double> dampingRatios = {},
+                       std::span<const std::uint8_t> kinds = {}) noexcept;
 
 /// The reference eigenvalue that stands for a group: the square of the mean of √λ weighted by
 /// `weights` (each mode's mean-square shape), independent of where the object is struck. Exact

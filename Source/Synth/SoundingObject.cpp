@@ -59,6 +59,8 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
     kicks = bank.emptyKicks();
+    requestedSilences.reserve(modes);
+    silencedModes.reserve(modes);
     bank.resize(modes);
     applySettings({});
     movePoles();
@@ -76,6 +78,18 @@ void SoundingObject::setFrequencyRatio(double newRatio) noexcept {
     if (!(newRatio > 0) || !std::isfinite(newRatio) || newRatio == requestedFrequencyRatio)
         return;
     requestedFrequencyRatio = newRatio;
+    controlsChanged = true;
+}
+
+void SoundingObject::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
+    const bool any = std::ranges::any_of(silenced, [](std::uint8_t is) { return is != 0; });
+    if (any && silenced.size() != object->modeCount())
+        return;
+    const auto wanted = any ? silenced : std::span<const std::uint8_t>();
+    if (std::ranges::equal(wanted, requestedSilences))
+        return;
+    requestedSilences.assign(wanted.begin(), wanted.end());
+    silencesChange = true;
     controlsChanged = true;
 }
 

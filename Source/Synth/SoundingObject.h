@@ -8,6 +8,7 @@
 #include "Synth/ModalBank.h"
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
+#include "Synth/SoundingGroups.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisScratch.h"
 #include "Synth/SynthesisSettings.h"
@@ -42,6 +43,9 @@ public:
 
     void setDamping(double dampingPerSecond) noexcept;
     void setFrequencyRatio(double ratio) noexcept;
+    /// From the next `beginCell` on modes that are not 0 here ([modes of the object], or empty:
+    /// none) are not heard. They fade out and in, and ring on unheard in between.
+    void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
 
     /// Moves to the grid point of cell `index`: applies what was set and drops modes at t_c
     /// (eq. 14). True where there is anything to mix.
@@ -76,11 +80,18 @@ public:
 
     void reset() noexcept;
 
+    /// What is heard of its groups of modes, as of the cell begun last.
+    void report(SoundingGroups& groups) const noexcept;
+
     bool ringing() const noexcept { return !activeBlocks.empty() || !contacts.empty(); }
     bool silent() const noexcept { return !ringing() && !fader.active(); }
     std::int32_t modesRinging() const noexcept { return demanded.modes; }
     std::int32_t modesMixed() const noexcept { return mixedLastCell; }
     std::size_t channelsSounding() const noexcept { return bank.channels(); }
+    std::int32_t groupCount() const noexcept { return static_cast<std::int32_t>(bank.size()); }
+    std::int32_t groupsAudible() const noexcept {
+        return static_cast<std::int32_t>(bank.audibleCount());
+    }
     /// The same with those that strikes have added since.
     std::int32_t modesMixedNow() const noexcept {
         return static_cast<std::int32_t>(mixedModes.size());
@@ -124,12 +135,22 @@ private:
     void activate(std::size_t block) noexcept;
     bool bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
 
+    // SoundingObjectReport.cpp
+    GroupStanding standing(std::size_t g) const noexcept;
+    float amplitudeNow(std::size_t g) const noexcept;
+
     // SoundingObjectConditions.cpp: poles, damping, truncation.
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
     void moveThickness(double ratio) noexcept;
-    void fadeOutOfBand() noexcept;
+    void takeSilences() noexcept;
+    void fadeInaudible() noexcept;
     bool inBand(std::size_t g) const noexcept;
+    bool silenced(std::size_t g) const noexcept {
+        return !silencedModes.empty() &&
+               silencedModes[static_cast<std::size_t>(groupStarts[g])] != 0;
+    }
+    bool audible(std::size_t g) const noexcept { return inBand(g) && !silenced(g); }
     bool holdsAboveTau() const noexcept;
     double dampingLog(std::int64_t grid) const noexcept;
     float tauEnergy() const noexcept { return static_cast<float>(tauVelocity * tauVelocity); }
@@ -214,6 +235,9 @@ private:
     // What was asked for, and what holds now.
     double requestedDamping = 0;
     double requestedFrequencyRatio = 1;
+    std::vector<std::uint8_t> requestedSilences; ///< [M], or empty: none
+    bool silencesChange = false;
+    std::vector<std::uint8_t> silencedModes; ///< [M], or empty: none
     PoleLaw law;
     bool polesBehind = false; ///< the bank is not yet that of `law` and `compression`
     double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
@@ -232,7 +256,7 @@ private:
     double weightScale;                       ///< of the radiation weights (Listening.h)
     std::vector<double> modeWeights;          ///< [M] mean-square shape
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
-    double thicknessRatio = 1; ///< 1 where the object has none live
+    double thicknessRatio = 1;                ///< 1 where the object has none live
     std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness
     std::vector<double> referenceEigenvalues; ///< [G] of the groups
     bool groupsAreBehind = false;             ///< the modes' eigenvalues have moved since

@@ -27,8 +27,8 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     gainRatio = newGainRatio;
     radiation = settings.radiation;
 
-    const bool polesMove =
-        live.law != law || settings.compression != compression || thickness != thicknessRatio;
+    const bool polesMove = live.law != law || settings.compression != compression ||
+                           thickness != thicknessRatio || silencesChange;
     const bool dampingMoves = requestedDamping != damping;
     const bool weightsMove = live.radiationRatio != wantedRadiationRatio;
     const bool contactsMove = polesMove || dampingMoves || weightsMove;
@@ -50,6 +50,8 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     if (thickness != thicknessRatio)
         moveThickness(thickness);
     compression = settings.compression;
+    if (silencesChange)
+        takeSilences();
     polesBehind = polesBehind || polesMove;
     if (polesBehind && (ringing() || holdsAboveTau()))
         movePoles();
@@ -67,25 +69,37 @@ void SoundingObject::moveThickness(double ratio) noexcept {
     groupsAreBehind = true;
 }
 
+/// Groups follow in movePoles.
+void SoundingObject::takeSilences() noexcept {
+    silencesChange = false;
+    silencedModes.assign(requestedSilences.begin(), requestedSilences.end());
+}
+
 void SoundingObject::movePoles() noexcept {
     polesBehind = false;
     ++responseVersion;
     // Resting states move with the poles they had up to here.
     bringRestingUpToDate(cellIndex);
-    const std::size_t groups =
-        groupModes(modeEigenvalues, law, compression, scratch.groupStarts, dampingRatios);
+    const std::size_t groups = groupModes(modeEigenvalues, law, compression, scratch.groupStarts,
+                                          dampingRatios, silencedModes);
     if (groups == bank.size() &&
         std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
                    scratch.groupStarts.begin())) {
         if (groupsAreBehind)
             nameGroups(groups);
-        fadeOutOfBand();
+        fadeInaudible();
     } else {
         regroup(groups);
     }
     groupsAreBehind = false;
+    std::span<std::uint8_t> silencedGroups;
+    if (!silencedModes.empty()) {
+        silencedGroups = std::span(scratch.silencedGroups).first(bank.size());
+        for (std::size_t g = 0; g < bank.size(); ++g)
+            silencedGroups[g] = silenced(g) ? 1 : 0;
+    }
     bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestSoundingHz,
-                   highestSoundingShare * sampleRate, groupDampingRatios);
+                   highestSoundingShare * sampleRate, groupDampingRatios, silencedGroups);
 }
 
 bool SoundingObject::inBand(std::size_t g) const noexcept {
@@ -100,12 +114,12 @@ bool SoundingObject::holdsAboveTau() const noexcept {
     return false;
 }
 
-/// What leaves the band fades with the pole it had: the new one would alias.
-void SoundingObject::fadeOutOfBand() noexcept {
+/// What is not heard any more fades with the pole it had: beyond the band the new one would alias.
+void SoundingObject::fadeInaudible() noexcept {
     scratch.leaving.clear();
     for (const std::int32_t g : mixedModes) {
         const auto mode = static_cast<std::size_t>(g);
-        if (inBand(mode))
+        if (audible(mode))
             continue;
         scratch.leaving.push_back(g);
         Block& block = blocks[mode / modeBlock];

@@ -63,9 +63,8 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
     for (std::size_t g = 0; g < groups; ++g) {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-        referenceEigenvalues[g] =
-            mergedEigenvalue(std::span(modeEigenvalues).subspan(first, count),
-                             std::span(modeWeights).subspan(first, count));
+        referenceEigenvalues[g] = mergedEigenvalue(std::span(modeEigenvalues).subspan(first, count),
+                                                   std::span(modeWeights).subspan(first, count));
         if (!dampingRatios.empty())
             groupDampingRatios[g] =
                 mergedDampingRatio(std::span<const double>(dampingRatios).subspan(first, count),
@@ -81,7 +80,7 @@ void SoundingObject::handOnFlags() noexcept {
         const auto from = static_cast<std::size_t>(taken.from);
         const auto to = static_cast<std::size_t>(taken.to);
         const Block& block = blocks[from / modeBlock];
-        if (!isSet(block.rings | block.mixed, from) || !inBand(to))
+        if (!isSet(block.rings | block.mixed, from) || !audible(to))
             continue;
         const auto bit = static_cast<std::uint16_t>(1u << (to % modeBlock));
         if (isSet(block.rings, from))
@@ -91,8 +90,8 @@ void SoundingObject::handOnFlags() noexcept {
     }
 }
 
-/// What was not mixed and meets what was, or leaves the band, comes and goes under a fade with the
-/// poles that it had.
+/// What was not mixed and meets what was, or is not heard any more, comes and goes under a fade
+/// with the poles that it had.
 void SoundingObject::fadeChanges() noexcept {
     auto& fading = scratch.fadingShares;
     for (std::size_t g = 0; g < bank.size(); ++g)

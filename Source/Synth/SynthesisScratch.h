@@ -37,6 +37,7 @@ struct SynthesisScratch {
         groupStarts.resize(modes + 1);
         groupShares.reserve(2 * modes);
         fadingShares.resize(modes);
+        silencedGroups.resize(modes);
         for (std::size_t c = 0; c < channels; ++c)
             for (auto* array : {&states.x[c], &states.y[c]})
                 array->resize(padded);
@@ -60,10 +61,11 @@ struct SynthesisScratch {
     std::vector<ModeRun> joiningRuns;
 
     // Where groups change.
-    std::vector<std::int32_t> groupStarts; ///< [G+1] of the groups to come
-    std::vector<ModeShare> groupShares;    ///< what they take over
-    std::vector<float> fadingShares;       ///< [G] of the groups that were
-    ModeStates states;                     ///< [G]
+    std::vector<std::uint8_t> silencedGroups; ///< [G]
+    std::vector<std::int32_t> groupStarts;    ///< [G+1] of the groups to come
+    std::vector<ModeShare> groupShares;       ///< what they take over
+    std::vector<float> fadingShares;          ///< [G] of the groups that were
+    ModeStates states;                        ///< [G]
 };
 
 } // namespace idiophone

@@ -120,6 +120,12 @@ void Synthesiser::setFrequencyRatio(std::size_t slot, double ratio) noexcept {
         implementation->objects[slot].setFrequencyRatio(ratio);
 }
 
+void Synthesiser::setSilencedModes(std::size_t slot,
+                                   std::span<const std::uint8_t> silenced) noexcept {
+    if (slot < slotCount())
+        implementation->objects[slot].setSilencedModes(silenced);
+}
+
 void Synthesiser::beginCell(const CellOutput& cell) noexcept {
     auto& all = *implementation;
     for (std::size_t c = 0; c < cell.channels(); ++c)
@@ -160,8 +166,13 @@ void Synthesiser::Implementation::report() {
     for (const std::int32_t sounded : sounding) {
         const auto slot = static_cast<std::size_t>(sounded);
         const SoundingObject& object = objects[slot];
-        status[slot] = {static_cast<float>(object.demand().amplitude), object.modesRinging(),
-                        object.modesMixed(), static_cast<std::int32_t>(object.channelsSounding())};
+        status[slot] = {static_cast<float>(object.demand().amplitude),
+                        object.modesRinging(),
+                        object.modesMixed(),
+                        static_cast<std::int32_t>(object.channelsSounding()),
+                        slotShares[slot],
+                        object.groupCount(),
+                        object.groupsAudible()};
     }
 }
 
@@ -224,6 +235,15 @@ std::int64_t Synthesiser::modesMixed() const noexcept {
     for (const SlotStatus& slot : implementation->status)
         sum += slot.modesMixed;
     return sum;
+}
+
+void Synthesiser::report(std::size_t slot, SoundingGroups& groups) const noexcept {
+    if (slot < slotCount())
+        implementation->objects[slot].report(groups);
+}
+
+const SynthesisSettings& Synthesiser::settings() const noexcept {
+    return implementation->settings;
 }
 
 bool Synthesiser::silent() const noexcept {

@@ -5,6 +5,7 @@
 #include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
+#include "Synth/SoundingGroups.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
 
@@ -43,6 +44,10 @@ public:
     /// Frequencies of one slot times this (> 0), from the next `beginCell` on.
     void setFrequencyRatio(std::size_t slot, double ratio) noexcept;
 
+    /// From the next `beginCell` on modes of one slot that are not 0 here ([modes of its object],
+    /// or empty: none) are not heard: they fade out and in within 3 ms and ring on in between.
+    void setSilencedModes(std::size_t slot, std::span<const std::uint8_t> silenced) noexcept;
+
     /// Advances by one cell and writes what rings into `cell`.
     void beginCell(const CellOutput& cell) noexcept;
 
@@ -68,14 +73,21 @@ public:
     void reset() noexcept;
 
     struct SlotStatus {
-        float amplitude = 0;           ///< summed amplitude of its modes, m/s
-        std::int32_t modesRinging = 0; ///< above τ
-        std::int32_t modesMixed = 0;   ///< of these, within its share of the budget
-        std::int32_t channels = 0;     ///< in which it sounds; one is heard in both
+        float amplitude = 0;            ///< summed amplitude of its modes, m/s
+        std::int32_t modesRinging = 0;  ///< above τ
+        std::int32_t modesMixed = 0;    ///< of these, within its share of the budget
+        std::int32_t channels = 0;      ///< in which it sounds; one is heard in both
+        std::int32_t share = 0;         ///< of the budget: modes it was given, no more than ring
+        std::int32_t groups = 0;        ///< of modes, after compression
+        std::int32_t groupsAudible = 0; ///< of these, within the band and not silenced
     };
     /// As of the cell begun last.
     std::span<const SlotStatus> status() const noexcept;
     std::int64_t modesMixed() const noexcept;
+    /// What is heard of a slot's modes, as of the cell begun last. Costs a pass over them. Nothing
+    /// where the slot does not exist.
+    void report(std::size_t slot, SoundingGroups& groups) const noexcept;
+    const SynthesisSettings& settings() const noexcept;
     bool silent() const noexcept; ///< nothing rings and no contact is under way
 
     double sampleRateHz() const noexcept;

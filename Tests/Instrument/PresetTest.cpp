@@ -31,6 +31,9 @@ Preset example() {
                       .slowestSpeedMetresPerSecond = 0.05,
                       .roughness = 0.3};
     preset.seed = 4294967295;
+    preset.mutedModes.set("/a/bowl.modal", 3, true);
+    preset.mutedModes.set("/a/bowl.modal", 0, true);
+    preset.mutedModes.set("ü", ModeSet::mostModes - 1, true);
     return preset;
 }
 
@@ -85,5 +88,17 @@ TEST_CASE("A preset that makes no sense is refused with its fault") {
     checkRefused(head + map + R"(,"seed":1.5})", "'seed'");
     checkRefused(head + map + R"(,"seed":-1})", "'seed'");
     checkRefused(head + map + R"(,"seed":4294967296})", "'seed'");
+    const auto refuseMuted = [](const std::string& muted, const char* sentence) {
+        checkRefused(head + map + R"(,"mutedModes":)" + muted + "}", sentence);
+    };
+    refuseMuted("[1]", "'mutedModes'");
+    refuseMuted(R"({"plate":3})", "'plate'");
+    for (const auto* mode :
+         {"-1", "1.5", "\"x\"", "1048576", "1e300", "18446744073709551615", "null"})
+        refuseMuted(R"({"plate":[0,)" + std::string(mode) + "]}", "the number of a mode");
+    std::string many = "0";
+    for (int mode = 1; mode <= 16384; ++mode)
+        many += "," + std::to_string(mode);
+    refuseMuted(R"({"plate":[)" + many + "]}", "more than 16384");
     checkRefused(std::string(2 << 20, ' '), "too large");
 }

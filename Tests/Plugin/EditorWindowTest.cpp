@@ -1,35 +1,26 @@
 // The window, without a screen: what it shows, what it changes, and that it never touches the
 // sound.
+#include "Editor/EditorWindow.h"
+#include "Editor/MaterialPage.h"
 #include "Plugin/TestSound.h"
+#include "Plugin/WindowParts.h"
 
 #include "Instrument/FactoryContent.h"
 
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <set>
 #include <thread>
+#include <typeinfo>
 
 using namespace idiophone;
 using namespace idiophone::test;
+using Catch::Approx;
 
 namespace {
-
-void visit(juce::Component& component, const std::function<void(juce::Component&)>& action) {
-    action(component);
-    for (auto* child : component.getChildren())
-        visit(*child, action);
-}
-
-template <class Kind>
-Kind* find(juce::Component& window, const juce::String& title) {
-    Kind* found = nullptr;
-    visit(window, [&](juce::Component& component) {
-        if (auto* candidate = dynamic_cast<Kind*>(&component);
-            found == nullptr && candidate != nullptr && component.getTitle() == title)
-            found = candidate;
-    });
-    return found;
-}
 
 std::unique_ptr<juce::AudioProcessorEditor> open(Processor& processor) {
     return std::unique_ptr<juce::AudioProcessorEditor>(processor.createEditor());
@@ -49,7 +40,8 @@ juce::StringArray cutTexts(juce::Component& window) {
     visit(window, [&](juce::Component& component) {
         const auto* label = dynamic_cast<juce::Label*>(&component);
         // A list's label is beside its arrow and is squeezed by JUCE where it must.
-        if (label == nullptr || dynamic_cast<juce::ComboBox*>(label->getParentComponent()))
+        if (label == nullptr || !isOnScreen(*label, window) ||
+            dynamic_cast<juce::ComboBox*>(label->getParentComponent()))
             return;
         const float width =
             juce::GlyphArrangement::getStringWidth(label->getFont(), label->getText());
@@ -60,40 +52,100 @@ juce::StringArray cutTexts(juce::Component& window) {
     return cut;
 }
 
+PageDeck& deckOf(juce::Component& window) {
+    auto* deck = find<PageDeck>(window, "Pages");
+    REQUIRE(deck != nullptr);
+    return *deck;
+}
+
+const auto sizes = {std::pair(EditorWindow::leastWidth, EditorWindow::leastHeight),
+                    {1180, 860},
+                    {1280, 720},
+                    {1920, 600},
+                    {3840, 2160}};
+
 } // namespace
 
-TEST_CASE("At its smallest the window cuts no text, wherever the parameters are") {
+TEST_CASE("At no size the window cuts a text, wherever the parameters are") {
     Processor processor;
     const auto window = open(processor);
-    window->setSize(1080, 560);
-    for (const double place : {0.0, 0.37, 1.0}) {
-        for (const auto& info : parameterTable())
-            processor.changeParameter(info.parameter, info.fromNormalised(place));
-        const auto& last = parameterInfo(ParameterId::compression);
-        REQUIRE(holdsSoon([&] {
-            return find<juce::Slider>(*window, last.name)->getValue() ==
-                   processor.parameterValue(last.parameter);
-        }));
-        CHECK(cutTexts(*window).joinIntoString(", ").toStdString() == "");
+    auto& deck = deckOf(*window);
+    for (const auto& [width, height] : sizes) {
+        window->setSize(width, height);
+        for (const double place : {0.0, 0.37, 1.0}) {
+            for (const auto& info : parameterTable())
+                processor.changeParameter(info.parameter, info.fromNormalised(place));
+            for (int page = 0; page < deck.pageCount(); ++page) {
+                deck.show(page);
+                deck.refresh();
+                INFO(width << " x " << height << ", page " << page);
+                CHECK(cutTexts(*window).joinIntoString(", ").toStdString() == "");
+            }
+        }
     }
 }
 
-TEST_CASE("At its smallest no two parameters overlap and all are inside the window") {
+TEST_CASE("At every size each parameter is on one page, inside it, and none overlaps another") {
     Processor processor;
     const auto window = open(processor);
-    for (const auto& [width, height] : {std::pair(1080, 560), {1280, 720}, {3840, 2160}}) {
+    auto& deck = deckOf(*window);
+    for (const auto& [width, height] : sizes) {
         window->setSize(width, height);
-        std::vector<juce::Rectangle<int>> places;
-        for (const auto& info : parameterTable()) {
-            auto* control = find<juce::Component>(*window, info.name);
-            REQUIRE(control != nullptr);
-            places.push_back(window->getLocalArea(control, control->getLocalBounds()));
-            CHECK_FALSE(places.back().isEmpty());
-            CHECK(window->getLocalBounds().contains(places.back()));
+        std::set<ParameterId> seen;
+        for (int page = 0; page < deck.pageCount(); ++page) {
+            deck.show(page);
+            std::vector<juce::Rectangle<int>> places;
+            for (const auto& info : parameterTable()) {
+                auto* control = find<juce::Component>(*window, info.name);
+                REQUIRE(control != nullptr);
+                if (!isOnScreen(*control, *window))
+                    continue;
+                seen.insert(info.parameter);
+                places.push_back(window->getLocalArea(control, control->getLocalBounds()));
+                INFO(width << " x " << height << ", " << info.name);
+                CHECK_FALSE(places.back().isEmpty());
+                CHECK(window->getLocalBounds().contains(places.back()));
+            }
+            for (std::size_t i = 0; i < places.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    CHECK_FALSE(places[i].intersects(places[j]));
         }
-        for (std::size_t i = 0; i < places.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                CHECK_FALSE(places[i].intersects(places[j]));
+        CHECK(seen.size() == parameterCount);
+    }
+}
+
+TEST_CASE("All that can be used has an accessible name") {
+    Processor processor;
+    const auto window = open(processor);
+    window->setSize(3840, 2160);
+    juce::StringArray nameless;
+    visit(*window, [&](juce::Component& component) {
+        if (component.getWantsKeyboardFocus() && component.isEnabled() &&
+            isOnScreen(component, *window) && component.getTitle().isEmpty())
+            nameless.add(typeid(component).name());
+    });
+    CHECK(nameless.joinIntoString(", ").toStdString() == "");
+}
+
+TEST_CASE("Text is readable in both looks: WCAG AA") {
+    const auto luminance = [](juce::Colour colour) {
+        const auto linear = [](float part) {
+            return part <= 0.04045f ? part / 12.92f : std::pow((part + 0.055f) / 1.055f, 2.4f);
+        };
+        return 0.2126f * linear(colour.getFloatRed()) + 0.7152f * linear(colour.getFloatGreen()) +
+               0.0722f * linear(colour.getFloatBlue());
+    };
+    const auto contrast = [&](juce::Colour a, juce::Colour b) {
+        const float high = std::max(luminance(a), luminance(b));
+        return (high + 0.05f) / (std::min(luminance(a), luminance(b)) + 0.05f);
+    };
+    using enum LookColour;
+    for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
+        for (const auto back : {background, panel})
+            for (const auto front : {text, dimText, accent, error})
+                CHECK(contrast(colourOf(scheme, front), colourOf(scheme, back)) >= 4.5f);
+        CHECK(contrast(colourOf(scheme, onAccent), colourOf(scheme, accent)) >= 4.5f);
+        CHECK(contrast(colourOf(scheme, text), colourOf(scheme, outline)) >= 4.5f);
     }
 }
 
@@ -107,6 +159,65 @@ TEST_CASE("A typed value is taken with its unit, exactly; what is no value chang
     value->setText("heavy", juce::sendNotificationSync);
     CHECK(processor.parameterValue(ParameterId::density) == 7850.1);
     CHECK(value->getText() == "7850 kg/m3");
+}
+
+TEST_CASE("Figures shown are those that play; one changed by hand makes them all custom") {
+    using enum ParameterId;
+    Processor processor;
+    const auto window = open(processor);
+    processor.changeParameter(material, firstLibraryMaterial + 8); // steel
+    processor.changeParameter(mallet, firstRackMallet);            // yarn
+    auto* modulus = find<juce::Label>(*window, "Young's modulus");
+    REQUIRE(holdsSoon([&] { return modulus->getText() == "200.0 GPa"; }));
+    CHECK(find<juce::Label>(*window, "Mallet mass")->getText() == "40.0 g");
+    CHECK(processor.parameterValue(youngsModulus) != 200);
+
+    modulus->setText("100 GPa", juce::sendNotificationSync);
+    CHECK(processor.parameterValue(material) == double{customMaterial});
+    CHECK(processor.parameterValue(youngsModulus) == 100);
+    CHECK(processor.parameterValue(density) == 7850);
+    CHECK(processor.parameterValue(viscoelasticDamping) ==
+          Approx(findMaterial("Steel")->damping.viscoelasticSeconds * 1e6));
+    CHECK(processor.parameterValue(mallet) == double{firstRackMallet});
+    find<juce::Label>(*window, "Mallet radius")->setText("20 mm", juce::sendNotificationSync);
+    CHECK(processor.parameterValue(mallet) == double{customMallet});
+    CHECK(processor.parameterValue(malletRadius) == 20);
+    CHECK(processor.parameterValue(malletMass) == Approx(40));
+}
+
+TEST_CASE("Every place of the material plane is the material that lies there") {
+    const auto library = materialLibrary();
+    for (double fast = 0; fast <= 1; fast += 0.125)
+        for (double ringing = 0; ringing <= 1; ringing += 0.125) {
+            const auto place = placeOf(materialAt({fast, ringing}, library));
+            CHECK(place.fast == Approx(fast).margin(1e-9));
+            CHECK(place.ringing == Approx(ringing).margin(1e-9));
+        }
+    const auto& steel = *findMaterial("Steel");
+    const auto again = materialAt(placeOf(steel), library);
+    CHECK(again.youngsModulusPa == Approx(steel.youngsModulusPa).epsilon(1e-4));
+    CHECK(again.densityKgPerM3 == Approx(steel.densityKgPerM3).epsilon(1e-4));
+    CHECK(again.damping.viscoelasticSeconds ==
+          Approx(steel.damping.viscoelasticSeconds).epsilon(1e-3));
+}
+
+TEST_CASE("The material before the last change comes back, and with it the one after") {
+    using enum ParameterId;
+    Processor processor;
+    MaterialPage page(processor);
+    const auto tick = [&](int times) {
+        for (int i = 0; i < times; ++i)
+            page.refresh();
+    };
+    tick(20);
+    processor.changeParameter(material, firstLibraryMaterial + 4);
+    tick(20);
+    processor.changeParameter(material, firstLibraryMaterial + 8);
+    tick(20);
+    page.swapMaterials();
+    CHECK(processor.parameterValue(material) == double{firstLibraryMaterial} + 4);
+    page.swapMaterials();
+    CHECK(processor.parameterValue(material) == double{firstLibraryMaterial} + 8);
 }
 
 TEST_CASE("Sliders, switches and lists change their parameter in its unit") {
@@ -128,24 +239,13 @@ TEST_CASE("The window follows automation and presets from elsewhere") {
     Processor processor;
     const auto window = open(processor);
     processor.setCurrentProgram(1);
+    processor.changeParameter(ParameterId::material, customMaterial);
     processor.getParameters()[static_cast<int>(ParameterId::density)]->setValue(1);
     CHECK(holdsSoon([&] {
-        return find<juce::ComboBox>(*window, "Preset")->getText().toStdString() ==
+        return find<juce::Button>(*window, "Preset")->getButtonText().toStdString() ==
                    factoryPresets()[1].name &&
                find<juce::Label>(*window, "Density")->getText() == "25000 kg/m3";
     }));
-}
-
-TEST_CASE("The preset list and its neighbour buttons choose presets, round the ends") {
-    Processor processor;
-    const auto window = open(processor);
-    const int last = processor.getNumPrograms() - 1;
-    find<juce::Button>(*window, "Previous preset")->onClick();
-    CHECK(processor.getCurrentProgram() == last);
-    find<juce::Button>(*window, "Next preset")->onClick();
-    CHECK(processor.getCurrentProgram() == 0);
-    find<juce::ComboBox>(*window, "Preset")->setSelectedId(2, juce::sendNotificationSync);
-    CHECK(processor.getCurrentProgram() == 1);
 }
 
 TEST_CASE("The window opens and closes 100 times while the same notes sound the same") {
@@ -172,7 +272,7 @@ TEST_CASE("The window opens and closes 100 times while the same notes sound the 
     });
     for (int i = 0; i < 100; ++i) {
         const auto window = open(processor);
-        window->setSize(1080 + i, 560 + i);
+        window->setSize(EditorWindow::leastWidth + 7 * i, EditorWindow::leastHeight + 5 * i);
         window->createComponentSnapshot(window->getLocalBounds());
         juce::Timer::callPendingTimersSynchronously();
     }

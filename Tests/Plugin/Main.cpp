@@ -1,8 +1,19 @@
-// Tests of the plugin need JUCE's message manager, though no display.
+// Tests of the plugin need JUCE's message manager, though no display, and a user's folder of their
+// own.
+#include "Support/TestFolder.h"
+
 #include <catch2/catch_session.hpp>
+#include <cstdlib>
 #include <juce_events/juce_events.h>
 
 int main(int argumentCount, char* arguments[]) {
+#if defined(_WIN32)
+    _putenv_s("APPDATA", idiophone::test::testFolder().string().c_str());
+#elif defined(__APPLE__)
+    setenv("HOME", idiophone::test::testFolder().c_str(), 1);
+#else
+    setenv("XDG_CONFIG_HOME", idiophone::test::testFolder().c_str(), 1);
+#endif
     const juce::ScopedJuceInitialiser_GUI juce;
     return Catch::Session().run(argumentCount, arguments);
 }

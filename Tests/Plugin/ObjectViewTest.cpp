@@ -121,16 +121,16 @@ TEST_CASE(
     "The camera sees all of a scene in windows of any shape, and its rays go where it looks") {
     OrbitCamera camera;
     const ScenePlace lowest{-0.4f, -0.2f, 0.1f}, highest{0.9f, 0.3f, 0.15f};
-    camera.lookAt(lowest, highest);
+    std::vector<ScenePlace> box;
+    for (unsigned corner = 0; corner < 8; ++corner)
+        box.push_back({corner & 1 ? lowest[0] : highest[0], corner & 2 ? lowest[1] : highest[1],
+                       corner & 4 ? lowest[2] : highest[2]});
+    camera.lookAt(box);
     for (const auto& [around, up] : {std::pair(0.0f, 0.0f), {1.3f, 0.5f}, {-2.5f, -2.0f}}) {
         camera.turnBy(around, up);
         for (const float aspect : {0.4f, 1.0f, 3.0f}) {
             float widest = 0;
-            for (unsigned corner = 0; corner < 8; ++corner) {
-                ScenePlace place = lowest;
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    if ((corner >> axis) & 1)
-                        place[axis] = highest[axis];
+            for (const auto& place : box) {
                 const auto seen = camera.seenAt(place, aspect);
                 CHECK(std::abs(seen[0]) <= 1);
                 CHECK(std::abs(seen[1]) <= 1);

@@ -194,6 +194,32 @@ TEST_CASE("Controllers that are learned and move every parameter stay real-time 
     }
 }
 
+TEST_CASE("Watched, muted and scraped by hand, the callback neither allocates, locks nor calls") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(512);
+    const auto music = testMusic(512, 60);
+    int frames = 0;
+    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
+        host.what = host.processor.getProgramName(program).toStdString();
+        host.processor.setCurrentProgram(program);
+        const auto objects = host.processor.playedObjects();
+        for (int block = 0; block < 40; ++block) {
+            const auto object = static_cast<std::size_t>(block) % objects.size();
+            frames += host.processor.takeSoundFrame() != nullptr ? 1 : 0;
+            host.processor.muteMode(object, block % 7, block % 3 != 0);
+            host.processor.hearModeAlone(object, block % 5, block % 8 == 0);
+            if (block % 10 == 0)
+                host.processor.watchObject(object);
+            host.processor.scrapeObject(object, {0.01 * block, 0.002 * block, 0},
+                                        block % 16 == 15 ? 0 : 1);
+            host.block(music, 512);
+        }
+    }
+    CHECK(frames > 100);
+    CHECK(host.loudestSample > 0.001f);
+}
+
 TEST_CASE("Crowded, overlong and empty blocks, resets and program changes stay real-time safe") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");

@@ -39,13 +39,13 @@ TEST_CASE("A blow reaches the player of its instrument, where it was aimed, and 
     SurfaceHand hand;
     Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
     hand.strike(plate, 0, {0.1, 0.05, 0.1}, 100);
-    hand.strikeOn(&onOther);
+    hand.playOn(&onOther);
     CHECK(onOther.silent());
-    hand.strikeOn(&onPlate);
+    hand.playOn(&onPlate);
     CHECK(onPlate.silent()); // it was dropped
 
     hand.strike(plate, 0, {0.1, 0.05, 0.1}, 100);
-    hand.strikeOn(&onPlate);
+    hand.playOn(&onPlate);
     Player expected(plate, sampleRateHz);
     expected.strikeSurface(
         {.slot = 0,
@@ -55,13 +55,67 @@ TEST_CASE("A blow reaches the player of its instrument, where it was aimed, and 
     CHECK(peakOf(onPlate) > 0);
 }
 
+TEST_CASE(
+    "A drag goes straight from one place to the next, in steps no longer than the mesh's edges") {
+    const auto plate = instrumentOf("Steel Plate");
+    const ObjectSurface surface(*plate->slots()[0].object);
+    const std::array<double, 3> from{-0.1, -0.05, 0.1}, to{0.1, 0.05, 0.1};
+    SurfaceHand hand;
+    hand.scrape(plate, 0, from, 1);
+    hand.scrape(plate, 0, to, 1);
+    Player byHand(plate, sampleRateHz), expected(plate, sampleRateHz);
+    hand.playOn(&byHand);
+    const double edge = surface.meanEdgeMetres();
+    const int steps = std::min(8, static_cast<int>(std::ceil(std::hypot(0.2, 0.1) / edge)));
+    REQUIRE(steps > 1);
+    for (int step = 0; step <= steps; ++step)
+        expected.scrapeSurface({.slot = 0,
+                                .point = surface.nearest({from[0] + 0.2 * step / steps,
+                                                          from[1] + 0.1 * step / steps, 0.1}),
+                                .pressure = 1});
+    CHECK(renderStereo(byHand, {}, 9600, 480) == renderStereo(expected, {}, 9600, 480));
+    CHECK(peakOf(byHand) > 0);
+}
+
+TEST_CASE(
+    "A hand that was lifted, or that comes to another instrument, does not go on from there") {
+    const auto plate = instrumentOf("Steel Plate"), other = instrumentOf("Wok");
+    SurfaceHand hand;
+    hand.scrape(plate, 0, {-0.1, 0, 0.1}, 1);
+    hand.scrape(other, 0, {0.1, 0, 0.1}, 1);
+    Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
+    hand.playOn(&onOther);
+    CHECK(onPlate.silent());
+    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // it came, and rests
+    hand.scrape(other, 0, {0.1, 0, 0.1}, 0);
+    hand.scrape(other, 0, {-0.1, 0, 0.1}, 1);
+    hand.playOn(&onOther);
+    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0);
+}
+
+TEST_CASE("However full the queue, a hand that was lifted is lifted") {
+    const auto plate = instrumentOf("Steel Plate");
+    SurfaceHand hand;
+    Player player(plate, sampleRateHz);
+    for (int i = 0; i < 400; ++i)
+        hand.scrape(plate, 0, {0.1, 0.05 + 1e-4 * i, 0.1}, 1);
+    hand.scrape(plate, 0, {0.1, 0.05, 0.1}, 0);
+    hand.playOn(&player);
+    renderStereo(player, {}, 48000, 480);
+    ParameterValues damped;
+    damped.set(ParameterId::letRing, 0);
+    damped.set(ParameterId::releaseTime, 0.02);
+    renderStereo(player, {}, 9600, 480, damped);
+    CHECK(player.silent());
+}
+
 TEST_CASE("Without a player blows are dropped, and a flood of them is bounded") {
     const auto plate = instrumentOf("Steel Plate");
     SurfaceHand hand;
     for (int i = 0; i < 1000; ++i)
         hand.strike(plate, 0, {0, 0, 0}, 100);
-    hand.strikeOn(nullptr);
+    hand.playOn(nullptr);
     Player player(plate, sampleRateHz);
-    hand.strikeOn(&player);
+    hand.playOn(&player);
     CHECK(player.silent());
 }

@@ -8,7 +8,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting allocate nothing") {
+TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting, silence and report allocate nothing") {
     std::vector<double> frequencies;
     for (int k = 0; k < 200; ++k)
         frequencies.push_back(100 + 60 * (k / 2) + 0.2 * (k % 2));
@@ -22,6 +22,8 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting alloca
     const CellOutput cell(left, right);
     SynthesisSettings settings;
     settings.material = LiveMaterial{1e10, 1000, 30, 1e-7};
+    SoundingGroups groups(200);
+    std::array<std::uint8_t, 200> silenced{};
     const AllocationCounter counter;
     for (int c = 0; c < 4000; ++c) {
         const auto step = static_cast<std::size_t>(c);
@@ -36,7 +38,13 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting alloca
             synthesiser.setDamping(step / 100 % 2, step % 200 == 50 ? 200 : 0);
             synthesiser.setFrequencyRatio(step / 100 % 2, 1 + 0.01 * static_cast<double>(step % 7));
         }
+        if (step % 60 == 30) {
+            silenced[step % 200] ^= 1;
+            synthesiser.setSilencedModes(step / 60 % 2, silenced);
+        }
         synthesiser.beginCell(cell);
+        if (step % 20 == 0)
+            synthesiser.report(step / 20 % 2, groups);
         if (step % 17 == 0 && step % 2000 < 1000)
             synthesiser.strike(step % 2, unitStrike(step % 34 == 0 ? 0.004 : 0), 13.25, cell);
         if (step % 500 > 400)

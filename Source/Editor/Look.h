@@ -1,23 +1,33 @@
-// Colours, fonts and the few shapes that differ from JUCE's own look.
+// Colours, fonts and the few shapes that differ from JUCE's own look; one dark and one light.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
 namespace idiophone {
 
-namespace palette {
-inline const juce::Colour background{0xff15171b};
-inline const juce::Colour panel{0xff1d2026};
-inline const juce::Colour outline{0xff2e333c};
-inline const juce::Colour text{0xffe3e6eb};
-inline const juce::Colour dimText{0xff9aa3b2};
-inline const juce::Colour accent{0xffdca65f};
-inline const juce::Colour error{0xffff8a75};
-} // namespace palette
+enum class LookScheme { dark, light };
 
-class DarkLook final : public juce::LookAndFeel_V4 {
+/// What colours mean, whichever scheme holds. Text in `text`, `dimText`, `accent` and `error` is
+/// readable on `background` and `panel`, and `onAccent` on `accent`: WCAG 2.1 AA, 4.5 to 1.
+enum class LookColour : int {
+    background = 0x1d10000,
+    panel,
+    outline, ///< and what a control has not filled
+    text,
+    dimText,
+    accent,
+    onAccent,
+    error,
+    count
+};
+
+class Look final : public juce::LookAndFeel_V4 {
 public:
-    DarkLook();
+    explicit Look(LookScheme scheme = LookScheme::dark);
+
+    /// Components learn of it by `sendLookAndFeelChange` of the window that wears the look.
+    void setScheme(LookScheme scheme);
+    LookScheme scheme() const { return current; }
 
     static juce::Font textFont(float height = 13.5f);
     static juce::Font headingFont(float height = 12.5f);
@@ -40,6 +50,15 @@ public:
                           juce::ToggleButton& button,
                           bool highlighted,
                           bool down) override;
+
+private:
+    LookScheme current;
 };
+
+/// Of the look that the component wears.
+juce::Colour colourOf(const juce::Component& component, LookColour colour);
+
+/// Of a scheme, for what is no component.
+juce::Colour colourOf(LookScheme scheme, LookColour colour);
 
 } // namespace idiophone

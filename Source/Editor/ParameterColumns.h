@@ -1,19 +1,26 @@
-// All parameters of the table in groups, the groups in columns.
+// Parameters under headings, in two columns.
 #pragma once
 
 #include "Editor/ParameterControl.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace idiophone {
 
-class ParameterPanel final : public juce::Component {
+struct ParameterGroup {
+    const char* title;
+    int column; ///< 0 or 1
+    std::vector<ParameterId> parameters;
+};
+
+class ParameterColumns final : public juce::Component {
 public:
-    explicit ParameterPanel(ProcessorView& view);
+    ParameterColumns(std::span<const ParameterGroup> groups, ProcessorView& view);
 
+    /// Shows what the processor has, where that has changed.
     void refresh();
-
     void paint(juce::Graphics& g) override;
     void resized() override;
 
@@ -25,7 +32,6 @@ private:
         juce::Rectangle<int> heading;
     };
     std::vector<Group> groups;
-    std::vector<juce::Rectangle<int>> columns;
 };
 
 } // namespace idiophone

@@ -1,0 +1,104 @@
+#include "Editor/Look.h"
+
+#include <array>
+#include <cstddef>
+
+namespace idiophone {
+
+namespace {
+
+using Palette = std::array<juce::uint32,
+                           static_cast<std::size_t>(LookColour::count) -
+                               static_cast<std::size_t>(LookColour::background)>;
+
+// In the order of LookColour.
+constexpr Palette dark{0xff15171b, 0xff1d2026, 0xff2e333c, 0xffe3e6eb,
+                       0xff9aa3b2, 0xffdca65f, 0xff15171b, 0xffff8a75};
+constexpr Palette light{0xffe9e6df, 0xfff8f6f2, 0xffc9c4b9, 0xff23262b,
+                        0xff565c66, 0xff8a5210, 0xffffffff, 0xffb02a1c};
+
+} // namespace
+
+juce::Colour colourOf(LookScheme scheme, LookColour colour) {
+    const auto index =
+        static_cast<std::size_t>(colour) - static_cast<std::size_t>(LookColour::background);
+    return juce::Colour((scheme == LookScheme::dark ? dark : light)[index]);
+}
+
+juce::Colour colourOf(const juce::Component& component, LookColour colour) {
+    return component.findColour(static_cast<int>(colour));
+}
+
+Look::Look(LookScheme scheme) : current(scheme) {
+    setScheme(scheme);
+}
+
+void Look::setScheme(LookScheme scheme) {
+    current = scheme;
+    const auto of = [&](LookColour colour) { return colourOf(scheme, colour); };
+    using enum LookColour;
+    setColourScheme({of(background), of(panel), of(panel), of(outline), of(text), of(outline),
+                     of(onAccent), of(accent), of(text)});
+    for (auto id = static_cast<int>(background); id < static_cast<int>(count); ++id)
+        setColour(id, of(static_cast<LookColour>(id)));
+    setColour(juce::Label::textColourId, of(text));
+    setColour(juce::Label::textWhenEditingColourId, of(text));
+    setColour(juce::TextEditor::focusedOutlineColourId, of(accent));
+    setColour(juce::TextEditor::highlightColourId, of(accent).withAlpha(0.35f));
+    setColour(juce::ComboBox::backgroundColourId, of(background));
+    setColour(juce::ComboBox::arrowColourId, of(dimText));
+    setColour(juce::TextButton::buttonColourId, of(background));
+    setColour(juce::TextButton::buttonOnColourId, of(accent));
+    setColour(juce::TextButton::textColourOnId, of(onAccent));
+    setColour(juce::TooltipWindow::backgroundColourId, of(outline));
+    setColour(juce::TooltipWindow::textColourId, of(text));
+    setColour(juce::CaretComponent::caretColourId, of(text));
+}
+
+juce::Font Look::textFont(float height) {
+    return juce::Font(juce::FontOptions(height));
+}
+
+juce::Font Look::headingFont(float height) {
+    return juce::Font(juce::FontOptions(height, juce::Font::bold));
+}
+
+void Look::drawLinearSlider(juce::Graphics& g,
+                            int x,
+                            int y,
+                            int width,
+                            int height,
+                            float thumb,
+                            float,
+                            float,
+                            juce::Slider::SliderStyle,
+                            juce::Slider& slider) {
+    constexpr float thickness = 4, knob = 6;
+    const float middle = static_cast<float>(y) + static_cast<float>(height) / 2;
+    const juce::Rectangle<float> track(static_cast<float>(x), middle - thickness / 2,
+                                       static_cast<float>(width), thickness);
+    const bool lively = slider.isMouseOverOrDragging() || slider.hasKeyboardFocus(true);
+    g.setColour(colourOf(slider, LookColour::outline));
+    g.fillRoundedRectangle(track, thickness / 2);
+    g.setColour(colourOf(slider, LookColour::accent).withMultipliedAlpha(lively ? 1.0f : 0.75f));
+    g.fillRoundedRectangle(track.withRight(thumb), thickness / 2);
+    g.fillEllipse(juce::Rectangle<float>(2 * knob, 2 * knob).withCentre({thumb, middle}));
+}
+
+void Look::drawToggleButton(juce::Graphics& g, juce::ToggleButton& button, bool highlighted, bool) {
+    constexpr float height = 16;
+    const auto area = button.getLocalBounds().toFloat();
+    const auto track = juce::Rectangle<float>(2 * height - 2, height)
+                           .withCentre({area.getRight() - height, area.getCentreY()});
+    const bool on = button.getToggleState();
+    const auto colour =
+        on ? colourOf(button, LookColour::accent) : colourOf(button, LookColour::outline);
+    g.setColour(highlighted ? colour.brighter(0.15f) : colour);
+    g.fillRoundedRectangle(track, height / 2);
+    g.setColour(on ? colourOf(button, LookColour::onAccent)
+                   : colourOf(button, LookColour::dimText));
+    const auto side = on ? track.withLeft(track.getRight() - height) : track.withWidth(height);
+    g.fillEllipse(side.reduced(3));
+}
+
+} // namespace idiophone

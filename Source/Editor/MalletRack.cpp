@@ -1,0 +1,120 @@
+#include "Editor/MalletRack.h"
+
+#include "Editor/Look.h"
+
+#include <array>
+
+namespace idiophone {
+namespace {
+
+/// How a mallet looks; in the order of the parameter's choices.
+struct Head {
+    float diameter; ///< of the place it has
+    juce::uint32 colour;
+};
+constexpr std::array<Head, 8> heads{{{0, 0},
+                                     {0.86f, 0xff5b7fa8},
+                                     {0.74f, 0xffb5483c},
+                                     {0.66f, 0xffc9803a},
+                                     {0.54f, 0xff4a9a5c},
+                                     {0.54f, 0xffb58a58},
+                                     {0.52f, 0xffd9d6cf},
+                                     {0.42f, 0xffd0a84a}}};
+
+class MalletButton final : public juce::Button {
+public:
+    MalletButton(const juce::String& title, Head look) : Button(title), head(look) {
+        setTitle(title + " mallet");
+        setTooltip(head.diameter > 0 ? "Take the " + title.toLowerCase() + " mallet"
+                                     : "Hardness, mass and radius as set below");
+        setClickingTogglesState(true);
+        setRadioGroupId(1, juce::dontSendNotification);
+    }
+
+    void paintButton(juce::Graphics& g, bool highlighted, bool) override {
+        const bool on = getToggleState();
+        auto area = getLocalBounds().toFloat().reduced(1);
+        if (on || highlighted || hasKeyboardFocus(false)) {
+            g.setColour(colourOf(*this, LookColour::outline).withAlpha(on ? 1.0f : 0.5f));
+            g.fillRoundedRectangle(area, 5);
+        }
+        if (hasKeyboardFocus(false) || on) {
+            g.setColour(colourOf(*this, LookColour::accent));
+            g.drawRoundedRectangle(area, 5, on ? 1.5f : 1.0f);
+        }
+        const auto label = area.removeFromBottom(24).toNearestInt();
+        paintHead(g, area.reduced(2));
+        g.setColour(colourOf(*this, LookColour::text));
+        g.setFont(Look::textFont(10.5f));
+        g.drawFittedText(getButtonText(), label, juce::Justification::centred, 2, 0.8f);
+    }
+
+private:
+    void paintHead(juce::Graphics& g, juce::Rectangle<float> area) const {
+        if (head.diameter == 0) { // three sliders, to be set
+            for (int line = 0; line < 3; ++line) {
+                const float y = area.getCentreY() + 7 * static_cast<float>(line - 1);
+                const float knob = area.getCentreX() + (line == 1 ? -6.0f : 5.0f);
+                g.setColour(colourOf(*this, LookColour::dimText));
+                g.fillRect(juce::Rectangle<float>(24, 1.5f).withCentre({area.getCentreX(), y}));
+                g.setColour(colourOf(*this, LookColour::accent));
+                g.fillEllipse(juce::Rectangle<float>(6, 6).withCentre({knob, y}));
+            }
+            return;
+        }
+        const float size = juce::jmin(area.getHeight() * 0.8f, 24.0f) * head.diameter;
+        const juce::Point<float> at(area.getCentreX() + 5, area.getCentreY() - 4);
+        g.setColour(colourOf(*this, LookColour::dimText));
+        g.drawLine({at, {area.getCentreX() - 11, area.getBottom() - 1}}, 2.2f);
+        const auto ball = juce::Rectangle<float>(size, size).withCentre(at);
+        const juce::Colour colour(head.colour);
+        g.setGradientFill({colour.brighter(0.5f),
+                           ball.getTopLeft() + juce::Point(size * 0.3f, size * 0.25f),
+                           colour.darker(0.3f), ball.getBottomRight(), true});
+        g.fillEllipse(ball);
+    }
+
+    Head head;
+};
+
+} // namespace
+
+MalletRack::MalletRack(ProcessorView& processor) : view(processor) {
+    setTitle("Mallet");
+    setFocusContainerType(FocusContainerType::focusContainer);
+    const auto names = choiceNames(ParameterId::mallet);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto name =
+            juce::String::fromUTF8(names[i].data(), static_cast<int>(names[i].size()));
+        auto mallet = std::make_unique<MalletButton>(name, heads.at(i));
+        mallet->onClick = [this, i, button = mallet.get()] {
+            if (!button->getToggleState() || view.parameterValue(ParameterId::mallet) == double(i))
+                return;
+            view.beginParameterChange(ParameterId::mallet);
+            view.changeParameter(ParameterId::mallet, double(i));
+            view.endParameterChange(ParameterId::mallet);
+            refresh();
+        };
+        addAndMakeVisible(*mallet);
+        mallets.push_back(std::move(mallet));
+    }
+    refresh();
+}
+
+void MalletRack::refresh() {
+    const int now = static_cast<int>(view.parameterValue(ParameterId::mallet));
+    if (now == shown)
+        return;
+    shown = now;
+    for (std::size_t i = 0; i < mallets.size(); ++i)
+        mallets[i]->setToggleState(static_cast<int>(i) == now, juce::dontSendNotification);
+}
+
+void MalletRack::resized() {
+    auto area = getLocalBounds();
+    const int width = area.getWidth() / static_cast<int>(mallets.size());
+    for (auto& mallet : mallets)
+        mallet->setBounds(area.removeFromLeft(width));
+}
+
+} // namespace idiophone

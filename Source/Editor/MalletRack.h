@@ -1,0 +1,27 @@
+// The mallets side by side, to be taken with a click.
+#pragma once
+
+#include "Editor/ProcessorView.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+#include <memory>
+#include <vector>
+
+namespace idiophone {
+
+class MalletRack final : public juce::Component {
+public:
+    explicit MalletRack(ProcessorView& view);
+
+    /// Shows which one is in the hand, if that has changed.
+    void refresh();
+
+    void resized() override;
+
+private:
+    ProcessorView& view;
+    std::vector<std::unique_ptr<juce::Button>> mallets;
+    int shown = -1;
+};
+
+} // namespace idiophone

@@ -1,0 +1,53 @@
+// The map of materials in the window: a dot for each named one, a ring where the sound is now. A
+// click on a dot takes that material; dragging elsewhere mixes, live.
+#pragma once
+
+#include "Editor/MaterialPlane.h"
+#include "Editor/ProcessorView.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+#include <optional>
+
+namespace idiophone {
+
+class MaterialPad final : public juce::Component, public juce::SettableTooltipClient {
+public:
+    explicit MaterialPad(ProcessorView& view);
+
+    /// Shows where the sound is, if that has changed.
+    void refresh();
+
+    /// Plays the mixture at a place of the map, all figures as one change by hand.
+    void mixAt(const PlanePlace& place);
+
+    void paint(juce::Graphics& g) override;
+    void mouseDown(const juce::MouseEvent& event) override;
+    void mouseDrag(const juce::MouseEvent& event) override;
+    void mouseUp(const juce::MouseEvent& event) override;
+    void mouseMove(const juce::MouseEvent& event) override;
+    void mouseExit(const juce::MouseEvent& event) override;
+    bool keyPressed(const juce::KeyPress& key) override;
+    void focusGained(FocusChangeType) override { repaint(); }
+    void focusLost(FocusChangeType) override { repaint(); }
+    std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
+
+private:
+    juce::Rectangle<float> map() const;
+    juce::Point<float> seenAt(const PlanePlace& place) const;
+    PlanePlace placeAt(juce::Point<float> position) const;
+    std::optional<std::size_t> namedAt(juce::Point<float> position) const;
+    void choose(std::size_t named);
+    void beginMix();
+    void mix(const PlanePlace& place);
+    void endMix();
+    void paintNamed(juce::Graphics& g) const;
+    void hover(std::optional<std::size_t> named);
+    juce::String description() const;
+
+    ProcessorView& view;
+    PlanePlace shown{-1, -1};
+    std::optional<std::size_t> hovered; ///< index into the material library
+    bool mixing = false;
+};
+
+} // namespace idiophone

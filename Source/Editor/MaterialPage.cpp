@@ -1,0 +1,99 @@
+#include "Editor/MaterialPage.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+
+/// A change that goes on without a pause of this many ticks of the window's timer is one change.
+constexpr int settledTicks = 12;
+constexpr int gap = 16, lowestRow = 34, highestRow = 50, lineHeight = 26;
+
+} // namespace
+
+MaterialPage::MaterialPage(ProcessorView& processor)
+    : DeckPage("Material"), view(processor), pad(processor),
+      list(parameterInfo(ParameterId::material), processor),
+      match(parameterInfo(matchLoudness), processor) {
+    for (const auto figure :
+         {youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor, size, thickness})
+        figures.push_back(std::make_unique<ParameterControl>(parameterInfo(figure), processor));
+    former.setTitle("Material before");
+    former.setTooltip("Swap with the material before the last change");
+    former.onClick = [this] { swapMaterials(); };
+    addAndMakeVisible(list);
+    addAndMakeVisible(pad);
+    addAndMakeVisible(former);
+    addAndMakeVisible(match);
+    for (auto& figure : figures)
+        addAndMakeVisible(*figure);
+    now = before = figuresNow();
+}
+
+MaterialPage::Figures MaterialPage::figuresNow() const {
+    Figures result{};
+    std::ranges::transform(parameters, result.begin(),
+                           [&](ParameterId id) { return view.parameterValue(id); });
+    return result;
+}
+
+void MaterialPage::watch() {
+    const auto fresh = figuresNow();
+    if (view.instrumentNumber() != instrument) {
+        instrument = view.instrumentNumber();
+        now = before = fresh;
+    } else if (fresh != now) {
+        if (ticksUnchanged >= settledTicks)
+            before = now;
+        now = fresh;
+        ticksUnchanged = 0;
+    } else {
+        ticksUnchanged = std::min(ticksUnchanged + 1, settledTicks);
+    }
+    former.setEnabled(before != now);
+}
+
+void MaterialPage::swapMaterials() {
+    watch();
+    const auto wanted = before;
+    before = now;
+    now = wanted;
+    for (const auto parameter : parameters)
+        view.beginParameterChange(parameter);
+    // The choice comes last: its figures stand by then.
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        view.changeParameter(parameters[i], wanted[i]);
+    for (const auto parameter : parameters)
+        view.endParameterChange(parameter);
+    ticksUnchanged = settledTicks;
+    refresh();
+}
+
+void MaterialPage::refresh() {
+    watch();
+    pad.refresh();
+    list.refresh();
+    match.refresh();
+    for (auto& figure : figures)
+        figure->refresh();
+}
+
+void MaterialPage::resized() {
+    auto area = getLocalBounds().reduced(padding);
+    auto left = area.removeFromLeft((area.getWidth() - gap) / 2);
+    area.removeFromLeft(gap);
+    auto top = left.removeFromTop(lineHeight);
+    former.setBounds(top.removeFromRight(46).reduced(0, 1));
+    list.setBounds(top.withTrimmedRight(6));
+    match.setBounds(left.removeFromBottom(lineHeight));
+    left.removeFromTop(6);
+    pad.setBounds(left.withTrimmedBottom(4));
+    const int row =
+        std::clamp(area.getHeight() / static_cast<int>(figures.size()), lowestRow, highestRow);
+    for (auto& figure : figures)
+        figure->setBounds(area.removeFromTop(row));
+}
+
+} // namespace idiophone

@@ -1,0 +1,31 @@
+// The picture of the instrument under a strip that says what it shows.
+#pragma once
+
+#include "Editor/ObjectView.h"
+
+namespace idiophone {
+
+class ObjectPane final : public juce::Component {
+public:
+    static constexpr int stripHeight = 28;
+
+    explicit ObjectPane(ProcessorView& view);
+
+    ObjectView& picture() { return object; }
+
+    void refresh() { object.refresh(); }
+
+    void resized() override;
+
+private:
+    void addSwitch(juce::TextButton& button,
+                   const juce::String& tooltip,
+                   void (ObjectView::*change)(bool),
+                   bool on);
+
+    ObjectView object;
+    juce::TextButton vibration{"Vibration"}, nodes{"Nodal lines"}, path{"Strike path"},
+        draw{"Draw path"};
+};
+
+} // namespace idiophone

@@ -1,0 +1,64 @@
+#include "Editor/ParameterColumns.h"
+
+#include "Editor/Look.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+constexpr int columnCount = 2, gap = 16, headingHeight = 20;
+constexpr int lowestRow = 32, highestRow = 52;
+
+} // namespace
+
+ParameterColumns::ParameterColumns(std::span<const ParameterGroup> wanted, ProcessorView& view) {
+    for (const auto& [title, column, parameters] : wanted) {
+        Group group{.title = title, .column = column, .controls = {}, .heading = {}};
+        for (const auto parameter : parameters) {
+            group.controls.push_back(
+                std::make_unique<ParameterControl>(parameterInfo(parameter), view));
+            addAndMakeVisible(*group.controls.back());
+        }
+        groups.push_back(std::move(group));
+    }
+}
+
+void ParameterColumns::refresh() {
+    for (auto& group : groups)
+        for (auto& control : group.controls)
+            control->refresh();
+}
+
+void ParameterColumns::paint(juce::Graphics& g) {
+    g.setColour(colourOf(*this, LookColour::text));
+    g.setFont(Look::headingFont());
+    for (const auto& group : groups)
+        g.drawText(group.title, group.heading, juce::Justification::centredLeft);
+}
+
+void ParameterColumns::resized() {
+    const auto inside = getLocalBounds();
+    const int width = (inside.getWidth() - (columnCount - 1) * gap) / columnCount;
+    for (int column = 0; column < columnCount; ++column) {
+        int headings = 0, rows = 0;
+        for (const auto& group : groups)
+            if (group.column == column) {
+                ++headings;
+                rows += static_cast<int>(group.controls.size());
+            }
+        const int rowHeight =
+            std::clamp((inside.getHeight() - headings * headingHeight) / std::max(rows, 1),
+                       lowestRow, highestRow);
+        auto area = inside.withX(inside.getX() + column * (width + gap)).withWidth(width);
+        for (auto& group : groups) {
+            if (group.column != column)
+                continue;
+            group.heading = area.removeFromTop(headingHeight);
+            for (auto& control : group.controls)
+                control->setBounds(area.removeFromTop(rowHeight));
+        }
+    }
+}
+
+} // namespace idiophone

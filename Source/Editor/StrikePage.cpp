@@ -1,0 +1,36 @@
+#include "Editor/StrikePage.h"
+
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+constexpr int rackHeight = 62;
+
+std::vector<ParameterGroup> groups() {
+    return {{"Mallet", 0, {malletHardness, malletMass, malletRadius, malletSpeed, velocityCurve}},
+            {"Place", 1, {strikeAlong, strikeAcross, strikeSpread, chatter, modalPulse}}};
+}
+
+} // namespace
+
+StrikePage::StrikePage(ProcessorView& view)
+    : DeckPage("Strike"), rack(view), columns(groups(), view) {
+    addAndMakeVisible(rack);
+    addAndMakeVisible(columns);
+}
+
+void StrikePage::refresh() {
+    rack.refresh();
+    columns.refresh();
+}
+
+void StrikePage::resized() {
+    auto area = getLocalBounds().reduced(padding);
+    rack.setBounds(area.removeFromTop(rackHeight));
+    area.removeFromTop(6);
+    columns.setBounds(area);
+}
+
+} // namespace idiophone

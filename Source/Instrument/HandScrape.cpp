@@ -1,0 +1,142 @@
+#include "Instrument/HandScrape.h"
+
+#include "Instrument/SettingsOfParameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+
+// Beyond those of the keys.
+constexpr std::size_t firstForce = 2 * HeldContacts::capacity, contactCount = 2;
+static_assert(firstForce + contactCount <= forceCapacity);
+
+/// Far from what any key of any seed begins with.
+constexpr std::uint64_t apartFromKeys = std::uint64_t{1} << 62;
+
+} // namespace
+
+HandScrape::HandScrape(const Instrument& played,
+                       std::shared_ptr<const SurfaceProfile> profile,
+                       std::uint64_t seed)
+    : instrument(played), cellSeconds(cellSamples / profile->sampleRateHz()),
+      releaseFade(profile->sampleRateHz()) {
+    for (std::size_t k = 0; k < contactCount; ++k)
+        contacts.push_back(
+            {.force = ContactForce(profile, (seed * contactCount + k) ^ apartFromKeys),
+             .path = {},
+             .place = {}});
+}
+
+SurfacePath::Point HandScrape::metresOf(const SurfaceTouch& touch) const noexcept {
+    const auto& object = *instrument.slots()[touch.slot].object;
+    SurfacePath::Point metres{};
+    for (std::size_t k = 0; k < mostShapeRows; ++k) {
+        const auto row = static_cast<std::size_t>(touch.point.shapeRows[k]);
+        const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            metres[axis] += static_cast<double>(touch.point.weights[k]) *
+                            static_cast<double>(object.vertices[3 * vertex + axis]);
+    }
+    return metres;
+}
+
+void HandScrape::touch(const SurfaceTouch& touch) noexcept {
+    if (!(touch.pressure > 0)) {
+        lift();
+        return;
+    }
+    if (touches() && contacts[now].slot != touch.slot)
+        lift();
+    if (!touches()) {
+        // One of which nothing has sounded has nothing to fade out.
+        if (!contacts[now].isActive || !contacts[now].begins)
+            now = (now + 1) % contactCount;
+        Contact& contact = contacts[now];
+        contact.force.reset();
+        contact.isActive = contact.begins = true;
+        contact.isLifted = false;
+        contact.fade = 1;
+        contact.slot = touch.slot;
+        contact.path.begin(touch.point, metresOf(touch));
+    }
+    contacts[now].pressure = std::min(touch.pressure, 1.0);
+    contacts[now].path.extendTo(touch.point, metresOf(touch));
+}
+
+void HandScrape::lift() noexcept {
+    contacts[now].isLifted = true;
+}
+
+void HandScrape::sound(const ParameterValues& parameters,
+                       const std::vector<double>& malletScales,
+                       Synthesiser& synthesiser,
+                       const CellOutput& cell) noexcept {
+    for (Contact& contact : contacts)
+        if (contact.isActive)
+            soundOne(contact, parameters, malletScales[contact.slot], synthesiser, cell);
+}
+
+void HandScrape::soundOne(Contact& contact,
+                          const ParameterValues& parameters,
+                          double malletScale,
+                          Synthesiser& synthesiser,
+                          const CellOutput& cell) noexcept {
+    const auto& slot = instrument.slots()[contact.slot];
+    const auto* chosen = chosenLibraryMaterial(parameters);
+    const double friction = (chosen != nullptr ? *chosen : slot.object->material).friction;
+    const double ratio = slot.sizeRatio * parameters[size];
+    const double metresPerSecond =
+        ratio * contact.path.advance(cellSeconds, fastestMetresPerSecond / ratio);
+    const ForcePlace start = contact.place;
+    const double startGain = contact.gain;
+    contact.place = contact.path.place(friction);
+    contact.gain = parameters[roughness] * malletScale * malletScale;
+
+    alignas(64) std::array<float, cellSamples> newtons;
+    const bool presses =
+        contact.force.render({.speedMetresPerSecond = metresPerSecond,
+                              .normalForceNewtons = parameters[contactForce] * contact.pressure},
+                             newtons);
+    if (presses) {
+        const auto fromGain = static_cast<float>(contact.begins ? contact.gain : startGain);
+        const auto gainStep = (static_cast<float>(contact.gain) - fromGain) / cellSamples;
+        for (std::size_t i = 0; i < newtons.size(); ++i)
+            newtons[i] *= fromGain + static_cast<float>(i + 1) * gainStep;
+        if (contact.isLifted)
+            releaseFade.apply(contact.fade, newtons);
+        synthesiser.applyForce(
+            contact.slot,
+            {.contact = firstForce + static_cast<std::size_t>(&contact - contacts.data()),
+             .start = contact.begins ? contact.place : start,
+             .end = contact.place,
+             .newtons = newtons},
+            cell);
+    }
+    contact.begins = false;
+    if (contact.isLifted) {
+        contact.fade = releaseFade.after(contact.fade);
+        contact.isActive = contact.fade > 0;
+    }
+}
+
+std::optional<std::size_t> HandScrape::heldSlot() const noexcept {
+    return touches() ? std::optional(contacts[now].slot) : std::nullopt;
+}
+
+bool HandScrape::silent() const noexcept {
+    return std::ranges::none_of(contacts, &Contact::isActive);
+}
+
+void HandScrape::reset() noexcept {
+    for (Contact& contact : contacts) {
+        contact.force.reset();
+        contact.isActive = contact.isLifted = false;
+    }
+    now = 0;
+}
+
+} // namespace idiophone

@@ -1,0 +1,30 @@
+// Which modes of an instrument's objects are not to be heard, as synthesis takes it.
+#pragma once
+
+#include "Instrument/Instrument.h"
+#include "Instrument/ModeSet.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+struct SilencedModes {
+    struct OfObject {
+        const ModalObject* object = nullptr;  ///< compared, never read
+        std::vector<std::uint8_t> isSilenced; ///< [M] 0 or 1
+    };
+    std::vector<OfObject> objects; ///< of all others nothing is silenced
+};
+
+/// The name by which the key map knows the object of a slot.
+std::string objectName(const Instrument& instrument, std::size_t slot);
+
+/// Of every object the muted modes; of one with modes heard alone all others, muted or not. Modes
+/// and objects that the instrument does not have are passed over.
+SilencedModes
+silencedModes(const Instrument& instrument, const ModeSet& muted, const ModeSet& heardAlone);
+
+} // namespace idiophone

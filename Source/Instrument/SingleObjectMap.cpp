@@ -1,0 +1,122 @@
+#include "Instrument/SingleObjectMap.h"
+
+#include "Geometry/ObjectMesh.h"
+#include "Geometry/SurfaceQuery.h"
+#include "Instrument/ObjectBox.h"
+#include "Instrument/PlaceBetween.h"
+#include "Instrument/StrikeStrip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+using Point = std::array<double, 3>;
+
+constexpr std::size_t mostPathPoints = 1000; // what a preset may hold
+constexpr int lowestKey = 36, highestKey = 96;
+
+/// The sum over the lowest modes of how far a push into the surface moves it there.
+double motionAt(const ModalObject& object, const StrikePoint& place) {
+    constexpr std::size_t modes = 12;
+    double sum = 0;
+    for (std::size_t mode = 0; mode < std::min(modes, object.modeCount()); ++mode) {
+        double along = 0;
+        for (std::size_t corner = 0; corner < place.shapeRows.size(); ++corner) {
+            if (place.weights[corner] == 0)
+                continue;
+            const auto shapes = object.shapesAt(static_cast<std::size_t>(place.shapeRows[corner]));
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                along += static_cast<double>(place.weights[corner] * shapes[3 * mode + axis] *
+                                             place.normal[axis]);
+        }
+        sum += std::abs(along);
+    }
+    return sum;
+}
+
+/// Not at the very ends, where a mallet slips off.
+double liveliestPlace(const ModalObject& object, const KeyMap& map) {
+    const auto strip = strikeStrip(object, map);
+    double best = 0.5, most = -1;
+    for (double along = 0.1; along < 0.9; along += 0.02)
+        if (const double motion = motionAt(object, strip.at(along, 0)); motion > most) {
+            most = motion;
+            best = along;
+        }
+    return best;
+}
+
+} // namespace
+
+KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMapKind kind) {
+    KeyMap map{.kind = kind,
+               .lowestNote = lowestKey,
+               .highestNote = highestKey,
+               .object = name,
+               .strikePath = pathOverTop(object),
+               .strikeAt = 0.5,
+               .strikeWidth = 1,
+               .referenceNote = -1};
+    map.strikeAt = liveliestPlace(object, map);
+    return map;
+}
+
+std::vector<Point> pathOverTop(const ModalObject& object) {
+    constexpr int samples = 33;
+    constexpr double ends = 0.98; // of the way, so that rays meet what ends there
+    const ObjectBox box(object);
+    const auto along = box.longestAxis();
+    const bool upright = along == 2;
+    // Rays come from above, or from the player's side.
+    const std::size_t depth = upright ? 1 : 2;
+    const double side = upright ? -1 : 1;
+    Point direction{};
+    direction[depth] = -side;
+    const SurfaceQuery surface(objectMesh(object));
+    std::vector<Point> path;
+    for (int i = 0; i < samples; ++i) {
+        Point from{};
+        from[along] = ends * (2.0 * i / (samples - 1) - 1);
+        from[depth] = side;
+        Point origin = box.at(from);
+        origin[depth] += side * box.halfExtentMetres[along];
+        if (const auto hit = surface.firstHit({origin[0], origin[1], origin[2]},
+                                              {direction[0], direction[1], direction[2]}))
+            path.push_back(
+                box.relative({hit->pointMetres.x(), hit->pointMetres.y(), hit->pointMetres.z()}));
+    }
+    if (path.size() < 2) {
+        Point start{}, end{};
+        start[along] = -1;
+        end[along] = 1;
+        start[depth] = end[depth] = side;
+        path = {start, end};
+    }
+    return path;
+}
+
+std::vector<Point> pathMetres(const ModalObject& object, const KeyMap& map) {
+    const ObjectBox box(object);
+    std::vector<Point> path;
+    for (const auto& relative : map.strikePath)
+        path.push_back(box.at(relative));
+    return path;
+}
+
+std::vector<Point> relativePath(const ModalObject& object, const std::vector<Point>& pathMetres) {
+    const ObjectBox box(object);
+    std::vector<Point> finite;
+    for (const auto& point : pathMetres)
+        if (std::ranges::all_of(point, [](double x) { return std::isfinite(x); }))
+            finite.push_back(box.relative(point));
+    if (finite.size() <= mostPathPoints)
+        return finite;
+    std::vector<Point> path;
+    for (std::size_t i = 0; i < mostPathPoints; ++i)
+        path.push_back(finite[i * (finite.size() - 1) / (mostPathPoints - 1)]);
+    return path;
+}
+
+} // namespace idiophone

@@ -1,0 +1,74 @@
+#include "Plugin/ImportSummary.h"
+
+#include "Instrument/ObjectBox.h"
+#include "Object/ModalObjectFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <juce_core/juce_core.h>
+#include <numbers>
+#include <string_view>
+
+namespace idiophone {
+namespace {
+
+bool hasExtension(const std::filesystem::path& file, std::initializer_list<const char*> known) {
+    const juce::String extension = juce::String::fromUTF8(file.extension().string().c_str());
+    return std::ranges::any_of(
+        known, [&](const char* each) { return extension.equalsIgnoreCase(each); });
+}
+
+/// Three figures.
+juce::String figure(double value) {
+    const int decimals = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3;
+    return juce::String(value, decimals);
+}
+
+juce::String frequency(double hz) {
+    return hz < 1000 ? figure(hz) + " Hz" : figure(hz / 1000) + " kHz";
+}
+
+} // namespace
+
+bool isModalFile(const std::filesystem::path& file) {
+    return hasExtension(file, {".modal"});
+}
+
+bool isMeshFile(const std::filesystem::path& file) {
+    return hasExtension(file, {".obj", ".off", ".ply", ".stl"});
+}
+
+std::string nameOf(const std::filesystem::path& file) {
+    return file.filename().string();
+}
+
+std::string summaryOf(const ModalObject& object) {
+    const double lowestHz = std::sqrt(object.eigenvalues.front()) / (2 * std::numbers::pi);
+    const auto& half = ObjectBox(object).halfExtentMetres;
+    const auto millimetres = [&](std::size_t axis) { return figure(2000 * half[axis]); };
+    const double kilograms = object.mass.massKg;
+    const auto modes = static_cast<int>(object.modeCount());
+    return (juce::String(modes) + (modes == 1 ? " mode at " : " modes from ") +
+            frequency(lowestHz) + (modes == 1 ? juce::String() : " to " + frequency(object.bandHz)) +
+            "; " + (kilograms < 1 ? figure(1000 * kilograms) + " g" : figure(kilograms) + " kg") +
+            " of " + juce::String::fromUTF8(object.material.name.c_str()) + ", " + millimetres(0) +
+            " x " + millimetres(1) + " x " + millimetres(2) + " mm")
+        .toStdString();
+}
+
+std::string notesOf(const ModalObject& object, const std::string& unitSentence) {
+    const auto& notes = object.provenance.notes;
+    return unitSentence + (unitSentence.empty() || notes.empty() ? "" : " ") + notes;
+}
+
+std::string uniqueName(const ModalObject& object) {
+    const auto bytes = encodeModalObject(object);
+    std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a
+    for (const auto byte : bytes)
+        hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3;
+    return "imported/" + object.name + "-" +
+           juce::String::toHexString(static_cast<juce::int64>(hash)).toStdString();
+}
+
+} // namespace idiophone

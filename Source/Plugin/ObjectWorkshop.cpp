@@ -1,0 +1,279 @@
+#include "Plugin/ObjectWorkshop.h"
+
+#include "Analysis/FewerShapes.h"
+#include "Analysis/PreviewAnalysis.h"
+#include "Geometry/LengthUnit.h"
+#include "Geometry/MeshReader.h"
+#include "Object/MaterialFile.h"
+#include "Object/ModalObjectFile.h"
+#include "Plugin/ImportSummary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+// Of the progress shown.
+constexpr double readShare = 0.03, previewShare = 0.12;
+
+/// Shapes times modes that an object keeps: 4 MB in half precision, in every project that plays it.
+constexpr std::size_t mostShapes = 700'000, fewestRows = 300;
+
+struct Choices {
+    Material material;
+    std::optional<AnalysisMethod> method;
+};
+
+Result<Choices> choicesOf(const ImportSettings& settings) {
+    if (!(settings.thicknessMetres >= 1e-5 && settings.thicknessMetres <= 1))
+        return failure("The thickness must be between 0.01 mm and 1 m.");
+    if (!settings.unit.empty() && !lengthUnitNamed(settings.unit))
+        return failure("There is no unit '" + settings.unit + "'.");
+    const auto method = findMethod(settings.method);
+    if (!method && !settings.method.empty())
+        return failure("There is no method '" + settings.method + "'.");
+    auto material = findAnyMaterial(settings.material);
+    if (!material)
+        return tl::unexpected(material.error());
+    return Choices{.material = std::move(*material), .method = method};
+}
+
+} // namespace
+
+ObjectWorkshop::~ObjectWorkshop() {
+    cancel();
+    {
+        const std::scoped_lock lock(mutex);
+        ending = true;
+    }
+    wake.notify_all();
+    if (worker.joinable())
+        worker.join();
+}
+
+void ObjectWorkshop::open(const std::filesystem::path& file, const ImportSettings& settings) {
+    auto job = std::make_shared<Job>();
+    job->file = file;
+    job->settings = settings;
+    start(job);
+}
+
+void ObjectWorkshop::analyseAgain(const ImportSettings& settings) {
+    auto job = std::make_shared<Job>();
+    {
+        const std::scoped_lock lock(mutex);
+        job->source = mesh;
+    }
+    job->settings = settings;
+    if (job->source != nullptr)
+        start(job);
+}
+
+void ObjectWorkshop::analyse(Mesh meshMetres,
+                             const std::string& name,
+                             const ImportSettings& settings) {
+    auto job = std::make_shared<Job>();
+    job->source = std::make_shared<const Source>(
+        Source{.name = name, .mesh = std::move(meshMetres), .isMetres = true});
+    job->settings = settings;
+    start(job);
+}
+
+void ObjectWorkshop::start(std::shared_ptr<Job> job) {
+    {
+        const std::scoped_lock lock(mutex);
+        if (current != nullptr)
+            current->cancelled = true;
+        product.reset();
+        mesh = job->source;
+        shown = {.stage = ImportStatus::Stage::working,
+                 .fileName = job->source != nullptr ? job->source->name : nameOf(job->file),
+                 .hasMesh = mesh != nullptr,
+                 .settings = job->settings,
+                 .progress = 0,
+                 .step = "Waiting",
+                 .error = {},
+                 .summary = {},
+                 .notes = {},
+                 .unit = {},
+                 .method = {}};
+        current = waiting = std::move(job);
+        if (!worker.joinable())
+            worker = std::thread([this] { run(); });
+    }
+    wake.notify_all();
+}
+
+void ObjectWorkshop::cancel() {
+    const std::scoped_lock lock(mutex);
+    if (current == nullptr || !shown.isWorking())
+        return;
+    current->cancelled = true;
+    waiting.reset();
+    product.reset();
+    shown.stage = ImportStatus::Stage::cancelled;
+    shown.step.clear();
+}
+
+bool ObjectWorkshop::hasMesh() const {
+    const std::scoped_lock lock(mutex);
+    return mesh != nullptr;
+}
+
+ImportStatus ObjectWorkshop::status() const {
+    const std::scoped_lock lock(mutex);
+    return shown;
+}
+
+std::optional<ObjectWorkshop::Product> ObjectWorkshop::takeProduct() {
+    const std::scoped_lock lock(mutex);
+    if (product)
+        current->isFetched = true;
+    return std::exchange(product, std::nullopt);
+}
+
+// The worker.
+
+void ObjectWorkshop::run() {
+    for (;;) {
+        std::shared_ptr<Job> job;
+        {
+            std::unique_lock lock(mutex);
+            wake.wait(lock, [this] { return ending || waiting != nullptr; });
+            if (ending)
+                return;
+            job = std::exchange(waiting, nullptr);
+        }
+        try {
+            const auto made = make(*job);
+            if (!made)
+                fail(*job, made.error().message);
+        } catch (const std::exception& fault) {
+            fail(*job, nameOf(job->file) + ": it cannot be made an object: " + fault.what() + ".");
+        }
+    }
+}
+
+Result<void> ObjectWorkshop::make(const Job& job) {
+    if (job.source != nullptr)
+        return makeFromMesh(job, *job.source);
+    if (isModalFile(job.file))
+        return makeFromModal(job);
+    report(job, 0, "Reading");
+    auto read = readMesh(job.file);
+    if (!read)
+        return tl::unexpected(read.error());
+    const auto source = std::make_shared<const Source>(
+        Source{.name = nameOf(job.file), .mesh = std::move(*read), .isMetres = false});
+    {
+        const std::scoped_lock lock(mutex);
+        if (!job.cancelled) {
+            mesh = source;
+            shown.hasMesh = true;
+        }
+    }
+    return makeFromMesh(job, *source);
+}
+
+Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) {
+    const auto refuse = [&](const Error& error) {
+        return failure(source.name + ": " + error.message);
+    };
+    const auto choices = choicesOf(job.settings);
+    if (!choices)
+        return refuse(choices.error());
+    const auto unit = unitOf(source, job.settings);
+    Mesh metres = source.mesh;
+    metres.vertices *= unit.unit.metresPerUnit;
+    const AnalysisSettings settings{.name = std::filesystem::path(source.name).stem().string(),
+                                    .source = source.name,
+                                    .material = choices->material,
+                                    .method = choices->method,
+                                    .thicknessMetres = job.settings.thicknessMetres};
+    const auto control = [&](double from, double to, std::string_view prefix) {
+        return AnalysisControl{.progress =
+                                   [=, this, &job](double share, std::string_view step) {
+                                       report(job, from + (to - from) * share,
+                                              std::string(prefix) + std::string(step));
+                                   },
+                               .cancelled = &job.cancelled};
+    };
+    auto preview = analysePreview(metres, settings, control(readShare, previewShare, "Preview: "));
+    if (preview)
+        deliver(job, withFewerShapes(std::move(*preview), fewestRows), unit, Finish::preview);
+    if (job.cancelled)
+        return {};
+    auto object = idiophone::analyse(metres, settings, control(previewShare, 1, ""));
+    if (!object)
+        return refuse(object.error());
+    const auto rows = std::max(fewestRows, mostShapes / object->modeCount());
+    deliver(job, withFewerShapes(std::move(*object), rows), unit, Finish::whole);
+    return {};
+}
+
+Result<void> ObjectWorkshop::makeFromModal(const Job& job) {
+    report(job, 0, "Reading");
+    auto object = readModalObject(job.file);
+    if (!object)
+        return tl::unexpected(object.error());
+    if (object->modeCount() == 0 || object->shapeVertexCount() == 0 || object->faceCount() == 0)
+        return failure(nameOf(job.file) + ": it has no mode, or no surface to be struck.");
+    deliver(job, std::move(*object), {}, Finish::whole);
+    return {};
+}
+
+UnitGuess ObjectWorkshop::unitOf(const Source& source, const ImportSettings& settings) {
+    if (source.isMetres)
+        return {.unit = *lengthUnitNamed("m"), .isSure = true, .sentence = {}};
+    if (const auto named = lengthUnitNamed(settings.unit))
+        return {.unit = *named, .isSure = true, .sentence = {}};
+    return guessLengthUnit(source.mesh);
+}
+
+void ObjectWorkshop::report(const Job& job, double progress, std::string_view step) {
+    const std::scoped_lock lock(mutex);
+    if (current.get() != &job || job.cancelled)
+        return;
+    shown.progress = std::max(shown.progress, progress);
+    shown.step = step;
+}
+
+void ObjectWorkshop::deliver(const Job& job,
+                             ModalObject object,
+                             const UnitGuess& unit,
+                             Finish finish) {
+    auto name = uniqueName(object);
+    const auto shared = std::make_shared<const ModalObject>(std::move(object));
+    const std::scoped_lock lock(mutex);
+    if (current.get() != &job || job.cancelled)
+        return;
+    const bool isPreview = finish == Finish::preview;
+    shown.stage = isPreview ? ImportStatus::Stage::previewed : ImportStatus::Stage::done;
+    shown.summary = summaryOf(*shared);
+    shown.notes = notesOf(*shared, unit.sentence);
+    shown.unit = unit.unit.symbol;
+    shown.method = shared->method;
+    if (!isPreview) {
+        shown.progress = 1;
+        shown.step.clear();
+    }
+    product = Product{.object = shared,
+                      .objectName = std::move(name),
+                      .isPreview = isPreview,
+                      .isFirst = !current->isFetched,
+                      .isNewFile = job.source == nullptr};
+}
+
+void ObjectWorkshop::fail(const Job& job, const std::string& sentence) {
+    const std::scoped_lock lock(mutex);
+    if (current.get() != &job || job.cancelled)
+        return;
+    shown.stage = ImportStatus::Stage::failed;
+    shown.error = sentence;
+    shown.step.clear();
+}
+
+} // namespace idiophone

@@ -1,0 +1,110 @@
+// What the processor shows of the sound, and how modes of it are muted and heard alone.
+#include "Plugin/Processor.h"
+
+#include "Instrument/SilencedModes.h"
+
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+constexpr int asksPerSilentPicture = 10;
+
+} // namespace
+
+const SoundFrame* Processor::takeSoundFrame() {
+    PictureSubject subject;
+    double rateHz;
+    {
+        const std::scoped_lock lock(soundMutex);
+        subject = {.instrument = instrument,
+                   .instrumentNumber = loads,
+                   .muted = loadedPreset.mutedModes,
+                   .heardAlone = modesHeardAlone};
+        rateHz = preparedRateHz > 0 ? preparedRateHz : 44100;
+    }
+    const MonitoredSound* monitored = monitor.take();
+    const auto playing = subject.instrument;
+    if (playing == nullptr || playing->slots().empty())
+        return nullptr;
+    // Another instrument has other objects.
+    if (std::exchange(watchedInstrument, subject.instrumentNumber) != subject.instrumentNumber)
+        watchObject(std::nullopt);
+    picture.show(std::move(subject));
+    if (monitored != nullptr && monitored->instrument == playing.get()) {
+        asksUnanswered = 0;
+        return &picture.of(*monitored);
+    }
+    if (++asksUnanswered % asksPerSilentPicture != 0)
+        return nullptr;
+    const auto own = ownSlots(*playing);
+    const std::size_t shown = watched && *watched < own.size() ? own[*watched] : own.front();
+    return &picture.ofSilence(shown, parameters.values(), rateHz);
+}
+
+void Processor::watchObject(std::optional<std::size_t> object) {
+    watched = object;
+    watchedInstrument = loads;
+    const auto playing = loadedInstrument();
+    if (playing == nullptr)
+        return;
+    const auto own = ownSlots(*playing);
+    monitor.watch(object && *object < own.size() ? std::optional(own[*object]) : std::nullopt);
+}
+
+bool Processor::muteMode(std::size_t object, std::int32_t mode, bool isMuted) {
+    bool done = false;
+    history.record(isMuted ? "Mute mode" : "Unmute mode", [&] {
+        done = changeModes(object, [&](const std::string& name, std::size_t modeCount) {
+            return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
+                   loadedPreset.mutedModes.set(name, mode, isMuted);
+        });
+    });
+    if (done)
+        updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+    return done;
+}
+
+bool Processor::hearModeAlone(std::size_t object, std::int32_t mode, bool isAlone) {
+    return changeModes(object, [&](const std::string& name, std::size_t modeCount) {
+        return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
+               modesHeardAlone.set(name, mode, isAlone);
+    });
+}
+
+void Processor::unmuteModes(std::size_t object) {
+    bool done = false;
+    history.record("Unmute modes", [&] {
+        done = changeModes(object, [&](const std::string& name, std::size_t) {
+            loadedPreset.mutedModes.clear(name);
+            return true;
+        });
+    });
+    if (done)
+        updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+}
+
+void Processor::hearAllModes(std::size_t object) {
+    changeModes(object, [&](const std::string& name, std::size_t) {
+        modesHeardAlone.clear(name);
+        return true;
+    });
+}
+
+/// `change` is given the object's name in the key map and its number of modes.
+bool Processor::changeModes(
+    std::size_t object,
+    const std::function<bool(const std::string& name, std::size_t modeCount)>& change) {
+    const std::scoped_lock lock(soundMutex);
+    if (instrument == nullptr)
+        return false;
+    const auto own = ownSlots(*instrument);
+    if (object >= own.size() || !change(objectName(*instrument, own[object]),
+                                        instrument->slots()[own[object]].object->modeCount()))
+        return false;
+    silencer.send(*instrument,
+                  silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
+    return true;
+}
+
+} // namespace idiophone

@@ -1,0 +1,276 @@
+// What the window is told of the sound, and what muting in it does.
+#include "Plugin/TestSound.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Synth/SynthesisSettings.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+juce::MidiBuffer note(int number, int velocity = 100) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, number, static_cast<juce::uint8>(velocity)), 0);
+    return midi;
+}
+
+/// The newest frame after so much sound.
+const SoundFrame* frameAfter(Processor& processor, int samples, const juce::MidiBuffer& midi = {}) {
+    processor.takeSoundFrame();
+    render(processor, samples, 480, midi);
+    return processor.takeSoundFrame();
+}
+
+struct Prepared {
+    explicit Prepared(const State& state = testState()) {
+        restore(processor, state);
+        processor.prepareToPlay(48000, 480);
+    }
+    Processor processor;
+};
+
+constexpr int keys = highestTestNote - lowestTestNote + 1;
+
+} // namespace
+
+TEST_CASE("A frame shows every mode of the object that was struck, as it is now") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    const auto* frame = frameAfter(processor, 4800, note(69));
+    REQUIRE(frame != nullptr);
+    CHECK(frame->object == 69 - lowestTestNote);
+    CHECK(frame->note == 69);
+    CHECK(frame->instrumentNumber == processor.instrumentNumber());
+    REQUIRE(frame->modes.size() == 12);
+    CHECK(frame->modesOmitted == 0);
+    CHECK(std::abs(double(frame->modes[0].frequencyHz) - 440) < 0.01);
+    CHECK(std::abs(double(frame->modes[3].frequencyHz) - 440 * std::pow(4, 1.37)) < 0.5);
+    // d = 5 + 1e-8 λ, and 60 dB are ln 1000 of 2/d.
+    const double damping = 5 + 1e-8 * std::pow(2 * std::numbers::pi * 440, 2);
+    CHECK(std::abs(double(frame->modes[0].t60Seconds) * damping / 2 / std::log(1000) - 1) < 1e-4);
+    CHECK(frame->modes[0].standing == ModeStanding::sounding);
+    CHECK(frame->modes[0].amplitude > 1e-4f);
+    REQUIRE(frame->slots.size() == 1);
+    CHECK(frame->slots[0].note == 69);
+    CHECK(frame->slots[0].share == frame->slots[0].modesMixed);
+    CHECK(frame->modesMixed == frame->slots[0].modesMixed);
+    CHECK(frame->modesMixed + frame->modesDropped == 12);
+    CHECK(frame->peakLeft > 0);
+    CHECK(frame->load >= 0);
+
+    const auto tauStep = processor.parameterValue(ParameterId::tau) * metresPerSecondPerTau;
+    CHECK(std::abs(frame->tauMetresPerSecond - tauStep) < 1e-12);
+    for (const auto& mode : frame->modes)
+        if (mode.standing == ModeStanding::belowTau)
+            CHECK(double(mode.amplitude) <= tauStep);
+}
+
+TEST_CASE("Material, size and tuning move the modes of a frame, sounding or not") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    processor.watchObject(9);
+    processor.changeParameter(ParameterId::size, 2);
+    const auto* frame = frameAfter(processor, 4800);
+    REQUIRE(frame != nullptr);
+    CHECK(frame->object == 9);
+    CHECK(std::abs(double(frame->modes[0].frequencyHz) - 220) < 0.01);
+    CHECK(frame->modes[0].standing == ModeStanding::belowTau);
+    CHECK(frame->slots.empty());
+}
+
+TEST_CASE("The window chooses whose modes it sees, until the instrument is another") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    processor.watchObject(2);
+    CHECK(processor.watchedObject() == 2);
+    CHECK(frameAfter(processor, 4800, note(69))->object == 2);
+    processor.watchObject(std::nullopt);
+    CHECK(frameAfter(processor, 4800)->object == 9);
+    processor.watchObject(1000);
+    CHECK(frameAfter(processor, 4800)->object == 9);
+    processor.watchObject(3);
+    restore(processor, testState("other"));
+    frameAfter(processor, 4800);
+    CHECK(processor.watchedObject() == std::nullopt);
+    CHECK(frameAfter(processor, 4800, note(62))->object == 2);
+}
+
+TEST_CASE("Nobody who asks sees a silent picture without sound, and no frame twice") {
+    Processor processor;
+    restore(processor, testState());
+    const SoundFrame* frame = nullptr;
+    for (int ask = 0; ask < 30 && frame == nullptr; ++ask)
+        frame = processor.takeSoundFrame();
+    REQUIRE(frame != nullptr);
+    CHECK(frame->modes.size() == 12);
+    CHECK(frame->modes[0].amplitude == 0);
+    processor.prepareToPlay(48000, 480);
+    processor.takeSoundFrame();
+    CHECK(processor.takeSoundFrame() == nullptr);
+    CHECK(frameAfter(processor, 4800) != nullptr);
+    CHECK(processor.takeSoundFrame() == nullptr);
+}
+
+TEST_CASE("Watched sound is the sound, bit for bit") {
+    const auto music = testMusic(48000);
+    Prepared plain, watched;
+    const auto expected = render(plain.processor, 48000, 480, music);
+    std::vector<float> seen;
+    int frames = 0;
+    watched.processor.takeSoundFrame();
+    for (int start = 0; start < 48000; start += 480) {
+        juce::MidiBuffer block;
+        block.addEvents(music, start, 480, -start);
+        const auto sound = render(watched.processor, 480, 480, block);
+        seen.insert(seen.end(), sound.begin(), sound.end());
+        frames += watched.processor.takeSoundFrame() != nullptr ? 1 : 0;
+    }
+    CHECK(seen == expected);
+    CHECK(frames >= 20); // of a second, in steps of 10 ms
+    CHECK(frames <= 31);
+}
+
+TEST_CASE("A muted mode is silent, saved with the sound and restored; one heard alone is not") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    const auto before = saved(processor);
+    CHECK(processor.muteMode(9, 0, true));
+    CHECK(processor.hearModeAlone(8, 3, true));
+    const auto bytes = saved(processor);
+    CHECK(bytes != before);
+    const auto state = parseState(bytes);
+    REQUIRE(state);
+    CHECK(state->preset.mutedModes.size() == 1);
+    CHECK(state->preset.mutedModes.contains("test/69", 0));
+
+    const auto* frame = frameAfter(processor, 4800, note(69));
+    CHECK(frame->modes[0].standing == ModeStanding::silenced);
+    CHECK(frame->modes[0].isMuted);
+    CHECK(frame->modes[1].standing == ModeStanding::sounding);
+    frame = frameAfter(processor, 4800, note(68));
+    for (std::size_t mode = 0; mode < 12; ++mode) {
+        CHECK((frame->modes[mode].standing == ModeStanding::silenced) == (mode != 3));
+        CHECK(frame->modes[mode].isHeardAlone == (mode == 3));
+    }
+
+    Prepared restored(*state);
+    CHECK(frameAfter(restored.processor, 4800, note(69))->modes[0].isMuted);
+    CHECK(restored.processor.takeSoundFrame() == nullptr);
+    frame = frameAfter(restored.processor, 4800, note(68));
+    CHECK(frame->modes[0].standing != ModeStanding::silenced);
+
+    processor.unmuteModes(9);
+    processor.hearAllModes(8);
+    CHECK(saved(processor) == before);
+    frame = frameAfter(processor, 4800, note(69));
+    CHECK(frame->modes[0].standing == ModeStanding::sounding);
+}
+
+TEST_CASE("Players made anew keep mutes and what is heard alone; another instrument does not") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    processor.muteMode(9, 0, true);
+    processor.hearModeAlone(8, 3, true);
+    processor.prepareToPlay(96000, 480);
+    CHECK(frameAfter(processor, 9600, note(69))->modes[0].isMuted);
+    CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::silenced);
+    restore(processor, testState());
+    CHECK_FALSE(frameAfter(processor, 9600, note(69))->modes[0].isMuted);
+    CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::sounding);
+}
+
+TEST_CASE("Modes and objects that do not exist are not muted") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    const auto before = saved(processor);
+    CHECK_FALSE(processor.muteMode(keys, 0, true));
+    CHECK_FALSE(processor.muteMode(0, 12, true));
+    CHECK_FALSE(processor.muteMode(0, -1, true));
+    CHECK_FALSE(processor.hearModeAlone(0, 12, true));
+    processor.unmuteModes(keys);
+    processor.hearAllModes(keys);
+    CHECK(saved(processor) == before);
+}
+
+TEST_CASE("Muting while it sounds is repeatable, and without a click") {
+    const auto played = [](bool mutes) {
+        Prepared prepared;
+        std::vector<float> sound;
+        for (int block = 0; block < 100; ++block) {
+            if (mutes && block >= 20)
+                prepared.processor.muteMode(9, 1, block / 10 % 2 == 0);
+            const auto next =
+                render(prepared.processor, 480, 480, block == 0 ? note(69) : juce::MidiBuffer());
+            sound.insert(sound.end(), next.begin(), next.end());
+        }
+        return sound;
+    };
+    const auto sound = played(true);
+    CHECK(sound == played(true));
+    const auto plain = played(false);
+    CHECK(sound != plain);
+    // A second difference is large at a click: here it stays below that of the sound itself.
+    const auto roughest = [](const std::vector<float>& of) {
+        float most = 0;
+        for (std::size_t k = 9602; k < of.size(); ++k)
+            most = std::max(most, std::abs(of[k] - 2 * of[k - 1] + of[k - 2]));
+        return most;
+    };
+    CHECK(roughest(sound) < 1.02f * roughest(plain));
+}
+
+TEST_CASE("The shares of objects that sound are what the budget leaves them, loudest first") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    processor.changeParameter(ParameterId::modeBudget,
+                              parameterInfo(ParameterId::modeBudget).minimum);
+    processor.changeParameter(ParameterId::qualitySlope, 1);
+    juce::MidiBuffer chord;
+    for (const int key : {60, 62, 64, 65, 67, 69, 71, 72})
+        chord.addEvent(juce::MidiMessage::noteOn(1, key, static_cast<juce::uint8>(key)), 0);
+    const auto* frame = frameAfter(processor, 4800, chord);
+    REQUIRE(frame->slots.size() == 8);
+    std::int32_t shared = 0;
+    for (std::size_t rank = 0; rank < 8; ++rank) {
+        shared += frame->slots[rank].share;
+        CHECK(frame->slots[rank].share <= frame->slots[rank].modesRinging);
+        if (rank > 0)
+            CHECK(frame->slots[rank].amplitude <= frame->slots[rank - 1].amplitude);
+    }
+    CHECK(double(shared) <= frame->budgetModes);
+    CHECK(frame->modesBeyond > 0);
+}
+
+TEST_CASE("A drag in the window is heard, and the object that it scrapes is shown") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    float loudestSample = 0;
+    for (int event = 0; event < 60; ++event) {
+        processor.scrapeObject(4, {0.015 * event, 0.5, 0}, 1);
+        loudestSample = std::max(loudestSample, loudest(render(processor, 800, 800, {})));
+    }
+    CHECK(loudestSample > 1e-5f);
+    CHECK(frameAfter(processor, 4800)->object == 4);
+    processor.changeParameter(ParameterId::letRing, 0);
+    processor.changeParameter(ParameterId::releaseTime, 0.05);
+    processor.scrapeObject(4, {}, 0);
+    processor.scrapeObject(99, {}, 1);
+    render(processor, 48000, 480, {});
+    CHECK(loudest(render(processor, 480, 480, {})) < 1e-2f * loudestSample);
+}
+
+TEST_CASE("Factory presets have nothing muted, and what is muted in one stays out of the next") {
+    Processor processor;
+    processor.prepareToPlay(48000, 480);
+    processor.setCurrentProgram(1);
+    processor.muteMode(0, 0, true);
+    processor.setCurrentProgram(2);
+    processor.setCurrentProgram(1);
+    const auto state = parseState(saved(processor));
+    REQUIRE(state);
+    CHECK(state->preset.mutedModes.empty());
+}
