@@ -1,7 +1,9 @@
 #include "Editor/EditorWindow.h"
 
 #include "Editor/MaterialPage.h"
+#include "Editor/ModesPage.h"
 #include "Editor/ParameterPage.h"
+#include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
 
 #include <algorithm>
@@ -55,11 +57,8 @@ EditorWindow::~EditorWindow() {
 void EditorWindow::makePages() {
     deck.add(std::make_unique<StrikePage>(view));
     deck.add(std::make_unique<MaterialPage>(view));
-    deck.add(std::make_unique<ParameterPage>(
-        "Quality",
-        std::vector<ParameterGroup>{{"Quality", 0, {tau, qualitySlope}},
-                                    {"", 1, {modeBudget, compression}}},
-        view));
+    deck.add(std::make_unique<ModesPage>(view));
+    deck.add(std::make_unique<QualityPage>(view));
     deck.add(std::make_unique<ParameterPage>(
         "Contact",
         std::vector<ParameterGroup>{

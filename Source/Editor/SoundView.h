@@ -38,6 +38,7 @@ struct SlotNow {
     std::int32_t modesRinging = 0; ///< above τ: what it asks of the budget, in modes or groups
     std::int32_t share = 0;        ///< of the budget, no more than ring
     std::int32_t modesMixed = 0;
+    float entitlement = 0; ///< modes, by its rank on the line of slope S
 
     bool operator==(const SlotNow&) const = default;
 };

@@ -15,8 +15,8 @@ namespace {
 
 bool hasExtension(const std::filesystem::path& file, std::initializer_list<const char*> known) {
     const juce::String extension = juce::String::fromUTF8(file.extension().string().c_str());
-    return std::ranges::any_of(
-        known, [&](const char* each) { return extension.equalsIgnoreCase(each); });
+    return std::ranges::any_of(known,
+                               [&](const char* each) { return extension.equalsIgnoreCase(each); });
 }
 
 /// Three figures.
@@ -50,10 +50,11 @@ std::string summaryOf(const ModalObject& object) {
     const double kilograms = object.mass.massKg;
     const auto modes = static_cast<int>(object.modeCount());
     return (juce::String(modes) + (modes == 1 ? " mode at " : " modes from ") +
-            frequency(lowestHz) + (modes == 1 ? juce::String() : " to " + frequency(object.bandHz)) +
-            "; " + (kilograms < 1 ? figure(1000 * kilograms) + " g" : figure(kilograms) + " kg") +
-            " of " + juce::String::fromUTF8(object.material.name.c_str()) + ", " + millimetres(0) +
-            " x " + millimetres(1) + " x " + millimetres(2) + " mm")
+            frequency(lowestHz) +
+            (modes == 1 ? juce::String() : " to " + frequency(object.bandHz)) + "; " +
+            (kilograms < 1 ? figure(1000 * kilograms) + " g" : figure(kilograms) + " kg") + " of " +
+            juce::String::fromUTF8(object.material.name.c_str()) + ", " + millimetres(0) + " x " +
+            millimetres(1) + " x " + millimetres(2) + " mm")
         .toStdString();
 }
 

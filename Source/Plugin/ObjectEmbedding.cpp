@@ -37,7 +37,8 @@ std::vector<EmbeddedObject> foreignObjects(const Instrument& instrument) {
         if (slot < 0 || factoryObject(name) || !known.insert(name).second)
             continue;
         const auto& object = *instrument.slots()[static_cast<std::size_t>(slot)].object;
-        objects.push_back({.name = name, .modal = encodeModalObject(object, leastPrecision(object))});
+        objects.push_back(
+            {.name = name, .modal = encodeModalObject(object, leastPrecision(object))});
     }
     return objects;
 }

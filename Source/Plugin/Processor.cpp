@@ -189,10 +189,10 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     ownSlowestDecay = slowest;
     ownDampingRatio = built->slots().empty() ? 1 : ratio;
     loadedPreset = std::move(preset);
-    storedParameters = loadedPreset.parameters;
-    presetId.clear();
     if (instrument != built)
         modesHeardAlone = {};
+    storedParameters = loadedPreset.parameters;
+    presetId.clear();
     instrument = std::move(built);
     ++loads;
     lastError.clear();
@@ -262,9 +262,9 @@ Result<void> Processor::restore(const State& state) {
 
 void Processor::timerCallback() {
     followProgramChange();
+    followWorkshop();
     if (!isNonRealtime())
         controllers.tellHost(parameters);
-    followWorkshop();
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock)
         handoff.collect();

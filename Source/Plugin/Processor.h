@@ -179,9 +179,9 @@ private:
     Handoff<Player> handoff;
     NoteQueue editorNotes;
     SurfaceHand hand;
-    MidiLearn controllers;
     ModeSilencer silencer;
     SoundMonitor monitor;
+    MidiLearn controllers;
     std::atomic<int> loads{0};
     std::atomic<bool> resetRequested{false};
     std::atomic<int> requestedProgram{-1};

@@ -4,6 +4,7 @@
 #include "Plugin/SurfaceHand.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/ModeCompression.h"
+#include "Synth/QualityScaling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -185,13 +186,17 @@ void SoundPicture::addSlots(const MonitoredSound& sound) {
                                .amplitude = status.amplitude,
                                .modesRinging = status.modesRinging,
                                .share = status.share,
-                               .modesMixed = status.modesMixed});
+                               .modesMixed = status.modesMixed,
+                               .entitlement = 0});
         frame.modesMixed += status.modesMixed;
         frame.modesDropped += std::max(status.groupsAudible - status.modesRinging, 0);
         frame.modesBeyond += std::max(status.modesRinging - status.modesMixed, 0);
         frame.modesMerged += modesOfSlot[slot] - status.groups;
     }
     std::ranges::stable_sort(frame.slots, std::greater(), &SlotNow::amplitude);
+    for (std::size_t rank = 0; rank < frame.slots.size(); ++rank)
+        frame.slots[rank].entitlement = static_cast<float>(
+            modeEntitlement(rank, frame.slots.size(), sound.modeBudget, sound.qualitySlope));
 }
 
 } // namespace idiophone

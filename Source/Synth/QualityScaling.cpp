@@ -34,7 +34,16 @@ Entitlement entitlement(std::size_t objects, double budget, double slope) noexce
     return {budget / entitled + fall * (entitled - 1) / 2, fall};
 }
 
+double wholeBudget(double budget) noexcept {
+    return std::floor(std::clamp(budget, 0.0, largestBudget));
+}
+
 } // namespace
+
+double
+modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept {
+    return entitlement(objects, wholeBudget(budget), slope).at(rank);
+}
 
 void shareModeBudget(std::span<const ModeDemand> demands,
                      double budget,
@@ -51,7 +60,7 @@ void shareModeBudget(std::span<const ModeDemand> demands,
         return left != right ? left > right : a < b;
     });
 
-    const double whole = std::floor(std::clamp(budget, 0.0, largestBudget));
+    const double whole = wholeBudget(budget);
     const Entitlement line = entitlement(demands.size(), whole, slope);
     double running = 0;
     double given = 0;

@@ -2,6 +2,7 @@
 // a pure function, counted in modes and never in measured time, so that a render repeats.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -11,6 +12,9 @@ struct ModeDemand {
     double amplitude = 0;   ///< summed amplitude of the object's modes; decides its rank
     std::int32_t modes = 0; ///< as many as it could mix
 };
+
+/// What rank r of n objects is entitled to, see below; r < n.
+double modeEntitlement(std::size_t rank, std::size_t objects, double budget, double slope) noexcept;
 
 /// Divides `budget` Q among n objects. They are ranked by amplitude, loudest first, ties in the
 /// order given; rank r = 0, 1, … is entitled to max(0, a − S·r·Q/n²) with a such that the

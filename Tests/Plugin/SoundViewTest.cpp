@@ -242,6 +242,11 @@ TEST_CASE("The shares of objects that sound are what the budget leaves them, lou
             CHECK(frame->slots[rank].amplitude <= frame->slots[rank - 1].amplitude);
     }
     CHECK(double(shared) <= frame->budgetModes);
+    double entitled = 0;
+    for (const auto& slot : frame->slots)
+        entitled += double(slot.entitlement);
+    CHECK(std::abs(entitled - frame->budgetModes) < 1e-3);
+    CHECK(frame->slots[0].entitlement > frame->slots[7].entitlement);
     CHECK(frame->modesBeyond > 0);
 }
 

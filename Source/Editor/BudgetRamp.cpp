@@ -1,0 +1,139 @@
+#include "Editor/BudgetRamp.h"
+
+#include "Editor/Look.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+constexpr float left = 34, captionHeight = 15, widestBar = 26;
+
+/// 1, 2 or 5 times a power of ten, at least this.
+double roundUp(double value) {
+    const double power = std::pow(10, std::floor(std::log10(std::max(value, 1.0))));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (value <= step * power)
+            return step * power;
+    return 10 * power;
+}
+
+} // namespace
+
+BudgetRamp::BudgetRamp() {
+    setTitle("Shares of the budget");
+    setTooltip("A bar for each object that sounds, loudest first: the frame is what it asks, the "
+               "filling what it has, the line what the slope entitles it to");
+}
+
+void BudgetRamp::show(const SoundFrame& frame) {
+    std::vector<Bar> next;
+    for (const SlotNow& slot : frame.slots)
+        next.push_back({.asked = slot.modesRinging,
+                        .share = std::max(slot.share, slot.modesMixed),
+                        .entitlement = slot.entitlement});
+    if (next == bars && frame.budgetModes == budgetModes && frame.modesMixed == modesMixed)
+        return;
+    bars = std::move(next);
+    budgetModes = frame.budgetModes;
+    modesMixed = frame.modesMixed;
+    repaint();
+}
+
+juce::String BudgetRamp::description() const {
+    const juce::String budget(juce::roundToInt(budgetModes));
+    if (bars.empty())
+        return "Nothing sounds; the budget is " + budget + " modes";
+    return juce::String(modesMixed) + " of " + budget + " modes, " + juce::String(bars.size()) +
+           (bars.size() == 1 ? " object" : " objects");
+}
+
+juce::Rectangle<float> BudgetRamp::plot() const {
+    return getLocalBounds()
+        .toFloat()
+        .withTrimmedTop(captionHeight)
+        .withTrimmedLeft(left)
+        .withTrimmedRight(4)
+        .withTrimmedBottom(captionHeight);
+}
+
+/// Modes at the upper end: all that is asked can be seen, and the line where it is not far above.
+float BudgetRamp::highest() const {
+    float most = 0;
+    for (const Bar& bar : bars)
+        most = std::max({most, static_cast<float>(bar.asked), static_cast<float>(bar.share)});
+    if (!bars.empty() && bars.front().entitlement < 3 * most)
+        most = std::max(most, bars.front().entitlement);
+    return static_cast<float>(roundUp(std::max(most, 10.0f)));
+}
+
+void BudgetRamp::paintAxis(juce::Graphics& g) const {
+    const auto area = plot();
+    g.setFont(Look::textFont(11));
+    for (const float share : {0.0f, 0.5f, 1.0f}) {
+        const float y = area.getBottom() - share * area.getHeight();
+        g.setColour(colourOf(*this, LookColour::outline));
+        g.fillRect(area.getX(), y, area.getWidth(), 0.5f);
+        g.setColour(colourOf(*this, LookColour::dimText));
+        g.drawText(juce::String(share * highest()), juce::Rectangle<float>(0, y - 7, left - 5, 14),
+                   juce::Justification::centredRight, false);
+    }
+    auto bounds = getLocalBounds().toFloat();
+    g.drawText("Objects, loudest first", bounds.removeFromBottom(captionHeight),
+               juce::Justification::centred, false);
+    g.setColour(colourOf(*this, LookColour::text));
+    g.setFont(Look::textFont(12.5f));
+    g.drawText(description(), bounds.removeFromTop(captionHeight), juce::Justification::centredLeft,
+               false);
+}
+
+void BudgetRamp::paint(juce::Graphics& g) {
+    paintAxis(g);
+    if (bars.empty())
+        return;
+    const auto area = plot();
+    const float pitch = area.getWidth() / static_cast<float>(bars.size());
+    const float width = std::min(pitch * 0.8f, widestBar);
+    const auto heightOf = [&](float modes) {
+        return std::min(modes / highest(), 1.0f) * area.getHeight();
+    };
+    juce::Path line;
+    for (std::size_t rank = 0; rank < bars.size(); ++rank) {
+        const Bar& bar = bars[rank];
+        const float centre = area.getX() + (static_cast<float>(rank) + 0.5f) * pitch;
+        const auto column = [&](float height) {
+            return juce::Rectangle<float>(centre - width / 2, area.getBottom() - height, width,
+                                          height);
+        };
+        g.setColour(colourOf(*this, LookColour::accent));
+        g.fillRect(column(heightOf(static_cast<float>(bar.share))));
+        g.setColour(colourOf(*this, LookColour::dimText));
+        g.drawRect(column(heightOf(static_cast<float>(bar.asked))), 1);
+        const juce::Point at(centre, area.getBottom() - heightOf(bar.entitlement));
+        if (rank == 0)
+            line.startNewSubPath(bars.size() == 1 ? at.withX(area.getX()) : at);
+        line.lineTo(bars.size() == 1 ? at.withX(area.getRight()) : at);
+    }
+    g.setColour(colourOf(*this, LookColour::text));
+    g.strokePath(line, juce::PathStrokeType(1.6f));
+}
+
+std::unique_ptr<juce::AccessibilityHandler> BudgetRamp::createAccessibilityHandler() {
+    class Value final : public juce::AccessibilityTextValueInterface {
+    public:
+        explicit Value(BudgetRamp& shown) : ramp(shown) {}
+        bool isReadOnly() const override { return true; }
+        juce::String getCurrentValueAsString() const override { return ramp.description(); }
+        void setValueAsString(const juce::String&) override {}
+
+    private:
+        BudgetRamp& ramp;
+    };
+    return std::make_unique<juce::AccessibilityHandler>(
+        *this, juce::AccessibilityRole::image, juce::AccessibilityActions{},
+        juce::AccessibilityHandler::Interfaces{std::make_unique<Value>(*this)});
+}
+
+} // namespace idiophone

@@ -1,0 +1,76 @@
+#include "Editor/ModeText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
+
+namespace idiophone {
+namespace {
+
+juce::String threeFigures(double value) {
+    const int decimals = value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
+    return juce::String(value, decimals);
+}
+
+} // namespace
+
+double decibelsOf(double metresPerSecond) {
+    return juce::Decibels::gainToDecibels(metresPerSecond, faintestDecibels);
+}
+
+juce::String frequencyText(double frequencyHz) {
+    return frequencyHz < 9999.5 ? juce::String(frequencyHz, frequencyHz < 99.95 ? 1 : 0) + " Hz"
+                                : threeFigures(frequencyHz / 1000) + " kHz";
+}
+
+juce::String secondsText(double seconds) {
+    return seconds < 0.9995 ? juce::String(juce::roundToInt(seconds * 1000)) + " ms"
+                            : threeFigures(seconds) + " s";
+}
+
+juce::String noteText(double frequencyHz) {
+    const double note = 69 + 12 * std::log2(frequencyHz / 440);
+    if (!(note > -0.5 && note < 127.5))
+        return {};
+    const int nearest = juce::roundToInt(note);
+    const int cents = juce::roundToInt(100 * (note - nearest));
+    return juce::MidiMessage::getMidiNoteName(nearest, true, true, 4) + (cents < 0 ? " " : " +") +
+           juce::String(cents) + " ct";
+}
+
+juce::String standingText(const ModeNow& mode) {
+    switch (mode.standing) {
+    case ModeStanding::sounding:
+        return "sounding";
+    case ModeStanding::beyondBudget:
+        return "left out by the budget";
+    case ModeStanding::outOfBand:
+        return "outside the audible band";
+    case ModeStanding::silenced:
+        return mode.isMuted ? "muted" : "silent beside the solo";
+    case ModeStanding::belowTau:
+        break;
+    }
+    return mode.amplitude > 0 ? "below the threshold" : "silent";
+}
+
+juce::StringArray describeMode(const SoundFrame& frame, std::size_t index) {
+    const ModeNow& mode = frame.modes[index];
+    const auto note = noteText(static_cast<double>(mode.frequencyHz));
+    const auto sameGroup = std::ranges::count(frame.modes, mode.group, &ModeNow::group);
+    const double decibels = decibelsOf(static_cast<double>(mode.amplitude));
+    juce::StringArray lines;
+    lines.add("Mode " + juce::String(index + 1) + ": " +
+              frequencyText(static_cast<double>(mode.frequencyHz)) +
+              (note.isEmpty() ? juce::String() : ", " + note) + ", T60 " +
+              secondsText(static_cast<double>(mode.t60Seconds)));
+    lines.add((decibels > faintestDecibels ? juce::String(juce::roundToInt(decibels)) + " dB, "
+                                           : juce::String()) +
+              standingText(mode) + (mode.isHeardAlone ? ", solo" : "") +
+              (sameGroup > 1 ? ", merged with " + juce::String(sameGroup - 1) +
+                                   (sameGroup == 2 ? " other" : " others")
+                             : juce::String()));
+    return lines;
+}
+
+} // namespace idiophone

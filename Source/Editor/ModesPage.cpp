@@ -1,0 +1,154 @@
+#include "Editor/ModesPage.h"
+
+#include "Editor/Look.h"
+#include "Editor/ModeText.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+constexpr int barHeight = 26, lineHeight = 16, gap = 6;
+constexpr int lastPlayedId = 1; // of the list; objects follow
+
+juce::String noteName(int note) {
+    return juce::MidiMessage::getMidiNoteName(note, true, true, 4);
+}
+
+juce::String nameOf(const ProcessorView::PlayedObject& played) {
+    const auto name = juce::String::fromUTF8(played.object->name.c_str());
+    return played.lowestNote == played.highestNote ? noteName(played.lowestNote) + "  " + name
+                                                   : name;
+}
+
+} // namespace
+
+ModesPage::ModesPage(ProcessorView& processor)
+    : DeckPage("Modes"), view(processor), mute("Mute"), alone("Solo"), all("All"),
+      spectrum(processor) {
+    objects.setTitle("Object");
+    objects.setTooltip("Whose modes to see");
+    objects.onChange = [this] {
+        const int chosen = objects.getSelectedId() - lastPlayedId;
+        view.watchObject(chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1))
+                                    : std::nullopt);
+    };
+    mute.setTooltip("Mute the chosen mode (M)");
+    mute.onClick = [this] { spectrum.toggleMute(spectrum.modeChosen().value_or(0)); };
+    alone.setTooltip("Hear the chosen mode alone (S); not saved");
+    alone.onClick = [this] { spectrum.toggleAlone(spectrum.modeChosen().value_or(0)); };
+    all.setTitle("Hear all modes");
+    all.setTooltip("Mute nothing of this object, and hear all of it");
+    all.onClick = [this] {
+        const auto object = static_cast<std::size_t>(std::max(spectrum.frameShown().object, 0));
+        view.unmuteModes(object);
+        view.hearAllModes(object);
+    };
+    mute.setTitle("Mute mode");
+    alone.setTitle("Solo mode");
+    spectrum.onModeShown = [this] { modeShown(); };
+    for (auto* child :
+         std::initializer_list<juce::Component*>{&objects, &mute, &alone, &all, &spectrum})
+        addAndMakeVisible(child);
+    listObjects();
+    describe();
+}
+
+void ModesPage::listObjects() {
+    listedInstrument = view.instrumentNumber();
+    objects.clear(juce::dontSendNotification);
+    objects.addItem("Played last", lastPlayedId);
+    int id = lastPlayedId;
+    for (const auto& played : view.playedObjects())
+        objects.addItem(nameOf(played), ++id);
+}
+
+void ModesPage::refresh() {
+    if (view.instrumentNumber() != listedInstrument)
+        listObjects();
+    const auto watched = view.watchedObject();
+    const int id = watched ? lastPlayedId + 1 + static_cast<int>(*watched) : lastPlayedId;
+    if (id != objects.getSelectedId())
+        objects.setSelectedId(id, juce::dontSendNotification);
+}
+
+void ModesPage::showSound(const SoundFrame& frame) {
+    spectrum.show(frame);
+    const bool any = std::ranges::any_of(
+        frame.modes, [](const ModeNow& mode) { return mode.isMuted || mode.isHeardAlone; });
+    all.setEnabled(any);
+    describe();
+}
+
+void ModesPage::modeShown() {
+    describe();
+    const auto& frame = spectrum.frameShown();
+    const auto mode = spectrum.modeShown();
+    std::optional<std::pair<std::size_t, std::int32_t>> now;
+    if (mode && frame.object >= 0)
+        now = {static_cast<std::size_t>(frame.object), static_cast<std::int32_t>(*mode)};
+    if (now == told)
+        return;
+    const std::size_t object = now ? now->first : told->first;
+    told = now;
+    if (onModeShown)
+        onModeShown(object, now ? std::optional(now->second) : std::nullopt);
+}
+
+/// The chosen mode is what the buttons change.
+void ModesPage::describe() {
+    const auto& frame = spectrum.frameShown();
+    const auto chosen = spectrum.modeChosen();
+    const bool exists = chosen && *chosen < frame.modes.size();
+    mute.setEnabled(exists);
+    alone.setEnabled(exists);
+    mute.setToggleState(exists && frame.modes[*chosen].isMuted, juce::dontSendNotification);
+    alone.setToggleState(exists && frame.modes[*chosen].isHeardAlone, juce::dontSendNotification);
+
+    juce::StringArray next;
+    if (const auto mode = spectrum.modeShown(); mode && *mode < frame.modes.size()) {
+        next = describeMode(frame, *mode);
+    } else if (!frame.modes.empty()) {
+        const auto sounding =
+            std::ranges::count(frame.modes, ModeStanding::sounding, &ModeNow::standing);
+        const int groups = frame.modes.back().group + 1;
+        next.add((frame.note >= 0 ? noteName(frame.note) + ": " : juce::String()) +
+                 juce::String(frame.modes.size()) + " modes, merged into " + juce::String(groups) +
+                 ", " + juce::String(sounding) + " sounding");
+        next.add(frame.modesOmitted > 0
+                     ? juce::String(frame.modesOmitted) + " more are too high to be shown"
+                     : juce::String("Line: level in dB now; dot: T60; foot: merged modes"));
+    }
+    if (next == lines)
+        return;
+    lines = next;
+    repaint(lineArea);
+}
+
+void ModesPage::paint(juce::Graphics& g) {
+    auto area = lineArea;
+    g.setFont(Look::textFont(12.5f));
+    for (int line = 0; line < lines.size(); ++line) {
+        g.setColour(colourOf(*this, line == 0 ? LookColour::text : LookColour::dimText));
+        g.drawFittedText(lines[line], area.removeFromTop(lineHeight),
+                         juce::Justification::centredLeft, 1, 0.8f);
+    }
+}
+
+void ModesPage::resized() {
+    auto area = getLocalBounds().reduced(padding);
+    auto bar = area.removeFromTop(barHeight);
+    all.setBounds(bar.removeFromRight(44));
+    bar.removeFromRight(4);
+    alone.setBounds(bar.removeFromRight(50));
+    bar.removeFromRight(4);
+    mute.setBounds(bar.removeFromRight(50));
+    bar.removeFromRight(gap);
+    objects.setBounds(bar);
+    lineArea = area.removeFromBottom(2 * lineHeight);
+    area.removeFromTop(gap);
+    area.removeFromBottom(4);
+    spectrum.setBounds(area);
+}
+
+} // namespace idiophone

@@ -1,0 +1,67 @@
+#include "Editor/QualityPage.h"
+
+#include "Editor/Look.h"
+
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+
+constexpr int columnsHeight = 74, tallColumnsHeight = 100, countHeight = 38, metersHeight = 51;
+constexpr int gap = 6, heightForTall = 360;
+
+std::vector<ParameterGroup> groups() {
+    return {{"Modes that sound", 0, {tau, compression}}, {"Budget", 1, {modeBudget, qualitySlope}}};
+}
+
+} // namespace
+
+QualityPage::QualityPage(ProcessorView& view) : DeckPage("Quality"), columns(groups(), view) {
+    for (auto* child : std::initializer_list<juce::Component*>{&columns, &ramp, &meters})
+        addAndMakeVisible(child);
+}
+
+void QualityPage::showSound(const SoundFrame& frame) {
+    const std::array now{frame.modesMixed, frame.modesDropped, frame.modesMerged,
+                         frame.modesBeyond};
+    for (std::size_t k = 0; k < counts.size(); ++k)
+        if (counts[k].modes != now[k]) {
+            counts[k].modes = now[k];
+            repaint(countArea);
+        }
+    ramp.show(frame);
+    meters.show(frame);
+}
+
+void QualityPage::paint(juce::Graphics& g) {
+    auto area = countArea;
+    const int width = area.getWidth() / static_cast<int>(counts.size());
+    for (const Count& count : counts) {
+        auto tile = area.removeFromLeft(width).reduced(2, 0);
+        g.setColour(colourOf(*this, LookColour::background));
+        g.fillRoundedRectangle(tile.toFloat(), 5);
+        g.setColour(colourOf(*this, LookColour::text));
+        g.setFont(Look::headingFont(16));
+        g.drawText(juce::String(count.modes), tile.removeFromTop(21).translated(0, 2),
+                   juce::Justification::centred, false);
+        g.setColour(colourOf(*this, LookColour::dimText));
+        g.setFont(Look::textFont(11.5f));
+        g.drawText(count.name, tile, juce::Justification::centred, false);
+    }
+}
+
+void QualityPage::resized() {
+    auto area = getLocalBounds().reduced(padding);
+    columns.setBounds(area.removeFromTop(getHeight() < heightForTall ? columnsHeight + 12
+                                                                     : tallColumnsHeight + 12));
+    area.removeFromTop(gap);
+    countArea = area.removeFromTop(countHeight);
+    area.removeFromTop(gap);
+    meters.setBounds(area.removeFromBottom(metersHeight));
+    area.removeFromBottom(2);
+    ramp.setBounds(area);
+}
+
+} // namespace idiophone

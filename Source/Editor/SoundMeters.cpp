@@ -1,0 +1,98 @@
+#include "Editor/SoundMeters.h"
+
+#include "Editor/Look.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+constexpr double fallPerFrame = 0.8; // dB: a peak can be seen
+constexpr double loadShare = 0.15;   // of the way to the newest, so that the figure can be read
+constexpr int nameWidth = 38, textWidth = 68;
+
+} // namespace
+
+SoundMeters::SoundMeters() : rows(rowsNow()) {
+    setTitle("Level and load");
+    setTooltip("Peaks in dB of full scale; load in per cent of one processor core");
+}
+
+std::array<SoundMeters::Row, 3> SoundMeters::rowsNow() const {
+    std::array<Row, 3> result{
+        {{.name = "Left", .text = {}}, {.name = "Right", .text = {}}, {.name = "CPU", .text = {}}}};
+    for (std::size_t channel = 0; channel < 2; ++channel) {
+        const double now = decibels[channel];
+        result[channel].text = now > silentDecibels ? juce::String(juce::roundToInt(now)) + " dB"
+                                                    : juce::String("silent");
+        result[channel].filled =
+            juce::roundToInt(1000 * std::clamp(1 - now / silentDecibels, 0.0, 1.0));
+        result[channel].isOver = now > 0;
+    }
+    result[2].text = juce::String(100 * load, load < 0.0995 ? 1 : 0) + " %";
+    result[2].filled = juce::roundToInt(200 * std::clamp(load, 0.0, 1.0)) * 5;
+    result[2].isOver = load > 0.9;
+    return result;
+}
+
+void SoundMeters::show(const SoundFrame& frame) {
+    const std::array peaks{frame.peakLeft, frame.peakRight};
+    for (std::size_t channel = 0; channel < 2; ++channel)
+        decibels[channel] = std::max(
+            {juce::Decibels::gainToDecibels(static_cast<double>(peaks[channel]), silentDecibels),
+             decibels[channel] - fallPerFrame, silentDecibels});
+    load += loadShare * (static_cast<double>(frame.load) - load);
+    auto next = rowsNow();
+    if (next == rows)
+        return;
+    rows = std::move(next);
+    repaint();
+}
+
+juce::String SoundMeters::description() const {
+    juce::StringArray parts;
+    for (const Row& row : rows)
+        parts.add(juce::String(row.name) + " " + row.text);
+    return parts.joinIntoString(", ");
+}
+
+void SoundMeters::paint(juce::Graphics& g) {
+    auto area = getLocalBounds();
+    const int height = area.getHeight() / static_cast<int>(rows.size());
+    g.setFont(Look::textFont(12.5f));
+    for (const Row& row : rows) {
+        auto line = area.removeFromTop(height);
+        g.setColour(colourOf(*this, LookColour::dimText));
+        g.drawText(row.name, line.removeFromLeft(nameWidth), juce::Justification::centredLeft,
+                   false);
+        g.setColour(colourOf(*this, row.isOver ? LookColour::error : LookColour::text));
+        g.drawText(row.text, line.removeFromRight(textWidth), juce::Justification::centredRight,
+                   false);
+        const auto track = line.toFloat().withSizeKeepingCentre(
+            static_cast<float>(std::max(line.getWidth() - 4, 1)), 6);
+        g.setColour(colourOf(*this, LookColour::outline));
+        g.fillRoundedRectangle(track, 3);
+        g.setColour(colourOf(*this, row.isOver ? LookColour::error : LookColour::accent));
+        if (row.filled > 0)
+            g.fillRoundedRectangle(
+                track.withWidth(track.getWidth() * static_cast<float>(row.filled) / 1000), 3);
+    }
+}
+
+std::unique_ptr<juce::AccessibilityHandler> SoundMeters::createAccessibilityHandler() {
+    class Value final : public juce::AccessibilityTextValueInterface {
+    public:
+        explicit Value(SoundMeters& shown) : meters(shown) {}
+        bool isReadOnly() const override { return true; }
+        juce::String getCurrentValueAsString() const override { return meters.description(); }
+        void setValueAsString(const juce::String&) override {}
+
+    private:
+        SoundMeters& meters;
+    };
+    return std::make_unique<juce::AccessibilityHandler>(
+        *this, juce::AccessibilityRole::progressBar, juce::AccessibilityActions{},
+        juce::AccessibilityHandler::Interfaces{std::make_unique<Value>(*this)});
+}
+
+} // namespace idiophone
