@@ -27,7 +27,7 @@ constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), keyboard(view) {
+      presets(view), object(view), browser(view.presetShelf()), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
     lookButton.onClick = [this] {
@@ -36,6 +36,13 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     for (auto* child : std::initializer_list<juce::Component*>{&presets, &lookButton, &object,
                                                                &deck, &status, &keyboard})
         addAndMakeVisible(child);
+    addChildComponent(browser);
+    presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
+    presets.onSaveAs = [this] {
+        setBrowsing(true);
+        browser.openToSave();
+    };
+    browser.onClose = [this] { setBrowsing(false); };
     setLook(look.scheme());
     setResizable(true, true);
     setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
@@ -45,6 +52,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
 }
 
 EditorWindow::~EditorWindow() {
+    browser.settle();
     preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
 }
@@ -81,6 +89,23 @@ void EditorWindow::setLook(LookScheme scheme) {
     lookButton.setTooltip(dark ? "Change to the light look" : "Change to the dark look");
     sendLookAndFeelChange();
     repaint();
+}
+
+void EditorWindow::setBrowsing(bool browses) {
+    if (!browses)
+        browser.settle();
+    browser.setVisible(browses);
+    object.setVisible(!browses);
+    deck.setVisible(!browses);
+    if (browses)
+        browser.open();
+    else if (isShowing())
+        presets.grabKeyboardFocus();
+    presets.refresh();
+}
+
+bool EditorWindow::keyPressed(const juce::KeyPress& key) {
+    return presets.handleKey(key) || AudioProcessorEditor::keyPressed(key);
 }
 
 void EditorWindow::timerCallback() {
@@ -121,6 +146,7 @@ void EditorWindow::resized() {
     area.removeFromBottom(8);
     keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));
     status.setBounds(area.removeFromBottom(statusHeight));
+    browser.setBounds(area);
     if (area.getHeight() < leastHeightForBoth) {
         const int fitting = (area.getWidth() * 3 / 5) / DeckPage::leastWidth;
         const int pages = std::clamp(fitting, 1, deck.pageCount());

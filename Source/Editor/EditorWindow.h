@@ -8,6 +8,7 @@
 #include "Editor/PageDeck.h"
 #include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
+#include "Editor/PresetBrowser.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
 
@@ -25,6 +26,10 @@ public:
 
     void paint(juce::Graphics& g) override;
     void resized() override;
+    bool keyPressed(const juce::KeyPress& key) override;
+
+    /// Shows the list of presets in place of picture and pages, or these again.
+    void setBrowsing(bool browses);
 
     void setLook(LookScheme scheme);
 
@@ -40,6 +45,7 @@ private:
     juce::TextButton lookButton;
     ObjectPane object;
     PageDeck deck;
+    PresetBrowser browser;
     StatusBar status;
     KeyboardPanel keyboard;
     juce::TooltipWindow tooltips{this, 600};

@@ -53,9 +53,12 @@ void Processor::watchObject(std::optional<std::size_t> object) {
 }
 
 bool Processor::muteMode(std::size_t object, std::int32_t mode, bool isMuted) {
-    const bool done = changeModes(object, [&](const std::string& name, std::size_t modeCount) {
-        return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
-               loadedPreset.mutedModes.set(name, mode, isMuted);
+    bool done = false;
+    history.record(isMuted ? "Mute mode" : "Unmute mode", [&] {
+        done = changeModes(object, [&](const std::string& name, std::size_t modeCount) {
+            return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
+                   loadedPreset.mutedModes.set(name, mode, isMuted);
+        });
     });
     if (done)
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
@@ -70,9 +73,12 @@ bool Processor::hearModeAlone(std::size_t object, std::int32_t mode, bool isAlon
 }
 
 void Processor::unmuteModes(std::size_t object) {
-    const bool done = changeModes(object, [&](const std::string& name, std::size_t) {
-        loadedPreset.mutedModes.clear(name);
-        return true;
+    bool done = false;
+    history.record("Unmute modes", [&] {
+        done = changeModes(object, [&](const std::string& name, std::size_t) {
+            loadedPreset.mutedModes.clear(name);
+            return true;
+        });
     });
     if (done)
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));

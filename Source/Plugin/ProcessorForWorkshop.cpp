@@ -100,8 +100,14 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
         lastError = object.name + " cannot be played: " + built.error().message;
         return;
     }
-    playAsLoud(std::move(preset), std::move(*built), values,
-               isNew ? std::optional(wantedLufs) : std::nullopt);
+    const auto playIt = [&] {
+        playAsLoud(preset, *built, values, isNew ? std::optional(wantedLufs) : std::nullopt);
+    };
+    if (product.isFirst)
+        return history.record((product.isNewFile ? "Open " : "Analyse ") + object.name, playIt);
+    const auto preview = loadedInstrument();
+    playIt();
+    history.replaceInstrument(preview, loadedSound());
 }
 
 /// With the level that a loudness asks for, or else that keeps what plays as loud as it is.
@@ -151,7 +157,7 @@ void Processor::setKeyLayout(KeyLayout layout) {
         return;
     auto map = loadedInstrument()->keyMap();
     map.kind = kindOf(layout);
-    playMapped(map);
+    history.record("Key layout", [&] { playMapped(map); });
 }
 
 std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) const {
@@ -174,7 +180,7 @@ void Processor::setStrikePath(std::size_t index, const std::vector<std::array<do
     auto map = playing->keyMap();
     map.strikePath = relativePath(*playing->slots()[slots[index]].object, metres);
     if (!map.strikePath.empty())
-        playMapped(map);
+        history.record("Strike path", [&] { playMapped(map); });
 }
 
 /// The same objects, played by other keys or at other places.
