@@ -1,5 +1,6 @@
 #include "Editor/EditorWindow.h"
 
+#include "Editor/ImportPage.h"
 #include "Editor/MaterialPage.h"
 #include "Editor/ModesPage.h"
 #include "Editor/ParameterPage.h"
@@ -23,6 +24,13 @@ constexpr double deckShare = 0.44;
 /// and after a while without either.
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 
+juce::String firstReadable(const juce::StringArray& files, const WorkshopView& view) {
+    for (const auto& file : files)
+        if (view.canOpen(file.toStdString()))
+            return file;
+    return {};
+}
+
 } // namespace
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
@@ -43,6 +51,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
         browser.openToSave();
     };
     browser.onClose = [this] { setBrowsing(false); };
+    addChildComponent(dropFrame);
     setLook(look.scheme());
     setResizable(true, true);
     setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
@@ -61,8 +70,8 @@ void EditorWindow::makePages() {
     deck.add(std::make_unique<StrikePage>(view));
     deck.add(std::make_unique<MaterialPage>(view));
     auto modes = std::make_unique<ModesPage>(view);
-    modes->onModeShown = [this](std::size_t played, std::optional<std::int32_t> mode) {
-        object.picture().showMode(played, mode);
+    modes->onModeShown = [this](std::optional<std::size_t> mode) {
+        object.picture().showMode(mode);
     };
     deck.add(std::move(modes));
     deck.add(std::make_unique<QualityPage>(view));
@@ -78,6 +87,8 @@ void EditorWindow::makePages() {
         std::vector<ParameterGroup>{{"Listening", 0, {radiation, width}},
                                     {"Output", 1, {level, tune, bypass}}},
         view));
+    importPage = deck.pageCount();
+    deck.add(std::make_unique<ImportPage>(view));
 }
 
 void EditorWindow::setLook(LookScheme scheme) {
@@ -134,11 +145,33 @@ void EditorWindow::setBusy(bool busy) {
         startTimer(1000 / hertz);
 }
 
+bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
+    return !firstReadable(files, view).isEmpty();
+}
+
+void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
+    dropFrame.show(juce::File(firstReadable(files, view)).getFileName());
+}
+
+void EditorWindow::fileDragExit(const juce::StringArray&) {
+    dropFrame.show({});
+}
+
+void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
+    dropFrame.show({});
+    const auto file = firstReadable(files, view);
+    if (file.isEmpty())
+        return;
+    view.openFile(file.toStdString());
+    deck.show(importPage);
+}
+
 void EditorWindow::paint(juce::Graphics& g) {
     g.fillAll(colourOf(*this, LookColour::background));
 }
 
 void EditorWindow::resized() {
+    dropFrame.setBounds(getLocalBounds());
     auto area = getLocalBounds().reduced(margin, 0);
     auto bar = area.removeFromTop(barHeight);
     lookButton.setBounds(bar.removeFromRight(34).reduced(0, 8));

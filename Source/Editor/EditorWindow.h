@@ -2,6 +2,7 @@
 // status and keyboard.
 #pragma once
 
+#include "Editor/DropFrame.h"
 #include "Editor/KeyboardPanel.h"
 #include "Editor/Look.h"
 #include "Editor/ObjectPane.h"
@@ -16,7 +17,9 @@
 
 namespace idiophone {
 
-class EditorWindow final : public juce::AudioProcessorEditor, private juce::Timer {
+class EditorWindow final : public juce::AudioProcessorEditor,
+                           public juce::FileDragAndDropTarget,
+                           private juce::Timer {
 public:
     static constexpr int leastWidth = 800, leastHeight = 500;
     static constexpr int mostWidth = 3840, mostHeight = 2160;
@@ -33,6 +36,12 @@ public:
 
     void setLook(LookScheme scheme);
 
+    /// Files that the workshop reads may be dropped anywhere on the window.
+    bool isInterestedInFileDrag(const juce::StringArray& files) override;
+    void fileDragEnter(const juce::StringArray& files, int x, int y) override;
+    void fileDragExit(const juce::StringArray& files) override;
+    void filesDropped(const juce::StringArray& files, int x, int y) override;
+
 private:
     void timerCallback() override;
     void makePages();
@@ -48,6 +57,8 @@ private:
     PresetBrowser browser;
     StatusBar status;
     KeyboardPanel keyboard;
+    DropFrame dropFrame;
+    int importPage = 0; ///< of the deck
     juce::TooltipWindow tooltips{this, 600};
     bool focusTaken = false;
     int ticksAtRest = 0;

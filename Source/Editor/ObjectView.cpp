@@ -101,12 +101,9 @@ void ObjectView::showSound(const SoundFrame& frame) {
     wake();
 }
 
-void ObjectView::showMode(std::size_t object, std::optional<std::size_t> mode) {
-    if (mode == shownMode && object == watched)
+void ObjectView::showMode(std::optional<std::size_t> mode) {
+    if (mode == shownMode)
         return;
-    if (object != watched)
-        slowMotion.reset();
-    watched = object;
     shownMode = mode;
     shownModePhase = std::numbers::pi / 2;
     wake();

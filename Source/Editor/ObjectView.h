@@ -33,8 +33,8 @@ public:
     void refresh();
     /// What sounds lights up; the object whose modes these are is seen to vibrate.
     void showSound(const SoundFrame& frame);
-    /// Shows the shape of one mode of an object that is played, or of none.
-    void showMode(std::size_t object, std::optional<std::size_t> mode);
+    /// Shows the shape of one mode of the object whose modes were shown last, or of none.
+    void showMode(std::optional<std::size_t> mode);
 
     /// Sounding objects are seen to vibrate.
     void setShowsVibration(bool shows);

@@ -117,9 +117,10 @@ public:
     bool canOpen(const std::filesystem::path& file) const override;
     void openFile(const std::filesystem::path& file) override;
     bool canAnalyseAgain() const override;
-    void analyseAgain(const ImportSettings& settings) override;
+    void setImportSettings(const ImportSettings& settings) override;
+    void analyseAgain() override;
     void cancelImport() override { workshop.cancel(); }
-    ImportStatus importStatus() const override { return workshop.status(); }
+    ImportStatus importStatus() const override;
     std::optional<KeyLayout> keyLayout() const override;
     void setKeyLayout(KeyLayout layout) override;
     std::vector<std::array<double, 3>> strikePath(std::size_t index) const override;
@@ -141,9 +142,11 @@ private:
                 const std::function<bool(const std::string& name, std::size_t modeCount)>& change);
 
     // ProcessorForWorkshop.cpp; for the message thread.
+    double rateHz() const;
+    bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);
-    void playMapped(const KeyMap& map);
+    void playMapped(const KeyMap& map, const std::string& step);
     void playAsLoud(Preset preset,
                     std::shared_ptr<const Instrument> built,
                     ParameterValues values,
@@ -160,8 +163,8 @@ private:
     std::optional<std::size_t> watched; ///< of the instrument of that number
     int watchedInstrument = 0;
     ObjectWorkshop workshop;
-    ImportSettings importSettings; ///< used last
-    int importLoads = -1;          ///< `loads` as of the workshop's job, while that is played
+    ImportSettings importSettings;
+    int importLoads = -1; ///< `loads` as of the workshop's job, while that is played
     bool importFailureShown = true;
 
     // The message side's, under soundMutex.
