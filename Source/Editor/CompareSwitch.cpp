@@ -23,9 +23,9 @@ void CompareSwitch::paintButton(juce::Graphics& g, bool highlighted, bool) {
     g.setColour(colourOf(*this, LookColour::accent));
     g.fillRoundedRectangle(isB ? right : left, 3);
     g.setFont(Look::headingFont(13));
-    const auto letter = [&](const char* text, juce::Rectangle<float> place, bool plays) {
+    const auto letter = [&](const char* name, juce::Rectangle<float> place, bool plays) {
         g.setColour(colourOf(*this, plays ? LookColour::onAccent : LookColour::text));
-        g.drawText(text, place, juce::Justification::centred, false);
+        g.drawText(name, place, juce::Justification::centred, false);
     };
     letter("A", left, !isB);
     letter("B", right, isB);

@@ -48,15 +48,15 @@ public:
         g.setColour(colourOf(*this, hasKeyboardFocus(false) || highlighted ? LookColour::accent
                                                                            : LookColour::outline));
         g.drawRoundedRectangle(area, 5, 1.5f);
-        auto text = getLocalBounds().reduced(12, 0);
+        auto line = getLocalBounds().reduced(12, 0);
         if (isChanged) {
             g.setColour(colourOf(*this, LookColour::accent));
-            g.fillEllipse(text.removeFromRight(8).toFloat().withSizeKeepingCentre(7, 7));
-            text.removeFromRight(4);
+            g.fillEllipse(line.removeFromRight(8).toFloat().withSizeKeepingCentre(7, 7));
+            line.removeFromRight(4);
         }
         g.setColour(colourOf(*this, LookColour::text));
         g.setFont(Look::headingFont(15));
-        g.drawFittedText(getButtonText(), text, juce::Justification::centred, 1, 0.75f);
+        g.drawFittedText(getButtonText(), line, juce::Justification::centred, 1, 0.75f);
     }
 
 private:
@@ -89,6 +89,8 @@ PresetBar::PresetBar(ProcessorView& processor)
         addAndMakeVisible(child);
     refresh();
 }
+
+PresetBar::~PresetBar() = default;
 
 const ShelvedPreset* PresetBar::chosen() const {
     const auto& presets = view.presetShelf().presets();

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <memory>
 
 namespace idiophone {
 
@@ -15,6 +16,7 @@ namespace idiophone {
 class PresetBar final : public juce::Component {
 public:
     explicit PresetBar(ProcessorView& view);
+    ~PresetBar() override;
 
     /// What the name and the save button ask for: the list of presets, and a name for a new one.
     std::function<void()> onBrowse;

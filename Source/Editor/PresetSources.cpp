@@ -84,7 +84,9 @@ void PresetSources::show(const std::vector<ShelvedPreset>& presets) {
         if (const int row = tags.indexOf(tag); row >= 0)
             rows.addRange({row, row + 1});
     tagList.setSelectedRows(rows, juce::dontSendNotification);
-    chosenTags.removeIf([this](const juce::String& tag) { return !tags.contains(tag); });
+    for (int i = chosenTags.size(); --i >= 0;)
+        if (!tags.contains(chosenTags[i]))
+            chosenTags.remove(i);
     resized();
 }
 
