@@ -4,13 +4,14 @@
 #
 #   Tests/Screenshots.sh OUTDIR [STANDALONE]
 #
-# Needs (Debian): xvfb xdotool imagemagick python3-xlib; with pulseaudio and libasound2-plugins
-# there is a sound device, so that what is struck is seen to ring.
+# Needs (Debian): xvfb xdotool imagemagick, and python3-xlib for $PYTHON (python3) to drop the mesh;
+# with pulseaudio and libasound2-plugins there is a sound device, so that what is struck is seen to
+# ring.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 if [ $# -lt 1 ]; then
-    sed -n '2,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
     exit 2
 fi
 for tool in Xvfb xvfb-run xdotool import; do
@@ -20,6 +21,7 @@ mkdir -p "$1"
 out=$(cd "$1" && pwd)
 build=build/${PRESET:-release}
 standalone=${2:-$build/Source/Plugin/Idiophone_artefacts/Release/Standalone/Idiophone}
+python=${PYTHON:-python3}
 console=$build/Source/Console/idiophone
 
 # On a screen of our own, once.
@@ -40,6 +42,8 @@ export XDG_CONFIG_HOME=$scratch/config XDG_RUNTIME_DIR=$scratch HOME=$scratch
 mkdir -p "$XDG_CONFIG_HOME"
 if command -v pulseaudio >/dev/null; then
     mkdir "$scratch/pulse"
+    printf '%s\n' 'pcm.!default { type pulse hint { show on description "Default" } }' \
+        'ctl.!default { type pulse }' >"$HOME/.asoundrc"
     pulseaudio --start --exit-idle-time=-1 -n -L "module-null-sink" \
         -L "module-native-protocol-unix" 2>/dev/null || true
 fi
@@ -86,8 +90,8 @@ done
 size 1180 860
 other_look
 "$console" mesh ring -o "$scratch/ring.obj" >/dev/null
-if python3 -c 'import Xlib' 2>/dev/null; then
-    Tests/drop_file.py "$window" 400 300 "$scratch/ring.obj"
+if "$python" -c 'import Xlib' 2>/dev/null; then
+    "$python" Tests/drop_file.py "$window" 400 300 "$scratch/ring.obj"
     sleep 1
     shot dropped-preview
     sleep 8
