@@ -40,10 +40,12 @@ void Processor::playSound(const Sound& wanted) {
         auto values = wanted.parameters;
         values.set(ParameterId::bypass, parameters[ParameterId::bypass].exactValue());
         parameters.load(values);
-        if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset))
+        if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset)) {
             loadedPreset = wanted.preset;
-        else
+            sendSilences();
+        } else {
             play(wanted.preset, wanted.instrument);
+        }
         unknownParameters = wanted.unknownParameters;
         presetId = wanted.presetId;
         storedParameters = wanted.stored;

@@ -73,7 +73,7 @@ void SoundPicture::look(std::size_t slot) {
     if (object == subject.instrument->slots()[slot].object)
         return;
     object = subject.instrument->slots()[slot].object;
-    name = objectName(*subject.instrument, slot);
+    key = modeSetKey(*subject.instrument, slot);
     weights = meanSquareShapes(*object);
     isSilenced.clear();
     for (auto& silenced :
@@ -167,8 +167,8 @@ ModeNow SoundPicture::modeNow(const MonitoredSound& sound, std::size_t mode) con
         static_cast<float>(isOscillating(pole) ? dampedFrequency(pole) / (2 * std::numbers::pi)
                                                : naturalFrequencyHz(pole));
     now.t60Seconds = static_cast<float>(std::log(1000) / decayBound(pole));
-    now.isMuted = subject.muted.contains(name, number);
-    now.isHeardAlone = subject.heardAlone.contains(name, number);
+    now.isMuted = subject.muted.contains(key, number);
+    now.isHeardAlone = subject.heardAlone.contains(key, number);
     if (!soundsAt(pole, sound.sampleRateHz))
         now.standing = ModeStanding::outOfBand;
     else if (!isSilenced.empty() && isSilenced[mode] != 0)

@@ -50,7 +50,7 @@ private:
 
     // Of the slot that is looked at.
     std::shared_ptr<const ModalObject> object;
-    std::string name;
+    std::string key; ///< in mode sets
     std::vector<double> weights;           ///< [M] mean-square shapes
     std::vector<std::uint8_t> isSilenced;  ///< [M], or empty: none
     std::vector<std::int32_t> groupStarts; ///< [G+1]

@@ -204,8 +204,7 @@ TEST_CASE("The mode under a place is found, and the arrows go from mode to mode"
     CHECK(spectrum.modeShown() == 1);
     CHECK(spectrum.keyPressed(juce::KeyPress(juce::KeyPress::endKey)));
     CHECK(spectrum.modeShown() == 2);
-    auto* handler = spectrum.getAccessibilityHandler();
-    REQUIRE(handler != nullptr);
+    const auto handler = spectrum.createAccessibilityHandler();
     CHECK(handler->getValueInterface()->getCurrentValueAsString().startsWith("Mode 3: 3000 Hz"));
     CHECK(spectrum.keyPressed(juce::KeyPress(juce::KeyPress::escapeKey)));
     CHECK(spectrum.modeShown() == std::nullopt);
