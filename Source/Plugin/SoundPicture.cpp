@@ -54,6 +54,7 @@ void SoundPicture::show(PictureSubject next) {
     objectOfSlot.assign(slots.size(), 0);
     noteOfSlot.assign(slots.size(), -1);
     modesOfSlot.assign(slots.size(), 0);
+    isOfOneKey.assign(slots.size(), false);
     for (std::size_t slot = 0; slot < slots.size(); ++slot) {
         const auto shared = std::ranges::find_if(
             own, [&](std::size_t index) { return slots[index].object == slots[slot].object; });
@@ -61,15 +62,18 @@ void SoundPicture::show(PictureSubject next) {
         modesOfSlot[slot] = static_cast<std::int32_t>(slots[slot].object->modeCount());
     }
     for (int note = 127; note >= 0; --note)
-        if (const int slot = instrument.key(note).slot; slot >= 0)
-            noteOfSlot[static_cast<std::size_t>(slot)] = note;
+        if (const int slot = instrument.key(note).slot; slot >= 0) {
+            const auto index = static_cast<std::size_t>(slot);
+            isOfOneKey[index] = noteOfSlot[index] < 0;
+            noteOfSlot[index] = note;
+        }
 }
 
 /// What is known of a slot's object once for all.
 void SoundPicture::look(std::size_t slot) {
     frame.instrumentNumber = subject.instrumentNumber;
     frame.object = objectOfSlot[slot];
-    frame.note = noteOfSlot[slot];
+    frame.note = isOfOneKey[slot] ? noteOfSlot[slot] : -1;
     if (object == subject.instrument->slots()[slot].object)
         return;
     object = subject.instrument->slots()[slot].object;
