@@ -81,9 +81,8 @@ coarseBody(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCon
 
 } // namespace
 
-Result<ModalObject> analysePreview(const Mesh& mesh,
-                                   const AnalysisSettings& settings,
-                                   const AnalysisControl& control) {
+Result<ModalObject>
+analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     try {
         if (const auto material = validated(settings.material); !material)
             return tl::unexpected(material.error());

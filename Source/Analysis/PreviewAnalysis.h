@@ -7,10 +7,10 @@
 namespace idiophone {
 
 /// As `analyse`, of a mesh brought down to `previewVertices` and filled or covered with so few
-/// elements that meshes of 20,000 triangles take less than 2 s on one core of 2020
-/// (docs/validation.md): shells by the two layers whichever springs were asked for, the band as far
-/// as the elements serve it, every vertex with its shapes. Of settings it takes name, source,
-/// material, method, thickness, `largestComponentOnly` and the band's end.
+/// elements that meshes of 20,000 triangles take less than 2 s (docs/decisions/0021): shells by the
+/// two layers whichever springs were asked for, the band as far as the elements serve it, every
+/// vertex with its shapes. Of the settings it takes name, source, material, method, thickness,
+/// `weldTolerance`, `largestComponentOnly` and the band.
 /// Errors are those of `analyse`, and a mesh that cannot be brought down. Any thread; not for the
 /// audio thread.
 Result<ModalObject> analysePreview(const Mesh& mesh,

@@ -2,6 +2,7 @@
 
 #include "Analysis/ElementSize.h"
 #include "Analysis/QuadraticTetrahedra.h"
+#include "Geometry/Decimation.h"
 #include "Geometry/MeshCheck.h"
 #include "Geometry/Remesh.h"
 
@@ -73,6 +74,27 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
     return CoveredSurface{};
 }
 
+/// A finer surface that could not be covered anew, as that of a thin tube, with fewer triangles
+/// that keep its volume; as it is where there are none.
+Mesh lightened(const Mesh& surface,
+               const MeshCheck& check,
+               double edgeMetres,
+               const AnalysisControl& control) {
+    for (const double share : {1.0, 0.63, finestEdgeShare}) {
+        const double wanted = check.areaM2 / (0.866 * std::pow(share * edgeMetres, 2));
+        if (!(wanted < static_cast<double>(surface.vertexCount())))
+            break;
+        auto lighter = decimate(surface, std::max(4, static_cast<int>(wanted)),
+                                {.progress = {}, .cancelled = control.cancelled});
+        if (!lighter)
+            continue;
+        const MeshCheck after = checkMesh(*lighter, control.cancelled);
+        if (after.isSolid() && std::abs(after.volumeM3 / check.volumeM3 - 1) < 0.02)
+            return std::move(*lighter);
+    }
+    return surface;
+}
+
 } // namespace
 
 GrainAxes grainAlong(const Mesh& mesh) {
@@ -103,6 +125,8 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
                 "The surface was remeshed to edges of " + millimetres(covered->edgeMetres) + ".";
         } else {
             keepSurface = given < edge;
+            if (keepSurface)
+                mesh = lightened(surface, check, edge, control);
         }
     }
     if (control.isCancelled())

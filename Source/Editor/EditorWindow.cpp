@@ -1,5 +1,6 @@
 #include "Editor/EditorWindow.h"
 
+#include "Editor/ImportPage.h"
 #include "Editor/MaterialPage.h"
 #include "Editor/ModesPage.h"
 #include "Editor/ParameterPage.h"
@@ -19,12 +20,22 @@ constexpr int margin = 12, barHeight = 44, statusHeight = 32;
 /// With less for both, the picture stands beside the deck and not above it.
 constexpr int leastHeightForBoth = PageDeck::leastHeight + 200;
 constexpr double deckShare = 0.44;
+/// How often the window looks for what has changed: while something sounds or the mouse is over it,
+/// and after a while without either.
+constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
+
+juce::String firstReadable(const juce::StringArray& files, const WorkshopView& view) {
+    for (const auto& file : files)
+        if (view.canOpen(file.toStdString()))
+            return file;
+    return {};
+}
 
 } // namespace
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), keyboard(view) {
+      presets(view), object(view), browser(view.presetShelf()), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
     lookButton.onClick = [this] {
@@ -33,15 +44,24 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     for (auto* child : std::initializer_list<juce::Component*>{&presets, &lookButton, &object,
                                                                &deck, &status, &keyboard})
         addAndMakeVisible(child);
+    addChildComponent(browser);
+    presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
+    presets.onSaveAs = [this] {
+        setBrowsing(true);
+        browser.openToSave();
+    };
+    browser.onClose = [this] { setBrowsing(false); };
+    addChildComponent(dropFrame);
     setLook(look.scheme());
     setResizable(true, true);
     setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
     const auto size = preferences.windowSize();
     setSize(size.x > 0 ? size.x : firstWidth, size.y > 0 ? size.y : firstHeight);
-    startTimerHz(25);
+    startTimer(1000 / busyHz);
 }
 
 EditorWindow::~EditorWindow() {
+    browser.settle();
     preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
 }
@@ -67,6 +87,8 @@ void EditorWindow::makePages() {
         std::vector<ParameterGroup>{{"Listening", 0, {radiation, width}},
                                     {"Output", 1, {level, tune, bypass}}},
         view));
+    importPage = deck.pageCount();
+    deck.add(std::make_unique<ImportPage>(view));
 }
 
 void EditorWindow::setLook(LookScheme scheme) {
@@ -80,12 +102,31 @@ void EditorWindow::setLook(LookScheme scheme) {
     repaint();
 }
 
+void EditorWindow::setBrowsing(bool browses) {
+    if (!browses)
+        browser.settle();
+    browser.setVisible(browses);
+    object.setVisible(!browses);
+    deck.setVisible(!browses);
+    if (browses)
+        browser.open();
+    else if (isShowing())
+        presets.grabKeyboardFocus();
+    presets.refresh();
+}
+
+bool EditorWindow::keyPressed(const juce::KeyPress& key) {
+    return presets.handleKey(key) || AudioProcessorEditor::keyPressed(key);
+}
+
 void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
     deck.refresh();
     keyboard.refresh();
-    status.show(view.takeStatus());
+    const auto now = view.takeStatus();
+    setBusy(now.peak > 0 || isMouseOver(true));
+    status.show(now);
     if (const auto* frame = view.takeSoundFrame()) {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
@@ -97,11 +138,40 @@ void EditorWindow::timerCallback() {
     }
 }
 
+void EditorWindow::setBusy(bool busy) {
+    ticksAtRest = busy ? 0 : std::min(ticksAtRest + 1, ticksToRest);
+    const int hertz = ticksAtRest < ticksToRest ? busyHz : restHz;
+    if (getTimerInterval() != 1000 / hertz)
+        startTimer(1000 / hertz);
+}
+
+bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
+    return !firstReadable(files, view).isEmpty();
+}
+
+void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
+    dropFrame.show(juce::File(firstReadable(files, view)).getFileName());
+}
+
+void EditorWindow::fileDragExit(const juce::StringArray&) {
+    dropFrame.show({});
+}
+
+void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
+    dropFrame.show({});
+    const auto file = firstReadable(files, view);
+    if (file.isEmpty())
+        return;
+    view.openFile(file.toStdString());
+    deck.show(importPage);
+}
+
 void EditorWindow::paint(juce::Graphics& g) {
     g.fillAll(colourOf(*this, LookColour::background));
 }
 
 void EditorWindow::resized() {
+    dropFrame.setBounds(getLocalBounds());
     auto area = getLocalBounds().reduced(margin, 0);
     auto bar = area.removeFromTop(barHeight);
     lookButton.setBounds(bar.removeFromRight(34).reduced(0, 8));
@@ -109,6 +179,7 @@ void EditorWindow::resized() {
     area.removeFromBottom(8);
     keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));
     status.setBounds(area.removeFromBottom(statusHeight));
+    browser.setBounds(area);
     if (area.getHeight() < leastHeightForBoth) {
         const int fitting = (area.getWidth() * 3 / 5) / DeckPage::leastWidth;
         const int pages = std::clamp(fitting, 1, deck.pageCount());

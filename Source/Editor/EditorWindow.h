@@ -2,12 +2,14 @@
 // status and keyboard.
 #pragma once
 
+#include "Editor/DropFrame.h"
 #include "Editor/KeyboardPanel.h"
 #include "Editor/Look.h"
 #include "Editor/ObjectPane.h"
 #include "Editor/PageDeck.h"
 #include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
+#include "Editor/PresetBrowser.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
 
@@ -15,7 +17,9 @@
 
 namespace idiophone {
 
-class EditorWindow final : public juce::AudioProcessorEditor, private juce::Timer {
+class EditorWindow final : public juce::AudioProcessorEditor,
+                           public juce::FileDragAndDropTarget,
+                           private juce::Timer {
 public:
     static constexpr int leastWidth = 800, leastHeight = 500;
     static constexpr int mostWidth = 3840, mostHeight = 2160;
@@ -25,12 +29,23 @@ public:
 
     void paint(juce::Graphics& g) override;
     void resized() override;
+    bool keyPressed(const juce::KeyPress& key) override;
+
+    /// Shows the list of presets in place of picture and pages, or these again.
+    void setBrowsing(bool browses);
 
     void setLook(LookScheme scheme);
+
+    /// Files that the workshop reads may be dropped anywhere on the window.
+    bool isInterestedInFileDrag(const juce::StringArray& files) override;
+    void fileDragEnter(const juce::StringArray& files, int x, int y) override;
+    void fileDragExit(const juce::StringArray& files) override;
+    void filesDropped(const juce::StringArray& files, int x, int y) override;
 
 private:
     void timerCallback() override;
     void makePages();
+    void setBusy(bool busy);
 
     ProcessorView& view;
     Preferences preferences;
@@ -39,10 +54,14 @@ private:
     juce::TextButton lookButton;
     ObjectPane object;
     PageDeck deck;
+    PresetBrowser browser;
     StatusBar status;
     KeyboardPanel keyboard;
+    DropFrame dropFrame;
+    int importPage = 0; ///< of the deck
     juce::TooltipWindow tooltips{this, 600};
     bool focusTaken = false;
+    int ticksAtRest = 0;
 };
 
 } // namespace idiophone

@@ -13,11 +13,11 @@ namespace idiophone {
 
 /// How a mesh is made an object.
 struct ImportSettings {
-    std::string unit;               ///< "m", "cm", "mm", "in", "ft"; empty: guessed from the size
+    std::string unit = {};          ///< "m", "cm", "mm", "in", "ft"; empty: guessed from the size
     std::string material = "Steel"; ///< the library's or the user's own
     double thicknessMetres = 0.002; ///< of a shell; 1e-5 to 1
     /// "fem", "two-layer", "spring-mass", "van-gelder"; empty: what suits the mesh.
-    std::string method;
+    std::string method = {};
 
     bool operator==(const ImportSettings&) const = default;
 };
@@ -35,11 +35,12 @@ struct ImportStatus {
 
     Stage stage = Stage::none;
     std::string fileName; ///< without its folder
-    bool hasMesh = false; ///< in memory, so that other settings make another object
-    ImportSettings settings;
-    double progress = 0; ///< 0 to 1
-    std::string step;    ///< what is being done, such as "Solving for modes"
-    std::string error;   ///< a sentence
+    /// The mesh opened last is in memory, and nothing else was loaded since.
+    bool followsSettings = false;
+    ImportSettings settings; ///< in force
+    double progress = 0;     ///< 0 to 1
+    std::string step;        ///< what is being done, such as "Solving for modes"
+    std::string error;       ///< a sentence
     // Of the object made last, empty before.
     std::string summary; ///< such as "171 modes up to 44.0 kHz, 1.6 kg"
     std::string notes;   ///< what repair and analysis chose and why, in sentences
@@ -63,14 +64,17 @@ public:
 
     /// Whether the extension is one of those read: .obj, .ply, .stl, .off, .modal, in any case.
     virtual bool canOpen(const std::filesystem::path& file) const = 0;
-    /// Makes an object of the file with the settings used last, in the background, and plays it as
+    /// Makes an object of the file with the settings in force, in the background, and plays it as
     /// soon as it sounds. What was under way is cancelled. What goes wrong is in the status.
     virtual void openFile(const std::filesystem::path& file) = 0;
+    /// For what is opened from now on; and where `ImportStatus::followsSettings`, the object is
+    /// made anew. Settings out of range fail in the status.
+    virtual void setImportSettings(const ImportSettings& settings) = 0;
     /// Whether what plays has a mesh to be analysed anew: it came from one in this session, or is a
     /// single object, whose own is taken.
     virtual bool canAnalyseAgain() const = 0;
-    /// Makes the object that plays anew. Settings out of range fail in the status.
-    virtual void analyseAgain(const ImportSettings& settings) = 0;
+    /// Makes the object that plays anew with the settings in force.
+    virtual void analyseAgain() = 0;
     virtual void cancelImport() = 0;
     virtual ImportStatus importStatus() const = 0;
 

@@ -21,8 +21,11 @@ bool hasExtension(const std::filesystem::path& file, std::initializer_list<const
 
 /// Three figures.
 juce::String figure(double value) {
-    const int decimals = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3;
-    return juce::String(value, decimals);
+    if (value >= 100)
+        return juce::String(juce::roundToInt(value));
+    if (value < 0.0005)
+        return "0";
+    return juce::String(value, value >= 10 ? 1 : value >= 1 ? 2 : 3);
 }
 
 juce::String frequency(double hz) {

@@ -91,7 +91,7 @@ void ObjectWorkshop::start(std::shared_ptr<Job> job) {
         mesh = job->source;
         shown = {.stage = ImportStatus::Stage::working,
                  .fileName = job->source != nullptr ? job->source->name : nameOf(job->file),
-                 .hasMesh = mesh != nullptr,
+                 .followsSettings = false,
                  .settings = job->settings,
                  .progress = 0,
                  .step = "Waiting",
@@ -170,10 +170,8 @@ Result<void> ObjectWorkshop::make(const Job& job) {
         Source{.name = nameOf(job.file), .mesh = std::move(*read), .isMetres = false});
     {
         const std::scoped_lock lock(mutex);
-        if (!job.cancelled) {
+        if (!job.cancelled)
             mesh = source;
-            shown.hasMesh = true;
-        }
     }
     return makeFromMesh(job, *source);
 }

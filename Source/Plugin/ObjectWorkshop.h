@@ -52,6 +52,7 @@ public:
     /// Whether the mesh of a file opened before is there to be analysed again.
     bool hasMesh() const;
 
+    /// But for `followsSettings`.
     ImportStatus status() const;
     /// What the job asked for last has made since this was asked; nothing of those before it, or
     /// once cancelled.

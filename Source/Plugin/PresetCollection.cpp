@@ -39,6 +39,15 @@ ParameterValues storedValues(const Sound& sound) {
     return values;
 }
 
+/// The modes under the names that another key map has for the same notes.
+ModeSet renamedModes(const ModeSet& modes, const KeyMap& from, const KeyMap& to) {
+    ModeSet renamed;
+    for (int note = from.lowestNote; note <= from.highestNote; ++note)
+        for (const auto mode : modes.of(from.objectFor(note)))
+            renamed.set(to.objectFor(note), mode, true);
+    return renamed;
+}
+
 ShelvedPreset shelved(const Preset& preset, std::string id) {
     return {.id = std::move(id),
             .name = preset.name,
@@ -95,24 +104,21 @@ void PresetCollection::readPresets() {
 }
 
 std::string PresetCollection::chosenPreset() const {
-    return holder.loadedSound().presetId;
+    return holder.loadedLabel().presetId;
 }
 
 PresetDetails PresetCollection::soundDetails() const {
-    const auto sound = holder.loadedSound();
-    const auto* entry = folder.find(sound.presetId);
-    return {.name = sound.preset.name,
+    auto label = holder.loadedLabel();
+    const auto* entry = folder.find(label.presetId);
+    return {.name = std::move(label.name),
             .folder = entry != nullptr ? entry->folder : "",
-            .author = sound.preset.author,
-            .description = sound.preset.description,
-            .tags = sound.preset.tags};
+            .author = std::move(label.author),
+            .description = std::move(label.description),
+            .tags = std::move(label.tags)};
 }
 
 bool PresetCollection::soundIsChanged() const {
-    const auto sound = holder.loadedSound();
-    auto now = sound.parameters;
-    now.set(ParameterId::bypass, sound.stored[ParameterId::bypass]);
-    return now != sound.stored;
+    return holder.loadedLabel().isChanged;
 }
 
 Result<Sound> PresetCollection::soundOf(const std::string& id) {
@@ -186,6 +192,7 @@ Result<void> PresetCollection::savePreset(const PresetDetails& details, bool rep
             return writePresetObjects(preset.keyMap, *sound.instrument, root);
         })
         .and_then([&](const KeyMap& keyMap) {
+            preset.mutedModes = renamedModes(preset.mutedModes, preset.keyMap, keyMap);
             preset.keyMap = keyMap;
             return folder.write(preset, details.folder, replace);
         })

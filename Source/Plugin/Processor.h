@@ -72,9 +72,6 @@ public:
     bool hasEditor() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override;
 
-    std::vector<std::string> presetNames() const override;
-    int presetIndex() const override { return programIndex; }
-    void choosePreset(int index) override { setCurrentProgram(index); }
     double parameterValue(ParameterId parameter) const override;
     double effectiveValue(ParameterId parameter) const override;
     void makeCustom(ParameterId figure) override;
@@ -104,12 +101,14 @@ public:
     void unmuteModes(std::size_t object) override;
     void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
+    void reportError(const std::string& sentence) override;
     PresetCollection& presetShelf() override { return shelf; }
     SoundHistory& editHistory() override { return history; }
     SoundHistory& soundVariants() override { return history; }
     MidiLearn& midiLearn() override { return controllers; }
 
     Sound loadedSound() const override;
+    SoundLabel loadedLabel() const override;
     void playSound(const Sound& wanted) override;
     int soundNumber() const override { return loads; }
     double valueOf(ParameterId parameter) const override { return parameterValue(parameter); }
@@ -118,9 +117,10 @@ public:
     bool canOpen(const std::filesystem::path& file) const override;
     void openFile(const std::filesystem::path& file) override;
     bool canAnalyseAgain() const override;
-    void analyseAgain(const ImportSettings& settings) override;
+    void setImportSettings(const ImportSettings& settings) override;
+    void analyseAgain() override;
     void cancelImport() override { workshop.cancel(); }
-    ImportStatus importStatus() const override { return workshop.status(); }
+    ImportStatus importStatus() const override;
     std::optional<KeyLayout> keyLayout() const override;
     void setKeyLayout(KeyLayout layout) override;
     std::vector<std::array<double, 3>> strikePath(std::size_t index) const override;
@@ -143,9 +143,11 @@ private:
     void sendSilences();
 
     // ProcessorForWorkshop.cpp; for the message thread.
+    double rateHz() const;
+    bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);
-    void playMapped(const KeyMap& map);
+    void playMapped(const KeyMap& map, const std::string& step);
     void playAsLoud(Preset preset,
                     std::shared_ptr<const Instrument> built,
                     ParameterValues values,
@@ -162,8 +164,8 @@ private:
     std::optional<std::size_t> watched; ///< of the instrument of that number
     int watchedInstrument = 0;
     ObjectWorkshop workshop;
-    ImportSettings importSettings; ///< used last
-    int importLoads = -1;          ///< `loads` as of the workshop's job, while that is played
+    ImportSettings importSettings;
+    int importLoads = -1; ///< `loads` as of the workshop's job, while that is played
     bool importFailureShown = true;
 
     // The message side's, under soundMutex.

@@ -73,8 +73,9 @@ bool Processor::hearModeAlone(std::size_t object, std::int32_t mode, bool isAlon
 }
 
 void Processor::unmuteModes(std::size_t object) {
-    history.record("Unmute all modes", [&] {
-        changeModes(object, [&](const std::string& key, std::size_t) {
+    bool done = false;
+    history.record("Unmute modes", [&] {
+        done = changeModes(object, [&](const std::string& key, std::size_t) {
             loadedPreset.mutedModes.clear(key);
             return true;
         });

@@ -3,6 +3,7 @@
 
 #include "Geometry/ObjectMesh.h"
 #include "Instrument/LoudnessMatch.h"
+#include "Instrument/Mallet.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
@@ -19,12 +20,39 @@ constexpr KeyMapKind kindOf(KeyLayout layout) {
     return layout == KeyLayout::zones ? KeyMapKind::zones : KeyMapKind::scaled;
 }
 
+bool isStruck(const ParameterValues& values) {
+    return static_cast<int>(values[ParameterId::contact]) == strikeContact;
+}
+
 double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values) {
     const LoudnessMatch match(instrument, surface, sampleRateHz, values);
     return match.predictedLufs(values)[PhrasePrediction::middleVelocity];
+}
+
+/// The values, but with a mallet of the rack where theirs leaves the instrument all but silent, as
+/// yarn does a small ball of steel: the softest that makes it sound, or the one that does it best.
+ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
+                                  const Surface& surface,
+                                  double sampleRateHz,
+                                  const ParameterValues& values) {
+    constexpr double faintestLufs = wantedLufs - 12; // what the level has to make up for
+    const auto loudnessOf = [&](const ParameterValues& with) {
+        return predictedLufs(instrument, surface, sampleRateHz, with);
+    };
+    double loudest = loudnessOf(values);
+    auto best = values;
+    for (std::size_t k = 0; k < malletRack().size() && !(loudest >= faintestLufs); ++k) {
+        auto with = values;
+        with.set(ParameterId::mallet, static_cast<double>(firstRackMallet + k));
+        if (const double lufs = loudnessOf(with); lufs > loudest) {
+            loudest = lufs;
+            best = with;
+        }
+    }
+    return best;
 }
 
 } // namespace
@@ -40,21 +68,33 @@ void Processor::openFile(const std::filesystem::path& file) {
 }
 
 bool Processor::canAnalyseAgain() const {
-    return (importLoads == loads && workshop.hasMesh()) || keyLayout().has_value();
+    return followsImportSettings() || keyLayout().has_value();
 }
 
-void Processor::analyseAgain(const ImportSettings& settings) {
-    const auto playing = loadedInstrument();
-    const bool ours = importLoads == loads && workshop.hasMesh();
-    if (!ours && !keyLayout())
-        return;
+void Processor::setImportSettings(const ImportSettings& settings) {
     importSettings = settings;
+    if (followsImportSettings())
+        analyseAgain();
+}
+
+void Processor::analyseAgain() {
+    const bool isOurs = followsImportSettings();
+    if (!isOurs && !keyLayout())
+        return;
     importLoads = loads;
     importFailureShown = false;
-    if (ours)
-        return workshop.analyseAgain(settings);
+    if (isOurs)
+        return workshop.analyseAgain(importSettings);
+    const auto playing = loadedInstrument();
     const auto& object = *playing->slots().front().object;
-    workshop.analyse(objectMesh(object), object.name, settings);
+    workshop.analyse(objectMesh(object), object.name, importSettings);
+}
+
+ImportStatus Processor::importStatus() const {
+    auto status = workshop.status();
+    status.followsSettings = followsImportSettings();
+    status.settings = importSettings;
+    return status;
 }
 
 /// A product plays where nothing else was chosen meanwhile.
@@ -86,24 +126,41 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     }
     map.object = product.objectName;
     map.referenceNote = -1;
-    if (product.isFirst) {
-        values.set(ParameterId::material, ownMaterial);
-        values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
-        preset.parameters = values;
-    }
     preset.name = object.name;
     preset.author.clear();
     preset.description = object.name + ": " + summaryOf(object);
     preset.tags = {"imported"};
     preset.unknownParameters.clear();
+    preset.mutedModes = {};
     auto built = buildSingleObject(map, product.object);
     if (!built) {
         const std::scoped_lock lock(soundMutex);
         lastError = object.name + " cannot be played: " + built.error().message;
         return;
     }
-    playAsLoud(std::move(preset), std::move(*built), values,
-               isNew ? std::optional(wantedLufs) : std::nullopt);
+    if (product.isFirst) {
+        values.set(ParameterId::material, ownMaterial);
+        values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
+        if (isNew && isStruck(values))
+            values = withAudibleMallet(*built, preset.surface, rateHz(), values);
+        preset.parameters = values;
+    }
+    const auto former = loadedInstrument();
+    const auto play = [&] {
+        playAsLoud(preset, *built, values, isNew ? std::optional(wantedLufs) : std::nullopt);
+    };
+    if (product.isFirst) {
+        history.record((product.isNewFile ? "Open " : "Analyse ") + object.name, play);
+    } else {
+        play();
+        history.replaceInstrument(former, loadedSound());
+    }
+    importLoads = loads;
+}
+
+double Processor::rateHz() const {
+    const std::scoped_lock lock(soundMutex);
+    return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
 /// With the level that a loudness asks for, or else that keeps what plays as loud as it is.
@@ -111,14 +168,12 @@ void Processor::playAsLoud(Preset preset,
                            std::shared_ptr<const Instrument> built,
                            ParameterValues values,
                            std::optional<double> lufs) {
-    const double rateHz = preparedRateHz > 0 ? preparedRateHz : 48000;
     const auto before = loadedInstrument();
     const auto now = parameters.values();
-    const bool isStruck = static_cast<int>(now[ParameterId::contact]) == strikeContact;
     // The loudness of scrapes and rolls is known but for a constant.
-    if (before != nullptr && (!lufs || !isStruck))
-        lufs = predictedLufs(before, preset.surface, rateHz, now) + now[ParameterId::level];
-    const double level = lufs ? *lufs - predictedLufs(built, preset.surface, rateHz, values)
+    if (before != nullptr && (!lufs || !isStruck(now)))
+        lufs = predictedLufs(before, preset.surface, rateHz(), now) + now[ParameterId::level];
+    const double level = lufs ? *lufs - predictedLufs(built, preset.surface, rateHz(), values)
                               : now[ParameterId::level];
     if (std::isfinite(level))
         values.set(ParameterId::level, level);
@@ -127,7 +182,6 @@ void Processor::playAsLoud(Preset preset,
         parameters.load(values);
         play(std::move(preset), std::move(built));
         programIndex = -1;
-        importLoads = loads;
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
@@ -153,7 +207,7 @@ void Processor::setKeyLayout(KeyLayout layout) {
         return;
     auto map = loadedInstrument()->keyMap();
     map.kind = kindOf(layout);
-    playMapped(map);
+    playMapped(map, layout == KeyLayout::zones ? "Keys along a path" : "Keys at their pitches");
 }
 
 std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) const {
@@ -176,12 +230,12 @@ void Processor::setStrikePath(std::size_t index, const std::vector<std::array<do
     auto map = playing->keyMap();
     map.strikePath = relativePath(*playing->slots()[slots[index]].object, metres);
     if (!map.strikePath.empty())
-        playMapped(map);
+        playMapped(map, "Strike path");
 }
 
 /// The same objects, played by other keys or at other places.
-void Processor::playMapped(const KeyMap& map) {
-    const bool ours = importLoads == loads;
+void Processor::playMapped(const KeyMap& map, const std::string& step) {
+    const bool isOurs = importLoads == loads;
     auto built = rebuilt(*loadedInstrument(), map);
     if (!built) {
         const std::scoped_lock lock(soundMutex);
@@ -194,9 +248,8 @@ void Processor::playMapped(const KeyMap& map) {
         preset = loadedPreset;
     }
     preset.keyMap = map;
-    playAsLoud(std::move(preset), std::move(*built), parameters.values(), std::nullopt);
-    if (!ours)
-        importLoads = -1;
+    history.record(step, [&] { playAsLoud(preset, *built, parameters.values(), std::nullopt); });
+    importLoads = isOurs ? loads.load() : -1;
 }
 
 } // namespace idiophone

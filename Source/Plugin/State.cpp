@@ -1,6 +1,8 @@
 #include "Plugin/State.h"
 
+#include <algorithm>
 #include <juce_core/juce_core.h>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 namespace idiophone {
@@ -37,6 +39,31 @@ std::string packed(std::span<const std::byte> bytes) {
         zip.write(bytes.data(), bytes.size());
     }
     return juce::Base64::toBase64(compressed.getData(), compressed.getDataSize()).toStdString();
+}
+
+/// The same, where it was packed a while ago without packing it anew: hosts ask for states often,
+/// and a large object takes some tenths of a second. Keeps the last few.
+std::string packedOnce(const std::vector<std::byte>& bytes) {
+    constexpr std::size_t smallest = 1 << 17, most = 4;
+    if (bytes.size() < smallest)
+        return packed(bytes);
+    struct Packed {
+        std::vector<std::byte> bytes;
+        std::string text;
+    };
+    static std::mutex mutex;
+    static std::vector<Packed> kept; // the one used last is last
+    const std::scoped_lock lock(mutex);
+    const auto known =
+        std::ranges::find_if(kept, [&](const Packed& each) { return each.bytes == bytes; });
+    if (known != kept.end()) {
+        std::rotate(known, known + 1, kept.end());
+    } else {
+        if (kept.size() == most)
+            kept.erase(kept.begin());
+        kept.push_back({.bytes = bytes, .text = packed(bytes)});
+    }
+    return kept.back().text;
 }
 
 std::vector<std::byte>
@@ -132,7 +159,7 @@ std::string encodeState(const State& state) {
         parameters[id] = value;
     ordered_json objects = ordered_json::array();
     for (const auto& object : state.objects)
-        objects.push_back({{"name", object.name}, {"modal", packed(object.modal)}});
+        objects.push_back({{"name", object.name}, {"modal", packedOnce(object.modal)}});
     ordered_json controllers = ordered_json::object();
     for (const auto& info : parameterTable())
         if (const int number = state.controllers[info.parameter]; number != noController)

@@ -1,25 +1,86 @@
+// Previews: near enough to be played until the analysis proper is done, of few elements whatever
+// the mesh.
 #include "Analysis/PreviewAnalysis.h"
-#include "Geometry/LengthUnit.h"
-#include "Geometry/MeshReader.h"
+
+#include "Geometry/ParametricMesh.h"
+
 #include <catch2/catch_test_macros.hpp>
-#include <iostream>
-#include <chrono>
+#include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
+#include <numbers>
+
 using namespace idiophone;
-TEST_CASE("measure", "[.measure]") {
-    for (std::string f : {"ball","bar","box","ring","plate","hoop","teapot","frog_legs","extruder_idler","Prusa"}) {
-        auto mesh = readMesh("/tmp/boot/s7/wa/m/" + f + (f == "Prusa" ? ".stl" : ".obj"));
-        if (!mesh) { std::cout << mesh.error().message << "\n"; continue; }
-        mesh->vertices *= guessLengthUnit(*mesh).unit.metresPerUnit;
-        auto t0 = std::chrono::steady_clock::now();
-        std::string steps;
-        auto o = analysePreview(*mesh, {.name=f,.source=f,.material=*findMaterial("Steel")}, {.progress=[&](double, std::string_view s){
-            const auto t = std::chrono::duration<double>(std::chrono::steady_clock::now()-t0).count();
-            if (steps.find(s) == steps.npos) { steps += std::string(s)+"@"+std::to_string(t).substr(0,4)+" "; } }, .cancelled=nullptr});
-        const auto t = std::chrono::duration<double>(std::chrono::steady_clock::now()-t0).count();
-        std::cout << f << " faces " << mesh->faceCount() << ": " << t << " s ";
-        if (o) std::cout << o->method << " V " << o->vertexCount() << " M " << o->modeCount() << " band " << o->bandHz << " lowest " << std::sqrt(o->eigenvalues[0])/6.2832;
-        else std::cout << o.error().message;
-        std::cout << " | " << steps << std::endl;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+AnalysisSettings settings(std::optional<AnalysisMethod> method = {}) {
+    return {.name = "thing",
+            .source = "thing.obj",
+            .material = *findMaterial("Steel"),
+            .method = method,
+            .thicknessMetres = 0.003};
+}
+
+double hertz(const ModalObject& object, std::size_t mode) {
+    return std::sqrt(object.eigenvalues[mode]) / (2 * std::numbers::pi);
+}
+
+} // namespace
+
+TEST_CASE("A preview's lowest modes are within 3 % of those of the whole analysis") {
+    for (const Mesh& mesh : {sheetMesh(0.3, 0.2, 3000), hoopMesh(0.1, 0.03, 200, 12),
+                             extrudedMesh(sheetMesh(0.3, 0.04, 600), 0.02, 4)}) {
+        const auto preview = analysePreview(mesh, settings());
+        auto bounded = settings();
+        bounded.maxFrequencyHz = 8000;
+        const auto whole = analyse(mesh, bounded);
+        REQUIRE(preview);
+        REQUIRE(whole);
+        CHECK(preview->method == whole->method);
+        for (std::size_t mode = 0; mode < 4; ++mode) {
+            INFO(hertz(*preview, mode) << " Hz for " << hertz(*whole, mode));
+            CHECK(std::abs(hertz(*preview, mode) / hertz(*whole, mode) - 1) < 0.03);
+        }
     }
+}
+
+TEST_CASE("A preview of 20,000 triangles has few vertices, and so few elements") {
+    const Mesh fine[] = {icosphereMesh(0.1, 5), sheetMesh(0.4, 0.3, 10000),
+                         sheetMesh(0.4, 0.05, 10000), torusMesh(0.1, 0.01, 426, 20)};
+    for (const auto& mesh : fine) {
+        const auto preview = analysePreview(mesh, settings());
+        REQUIRE(preview);
+        CHECK(preview->vertexCount() <= 2 * previewVertices);
+        CHECK(preview->shapeVertexCount() == preview->vertexCount());
+        CHECK(preview->modeCount() < 400);
+        CHECK_THAT(preview->provenance.notes, ContainsSubstring("preview"));
+    }
+}
+
+TEST_CASE("A preview follows the method asked for, and springs of any kind by the two layers") {
+    const Mesh ball = icosphereMesh(0.1, 2);
+    const auto methodOf = [&](AnalysisMethod method) {
+        const auto preview = analysePreview(ball, settings(method));
+        return preview ? preview->method : preview.error().message;
+    };
+    CHECK(methodOf(AnalysisMethod::tetrahedra) == "fem");
+    CHECK(methodOf(AnalysisMethod::twoLayer) == "two-layer");
+    CHECK(methodOf(AnalysisMethod::springMass) == "two-layer");
+    CHECK(methodOf(AnalysisMethod::vanGelder) == "two-layer");
+    const auto open =
+        analysePreview(sheetMesh(0.1, 0.1, 100), settings(AnalysisMethod::tetrahedra));
+    CHECK_FALSE(open);
+}
+
+TEST_CASE("A preview that is cancelled, or of no mesh, is one sentence") {
+    const std::atomic<bool> cancelled{true};
+    const auto stopped = analysePreview(icosphereMesh(0.1, 4), settings(),
+                                        {.progress = {}, .cancelled = &cancelled});
+    REQUIRE_FALSE(stopped);
+    CHECK(stopped.error().message == cancelledMessage);
+    CHECK_FALSE(analysePreview(Mesh{}, settings()));
+    auto steel = settings();
+    steel.material.densityKgPerM3 = 0;
+    CHECK_FALSE(analysePreview(icosphereMesh(0.1, 1), steel));
 }

@@ -199,7 +199,7 @@ TEST_CASE("Muting is a step that is undone and redone, in the sound too") {
     processor.editHistory().undo();
     CHECK(frameAfter(processor, 4800, note(69))->modes[0].isMuted);
     processor.muteMode(9, 99, true); // no such mode, and no step
-    CHECK(processor.editHistory().redoName() == "Unmute all modes");
+    CHECK(processor.editHistory().redoName() == "Unmute modes");
 }
 
 TEST_CASE("Modes and objects that do not exist are not muted") {

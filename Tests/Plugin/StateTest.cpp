@@ -68,6 +68,22 @@ TEST_CASE("Embedded objects come back byte for byte, whatever they hold") {
     CHECK(read->objects == state.objects);
 }
 
+TEST_CASE("Many large objects keep their own bytes, packed anew or from memory") {
+    State state = testState();
+    std::mt19937 random(5);
+    for (int i = 0; i < 6; ++i) {
+        std::vector<std::byte> noise(150000);
+        for (auto& value : noise)
+            value = static_cast<std::byte>(random());
+        state.objects.push_back({.name = "noise " + std::to_string(i), .modal = noise});
+    }
+    const auto bytes = encodeState(state);
+    CHECK(encodeState(state) == bytes);
+    CHECK(parseState(bytes)->objects == state.objects);
+    std::swap(state.objects.front().modal, state.objects.back().modal);
+    CHECK(parseState(encodeState(state))->objects == state.objects);
+}
+
 TEST_CASE("Parameters of a newer version are kept and saved again") {
     auto state = testState();
     state.unknownParameters = {{"radiance", 0.1}, {"sheen", -3e-300}};

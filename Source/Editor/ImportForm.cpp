@@ -1,0 +1,189 @@
+#include "Editor/ImportForm.h"
+
+#include "Editor/Look.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace idiophone {
+namespace {
+
+struct Choice {
+    const char* id; ///< in ImportSettings
+    const char* name;
+};
+
+constexpr std::array units{Choice{"", "Guessed"},       Choice{"m", "Metres"},
+                           Choice{"cm", "Centimetres"}, Choice{"mm", "Millimetres"},
+                           Choice{"in", "Inches"},      Choice{"ft", "Feet"}};
+constexpr std::array methods{Choice{"", "Automatic"}, Choice{"fem", "Solid, finite elements"},
+                             Choice{"two-layer", "Shell, two layers"},
+                             Choice{"spring-mass", "Shell, springs as published"},
+                             Choice{"van-gelder", "Shell, van Gelder's springs"}};
+
+void fill(juce::ComboBox& list, std::span<const Choice> choices) {
+    int item = 1;
+    for (const auto& choice : choices)
+        list.addItem(choice.name, item++);
+}
+
+std::string chosen(const juce::ComboBox& list, std::span<const Choice> choices) {
+    return choices[static_cast<std::size_t>(std::max(list.getSelectedItemIndex(), 0))].id;
+}
+
+const Choice* find(std::span<const Choice> choices, const std::string& id) {
+    const auto found =
+        std::ranges::find_if(choices, [&](const Choice& choice) { return id == choice.id; });
+    return found == choices.end() ? nullptr : &*found;
+}
+
+/// `taken` is what the first choice has come to, or empty.
+void select(juce::ComboBox& list,
+            std::span<const Choice> choices,
+            const std::string& id,
+            const std::string& taken) {
+    const auto* came = taken.empty() ? nullptr : find(choices, taken);
+    const juce::String automatic(choices[0].name);
+    const auto text = came == nullptr ? automatic : automatic + ": " + came->name;
+    if (list.getItemText(0) != text) {
+        list.changeItemText(1, text);
+        if (list.getSelectedId() == 1)
+            list.setText(text, juce::dontSendNotification);
+    }
+    const auto* wanted = find(choices, id);
+    const int item = wanted == nullptr ? 1 : static_cast<int>(wanted - choices.data()) + 1;
+    if (list.getSelectedId() != item)
+        list.setSelectedId(item, juce::dontSendNotification);
+}
+
+juce::String utf8(std::string_view text) {
+    return juce::String::fromUTF8(text.data(), static_cast<int>(text.size()));
+}
+
+} // namespace
+
+juce::String thicknessText(double metres) {
+    return juce::String(juce::String(1000 * metres, 3).getDoubleValue()) + " mm";
+}
+
+std::optional<double> parseThicknessMetres(const juce::String& text) {
+    const auto plain = text.trim().toLowerCase().replaceCharacter(',', '.');
+    const auto number = plain.initialSectionContainingOnly("0123456789.");
+    const auto word = plain.substring(number.length()).trim();
+    double metresPerUnit = 1e-3;
+    if (word == "m")
+        metresPerUnit = 1;
+    else if (word == "cm")
+        metresPerUnit = 1e-2;
+    else if (word == "in" || word == "\"")
+        metresPerUnit = 0.0254;
+    else if (word.isNotEmpty() && word != "mm")
+        return std::nullopt;
+    const double metres = number.getDoubleValue() * metresPerUnit;
+    if (!number.containsAnyOf("0123456789") || !(metres >= 1e-5 && metres <= 1))
+        return std::nullopt;
+    return metres;
+}
+
+ImportForm::ImportForm(ProcessorView& processor) : view(processor) {
+    describe(unit, names[0], "Unit", "The unit of length that the mesh file is in");
+    describe(material, names[1], "Material", "What the object is made of");
+    describe(thickness, names[2], "Thickness of shells",
+             "How thick the walls are where the mesh is taken for a shell; in mm, or with a unit");
+    describe(method, names[3], "Method",
+             "How the mesh is analysed: solids by finite elements, thin or open things as shells");
+    fill(unit, units);
+    fill(method, methods);
+    fillMaterials();
+    material.beforeOpening = [this] { fillMaterials(); };
+    thickness.setEditable(true);
+    unit.onChange = [this] {
+        auto wanted = settings;
+        wanted.unit = chosen(unit, units);
+        changeTo(wanted);
+    };
+    method.onChange = [this] {
+        auto wanted = settings;
+        wanted.method = chosen(method, methods);
+        changeTo(wanted);
+    };
+    material.onChange = [this] {
+        auto wanted = settings;
+        wanted.material = material.getText().toStdString();
+        changeTo(wanted);
+    };
+    thickness.onTextChange = [this] { typedThickness(); };
+    show(view.importStatus());
+}
+
+void ImportForm::describe(juce::Component& field,
+                          juce::Label& name,
+                          const juce::String& title,
+                          const juce::String& tooltip) {
+    field.setTitle(title);
+    if (auto* client = dynamic_cast<juce::SettableTooltipClient*>(&field))
+        client->setTooltip(tooltip);
+    name.setText(title, juce::dontSendNotification);
+    name.setFont(Look::textFont());
+    name.setBorderSize({0, 0, 0, 0});
+    name.setAccessible(false);
+    name.setInterceptsMouseClicks(false, false);
+    addAndMakeVisible(name);
+    addAndMakeVisible(field);
+}
+
+void ImportForm::fillMaterials() {
+    material.clear(juce::dontSendNotification);
+    int item = 1;
+    const auto library = choiceNames(ParameterId::material);
+    for (const auto name : library.subspan(firstLibraryMaterial))
+        material.addItem(utf8(name), item++);
+    const auto own = view.readUserMaterials();
+    if (!own.empty())
+        material.addSeparator();
+    for (const auto& name : own)
+        material.addItem(utf8(name), item++);
+    material.setText(utf8(settings.material), juce::dontSendNotification);
+}
+
+void ImportForm::typedThickness() {
+    auto wanted = settings;
+    if (const auto metres = parseThicknessMetres(thickness.getText()))
+        wanted.thicknessMetres = *metres;
+    thickness.setText(thicknessText(wanted.thicknessMetres), juce::dontSendNotification);
+    changeTo(wanted);
+}
+
+void ImportForm::changeTo(const ImportSettings& wanted) {
+    if (wanted == settings)
+        return;
+    settings = wanted;
+    view.setImportSettings(settings);
+}
+
+void ImportForm::show(const ImportStatus& status) {
+    settings = status.settings;
+    select(unit, units, settings.unit, status.unit);
+    select(method, methods, settings.method, status.method);
+    if (material.getText() != utf8(settings.material))
+        material.setText(utf8(settings.material), juce::dontSendNotification);
+    if (!thickness.isBeingEdited())
+        thickness.setText(thicknessText(settings.thicknessMetres), juce::dontSendNotification);
+    thickness.setColour(juce::Label::outlineColourId, colourOf(*this, LookColour::outline));
+}
+
+void ImportForm::resized() {
+    constexpr int gap = 12, nameHeight = 17, rowGap = 6;
+    const std::array<juce::Component*, 4> fields{&unit, &material, &thickness, &method};
+    const int width = (getWidth() - gap) / 2;
+    const int row = (getHeight() - rowGap) / 2;
+    for (int i = 0; i < 4; ++i) {
+        juce::Rectangle<int> area((i % 2) * (width + gap), (i / 2) * (row + rowGap), width, row);
+        names[static_cast<std::size_t>(i)].setBounds(area.removeFromTop(nameHeight));
+        fields[static_cast<std::size_t>(i)]->setBounds(area);
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,192 @@
+// The page of what is dropped, and dropping, without a screen.
+#include "Editor/ImportPage.h"
+#include "Editor/EditorWindow.h"
+#include "Plugin/ImportedFiles.h"
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <functional>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+using Stage = ImportStatus::Stage;
+
+namespace {
+
+template <class Kind>
+Kind& part(juce::Component& whole, const juce::String& title) {
+    std::function<Kind*(juce::Component&)> find = [&](juce::Component& in) -> Kind* {
+        for (auto* child : in.getChildren()) {
+            if (auto* kind = dynamic_cast<Kind*>(child);
+                kind != nullptr && kind->getTitle() == title)
+                return kind;
+            if (auto* deeper = find(*child))
+                return deeper;
+        }
+        return nullptr;
+    };
+    auto* found = find(whole);
+    INFO(title);
+    REQUIRE(found != nullptr);
+    return *found;
+}
+
+void finish(Processor& processor) {
+    while (processor.importStatus().isWorking())
+        waitFor();
+    waitFor(60); // the timer's period
+    juce::Timer::callPendingTimersSynchronously();
+}
+
+void click(juce::Button& button) {
+    REQUIRE(button.isEnabled());
+    button.onClick();
+}
+
+struct Page {
+    Page() { page.setSize(DeckPage::leastWidth, DeckPage::leastHeight); }
+
+    juce::String report() {
+        return part<juce::TextEditor>(page, "What was made of the file").getText();
+    }
+    juce::String file() { return part<juce::Label>(page, "File").getText(); }
+    void choose(const juce::String& list, int item) {
+        part<juce::ComboBox>(page, list).setSelectedId(item, juce::sendNotificationSync);
+    }
+
+    Processor processor;
+    Look look;
+    ImportPage page{processor};
+};
+
+} // namespace
+
+TEST_CASE("Thickness is read in the unit that was typed, in millimetres by default") {
+    CHECK(parseThicknessMetres("2").value() == Approx(0.002));
+    CHECK(parseThicknessMetres(" 2,5 mm").value() == Approx(0.0025));
+    CHECK(parseThicknessMetres("0.3cm").value() == Approx(0.003));
+    CHECK(parseThicknessMetres("0.01 m").value() == Approx(0.01));
+    CHECK(parseThicknessMetres("1 in").value() == Approx(0.0254));
+    for (const auto* wrong : {"", "mm", "thick", "-2", "0", "3 miles", "5000 mm", "."})
+        CHECK_FALSE(parseThicknessMetres(wrong));
+    for (const double metres : {0.002, 0.0005, 0.0125, 1.0})
+        CHECK(parseThicknessMetres(thicknessText(metres)).value() == Approx(metres));
+}
+
+TEST_CASE("The page shows the file, what was chosen and why, and other settings analyse anew") {
+    Page p;
+    CHECK(p.file().contains("Drop"));
+    p.processor.openFile(smallPlateFile("plate.obj", 1000));
+    p.page.refresh();
+    CHECK(part<juce::Button>(p.page, "Cancel the analysis").isVisible());
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(p.file() == "plate.obj");
+    CHECK(p.report().contains("modes from"));
+    CHECK(p.report().contains("looks like millimetres"));
+    CHECK(p.report().contains("Taken as a shell of 2 mm"));
+    CHECK_FALSE(part<juce::Button>(p.page, "Cancel the analysis").isVisible());
+    CHECK(part<juce::ComboBox>(p.page, "Unit").getText() == "Guessed: Millimetres");
+    CHECK(part<juce::ComboBox>(p.page, "Method").getText() == "Automatic: Shell, two layers");
+
+    part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
+    CHECK(p.processor.importStatus().isWorking());
+    part<juce::Label>(p.page, "Thickness of shells").setText("4 mm", juce::sendNotificationSync);
+    finish(p.processor);
+    p.page.refresh();
+    const auto object = p.processor.playedObjects().front().object;
+    CHECK(object->material.name == "Glass");
+    CHECK(object->thicknessMetres == Approx(0.004));
+
+    const auto number = p.processor.instrumentNumber();
+    part<juce::Label>(p.page, "Thickness of shells")
+        .setText("nonsense", juce::sendNotificationSync);
+    CHECK(part<juce::Label>(p.page, "Thickness of shells").getText() == "4 mm");
+    p.page.refresh();
+    p.page.refresh();
+    finish(p.processor);
+    CHECK(p.processor.instrumentNumber() == number);
+}
+
+TEST_CASE("An error is a sentence on the page, and cancelling says so") {
+    Page p;
+    p.processor.openFile(writtenFile("broken.obj", "f 1 2 3\n"));
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(p.report().contains("broken.obj"));
+    const auto& report = part<juce::TextEditor>(p.page, "What was made of the file");
+    CHECK(report.findColour(juce::TextEditor::textColourId) == colourOf(p.page, LookColour::error));
+
+    p.processor.openFile(meshFile("ball.obj", icosphereMesh(0.1, 4)));
+    p.page.refresh();
+    click(part<juce::Button>(p.page, "Cancel the analysis"));
+    CHECK(p.processor.importStatus().stage == Stage::cancelled);
+    CHECK(part<juce::Label>(p.page, "Progress").getText() == "Cancelled.");
+}
+
+TEST_CASE("One switch changes between keys at their pitches and keys along a path") {
+    Page p;
+    auto& scaled = part<juce::Button>(p.page, "Keys scaled to their pitches");
+    auto& zones = part<juce::Button>(p.page, "Keys along a strike path");
+    CHECK_FALSE(zones.isEnabled()); // bars
+    p.processor.openFile(smallPlateFile("plate.obj", 1));
+    finish(p.processor);
+    p.page.refresh();
+    CHECK(scaled.getToggleState());
+    click(zones);
+    CHECK(p.processor.keyLayout() == KeyLayout::zones);
+    CHECK(zones.getToggleState());
+    CHECK_FALSE(scaled.getToggleState());
+    click(scaled);
+    CHECK(p.processor.keyLayout() == KeyLayout::scaled);
+}
+
+TEST_CASE("An object that came with a preset is analysed anew when asked, not by a setting") {
+    Page p;
+    p.processor.setCurrentProgram(4); // a steel ring
+    p.page.refresh();
+    const auto before = p.processor.loadedInstrument();
+    part<juce::ComboBox>(p.page, "Material").setText("Glass", juce::sendNotificationSync);
+    CHECK_FALSE(p.processor.importStatus().isWorking());
+    click(part<juce::Button>(p.page, "Analyse anew"));
+    CHECK(p.processor.importStatus().isWorking());
+    CHECK(p.processor.loadedInstrument() == before);
+    p.processor.cancelImport();
+}
+
+TEST_CASE("Files that can be read are taken by the window, wherever they are dropped") {
+    Processor processor;
+    const std::unique_ptr<juce::AudioProcessorEditor> editor(processor.createEditor());
+    auto& window = dynamic_cast<EditorWindow&>(*editor);
+    const auto file = juce::String(smallPlateFile("plate.obj", 1).string());
+    CHECK_FALSE(window.isInterestedInFileDrag({"song.mid"}));
+    CHECK(window.isInterestedInFileDrag({"song.mid", file}));
+    window.fileDragEnter({file}, 10, 10);
+    window.fileDragExit({file});
+    CHECK(processor.importStatus().stage == Stage::none);
+    window.filesDropped({"song.mid", file}, 10, 10);
+    CHECK(processor.importStatus().isWorking());
+    finish(processor);
+    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(part<ImportPage>(window, "").isVisible());
+    window.filesDropped({"song.mid"}, 10, 10);
+    CHECK(processor.importStatus().stage == Stage::done);
+}
+
+TEST_CASE("A page that nothing happens on repaints nothing, and no text of its buttons is cut") {
+    Page p;
+    p.page.setLookAndFeel(&p.look);
+    for (const auto* title : {"Open a file", "Analyse anew", "Keys scaled to their pitches",
+                              "Keys along a strike path"}) {
+        auto& button = part<juce::TextButton>(p.page, title);
+        INFO(title);
+        CHECK(juce::GlyphArrangement::getStringWidth(Look::textFont(), button.getButtonText()) +
+                  10 <
+              static_cast<float>(button.getWidth()));
+        CHECK(button.getTooltip().isNotEmpty());
+    }
+    CHECK(part<juce::TextEditor>(p.page, "What was made of the file").getHeight() >= 60);
+    p.page.setLookAndFeel(nullptr);
+}

@@ -1,0 +1,41 @@
+// Files to be dropped on the window, in the test's own folder.
+#pragma once
+
+#include "Geometry/MeshWriter.h"
+#include "Geometry/ParametricMesh.h"
+#include "Support/TestFolder.h"
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace idiophone::test {
+
+inline void waitFor(int milliseconds = 1) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+inline std::filesystem::path writtenFile(const std::string& name, const std::string& bytes) {
+    const auto file = testFolder() / name;
+    std::ofstream(file, std::ios::binary) << bytes;
+    return file;
+}
+
+inline std::filesystem::path meshFile(const std::string& name, const Mesh& mesh) {
+    const auto file = testFolder() / name;
+    if (!writeMesh(mesh, file))
+        throw std::runtime_error("cannot write " + file.string());
+    return file;
+}
+
+/// A sheet of 200 x 120 mm, in units of which a metre has so many.
+inline std::filesystem::path smallPlateFile(const std::string& name, double unitsPerMetre) {
+    auto mesh = sheetMesh(0.2, 0.12, 150);
+    mesh.vertices *= unitsPerMetre;
+    return meshFile(name, mesh);
+}
+
+} // namespace idiophone::test

@@ -1,0 +1,196 @@
+// Jobs of the workshop from file to object, and all the ways in which they end early.
+#include "Plugin/ImportedFiles.h"
+
+#include "Geometry/ParametricMesh.h"
+#include "Object/ModalObjectFile.h"
+#include "Plugin/ObjectWorkshop.h"
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+using Stage = ImportStatus::Stage;
+
+namespace {
+
+std::vector<ObjectWorkshop::Product> productsOf(ObjectWorkshop& workshop) {
+    std::vector<ObjectWorkshop::Product> products;
+    const auto take = [&] {
+        if (auto product = workshop.takeProduct())
+            products.push_back(std::move(*product));
+    };
+    while (workshop.status().isWorking()) {
+        take();
+        waitFor();
+    }
+    take();
+    return products;
+}
+
+} // namespace
+
+TEST_CASE("A mesh becomes a preview and then the object, with its unit guessed and its notes") {
+    const auto file = smallPlateFile("plate.obj", 1000);
+    ObjectWorkshop workshop;
+    CHECK(workshop.status().stage == Stage::none);
+    workshop.open(file, {});
+    CHECK(workshop.status().isWorking());
+    CHECK(workshop.status().fileName == "plate.obj");
+    const auto products = productsOf(workshop);
+    const auto status = workshop.status();
+    CHECK(status.error.empty());
+    REQUIRE(status.stage == Stage::done);
+    CHECK(status.progress == 1);
+    CHECK(status.unit == "mm");
+    CHECK(status.method == "two-layer");
+    CHECK_THAT(status.notes, ContainsSubstring("looks like millimetres"));
+    CHECK_THAT(status.notes, ContainsSubstring("Taken as a shell of 2 mm"));
+    CHECK_THAT(status.summary, ContainsSubstring("of Steel, 200 x 120 x 0 mm"));
+    REQUIRE_FALSE(products.empty());
+    const auto& last = products.back();
+    CHECK_FALSE(last.isPreview);
+    CHECK(last.isNewFile);
+    CHECK(products.front().isFirst);
+    CHECK(last.object->modeCount() > 20);
+    CHECK(last.object->thicknessMetres == 0.002);
+}
+
+TEST_CASE("The preview comes first and is near in pitch") {
+    ObjectWorkshop workshop;
+    workshop.open(smallPlateFile("plate.ply", 1), {});
+    std::vector<double> lowest;
+    std::vector<bool> previews;
+    while (lowest.size() < 2 && workshop.status().stage != Stage::failed)
+        if (const auto product = workshop.takeProduct()) {
+            lowest.push_back(std::sqrt(product->object->eigenvalues.front()));
+            previews.push_back(product->isPreview);
+        } else if (workshop.status().stage == Stage::done) {
+            SKIP("the whole analysis was ready before anybody looked");
+        } else {
+            waitFor();
+        }
+    REQUIRE(previews == std::vector{true, false});
+    CHECK(std::abs(lowest[0] / lowest[1] - 1) < 0.05);
+}
+
+TEST_CASE("What no object can be made of is refused in a sentence that names the file") {
+    const auto folder = testFolder();
+    const auto garbage = writtenFile("garbage.obj", "f 1 2 3 \x01\x02 not a mesh\nv nan x\n");
+    const std::vector<std::pair<std::filesystem::path, std::string>> cases{
+        {garbage, "garbage.obj"},
+        {folder / "missing.stl", "missing.stl"},
+        {writtenFile("empty.ply", ""), "empty.ply"},
+        {writtenFile("empty.obj", "# nothing\n"), "empty.obj"},
+        {writtenFile("point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), "point.obj"},
+        {writtenFile("huge.stl", std::string(80, 'x') + "\xff\xff\xff\x7f"), "huge.stl"},
+        {writtenFile("noise.modal", std::string(64, '\xff')), "noise.modal"},
+        {writtenFile("song.mid", "MThd"), "song.mid"},
+        {folder, folder.filename().string()},
+    };
+    ObjectWorkshop workshop;
+    for (const auto& [file, name] : cases) {
+        INFO(file);
+        workshop.open(file, {});
+        CHECK(productsOf(workshop).empty());
+        const auto status = workshop.status();
+        CHECK(status.stage == Stage::failed);
+        CHECK_THAT(status.error, ContainsSubstring(name));
+        CHECK(status.error.back() == '.');
+    }
+}
+
+TEST_CASE("Settings that cannot be are refused in a sentence, and the mesh stays for others") {
+    ObjectWorkshop workshop;
+    workshop.open(smallPlateFile("plate.obj", 1), {.thicknessMetres = -1});
+    CHECK(productsOf(workshop).empty());
+    CHECK_THAT(workshop.status().error, ContainsSubstring("thickness"));
+    REQUIRE(workshop.hasMesh());
+    for (const auto& settings :
+         {ImportSettings{.unit = "furlong"}, ImportSettings{.material = "Unobtainium"},
+          ImportSettings{.method = "guesswork"}}) {
+        workshop.analyseAgain(settings);
+        CHECK(productsOf(workshop).empty());
+        CHECK(workshop.status().stage == Stage::failed);
+        CHECK_THAT(workshop.status().error, ContainsSubstring("There is no"));
+    }
+    workshop.analyseAgain({.method = "fem"});
+    CHECK(productsOf(workshop).empty());
+    CHECK_THAT(workshop.status().error, ContainsSubstring("Finite elements need a body to fill"));
+}
+
+TEST_CASE("Another analysis needs the file no more, and takes its own material and thickness") {
+    const auto file = smallPlateFile("gone.obj", 1);
+    ObjectWorkshop workshop;
+    workshop.open(file, {});
+    productsOf(workshop);
+    std::filesystem::remove(file);
+    workshop.analyseAgain({.unit = "cm", .material = "glass", .thicknessMetres = 0.004});
+    const auto products = productsOf(workshop);
+    REQUIRE(workshop.status().stage == Stage::done);
+    REQUIRE_FALSE(products.empty());
+    CHECK_FALSE(products.back().isNewFile);
+    const auto& object = *products.back().object;
+    CHECK(object.material.name == "Glass");
+    CHECK(object.thicknessMetres == 0.004);
+    CHECK(*std::ranges::max_element(object.vertices) < 0.0011f);
+}
+
+TEST_CASE("A modal object is opened as it is") {
+    const auto file = testFolder() / "bell.modal";
+    const auto object = syntheticObject({400, 900, 1700});
+    REQUIRE(writeModalObject(object, file));
+    ObjectWorkshop workshop;
+    workshop.open(file, {});
+    const auto products = productsOf(workshop);
+    REQUIRE(products.size() == 1);
+    CHECK_FALSE(products[0].isPreview);
+    CHECK(products[0].object->eigenvalues == object.eigenvalues);
+    CHECK(products[0].object->shapes == object.shapes);
+    CHECK_FALSE(workshop.hasMesh());
+}
+
+TEST_CASE("A job cancelled at once makes nothing, and the next is made") {
+    ObjectWorkshop workshop;
+    const auto file = smallPlateFile("plate.obj", 1);
+    for (int i = 0; i < 20; ++i) {
+        workshop.open(file, {});
+        workshop.cancel();
+        CHECK(workshop.status().stage == Stage::cancelled);
+        CHECK_FALSE(workshop.takeProduct());
+    }
+    workshop.open(file, {});
+    CHECK_FALSE(productsOf(workshop).empty());
+    CHECK(workshop.status().stage == Stage::done);
+    workshop.cancel();
+    CHECK(workshop.status().stage == Stage::done);
+}
+
+TEST_CASE("Of two jobs in quick succession only the second is heard of") {
+    const auto first = smallPlateFile("first.obj", 1), second = smallPlateFile("second.obj", 1);
+    for (const auto wait : {0, 5, 30, 60}) {
+        ObjectWorkshop workshop;
+        workshop.open(first, {});
+        waitFor(wait);
+        workshop.takeProduct();
+        workshop.open(second, {});
+        const auto products = productsOf(workshop);
+        REQUIRE_FALSE(products.empty());
+        CHECK(products.front().isFirst);
+        for (const auto& product : products)
+            CHECK(product.object->name == "second");
+        CHECK(workshop.status().stage == Stage::done);
+    }
+}
+
+TEST_CASE("A workshop closes while it works, whatever it is at") {
+    const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
+    for (const auto wait : {0, 20, 100, 400}) {
+        ObjectWorkshop workshop;
+        workshop.open(file, {});
+        waitFor(wait);
+    }
+    SUCCEED();
+}
