@@ -80,7 +80,8 @@ void Processor::unmuteModes(std::size_t object) {
             return true;
         });
     });
-    updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+    if (done)
+        updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
 }
 
 void Processor::hearAllModes(std::size_t object) {

@@ -120,10 +120,8 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     }
     auto& map = preset.keyMap;
     const bool isNew = product.isFirst && product.isNewFile;
-    if (isNew || map.kind == KeyMapKind::bars) {
+    if (isNew || map.kind == KeyMapKind::bars)
         map = singleObjectMap(object, product.objectName, KeyMapKind::scaled);
-        preset.mutedModes = {};
-    }
     map.object = product.objectName;
     map.referenceNote = -1;
     preset.name = object.name;
