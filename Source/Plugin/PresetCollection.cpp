@@ -39,15 +39,6 @@ ParameterValues storedValues(const Sound& sound) {
     return values;
 }
 
-/// The modes under the names that another key map has for the same notes.
-ModeSet renamedModes(const ModeSet& modes, const KeyMap& from, const KeyMap& to) {
-    ModeSet renamed;
-    for (int note = from.lowestNote; note <= from.highestNote; ++note)
-        for (const auto mode : modes.of(from.objectFor(note)))
-            renamed.set(to.objectFor(note), mode, true);
-    return renamed;
-}
-
 ShelvedPreset shelved(const Preset& preset, std::string id) {
     return {.id = std::move(id),
             .name = preset.name,
@@ -192,7 +183,6 @@ Result<void> PresetCollection::savePreset(const PresetDetails& details, bool rep
             return writePresetObjects(preset.keyMap, *sound.instrument, root);
         })
         .and_then([&](const KeyMap& keyMap) {
-            preset.mutedModes = renamedModes(preset.mutedModes, preset.keyMap, keyMap);
             preset.keyMap = keyMap;
             return folder.write(preset, details.folder, replace);
         })

@@ -139,7 +139,8 @@ private:
     std::unique_ptr<Player> newPlayer() const;
     bool
     changeModes(std::size_t object,
-                const std::function<bool(const std::string& name, std::size_t modeCount)>& change);
+                const std::function<bool(const std::string& key, std::size_t modeCount)>& change);
+    void sendSilences();
 
     // ProcessorForWorkshop.cpp; for the message thread.
     double rateHz() const;

@@ -57,8 +57,7 @@ void Processor::playSound(const Sound& wanted) {
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
             loadedPreset = wanted.preset;
             if (!sameModes)
-                silencer.send(*instrument,
-                              silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
+                sendSilences();
         } else {
             play(wanted.preset, wanted.instrument);
         }
