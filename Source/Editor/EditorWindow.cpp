@@ -110,8 +110,8 @@ void EditorWindow::setBrowsing(bool browses) {
     deck.setVisible(!browses);
     if (browses)
         browser.open();
-    else if (isShowing())
-        presets.grabKeyboardFocus();
+    else if (isShowing() && juce::JUCEApplicationBase::isStandaloneApp())
+        keyboard.takeFocus();
     presets.refresh();
 }
 

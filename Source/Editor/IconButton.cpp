@@ -32,7 +32,7 @@ void IconButton::paintButton(juce::Graphics& g, bool highlighted, bool down) {
     const float side = juce::jmin(18.0f, area.getWidth() - 8, area.getHeight() - 8);
     const auto square = area.withSizeKeepingCentre(side, side);
     g.setColour(colourOf(*this, colour));
-    g.fillPath(picture,
+    g.fillPath(getToggleState() || pictureOff.isEmpty() ? picture : pictureOff,
                juce::AffineTransform::scale(side).translated(square.getX(), square.getY()));
 }
 

@@ -15,6 +15,9 @@ public:
     /// Shows a menu on a right click, Shift+F10 and a click with the Alt key. Optional.
     std::function<void()> onMenu;
 
+    /// The picture while a toggle is off, where it is another one.
+    void setPictureOff(juce::Path icon) { pictureOff = std::move(icon); }
+
     /// What a screen reader says, and the mouse shows.
     void describe(const juce::String& title, const juce::String& tooltip);
 
@@ -23,7 +26,7 @@ public:
     bool keyPressed(const juce::KeyPress& key) override;
 
 private:
-    juce::Path picture;
+    juce::Path picture, pictureOff;
 };
 
 } // namespace idiophone

@@ -38,6 +38,12 @@ juce::Path star() {
     return path;
 }
 
+juce::Path starOutline() {
+    juce::Path lines;
+    lines.addStar({0.5f, 0.53f}, 5, 0.2f, 0.45f);
+    return drawn(lines);
+}
+
 juce::Path save() { // an arrow into a tray
     juce::Path lines;
     lines.startNewSubPath(0.5f, 0.1f);

@@ -8,6 +8,7 @@ namespace idiophone::icons {
 juce::Path previous();
 juce::Path next();
 juce::Path star();
+juce::Path starOutline();
 juce::Path save();
 juce::Path dice();
 juce::Path undo();

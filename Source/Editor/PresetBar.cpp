@@ -73,6 +73,7 @@ PresetBar::PresetBar(ProcessorView& processor)
     name->onClick = [this] { juce::NullCheckedInvocation::invoke(onBrowse); };
     previous.onClick = [this] { step(-1); };
     next.onClick = [this] { step(1); };
+    favourite.setPictureOff(icons::starOutline());
     favourite.onClick = [this] { toggleFavourite(); };
     saving.onClick = [this] { save(); };
     saving.describe("Save", "Save the sound as a preset (Ctrl+S)");

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int padding = 10, gap = 8, rowHeight = 28;
 constexpr int leastSources = 130, mostSources = 220;
+constexpr int leastListHeight = 60; ///< with less, a form has the place alone
 
 juce::String shown(const std::string& text) {
     return juce::String::fromUTF8(text.c_str());
@@ -21,7 +22,8 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     search.setTitle("Search presets");
     search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", juce::Colours::grey);
     search.setFont(Look::textFont(14.5f));
-    search.setIndents(8, 5);
+    search.setIndents(8, 0);
+    search.setJustification(juce::Justification::centredLeft);
     search.onTextChange = [this] { refill(); };
     search.onReturnKey = [this] { close(true); };
     search.onEscapeKey = [this] { close(false); };
@@ -148,6 +150,8 @@ void PresetBrowser::ask(Question next) {
     const auto* preset = selected();
     if (question == Question::save) {
         auto details = shelf.soundDetails();
+        if (preset != nullptr && preset->isFactory)
+            details.author.clear(); // what is made of it is somebody else's
         form.askForDetails(details);
     } else if (question == Question::rename && preset != nullptr) {
         form.askForName("Rename " + shown(preset->name), preset->name);
@@ -185,6 +189,12 @@ void PresetBrowser::answer(const PresetDetails& details) {
     say(said, false);
 }
 
+bool PresetBrowser::movesInList(const juce::KeyPress& key) {
+    using juce::KeyPress;
+    return key == KeyPress::downKey || key == KeyPress::upKey || key == KeyPress::pageDownKey ||
+           key == KeyPress::pageUpKey;
+}
+
 bool PresetBrowser::keyPressed(const juce::KeyPress& key) {
     if (key == juce::KeyPress::escapeKey)
         close(false);
@@ -207,7 +217,8 @@ void PresetBrowser::paint(juce::Graphics& g) {
     g.setColour(colourOf(*this, LookColour::panel));
     g.fillRoundedRectangle(getLocalBounds().toFloat(), 6);
     g.setColour(colourOf(*this, LookColour::background));
-    g.fillRoundedRectangle(list.getBounds().toFloat(), 5);
+    if (list.isVisible())
+        g.fillRoundedRectangle(list.getBounds().toFloat(), 5);
 }
 
 void PresetBrowser::resized() {
@@ -233,6 +244,7 @@ void PresetBrowser::resized() {
         form.setBounds(area.removeFromBottom(juce::jmin(form.neededHeight(), area.getHeight())));
         area.removeFromBottom(gap);
     }
+    list.setVisible(area.getHeight() >= leastListHeight);
     list.setBounds(area);
 }
 

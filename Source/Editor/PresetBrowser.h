@@ -45,9 +45,18 @@ private:
     void arrangeHint();
     const ShelvedPreset* selected() const;
 
+    /// Leaves to the browser the keys that go through the list.
+    class Search final : public juce::TextEditor {
+    public:
+        bool keyPressed(const juce::KeyPress& key) override {
+            return !movesInList(key) && TextEditor::keyPressed(key);
+        }
+    };
+    static bool movesInList(const juce::KeyPress& key);
+
     PresetShelf& shelf;
     PresetSources sources;
-    juce::TextEditor search;
+    Search search;
     PresetList list;
     PresetForm form;
     Question question = Question::none;

@@ -23,7 +23,8 @@ PresetForm::PresetForm() {
         auto field = std::make_unique<juce::TextEditor>();
         field->setTitle(label);
         field->setFont(Look::textFont());
-        field->setIndents(6, 4);
+        field->setIndents(6, 0);
+        field->setJustification(juce::Justification::centredLeft);
         field->setSelectAllWhenFocused(true);
         field->setInputRestrictions(500);
         field->setTextToShowWhenEmpty(hint, juce::Colours::grey);
