@@ -31,9 +31,9 @@ inline std::filesystem::path meshFile(const std::string& name, const Mesh& mesh)
     return file;
 }
 
-/// A sheet of 200 x 120 mm, in units of which a metre has so many.
+/// A sheet of 60 x 36 mm, which is soon analysed, in units of which a metre has so many.
 inline std::filesystem::path smallPlateFile(const std::string& name, double unitsPerMetre) {
-    auto mesh = sheetMesh(0.2, 0.12, 150);
+    auto mesh = sheetMesh(0.06, 0.036, 150);
     mesh.vertices *= unitsPerMetre;
     return meshFile(name, mesh);
 }
