@@ -46,14 +46,16 @@ juce::String BudgetRamp::description() const {
     const juce::String budget(juce::roundToInt(budgetModes));
     if (bars.empty())
         return "Nothing sounds; the budget is " + budget + " modes";
-    return juce::String(modesMixed) + " of " + budget + " modes, " + juce::String(bars.size()) +
-           (bars.size() == 1 ? " object" : " objects");
+    const bool allServed =
+        std::ranges::all_of(bars, [](const Bar& bar) { return bar.share >= bar.asked; });
+    return juce::String(modesMixed) + " of " + budget + " modes for " + juce::String(bars.size()) +
+           (bars.size() == 1 ? " object" : " objects") + (allServed ? ", all that they ask" : "");
 }
 
 juce::Rectangle<float> BudgetRamp::plot() const {
     return getLocalBounds()
         .toFloat()
-        .withTrimmedTop(captionHeight)
+        .withTrimmedTop(captionHeight + 8)
         .withTrimmedLeft(left)
         .withTrimmedRight(4)
         .withTrimmedBottom(captionHeight);
@@ -99,6 +101,7 @@ void BudgetRamp::paint(juce::Graphics& g) {
     const auto heightOf = [&](float modes) {
         return std::min(modes / highest(), 1.0f) * area.getHeight();
     };
+    const bool isLineSeen = bars.front().entitlement <= highest();
     juce::Path line;
     for (std::size_t rank = 0; rank < bars.size(); ++rank) {
         const Bar& bar = bars[rank];
@@ -116,6 +119,8 @@ void BudgetRamp::paint(juce::Graphics& g) {
             line.startNewSubPath(bars.size() == 1 ? at.withX(area.getX()) : at);
         line.lineTo(bars.size() == 1 ? at.withX(area.getRight()) : at);
     }
+    if (!isLineSeen) // far above: what is asked would be too small to be seen
+        return;
     g.setColour(colourOf(*this, LookColour::text));
     g.strokePath(line, juce::PathStrokeType(1.6f));
 }

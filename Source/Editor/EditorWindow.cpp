@@ -20,6 +20,9 @@ constexpr int margin = 12, barHeight = 44, statusHeight = 32;
 /// With less for both, the picture stands beside the deck and not above it.
 constexpr int leastHeightForBoth = PageDeck::leastHeight + 200;
 constexpr double deckShare = 0.44;
+/// How often the window looks for what has changed: while something sounds or the mouse is over it,
+/// and after a while without either.
+constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 
 juce::String firstReadable(const juce::StringArray& files, const WorkshopView& view) {
     for (const auto& file : files)
@@ -32,7 +35,7 @@ juce::String firstReadable(const juce::StringArray& files, const WorkshopView& v
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
     : AudioProcessorEditor(audioProcessor), view(processorView), look(preferences.look()),
-      presets(view), object(view), keyboard(view) {
+      presets(view), object(view), browser(view.presetShelf()), keyboard(view) {
     setLookAndFeel(&look);
     makePages();
     lookButton.onClick = [this] {
@@ -41,16 +44,24 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     for (auto* child : std::initializer_list<juce::Component*>{&presets, &lookButton, &object,
                                                                &deck, &status, &keyboard})
         addAndMakeVisible(child);
+    addChildComponent(browser);
+    presets.onBrowse = [this] { setBrowsing(!browser.isVisible()); };
+    presets.onSaveAs = [this] {
+        setBrowsing(true);
+        browser.openToSave();
+    };
+    browser.onClose = [this] { setBrowsing(false); };
     addChildComponent(dropFrame);
     setLook(look.scheme());
     setResizable(true, true);
     setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
     const auto size = preferences.windowSize();
     setSize(size.x > 0 ? size.x : firstWidth, size.y > 0 ? size.y : firstHeight);
-    startTimerHz(25);
+    startTimer(1000 / busyHz);
 }
 
 EditorWindow::~EditorWindow() {
+    browser.settle();
     preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
 }
@@ -58,7 +69,11 @@ EditorWindow::~EditorWindow() {
 void EditorWindow::makePages() {
     deck.add(std::make_unique<StrikePage>(view));
     deck.add(std::make_unique<MaterialPage>(view));
-    deck.add(std::make_unique<ModesPage>(view));
+    auto modes = std::make_unique<ModesPage>(view);
+    modes->onModeShown = [this](std::optional<std::size_t> mode) {
+        object.picture().showMode(mode);
+    };
+    deck.add(std::move(modes));
     deck.add(std::make_unique<QualityPage>(view));
     deck.add(std::make_unique<ParameterPage>(
         "Contact",
@@ -87,12 +102,31 @@ void EditorWindow::setLook(LookScheme scheme) {
     repaint();
 }
 
+void EditorWindow::setBrowsing(bool browses) {
+    if (!browses)
+        browser.settle();
+    browser.setVisible(browses);
+    object.setVisible(!browses);
+    deck.setVisible(!browses);
+    if (browses)
+        browser.open();
+    else if (isShowing() && juce::JUCEApplicationBase::isStandaloneApp())
+        keyboard.takeFocus();
+    presets.refresh();
+}
+
+bool EditorWindow::keyPressed(const juce::KeyPress& key) {
+    return presets.handleKey(key) || AudioProcessorEditor::keyPressed(key);
+}
+
 void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
     deck.refresh();
     keyboard.refresh();
-    status.show(view.takeStatus());
+    const auto now = view.takeStatus();
+    setBusy(now.peak > 0 || isMouseOver(true));
+    status.show(now);
     if (const auto* frame = view.takeSoundFrame()) {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
@@ -102,6 +136,13 @@ void EditorWindow::timerCallback() {
         focusTaken = true;
         keyboard.takeFocus();
     }
+}
+
+void EditorWindow::setBusy(bool busy) {
+    ticksAtRest = busy ? 0 : std::min(ticksAtRest + 1, ticksToRest);
+    const int hertz = ticksAtRest < ticksToRest ? busyHz : restHz;
+    if (getTimerInterval() != 1000 / hertz)
+        startTimer(1000 / hertz);
 }
 
 bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
@@ -138,6 +179,7 @@ void EditorWindow::resized() {
     area.removeFromBottom(8);
     keyboard.setBounds(area.removeFromBottom(std::clamp(getHeight() / 8, 60, 140)));
     status.setBounds(area.removeFromBottom(statusHeight));
+    browser.setBounds(area);
     if (area.getHeight() < leastHeightForBoth) {
         const int fitting = (area.getWidth() * 3 / 5) / DeckPage::leastWidth;
         const int pages = std::clamp(fitting, 1, deck.pageCount());

@@ -9,6 +9,7 @@
 #include "Editor/PageDeck.h"
 #include "Editor/Preferences.h"
 #include "Editor/PresetBar.h"
+#include "Editor/PresetBrowser.h"
 #include "Editor/ProcessorView.h"
 #include "Editor/StatusBar.h"
 
@@ -28,6 +29,10 @@ public:
 
     void paint(juce::Graphics& g) override;
     void resized() override;
+    bool keyPressed(const juce::KeyPress& key) override;
+
+    /// Shows the list of presets in place of picture and pages, or these again.
+    void setBrowsing(bool browses);
 
     void setLook(LookScheme scheme);
 
@@ -40,6 +45,7 @@ public:
 private:
     void timerCallback() override;
     void makePages();
+    void setBusy(bool busy);
 
     ProcessorView& view;
     Preferences preferences;
@@ -48,12 +54,14 @@ private:
     juce::TextButton lookButton;
     ObjectPane object;
     PageDeck deck;
+    PresetBrowser browser;
     StatusBar status;
     KeyboardPanel keyboard;
     DropFrame dropFrame;
     int importPage = 0; ///< of the deck
     juce::TooltipWindow tooltips{this, 600};
     bool focusTaken = false;
+    int ticksAtRest = 0;
 };
 
 } // namespace idiophone

@@ -45,6 +45,7 @@ void Look::setScheme(LookScheme scheme) {
     setColour(juce::Label::textWhenEditingColourId, of(text));
     setColour(juce::TextEditor::focusedOutlineColourId, of(accent));
     setColour(juce::TextEditor::highlightColourId, of(accent).withAlpha(0.35f));
+    setColour(juce::TextEditor::highlightedTextColourId, of(text));
     setColour(juce::ComboBox::backgroundColourId, of(background));
     setColour(juce::ComboBox::arrowColourId, of(dimText));
     setColour(juce::TextButton::buttonColourId, of(background));

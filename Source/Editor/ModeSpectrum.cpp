@@ -251,7 +251,7 @@ void ModeSpectrum::paintScale(juce::Graphics& g) const {
 
 void ModeSpectrum::paintTau(juce::Graphics& g) const {
     const auto levels = levelArea();
-    const auto y = static_cast<float>(tauY);
+    const float y = static_cast<float>(tauY) + 0.5f; // a row of pixels
     const std::array dashes{5.0f, 4.0f};
     g.setColour(colourOf(*this, LookColour::error));
     g.drawDashedLine({{levels.getX(), y}, {levels.getRight(), y}}, dashes.data(), 2, 1);
@@ -299,7 +299,7 @@ void ModeSpectrum::paintLine(juce::Graphics& g, const Line& line, bool isShown) 
     const auto x = static_cast<float>(line.x);
     const auto lineTop = static_cast<float>(line.top);
     const float foot = levelArea().getBottom();
-    const float width = isShown ? 2.5f : 1.5f;
+    const float width = isShown ? 4.0f : 2.0f;
     g.setColour(colour);
     if (line.standing == ModeStanding::beyondBudget || line.standing == ModeStanding::silenced) {
         const std::array dashes{2.0f, 2.0f};

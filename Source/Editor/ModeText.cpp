@@ -7,9 +7,13 @@
 namespace idiophone {
 namespace {
 
+/// juce::String takes no decimals for as many as there are.
+juce::String fixed(double value, int decimals) {
+    return decimals > 0 ? juce::String(value, decimals) : juce::String(juce::roundToInt(value));
+}
+
 juce::String threeFigures(double value) {
-    const int decimals = value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
-    return juce::String(value, decimals);
+    return fixed(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
 }
 
 } // namespace
@@ -19,7 +23,7 @@ double decibelsOf(double metresPerSecond) {
 }
 
 juce::String frequencyText(double frequencyHz) {
-    return frequencyHz < 9999.5 ? juce::String(frequencyHz, frequencyHz < 99.95 ? 1 : 0) + " Hz"
+    return frequencyHz < 9999.5 ? fixed(frequencyHz, frequencyHz < 999.95 ? 1 : 0) + " Hz"
                                 : threeFigures(frequencyHz / 1000) + " kHz";
 }
 

@@ -83,17 +83,12 @@ void ModesPage::showSound(const SoundFrame& frame) {
 
 void ModesPage::modeShown() {
     describe();
-    const auto& frame = spectrum.frameShown();
-    const auto mode = spectrum.modeShown();
-    std::optional<std::pair<std::size_t, std::int32_t>> now;
-    if (mode && frame.object >= 0)
-        now = {static_cast<std::size_t>(frame.object), static_cast<std::int32_t>(*mode)};
+    const auto now = isVisible() ? spectrum.modeShown() : std::nullopt;
     if (now == told)
         return;
-    const std::size_t object = now ? now->first : told->first;
     told = now;
     if (onModeShown)
-        onModeShown(object, now ? std::optional(now->second) : std::nullopt);
+        onModeShown(now);
 }
 
 /// The chosen mode is what the buttons change.

@@ -5,7 +5,6 @@
 #include "Editor/ModeSpectrum.h"
 #include "Editor/ProcessorView.h"
 
-#include <cstdint>
 #include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
 #include <optional>
@@ -19,12 +18,13 @@ public:
     void refresh() override;
     void showSound(const SoundFrame& frame) override;
 
-    /// The mode under the mouse or chosen by hand has changed: its number, and the index of its
-    /// object among ProcessorView::playedObjects; or there is none.
-    std::function<void(std::size_t object, std::optional<std::int32_t> mode)> onModeShown;
+    /// The mode under the mouse or chosen by hand, of the object of the frame shown last, is
+    /// another one, or there is none any more.
+    std::function<void(std::optional<std::size_t> mode)> onModeShown;
 
     void paint(juce::Graphics& g) override;
     void resized() override;
+    void visibilityChanged() override { modeShown(); }
 
 private:
     void listObjects();
@@ -38,7 +38,7 @@ private:
     ModeSpectrum spectrum;
     juce::StringArray lines; ///< on the mode shown
     juce::Rectangle<int> lineArea;
-    std::optional<std::pair<std::size_t, std::int32_t>> told; ///< object and mode, to `onModeShown`
+    std::optional<std::size_t> told; ///< to `onModeShown`
 };
 
 } // namespace idiophone

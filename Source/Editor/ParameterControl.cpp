@@ -1,11 +1,14 @@
 #include "Editor/ParameterControl.h"
 
 #include "Editor/Look.h"
+#include "Editor/ParameterMenu.h"
 
 #include <limits>
 
 namespace idiophone {
 namespace {
+
+constexpr float markWidth = 11; ///< of the mark of a controller, with the gap behind it
 
 // Slider with steps of the mouse wheel and arrow keys in proportion to its range, in real units.
 juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
@@ -33,13 +36,15 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
         addAndMakeVisible(*(list = std::make_unique<ChoiceList>(info, view)));
     else
         makeSlider();
+    setInterceptsMouseClicks(false, true); // else they would come twice
+    addMouseListener(this, true);
     refresh();
 }
 
 void ParameterControl::makeSlider() {
     makeValueText();
-    slider =
-        std::make_unique<juce::Slider>(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox);
+    slider = std::make_unique<LeftClicked<juce::Slider>>(juce::Slider::LinearHorizontal,
+                                                         juce::Slider::NoTextBox);
     slider->setTitle(getTitle());
     slider->setNormalisableRange(rangeOf(info));
     slider->setDoubleClickReturnValue(true, info.defaultValue);
@@ -61,7 +66,7 @@ void ParameterControl::makeSlider() {
 }
 
 void ParameterControl::makeSwitch() {
-    toggle = std::make_unique<juce::ToggleButton>();
+    toggle = std::make_unique<LeftClicked<juce::ToggleButton>>();
     toggle->setTitle(getTitle());
     toggle->setTooltip(juce::String::fromUTF8(info.description));
     toggle->onClick = [this] { changeOnce(toggle->getToggleState() ? 1 : 0); };
@@ -97,6 +102,7 @@ void ParameterControl::typed() {
 void ParameterControl::refresh() {
     if (list != nullptr)
         list->refresh();
+    refreshController();
     const double now = view.effectiveValue(info.parameter);
     const bool live = view.isLive(info.parameter);
     if (now == shown && live == isLive)
@@ -116,11 +122,67 @@ void ParameterControl::refresh() {
         toggle->setToggleState(now != 0, juce::dontSendNotification);
 }
 
+void ParameterControl::refreshController() {
+    const auto& midi = view.midiLearn();
+    const auto number = midi.controllerOf(info.parameter);
+    const bool learning = midi.learningParameter() == info.parameter;
+    if (number == controller && learning == isLearning)
+        return;
+    controller = number;
+    isLearning = learning;
+    const auto sentence = controllerSentence(info, midi);
+    name.setTooltip(juce::String::fromUTF8(info.description) +
+                    (sentence.isEmpty() ? "" : "\n" + sentence));
+    setDescription(sentence);
+    resized();
+    repaint();
+}
+
+juce::PopupMenu ParameterControl::menu() {
+    const juce::Component::SafePointer<ParameterControl> self(this);
+    return parameterMenu(info, view, slider == nullptr ? nullptr : std::function<void()>([self] {
+                             if (self != nullptr)
+                                 self->value.showEditor();
+                         }));
+}
+
+void ParameterControl::showMenu() {
+    menu().showMenuAsync(
+        juce::PopupMenu::Options().withTargetComponent(*this).withDeletionCheck(*this));
+}
+
+void ParameterControl::mouseDown(const juce::MouseEvent& event) {
+    if (event.mods.isPopupMenu())
+        showMenu();
+}
+
+bool ParameterControl::keyPressed(const juce::KeyPress& key) {
+    if (!asksForMenu(key))
+        return false;
+    showMenu();
+    return true;
+}
+
+void ParameterControl::paint(juce::Graphics& g) {
+    if (!controller && !isLearning)
+        return;
+    const auto mark =
+        juce::Rectangle<float>(markWidth - 4, markWidth - 4)
+            .withCentre({(markWidth - 4) / 2, static_cast<float>(name.getBounds().getCentreY())});
+    g.setColour(colourOf(*this, LookColour::accent));
+    if (isLearning)
+        g.drawEllipse(mark.reduced(0.75f), 1.5f);
+    else
+        g.fillEllipse(mark);
+}
+
 void ParameterControl::lookAndFeelChanged() {
     name.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
 }
 
 void ParameterControl::placeName(juce::Rectangle<int> area) {
+    if (controller || isLearning)
+        area.removeFromLeft(juce::roundToInt(markWidth));
     const auto full = getTitle();
     const bool fits = juce::GlyphArrangement::getStringWidth(name.getFont(), full) <=
                       static_cast<float>(area.getWidth());

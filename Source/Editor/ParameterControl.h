@@ -1,5 +1,5 @@
-// One parameter in the window: its name, its value to read and to type, and a slider, switch or
-// list to change it.
+// One parameter in the window: its name, its value to read and to type, a slider, switch or list to
+// change it, and a mark where a MIDI controller does.
 #pragma once
 
 #include "Editor/ChoiceList.h"
@@ -7,6 +7,7 @@
 
 #include <juce_gui_basics/juce_gui_basics.h>
 #include <memory>
+#include <optional>
 
 namespace idiophone {
 
@@ -17,7 +18,13 @@ public:
     /// Shows what the processor has, if that has changed.
     void refresh();
 
+    /// What a right click or Shift+F10 shows.
+    juce::PopupMenu menu();
+
     void resized() override;
+    void paint(juce::Graphics& g) override;
+    void mouseDown(const juce::MouseEvent& event) override;
+    bool keyPressed(const juce::KeyPress& key) override;
     void lookAndFeelChanged() override;
 
 private:
@@ -27,11 +34,15 @@ private:
     void changeOnce(double value);
     void typed();
     void placeName(juce::Rectangle<int> area);
+    void refreshController();
+    void showMenu();
 
     const ParameterInfo& info;
     ProcessorView& view;
     double shown;
     bool isLive = true;
+    bool isLearning = false;
+    std::optional<int> controller; ///< that moves it
     juce::Label name, value;
     std::unique_ptr<juce::Slider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;

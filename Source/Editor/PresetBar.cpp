@@ -1,52 +1,225 @@
 #include "Editor/PresetBar.h"
 
+#include "Editor/Icons.h"
 #include "Editor/Look.h"
 
-namespace idiophone {
+#include <algorithm>
 
-PresetBar::PresetBar(ProcessorView& processor) : view(processor) {
-    int id = 1;
-    for (const auto& name : view.presetNames())
-        list.addItem(juce::String::fromUTF8(name.c_str()), id++);
-    list.setTitle("Preset");
-    list.setTooltip("Factory presets");
-    list.setTextWhenNothingSelected("From the project");
-    list.onChange = [this] { view.choosePreset(list.getSelectedId() - 1); };
-    previous.setTitle("Previous preset");
-    previous.setTooltip("Previous preset");
+namespace idiophone {
+namespace {
+
+constexpr int gap = 6, button = 28, compareWidth = 52, logoWidth = 112;
+constexpr int mostForName = 420;
+constexpr double slightly = 0.1, clearly = 0.3, boldly = 1;
+
+juce::String shown(const std::string& text) {
+    return juce::String::fromUTF8(text.c_str());
+}
+
+bool isCommand(const juce::KeyPress& key, int letter, bool shift) {
+    const auto mods = key.getModifiers();
+    return mods.isCommandDown() && !mods.isAltDown() && mods.isShiftDown() == shift &&
+           juce::CharacterFunctions::toLowerCase(static_cast<juce::juce_wchar>(key.getKeyCode())) ==
+               static_cast<juce::juce_wchar>(letter);
+}
+
+} // namespace
+
+/// The preset's name in a field; a dot behind it where the sound was changed since.
+class PresetBar::NameButton final : public juce::Button {
+public:
+    NameButton() : Button("Preset") { setTitle("Preset"); }
+
+    void show(const juce::String& name, bool changed, const juce::String& description) {
+        if (name == getButtonText() && changed == isChanged && description == getTooltip())
+            return;
+        isChanged = changed;
+        setButtonText(name);
+        setTooltip(description);
+        setDescription(changed ? "Changed; opens the list of presets"
+                               : "Opens the list of presets");
+        repaint();
+    }
+
+    void paintButton(juce::Graphics& g, bool highlighted, bool) override {
+        const auto area = getLocalBounds().toFloat().reduced(0.75f);
+        g.setColour(colourOf(*this, LookColour::background));
+        g.fillRoundedRectangle(area, 5);
+        g.setColour(colourOf(*this, hasKeyboardFocus(false) || highlighted ? LookColour::accent
+                                                                           : LookColour::outline));
+        g.drawRoundedRectangle(area, 5, 1.5f);
+        auto line = getLocalBounds().reduced(12, 0);
+        if (isChanged) {
+            g.setColour(colourOf(*this, LookColour::accent));
+            g.fillEllipse(line.removeFromRight(8).toFloat().withSizeKeepingCentre(7, 7));
+            line.removeFromRight(4);
+        }
+        g.setColour(colourOf(*this, LookColour::text));
+        g.setFont(Look::headingFont(15));
+        g.drawFittedText(getButtonText(), line, juce::Justification::centred, 1, 0.75f);
+    }
+
+private:
+    bool isChanged = false;
+};
+
+PresetBar::PresetBar(ProcessorView& processor)
+    : view(processor), name(std::make_unique<NameButton>()),
+      previous("Previous preset", icons::previous()), next("Next preset", icons::next()),
+      favourite("Favourite", icons::star()), saving("Save", icons::save()),
+      mutation("Mutate", icons::dice()), copying("Copy A to B", icons::copy()),
+      undo("Undo", icons::undo()), redo("Redo", icons::redo()) {
+    view.presetShelf().readPresets();
+    name->onClick = [this] { juce::NullCheckedInvocation::invoke(onBrowse); };
     previous.onClick = [this] { step(-1); };
-    next.setTitle("Next preset");
-    next.setTooltip("Next preset");
     next.onClick = [this] { step(1); };
-    for (auto* child : std::initializer_list<juce::Component*>{&previous, &list, &next})
+    favourite.setPictureOff(icons::starOutline());
+    favourite.onClick = [this] { toggleFavourite(); };
+    saving.onClick = [this] { save(); };
+    saving.describe("Save", "Save the sound as a preset (Ctrl+S)");
+    mutation.onClick = [this] { mutate(clearly); };
+    mutation.onMenu = [this] { showMutationMenu(); };
+    mutation.describe("Mutate", "Play a new sound near this one. Right click: how near.");
+    compare.onClick = [this] { view.soundVariants().compare(); };
+    copying.onClick = [this] { view.soundVariants().copyToOther(); };
+    undo.onClick = [this] { view.editHistory().undo(); };
+    redo.onClick = [this] { view.editHistory().redo(); };
+    for (auto* child :
+         std::initializer_list<juce::Component*>{&previous, name.get(), &next, &favourite, &saving,
+                                                 &compare, &copying, &mutation, &undo, &redo})
         addAndMakeVisible(child);
     refresh();
 }
 
-void PresetBar::step(int by) {
-    const int count = list.getNumItems();
-    if (count > 0)
-        view.choosePreset((juce::jmax(view.presetIndex(), 0) + by + count) % count);
+PresetBar::~PresetBar() = default;
+
+const ShelvedPreset* PresetBar::chosen() const {
+    const auto& presets = view.presetShelf().presets();
+    const auto found =
+        std::ranges::find(presets, view.presetShelf().chosenPreset(), &ShelvedPreset::id);
+    return found == presets.end() ? nullptr : &*found;
+}
+
+void PresetBar::report(const Result<void>& outcome) {
+    if (!outcome)
+        view.reportError(outcome.error().message);
     refresh();
 }
 
+/// To the next one that can be played, round the ends.
+void PresetBar::step(int by) {
+    auto& shelf = view.presetShelf();
+    const auto count = static_cast<int>(shelf.presets().size());
+    const auto* now = chosen();
+    int place =
+        now == nullptr ? (by > 0 ? -1 : count) : static_cast<int>(now - shelf.presets().data());
+    for (int tried = 0; tried < count; ++tried) {
+        place = (place + by + count) % count;
+        const auto preset = shelf.presets()[static_cast<std::size_t>(place)];
+        if (preset.fault.empty())
+            return report(shelf.loadPreset(preset.id));
+    }
+}
+
+void PresetBar::toggleFavourite() {
+    if (const auto* preset = chosen()) {
+        const auto id = preset->id;
+        report(view.presetShelf().setFavourite(id, !preset->isFavourite));
+    }
+}
+
+void PresetBar::save() {
+    const auto* preset = chosen();
+    if (preset == nullptr || preset->isFactory)
+        return juce::NullCheckedInvocation::invoke(onSaveAs);
+    report(view.presetShelf().savePreset(view.presetShelf().soundDetails(), true));
+}
+
+void PresetBar::mutate(double strength) {
+    view.soundVariants().mutate(
+        strength, static_cast<std::uint32_t>(juce::Random::getSystemRandom().nextInt()));
+    refresh();
+}
+
+void PresetBar::showMutationMenu() {
+    juce::PopupMenu menu;
+    const juce::Component::SafePointer<PresetBar> bar(this);
+    for (const auto& [text, strength] : {std::pair("Mutate slightly", slightly),
+                                         {"Mutate clearly", clearly},
+                                         {"Mutate boldly", boldly}})
+        menu.addItem(text, [bar, strength] {
+            if (bar != nullptr)
+                bar->mutate(strength);
+        });
+    menu.showMenuAsync(juce::PopupMenu::Options().withTargetComponent(mutation));
+}
+
 void PresetBar::refresh() {
-    if (const int id = view.presetIndex() + 1; id != list.getSelectedId())
-        list.setSelectedId(id, juce::dontSendNotification);
+    refreshPreset();
+    refreshHistory();
+}
+
+void PresetBar::refreshPreset() {
+    const auto details = view.presetShelf().soundDetails();
+    name->show(shown(details.name), view.presetShelf().soundIsChanged(),
+               shown(details.description));
+    const auto* preset = chosen();
+    favourite.setEnabled(preset != nullptr);
+    favourite.setToggleState(preset != nullptr && preset->isFavourite, juce::dontSendNotification);
+    favourite.describe(favourite.getToggleState() ? "No favourite any more" : "Favourite",
+                       favourite.getToggleState() ? "Take the preset from the favourites"
+                                                  : "Add the preset to the favourites");
+}
+
+void PresetBar::refreshHistory() {
+    auto& history = view.editHistory();
+    undo.setEnabled(history.canUndo());
+    redo.setEnabled(history.canRedo());
+    undo.describe("Undo", "Undo " + shown(history.undoName()) + " (Ctrl+Z)");
+    redo.describe("Redo", "Redo " + shown(history.redoName()) + " (Ctrl+Shift+Z)");
+    const bool isB = view.soundVariants().playsB();
+    compare.setToggleState(isB, juce::dontSendNotification);
+    copying.describe(isB ? "Copy B to A" : "Copy A to B",
+                     isB ? "Make A a copy of B, which plays" : "Make B a copy of A, which plays");
+}
+
+bool PresetBar::handleKey(const juce::KeyPress& key) {
+    if (isCommand(key, 'z', false))
+        view.editHistory().undo();
+    else if (isCommand(key, 'z', true) || isCommand(key, 'y', false))
+        view.editHistory().redo();
+    else if (isCommand(key, 's', false))
+        save();
+    else
+        return false;
+    refresh();
+    return true;
 }
 
 void PresetBar::paint(juce::Graphics& g) {
     g.setColour(colourOf(*this, LookColour::accent));
     g.setFont(Look::headingFont(21));
-    g.drawText("Idiophone", getLocalBounds(), juce::Justification::centredLeft);
+    g.drawText("Idiophone", logo, juce::Justification::centredLeft, false);
 }
 
 void PresetBar::resized() {
-    auto area = getLocalBounds().reduced(0, 8);
-    area = area.removeFromRight(juce::jmin(420, area.getWidth() * 3 / 5));
-    previous.setBounds(area.removeFromLeft(32));
-    next.setBounds(area.removeFromRight(32));
-    list.setBounds(area.reduced(6, 0));
+    auto area = getLocalBounds().withSizeKeepingCentre(getWidth(), juce::jmin(getHeight(), button));
+    logo = area.removeFromLeft(logoWidth);
+    redo.setBounds(area.removeFromRight(button));
+    undo.setBounds(area.removeFromRight(button));
+    area.removeFromRight(gap);
+    mutation.setBounds(area.removeFromRight(button));
+    area.removeFromRight(gap);
+    copying.setBounds(area.removeFromRight(button));
+    compare.setBounds(area.removeFromRight(compareWidth));
+    area.removeFromRight(gap);
+    const int width = juce::jmin(area.getWidth(), mostForName + 4 * button);
+    area = area.withSizeKeepingCentre(width, area.getHeight());
+    previous.setBounds(area.removeFromLeft(button));
+    saving.setBounds(area.removeFromRight(button));
+    favourite.setBounds(area.removeFromRight(button));
+    next.setBounds(area.removeFromRight(button));
+    name->setBounds(area);
 }
 
 } // namespace idiophone

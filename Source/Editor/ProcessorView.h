@@ -42,11 +42,6 @@ public:
         int highestNote = 0;
     };
 
-    virtual std::vector<std::string> presetNames() const = 0;
-    /// −1 where what plays is none of them.
-    virtual int presetIndex() const = 0;
-    virtual void choosePreset(int index) = 0;
-
     /// In the unit of the table.
     virtual double parameterValue(ParameterId parameter) const = 0;
     /// What holds now: of a material's or mallet's figures those of the one that is chosen, or of
@@ -95,6 +90,8 @@ public:
     scrapeObject(std::size_t index, const std::array<double, 3>& pointMetres, double pressure) = 0;
 
     virtual Status takeStatus() = 0;
+    /// One sentence of the window about what went wrong, for the status to say.
+    virtual void reportError(const std::string& sentence) = 0;
 
     /// For as long as this lives.
     virtual PresetShelf& presetShelf() = 0;

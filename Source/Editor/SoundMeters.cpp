@@ -30,7 +30,9 @@ std::array<SoundMeters::Row, 3> SoundMeters::rowsNow() const {
             juce::roundToInt(1000 * std::clamp(1 - now / silentDecibels, 0.0, 1.0));
         result[channel].isOver = now > 0;
     }
-    result[2].text = juce::String(100 * load, load < 0.0995 ? 1 : 0) + " %";
+    result[2].text =
+        (load < 0.0995 ? juce::String(100 * load, 1) : juce::String(juce::roundToInt(100 * load))) +
+        " %";
     result[2].filled = juce::roundToInt(200 * std::clamp(load, 0.0, 1.0)) * 5;
     result[2].isOver = load > 0.9;
     return result;

@@ -46,7 +46,7 @@ struct SlotNow {
 struct SoundFrame {
     int instrumentNumber = 0;      ///< ProcessorView::instrumentNumber
     int object = -1;               ///< of playedObjects: whose modes these are; −1: none
-    int note = -1;                 ///< the lowest MIDI note of the slot that they are of
+    int note = -1;                 ///< MIDI: the one key of their slot; −1: it has several
     std::vector<ModeNow> modes;    ///< ascending in frequency but for what own dampings do
     std::int32_t modesOmitted = 0; ///< of the object beyond those, which are too many to show
     std::vector<SlotNow> slots;    ///< those that sound, loudest first

@@ -34,7 +34,7 @@ SpectrumScale::SpectrumScale(std::span<const double> frequenciesHz,
         return;
     const auto [least, most] = std::ranges::minmax(frequenciesHz);
     const auto above = std::ranges::upper_bound(roundHz, least / margin);
-    const auto from = above == roundHz.begin() ? above : above - 1;
+    const auto from = std::min(above == roundHz.begin() ? above : above - 1, roundHz.end() - 3);
     lowest = *from;
     auto to = std::ranges::lower_bound(roundHz, std::max(most * margin, 4 * lowest));
     highest = to == roundHz.end() ? roundHz.back() : *to;

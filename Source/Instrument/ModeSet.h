@@ -1,5 +1,5 @@
-// Some modes of some objects, by the objects' names and the modes' numbers: those that are muted,
-// or heard alone. Plain data, a little of it.
+// Some modes of some objects, by names for the objects (SilencedModes.h) and the modes' numbers:
+// those that are muted, or heard alone. Plain data, a little of it.
 #pragma once
 
 #include <cstddef>

@@ -56,7 +56,7 @@ struct Preset {
     ParameterValues parameters; ///< those the file does not name have their default
     Surface surface;            ///< what scrapes and rolls sound like; valid
     std::uint32_t seed = 1;     ///< of their noise, spread and chatter, so that a render repeats
-    ModeSet mutedModes;         ///< of its objects, by the names of its key map
+    ModeSet mutedModes;         ///< of its objects, by modeSetKey
     /// Ids of parameters in the file that this version does not know.
     std::vector<std::string> unknownParameters;
 

@@ -18,12 +18,15 @@ flags(const std::set<std::int32_t>& modes, std::size_t count, bool others) {
 
 } // namespace
 
-std::string objectName(const Instrument& instrument, std::size_t slot) {
+std::string modeSetKey(const Instrument& instrument, std::size_t slot) {
     const auto& map = instrument.keyMap();
-    for (int note = map.lowestNote; note <= map.highestNote; ++note)
-        if (instrument.key(note).slot == static_cast<int>(slot))
-            return map.objectFor(note);
-    return map.object;
+    const auto slots = instrument.slots();
+    if (map.kind == KeyMapKind::bars)
+        for (int note = map.lowestNote; note <= map.highestNote; ++note)
+            if (const int played = instrument.key(note).slot;
+                played >= 0 && slots[static_cast<std::size_t>(played)].object == slots[slot].object)
+                return std::to_string(note);
+    return "all";
 }
 
 SilencedModes
@@ -37,7 +40,7 @@ silencedModes(const Instrument& instrument, const ModeSet& muted, const ModeSet&
         const ModalObject* object = slots[slot].object.get();
         if (!seen.insert(object).second)
             continue;
-        const auto name = objectName(instrument, slot);
+        const auto name = modeSetKey(instrument, slot);
         const auto& alone = heardAlone.of(name);
         const bool isAlone = std::ranges::any_of(alone, [&](std::int32_t mode) {
             return static_cast<std::size_t>(mode) < object->modeCount();

@@ -19,8 +19,10 @@ struct SilencedModes {
     std::vector<OfObject> objects; ///< of all others nothing is silenced
 };
 
-/// The name by which the key map knows the object of a slot.
-std::string objectName(const Instrument& instrument, std::size_t slot);
+/// By what mode sets know the object of a slot: the lowest note that plays it where there is one
+/// object a key, else "all". Files of objects may be renamed, and finished analyses take the place
+/// of previews.
+std::string modeSetKey(const Instrument& instrument, std::size_t slot);
 
 /// Of every object the muted modes; of one with modes heard alone all others, muted or not. Modes
 /// and objects that the instrument does not have are passed over.

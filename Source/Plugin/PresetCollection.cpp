@@ -95,24 +95,21 @@ void PresetCollection::readPresets() {
 }
 
 std::string PresetCollection::chosenPreset() const {
-    return holder.loadedSound().presetId;
+    return holder.loadedLabel().presetId;
 }
 
 PresetDetails PresetCollection::soundDetails() const {
-    const auto sound = holder.loadedSound();
-    const auto* entry = folder.find(sound.presetId);
-    return {.name = sound.preset.name,
+    auto label = holder.loadedLabel();
+    const auto* entry = folder.find(label.presetId);
+    return {.name = std::move(label.name),
             .folder = entry != nullptr ? entry->folder : "",
-            .author = sound.preset.author,
-            .description = sound.preset.description,
-            .tags = sound.preset.tags};
+            .author = std::move(label.author),
+            .description = std::move(label.description),
+            .tags = std::move(label.tags)};
 }
 
 bool PresetCollection::soundIsChanged() const {
-    const auto sound = holder.loadedSound();
-    auto now = sound.parameters;
-    now.set(ParameterId::bypass, sound.stored[ParameterId::bypass]);
-    return now != sound.stored;
+    return holder.loadedLabel().isChanged;
 }
 
 Result<Sound> PresetCollection::soundOf(const std::string& id) {

@@ -2,9 +2,8 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Instrument/PresetFile.h"
-#include "Object/ModalObjectFile.h"
+#include "Plugin/ObjectEmbedding.h"
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <string_view>
@@ -18,15 +17,18 @@ std::string_view asText(const Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// By name, for every note that has one.
-std::map<std::string, const ModalObject*> objectsOf(const KeyMap& keyMap,
-                                                    const Instrument& instrument) {
-    std::map<std::string, const ModalObject*> objects;
-    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note)
-        if (const int slot = instrument.key(note).slot; slot >= 0)
-            objects[keyMap.objectFor(note)] =
-                instrument.slots()[static_cast<std::size_t>(slot)].object.get();
-    return objects;
+/// By name, for every note that has one; none where all are the factory's.
+std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
+    std::map<std::string, Bytes> files;
+    for (auto& object : foreignObjects(instrument))
+        files.emplace(std::move(object.name), std::move(object.modal));
+    if (files.empty())
+        return files;
+    const auto& map = instrument.keyMap();
+    for (int note = map.lowestNote; note <= map.highestNote; ++note)
+        if (const auto factory = factoryObject(map.objectFor(note)))
+            files.try_emplace(map.objectFor(note), factory->begin(), factory->end());
+    return files;
 }
 
 /// What people called it, as far as a file can be called that.
@@ -55,18 +57,12 @@ Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
 
 Result<KeyMap>
 writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder) {
-    const auto objects = objectsOf(keyMap, instrument);
-    if (std::ranges::all_of(
-            objects, [](const auto& named) { return factoryObject(named.first).has_value(); }))
+    const auto files = filesOf(instrument);
+    if (files.empty())
         return keyMap;
-
-    std::map<std::string, Bytes> files;
-    std::size_t hash = objects.size();
-    for (const auto& [name, object] : objects) {
-        auto bytes = encodeModalObject(*object);
+    std::size_t hash = files.size();
+    for (const auto& [name, bytes] : files)
         hash = hash * 31 + std::hash<std::string_view>()(asText(bytes));
-        files.emplace(name, std::move(bytes));
-    }
     const bool isOne = files.size() == 1 && keyMap.objectFor(0) == keyMap.objectFor(1);
     auto stored = keyMap;
     stored.object = std::string(presetObjectFolder) + "/" + fileStem(keyMap).toStdString() + "-" +

@@ -72,9 +72,6 @@ public:
     bool hasEditor() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override;
 
-    std::vector<std::string> presetNames() const override;
-    int presetIndex() const override { return programIndex; }
-    void choosePreset(int index) override { setCurrentProgram(index); }
     double parameterValue(ParameterId parameter) const override;
     double effectiveValue(ParameterId parameter) const override;
     void makeCustom(ParameterId figure) override;
@@ -104,12 +101,14 @@ public:
     void unmuteModes(std::size_t object) override;
     void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
+    void reportError(const std::string& sentence) override;
     PresetCollection& presetShelf() override { return shelf; }
     SoundHistory& editHistory() override { return history; }
     SoundHistory& soundVariants() override { return history; }
     MidiLearn& midiLearn() override { return controllers; }
 
     Sound loadedSound() const override;
+    SoundLabel loadedLabel() const override;
     void playSound(const Sound& wanted) override;
     int soundNumber() const override { return loads; }
     double valueOf(ParameterId parameter) const override { return parameterValue(parameter); }
@@ -140,7 +139,8 @@ private:
     std::unique_ptr<Player> newPlayer() const;
     bool
     changeModes(std::size_t object,
-                const std::function<bool(const std::string& name, std::size_t modeCount)>& change);
+                const std::function<bool(const std::string& key, std::size_t modeCount)>& change);
+    void sendSilences();
 
     // ProcessorForWorkshop.cpp; for the message thread.
     double rateHz() const;

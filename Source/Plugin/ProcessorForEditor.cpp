@@ -2,7 +2,6 @@
 #include "Editor/EditorWindow.h"
 #include "Plugin/Processor.h"
 
-#include "Instrument/FactoryContent.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Object/MaterialFile.h"
 
@@ -29,13 +28,6 @@ std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& poi
 juce::AudioProcessorEditor* Processor::createEditor() {
     history.endAllGestures();
     return new EditorWindow(*this, *this);
-}
-
-std::vector<std::string> Processor::presetNames() const {
-    std::vector<std::string> names;
-    for (const auto& preset : factoryPresets())
-        names.push_back(preset.name);
-    return names;
 }
 
 double Processor::parameterValue(ParameterId parameter) const {
@@ -220,6 +212,11 @@ ProcessorView::Status Processor::takeStatus() {
     status.isError = !lastError.empty();
     status.sentence = status.isError ? lastError : loadedPreset.description;
     return status;
+}
+
+void Processor::reportError(const std::string& sentence) {
+    const std::scoped_lock lock(soundMutex);
+    lastError = sentence;
 }
 
 std::shared_ptr<const Instrument> Processor::loadedInstrument() const {

@@ -53,9 +53,12 @@ void Processor::watchObject(std::optional<std::size_t> object) {
 }
 
 bool Processor::muteMode(std::size_t object, std::int32_t mode, bool isMuted) {
-    const bool done = changeModes(object, [&](const std::string& name, std::size_t modeCount) {
-        return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
-               loadedPreset.mutedModes.set(name, mode, isMuted);
+    bool done = false;
+    history.record(isMuted ? "Mute mode" : "Unmute mode", [&] {
+        done = changeModes(object, [&](const std::string& key, std::size_t modeCount) {
+            return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
+                   loadedPreset.mutedModes.set(key, mode, isMuted);
+        });
     });
     if (done)
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
@@ -63,42 +66,50 @@ bool Processor::muteMode(std::size_t object, std::int32_t mode, bool isMuted) {
 }
 
 bool Processor::hearModeAlone(std::size_t object, std::int32_t mode, bool isAlone) {
-    return changeModes(object, [&](const std::string& name, std::size_t modeCount) {
+    return changeModes(object, [&](const std::string& key, std::size_t modeCount) {
         return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
-               modesHeardAlone.set(name, mode, isAlone);
+               modesHeardAlone.set(key, mode, isAlone);
     });
 }
 
 void Processor::unmuteModes(std::size_t object) {
-    const bool done = changeModes(object, [&](const std::string& name, std::size_t) {
-        loadedPreset.mutedModes.clear(name);
-        return true;
+    bool done = false;
+    history.record("Unmute modes", [&] {
+        done = changeModes(object, [&](const std::string& key, std::size_t) {
+            loadedPreset.mutedModes.clear(key);
+            return true;
+        });
     });
     if (done)
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
 }
 
 void Processor::hearAllModes(std::size_t object) {
-    changeModes(object, [&](const std::string& name, std::size_t) {
-        modesHeardAlone.clear(name);
+    changeModes(object, [&](const std::string& key, std::size_t) {
+        modesHeardAlone.clear(key);
         return true;
     });
 }
 
-/// `change` is given the object's name in the key map and its number of modes.
+/// `change` is given what mode sets know the object by, and its number of modes.
 bool Processor::changeModes(
     std::size_t object,
-    const std::function<bool(const std::string& name, std::size_t modeCount)>& change) {
+    const std::function<bool(const std::string& key, std::size_t modeCount)>& change) {
     const std::scoped_lock lock(soundMutex);
     if (instrument == nullptr)
         return false;
     const auto own = ownSlots(*instrument);
-    if (object >= own.size() || !change(objectName(*instrument, own[object]),
+    if (object >= own.size() || !change(modeSetKey(*instrument, own[object]),
                                         instrument->slots()[own[object]].object->modeCount()))
         return false;
+    sendSilences();
+    return true;
+}
+
+/// Under soundMutex, with an instrument.
+void Processor::sendSilences() {
     silencer.send(*instrument,
                   silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
-    return true;
 }
 
 } // namespace idiophone

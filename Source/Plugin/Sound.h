@@ -23,6 +23,16 @@ struct Sound {
     bool operator==(const Sound&) const = default;
 };
 
+/// What is shown of a sound.
+struct SoundLabel {
+    std::string name;
+    std::string author;
+    std::string description;
+    std::vector<std::string> tags;
+    std::string presetId;
+    bool isChanged = false; ///< a parameter but bypass is not as stored
+};
+
 /// By which the shelf knows the factory's preset of that name.
 inline std::string factoryPresetId(const std::string& name) {
     return "factory:" + name;
@@ -35,6 +45,8 @@ public:
 
     /// What plays; its instrument is null where nothing could be loaded.
     virtual Sound loadedSound() const = 0;
+    /// The same, without what costs to copy.
+    virtual SoundLabel loadedLabel() const = 0;
     /// Plays the sound at once, with bypass as it is. What rings fades out where the instrument or
     /// its preset is another one, and goes on where only parameters change. A sound without
     /// instrument is not played.

@@ -54,6 +54,7 @@ void SoundPicture::show(PictureSubject next) {
     objectOfSlot.assign(slots.size(), 0);
     noteOfSlot.assign(slots.size(), -1);
     modesOfSlot.assign(slots.size(), 0);
+    isOfOneKey.assign(slots.size(), false);
     for (std::size_t slot = 0; slot < slots.size(); ++slot) {
         const auto shared = std::ranges::find_if(
             own, [&](std::size_t index) { return slots[index].object == slots[slot].object; });
@@ -61,19 +62,22 @@ void SoundPicture::show(PictureSubject next) {
         modesOfSlot[slot] = static_cast<std::int32_t>(slots[slot].object->modeCount());
     }
     for (int note = 127; note >= 0; --note)
-        if (const int slot = instrument.key(note).slot; slot >= 0)
-            noteOfSlot[static_cast<std::size_t>(slot)] = note;
+        if (const int slot = instrument.key(note).slot; slot >= 0) {
+            const auto index = static_cast<std::size_t>(slot);
+            isOfOneKey[index] = noteOfSlot[index] < 0;
+            noteOfSlot[index] = note;
+        }
 }
 
 /// What is known of a slot's object once for all.
 void SoundPicture::look(std::size_t slot) {
     frame.instrumentNumber = subject.instrumentNumber;
     frame.object = objectOfSlot[slot];
-    frame.note = noteOfSlot[slot];
+    frame.note = isOfOneKey[slot] ? noteOfSlot[slot] : -1;
     if (object == subject.instrument->slots()[slot].object)
         return;
     object = subject.instrument->slots()[slot].object;
-    name = objectName(*subject.instrument, slot);
+    key = modeSetKey(*subject.instrument, slot);
     weights = meanSquareShapes(*object);
     isSilenced.clear();
     for (auto& silenced :
@@ -167,8 +171,8 @@ ModeNow SoundPicture::modeNow(const MonitoredSound& sound, std::size_t mode) con
         static_cast<float>(isOscillating(pole) ? dampedFrequency(pole) / (2 * std::numbers::pi)
                                                : naturalFrequencyHz(pole));
     now.t60Seconds = static_cast<float>(std::log(1000) / decayBound(pole));
-    now.isMuted = subject.muted.contains(name, number);
-    now.isHeardAlone = subject.heardAlone.contains(name, number);
+    now.isMuted = subject.muted.contains(key, number);
+    now.isHeardAlone = subject.heardAlone.contains(key, number);
     if (!soundsAt(pole, sound.sampleRateHz))
         now.standing = ModeStanding::outOfBand;
     else if (!isSilenced.empty() && isSilenced[mode] != 0)

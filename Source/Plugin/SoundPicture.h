@@ -46,11 +46,12 @@ private:
     PictureSubject subject;
     std::vector<int> objectOfSlot; ///< of ProcessorView::playedObjects
     std::vector<int> noteOfSlot;
+    std::vector<bool> isOfOneKey;
     std::vector<std::int32_t> modesOfSlot;
 
     // Of the slot that is looked at.
     std::shared_ptr<const ModalObject> object;
-    std::string name;
+    std::string key;                       ///< in mode sets
     std::vector<double> weights;           ///< [M] mean-square shapes
     std::vector<std::uint8_t> isSilenced;  ///< [M], or empty: none
     std::vector<std::int32_t> groupStarts; ///< [G+1]

@@ -9,15 +9,15 @@ using namespace idiophone::test;
 TEST_CASE(
     "Muted modes are silenced; of an object with modes heard alone all others, muted or not") {
     const auto instrument = bars();
-    CHECK(objectName(*instrument, 2) == "bar-62");
+    CHECK(modeSetKey(*instrument, 2) == "62");
     ModeSet muted, alone;
     CHECK(silencedModes(*instrument, muted, alone).objects.empty());
-    muted.set("bar-62", 1, true);
-    muted.set("bar-64", 1, true);
-    muted.set("bar-62", 7, true);  // which it does not have
+    muted.set("62", 1, true);
+    muted.set("64", 1, true);
+    muted.set("62", 7, true);  // which it does not have
     muted.set("nothing", 0, true); // nor this
-    alone.set("bar-64", 1, true);
-    alone.set("bar-62", 9, true);
+    alone.set("64", 1, true);
+    alone.set("62", 9, true);
     const auto silenced = silencedModes(*instrument, muted, alone);
     REQUIRE(silenced.objects.size() == 2);
     CHECK(silenced.objects[0].object == instrument->slots()[2].object.get());
@@ -26,10 +26,10 @@ TEST_CASE(
     CHECK(silenced.objects[1].isSilenced == std::vector<std::uint8_t>{1, 0});
 }
 
-TEST_CASE("Slots that share an object are silenced once, by its name") {
+TEST_CASE("Slots that share an object are silenced once") {
     const auto instrument = keysOn(syntheticObject({300, 810}), KeyMapKind::scaled, 60, 72);
     ModeSet muted;
-    muted.set(objectName(*instrument, 5), 0, true);
+    muted.set(modeSetKey(*instrument, 5), 0, true);
     const auto silenced = silencedModes(*instrument, muted, {});
     REQUIRE(silenced.objects.size() == 1);
     CHECK(silenced.objects[0].isSilenced == std::vector<std::uint8_t>{1, 0});

@@ -3,6 +3,7 @@
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPage.h"
 #include "Plugin/TestSound.h"
+#include "Plugin/WindowParts.h"
 
 #include "Instrument/FactoryContent.h"
 
@@ -21,23 +22,6 @@ using Catch::Approx;
 
 namespace {
 
-void visit(juce::Component& component, const std::function<void(juce::Component&)>& action) {
-    action(component);
-    for (auto* child : component.getChildren())
-        visit(*child, action);
-}
-
-template <class Kind>
-Kind* find(juce::Component& window, const juce::String& title) {
-    Kind* found = nullptr;
-    visit(window, [&](juce::Component& component) {
-        if (auto* candidate = dynamic_cast<Kind*>(&component);
-            found == nullptr && candidate != nullptr && component.getTitle() == title)
-            found = candidate;
-    });
-    return found;
-}
-
 std::unique_ptr<juce::AudioProcessorEditor> open(Processor& processor) {
     return std::unique_ptr<juce::AudioProcessorEditor>(processor.createEditor());
 }
@@ -49,13 +33,6 @@ bool holdsSoon(const std::function<bool()>& condition) {
         juce::Timer::callPendingTimersSynchronously();
     }
     return condition();
-}
-
-bool isOnScreen(const juce::Component& component, const juce::Component& window) {
-    for (const auto* part = &component; part != &window; part = part->getParentComponent())
-        if (!part->isVisible())
-            return false;
-    return true;
 }
 
 juce::StringArray cutTexts(juce::Component& window) {
@@ -265,22 +242,10 @@ TEST_CASE("The window follows automation and presets from elsewhere") {
     processor.changeParameter(ParameterId::material, customMaterial);
     processor.getParameters()[static_cast<int>(ParameterId::density)]->setValue(1);
     CHECK(holdsSoon([&] {
-        return find<juce::ComboBox>(*window, "Preset")->getText().toStdString() ==
+        return find<juce::Button>(*window, "Preset")->getButtonText().toStdString() ==
                    factoryPresets()[1].name &&
                find<juce::Label>(*window, "Density")->getText() == "25000 kg/m3";
     }));
-}
-
-TEST_CASE("The preset list and its neighbour buttons choose presets, round the ends") {
-    Processor processor;
-    const auto window = open(processor);
-    const int last = processor.getNumPrograms() - 1;
-    find<juce::Button>(*window, "Previous preset")->onClick();
-    CHECK(processor.getCurrentProgram() == last);
-    find<juce::Button>(*window, "Next preset")->onClick();
-    CHECK(processor.getCurrentProgram() == 0);
-    find<juce::ComboBox>(*window, "Preset")->setSelectedId(2, juce::sendNotificationSync);
-    CHECK(processor.getCurrentProgram() == 1);
 }
 
 TEST_CASE("The window opens and closes 100 times while the same notes sound the same") {

@@ -185,8 +185,8 @@ TEST_CASE(
     first.setCurrentProgram(1);
     restoreBytes(second, saved(first));
     CHECK(second.getCurrentProgram() == 1);
-    CHECK(second.presetIndex() == 1);
+    CHECK(second.presetShelf().chosenPreset() == factoryPresetId(factoryPresets()[1].name));
     restore(second, testState());
-    CHECK(second.presetIndex() == -1);
+    CHECK(second.presetShelf().chosenPreset().empty());
     CHECK(second.getCurrentProgram() == 0); // hosts know no other
 }

@@ -145,7 +145,7 @@ TEST_CASE("A muted mode is silent, saved with the sound and restored; one heard 
     const auto state = parseState(bytes);
     REQUIRE(state);
     CHECK(state->preset.mutedModes.size() == 1);
-    CHECK(state->preset.mutedModes.contains("test/69", 0));
+    CHECK(state->preset.mutedModes.contains("69", 0));
 
     const auto* frame = frameAfter(processor, 4800, note(69));
     CHECK(frame->modes[0].standing == ModeStanding::silenced);
@@ -181,6 +181,25 @@ TEST_CASE("Players made anew keep mutes and what is heard alone; another instrum
     restore(processor, testState());
     CHECK_FALSE(frameAfter(processor, 9600, note(69))->modes[0].isMuted);
     CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::sounding);
+}
+
+TEST_CASE("Muting is a step that is undone and redone, in the sound too") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    processor.muteMode(9, 0, true);
+    CHECK(processor.editHistory().undoName() == "Mute mode");
+    processor.editHistory().undo();
+    const auto* frame = frameAfter(processor, 4800, note(69));
+    CHECK_FALSE(frame->modes[0].isMuted);
+    CHECK(frame->modes[0].standing == ModeStanding::sounding);
+    processor.editHistory().redo();
+    frame = frameAfter(processor, 4800, note(69));
+    CHECK(frame->modes[0].standing == ModeStanding::silenced);
+    processor.unmuteModes(9);
+    processor.editHistory().undo();
+    CHECK(frameAfter(processor, 4800, note(69))->modes[0].isMuted);
+    processor.muteMode(9, 99, true); // no such mode, and no step
+    CHECK(processor.editHistory().redoName() == "Unmute modes");
 }
 
 TEST_CASE("Modes and objects that do not exist are not muted") {

@@ -2,13 +2,14 @@
 #include "Plugin/Processor.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/SilencedModes.h"
 
 #include <algorithm>
 
 namespace idiophone {
 namespace {
 
-/// Whether a player of the one plays the other too, given its parameters.
+/// Whether a player of the one plays the other too, given its parameters and muted modes.
 bool playsAlike(const Preset& a, const Preset& b) {
     return a.surface == b.surface && a.seed == b.seed && a.parameters == b.parameters;
 }
@@ -32,6 +33,18 @@ Sound Processor::loadedSound() const {
             .stored = storedParameters};
 }
 
+SoundLabel Processor::loadedLabel() const {
+    auto now = parameters.values();
+    const std::scoped_lock lock(soundMutex);
+    now.set(ParameterId::bypass, storedParameters[ParameterId::bypass]);
+    return {.name = loadedPreset.name,
+            .author = loadedPreset.author,
+            .description = loadedPreset.description,
+            .tags = loadedPreset.tags,
+            .presetId = presetId,
+            .isChanged = now != storedParameters};
+}
+
 void Processor::playSound(const Sound& wanted) {
     if (wanted.instrument == nullptr)
         return;
@@ -40,10 +53,14 @@ void Processor::playSound(const Sound& wanted) {
         auto values = wanted.parameters;
         values.set(ParameterId::bypass, parameters[ParameterId::bypass].exactValue());
         parameters.load(values);
-        if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset))
+        if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset)) {
+            const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
             loadedPreset = wanted.preset;
-        else
+            if (!sameModes)
+                sendSilences();
+        } else {
             play(wanted.preset, wanted.instrument);
+        }
         unknownParameters = wanted.unknownParameters;
         presetId = wanted.presetId;
         storedParameters = wanted.stored;

@@ -1,0 +1,16 @@
+// A and B side by side, the one that plays lit; a click plays the other.
+#pragma once
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+namespace idiophone {
+
+/// Its toggle state is whether B plays. Needs 52 x 24 pixels.
+class CompareSwitch final : public juce::Button {
+public:
+    CompareSwitch();
+
+    void paintButton(juce::Graphics& g, bool highlighted, bool down) override;
+};
+
+} // namespace idiophone

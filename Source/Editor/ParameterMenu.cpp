@@ -1,0 +1,63 @@
+#include "Editor/ParameterMenu.h"
+
+namespace idiophone {
+namespace {
+
+juce::String valueText(const ParameterInfo& info, double value) {
+    return juce::String::fromUTF8(formatParameter(info, value).c_str());
+}
+
+void setOnce(const ParameterInfo& info, ProcessorView& view, double value) {
+    view.beginParameterChange(info.parameter);
+    view.makeCustom(info.parameter);
+    view.changeParameter(info.parameter, value);
+    view.endParameterChange(info.parameter);
+}
+
+} // namespace
+
+juce::PopupMenu
+parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue) {
+    auto& midi = view.midiLearn();
+    const auto parameter = info.parameter;
+    const bool live = view.isLive(parameter);
+    juce::PopupMenu menu;
+    menu.addSectionHeader(juce::String::fromUTF8(info.name) + ": " +
+                          valueText(info, view.effectiveValue(parameter)));
+    if (typeValue != nullptr)
+        menu.addItem("Type a value...", live, false, std::move(typeValue));
+    menu.addItem("Reset to " + valueText(info, info.defaultValue), live, false,
+                 [&info, &view] { setOnce(info, view, info.defaultValue); });
+    menu.addSeparator();
+    if (midi.learningParameter() == parameter)
+        menu.addItem("Stop waiting for a MIDI controller", [&midi] { midi.stopLearning(); });
+    else
+        menu.addItem("Learn a MIDI controller",
+                     [&midi, parameter] { midi.learnController(parameter); });
+    if (const auto number = midi.controllerOf(parameter))
+        menu.addItem("Forget MIDI controller " + juce::String(*number),
+                     [&midi, parameter] { midi.forgetController(parameter); });
+    return menu;
+}
+
+juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi) {
+    if (midi.learningParameter() == info.parameter)
+        return "Move the MIDI controller that is to move this";
+    if (const auto number = midi.controllerOf(info.parameter))
+        return "Moved by MIDI controller " + juce::String(*number);
+    return {};
+}
+
+bool asksForMenu(const juce::KeyPress& key) {
+#if JUCE_WINDOWS
+    constexpr int menuKey = 0x1005d;
+#elif JUCE_LINUX
+    constexpr int menuKey = 0x10000067;
+#else
+    constexpr int menuKey = 0;
+#endif
+    return key == juce::KeyPress(juce::KeyPress::F10Key, juce::ModifierKeys::shiftModifier, 0) ||
+           (menuKey != 0 && key.getKeyCode() == menuKey);
+}
+
+} // namespace idiophone

@@ -1,0 +1,251 @@
+#include "Editor/PresetBrowser.h"
+
+#include "Editor/Look.h"
+#include "Editor/PresetSearch.h"
+
+namespace idiophone {
+namespace {
+
+constexpr int padding = 10, gap = 8, rowHeight = 28;
+constexpr int leastSources = 130, mostSources = 220;
+constexpr int leastListHeight = 60; ///< with less, a form has the place alone
+
+juce::String shown(const std::string& text) {
+    return juce::String::fromUTF8(text.c_str());
+}
+
+} // namespace
+
+PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
+    setTitle("Preset browser");
+    setFocusContainerType(FocusContainerType::keyboardFocusContainer);
+    search.setTitle("Search presets");
+    search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", juce::Colours::grey);
+    search.setFont(Look::textFont(14.5f));
+    search.setIndents(8, 0);
+    search.setJustification(juce::Justification::centredLeft);
+    search.onTextChange = [this] { refill(); };
+    search.onReturnKey = [this] { close(true); };
+    search.onEscapeKey = [this] { close(false); };
+    sources.onChange = [this] { refill(); };
+    list.onSelect = [this](const ShelvedPreset& preset) { audition(preset); };
+    list.onChoose = [this] { close(true); };
+    list.onStar = [this](const ShelvedPreset& preset) {
+        const auto id = preset.id;
+        const auto starred = shelf.setFavourite(id, !preset.isFavourite);
+        refill();
+        if (!starred)
+            say(shown(starred.error().message), true);
+    };
+    form.onCancel = [this] { ask(Question::none); };
+    form.onAnswer = [this](const PresetDetails& details) { answer(details); };
+    showActions();
+    for (auto* child :
+         std::initializer_list<juce::Component*>{&search, &sources, &list, &saveAs, &rename,
+                                                 &remove, &reveal, &init, &status, &back, &keep})
+        addAndMakeVisible(child);
+    addChildComponent(form);
+}
+
+void PresetBrowser::showActions() {
+    const auto action = [](juce::TextButton& button, const char* tooltip, auto&& clicked) {
+        button.setTitle(button.getButtonText());
+        button.setTooltip(tooltip);
+        button.onClick = clicked;
+    };
+    action(saveAs, "Save what plays under a name of its own", [this] { ask(Question::save); });
+    action(rename, "Give the selected preset another name", [this] { ask(Question::rename); });
+    action(remove, "Move the selected preset to the bin", [this] { ask(Question::remove); });
+    action(reveal, "Show the folder where your presets lie", [this] {
+        const auto folder = shelf.presetFolder();
+        if (folder)
+            juce::File(shown(*folder)).revealToUser();
+        else
+            say(shown(folder.error().message), true);
+    });
+    action(init, "Start from a plain sound", [this] {
+        shelf.keepAudition();
+        const auto loaded = shelf.loadInitialSound();
+        refill();
+        say(loaded ? "A plain sound plays." : shown(loaded.error().message), !loaded);
+    });
+    action(back, "Play again what played before (Escape)", [this] { close(false); });
+    action(keep, "Keep what plays (Return)", [this] { close(true); });
+    status.setTitle("Message");
+    status.setFont(Look::textFont());
+    status.setMinimumHorizontalScale(0.8f);
+}
+
+void PresetBrowser::open() {
+    shelf.readPresets();
+    ask(Question::none);
+    say({}, false);
+    refill();
+    if (list.selected() == nullptr) {
+        search.clear();
+        sources.chooseAll();
+        refill();
+    }
+    search.grabKeyboardFocus();
+}
+
+void PresetBrowser::openToSave() {
+    open();
+    ask(Question::save);
+}
+
+void PresetBrowser::settle() {
+    shelf.keepAudition();
+}
+
+void PresetBrowser::close(bool kept) {
+    if (kept)
+        shelf.keepAudition();
+    else
+        shelf.endAudition();
+    juce::NullCheckedInvocation::invoke(onClose);
+}
+
+const ShelvedPreset* PresetBrowser::selected() const {
+    return list.selected();
+}
+
+void PresetBrowser::refill() {
+    sources.show(shelf.presets());
+    std::vector<ShelvedPreset> passing;
+    for (const auto& preset : shelf.presets())
+        if (sources.passes(preset) && matchesSearch(preset, search.getText()))
+            passing.push_back(preset);
+    const auto count = passing.size();
+    list.show(std::move(passing), shelf.chosenPreset());
+    if (count == 0)
+        say("No preset has all of these words and tags.", false);
+    else if (status.getText().startsWith("No preset"))
+        say({}, false);
+    arrangeHint();
+}
+
+void PresetBrowser::audition(const ShelvedPreset& preset) {
+    const auto played = shelf.auditionPreset(preset.id);
+    say(played ? juce::String() : shown(played.error().message), !played);
+    arrangeHint();
+}
+
+void PresetBrowser::arrangeHint() {
+    const auto* preset = selected();
+    const bool isOwn = preset != nullptr && !preset->isFactory;
+    rename.setEnabled(isOwn && preset->fault.empty());
+    remove.setEnabled(isOwn);
+}
+
+void PresetBrowser::say(const juce::String& sentence, bool isError) {
+    status.setColour(juce::Label::textColourId,
+                     colourOf(*this, isError ? LookColour::error : LookColour::dimText));
+    status.setText(sentence, juce::dontSendNotification);
+    status.setTooltip(sentence);
+}
+
+void PresetBrowser::ask(Question next) {
+    question = next;
+    const auto* preset = selected();
+    if (question == Question::save) {
+        auto details = shelf.soundDetails();
+        if (preset != nullptr && preset->isFactory)
+            details.author.clear(); // what is made of it is somebody else's
+        form.askForDetails(details);
+    } else if (question == Question::rename && preset != nullptr) {
+        form.askForName("Rename " + shown(preset->name), preset->name);
+    } else if (question == Question::remove && preset != nullptr) {
+        form.askWhether("Move '" + shown(preset->name) + "' to the bin?", "Delete");
+    } else {
+        question = Question::none;
+    }
+    form.setVisible(question != Question::none);
+    resized();
+    if (question != Question::none)
+        form.takeFocus();
+    else if (isShowing())
+        search.grabKeyboardFocus();
+}
+
+void PresetBrowser::answer(const PresetDetails& details) {
+    const bool mayReplace = question == Question::save && form.isToReplace();
+    if (question == Question::save && !mayReplace && shelf.presetExists(details))
+        return form.objectToName(details);
+    if (question == Question::save)
+        shelf.keepAudition(); // who saves it wants it
+    const auto* preset = selected();
+    const auto done = question == Question::save     ? shelf.savePreset(details, mayReplace)
+                      : preset == nullptr            ? Result<void>()
+                      : question == Question::rename ? shelf.renamePreset(preset->id, details.name)
+                                                     : shelf.deletePreset(preset->id);
+    if (!done)
+        return form.object(shown(done.error().message));
+    const auto said = question == Question::save     ? "Saved."
+                      : question == Question::rename ? "Renamed."
+                                                     : "In the bin.";
+    ask(Question::none);
+    refill();
+    say(said, false);
+}
+
+bool PresetBrowser::movesInList(const juce::KeyPress& key) {
+    using juce::KeyPress;
+    return key == KeyPress::downKey || key == KeyPress::upKey || key == KeyPress::pageDownKey ||
+           key == KeyPress::pageUpKey;
+}
+
+bool PresetBrowser::keyPressed(const juce::KeyPress& key) {
+    if (key == juce::KeyPress::escapeKey)
+        close(false);
+    else if (key == juce::KeyPress::returnKey)
+        close(true);
+    else if (key == juce::KeyPress::downKey)
+        list.step(1);
+    else if (key == juce::KeyPress::upKey)
+        list.step(-1);
+    else if (key == juce::KeyPress::pageDownKey)
+        list.step(6);
+    else if (key == juce::KeyPress::pageUpKey)
+        list.step(-6);
+    else
+        return false;
+    return true;
+}
+
+void PresetBrowser::paint(juce::Graphics& g) {
+    g.setColour(colourOf(*this, LookColour::panel));
+    g.fillRoundedRectangle(getLocalBounds().toFloat(), 6);
+    g.setColour(colourOf(*this, LookColour::background));
+    if (list.isVisible())
+        g.fillRoundedRectangle(list.getBounds().toFloat(), 5);
+}
+
+void PresetBrowser::resized() {
+    auto area = getLocalBounds().reduced(padding);
+    auto actions = area.removeFromBottom(rowHeight);
+    area.removeFromBottom(gap);
+    keep.setBounds(actions.removeFromRight(72));
+    actions.removeFromRight(4);
+    back.setBounds(actions.removeFromRight(72));
+    actions.removeFromRight(gap);
+    for (auto* button : {&saveAs, &rename, &remove, &reveal, &init}) {
+        button->setBounds(actions.removeFromLeft(button == &saveAs ? 84 : 66));
+        actions.removeFromLeft(4);
+    }
+    status.setBounds(actions);
+
+    sources.setBounds(
+        area.removeFromLeft(juce::jlimit(leastSources, mostSources, area.getWidth() / 5)));
+    area.removeFromLeft(gap);
+    search.setBounds(area.removeFromTop(rowHeight));
+    area.removeFromTop(gap);
+    if (form.isVisible()) {
+        form.setBounds(area.removeFromBottom(juce::jmin(form.neededHeight(), area.getHeight())));
+        area.removeFromBottom(gap);
+    }
+    list.setVisible(area.getHeight() >= leastListHeight);
+    list.setBounds(area);
+}
+
+} // namespace idiophone

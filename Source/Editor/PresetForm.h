@@ -1,0 +1,56 @@
+// Asks for what is said of a preset that is saved, for a new name, or whether to go on.
+#pragma once
+
+#include "Editor/PresetShelf.h"
+
+#include <functional>
+#include <juce_gui_basics/juce_gui_basics.h>
+#include <vector>
+
+namespace idiophone {
+
+/// Return answers, Escape cancels. As high as `heightFor` says; whole from 440 pixels of width on.
+class PresetForm final : public juce::Component {
+public:
+    PresetForm();
+
+    std::function<void(const PresetDetails&)> onAnswer;
+    std::function<void()> onCancel;
+
+    void askForDetails(const PresetDetails& first);
+    void askForName(const juce::String& title, const std::string& first);
+    void askWhether(const juce::String& title, const juce::String& yes);
+    /// Says what is the matter with the answer.
+    void object(const juce::String& sentence);
+    /// Says that there is such a preset, and offers to replace it: until something is typed.
+    void objectToName(const PresetDetails& details);
+    bool isToReplace() const { return offersToReplace; }
+
+    int neededHeight() const;
+    PresetDetails details() const;
+    void takeFocus();
+
+    void paint(juce::Graphics& g) override;
+    void resized() override;
+    bool keyPressed(const juce::KeyPress& key) override;
+
+private:
+    struct Field {
+        juce::String label;
+        std::unique_ptr<juce::TextEditor> editor;
+        juce::Rectangle<int> labelArea;
+    };
+    enum Place { nameField, folderField, tagField, authorField, descriptionField };
+
+    void followText();
+    void name(const juce::String& answer, const juce::String& title);
+    void show(std::initializer_list<Place> fields);
+    juce::TextEditor& editor(Place place) const { return *fields[place].editor; }
+
+    std::vector<Field> fields;
+    bool offersToReplace = false;
+    juce::Label sentence;
+    juce::TextButton yes, no{"Cancel"};
+};
+
+} // namespace idiophone

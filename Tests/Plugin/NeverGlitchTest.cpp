@@ -1,0 +1,165 @@
+// Whatever is done in the window, the sound goes on without a click.
+#include "Editor/EditorWindow.h"
+#include "Geometry/MeshWriter.h"
+#include "Geometry/ParametricMesh.h"
+#include "Plugin/TestSound.h"
+#include "Support/TestFolder.h"
+
+#include <atomic>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 128;
+
+/// Low, slowly decaying objects under a soft mallet: a smooth sound, in which a click would stand
+/// out.
+State smoothState(const std::string& folder) {
+    auto state = testState(folder);
+    state.objects.clear();
+    for (int note = lowestTestNote; note <= highestTestNote; ++note) {
+        const double frequencyHz = 110 * std::exp2((note - lowestTestNote) / 12.0);
+        auto object = syntheticObject({frequencyHz}, {0.2f});
+        object.name = folder + std::to_string(note);
+        state.objects.push_back(
+            {.name = folder + "/" + std::to_string(note), .modal = encodeModalObject(object)});
+    }
+    state.preset.parameters.set(ParameterId::malletHardness, 2);
+    state.preset.parameters.set(ParameterId::malletMass, 200);
+    state.parameters = state.preset.parameters;
+    return state;
+}
+
+/// What an audio thread hears that never stops: whether all is finite, how loud it was, and the
+/// sharpest bend of the waveform, to its loudest sample.
+class Listener {
+public:
+    explicit Listener(Processor& played) : processor(played) {
+        thread = std::thread([this] { listen(); });
+    }
+    ~Listener() { finish(); }
+
+    void finish() {
+        stop = true;
+        if (thread.joinable())
+            thread.join();
+    }
+
+    std::atomic<int> blocks{0};
+    bool finite = true;
+    float loudest = 0, sharpest = 0; ///< read after `finish`
+
+private:
+    void listen() {
+        juce::AudioBuffer<float> sound(2, blockSize);
+        float before = 0, beforeThat = 0;
+        for (int block = 0; !stop; ++block) {
+            juce::MidiBuffer midi;
+            if (block % 40 == 0)
+                midi.addEvent(juce::MidiMessage::noteOn(1, lowestTestNote + block / 40 % 6,
+                                                        static_cast<juce::uint8>(100)),
+                              17);
+            sound.clear();
+            processor.processBlock(sound, midi);
+            for (int i = 0; i < blockSize; ++i) {
+                const float now = sound.getSample(0, i);
+                finite = finite && std::isfinite(now);
+                loudest = std::max(loudest, std::abs(now));
+                sharpest = std::max(sharpest, std::abs(now - 2 * before + beforeThat));
+                beforeThat = before;
+                before = now;
+            }
+            ++blocks;
+        }
+    }
+
+    Processor& processor;
+    std::atomic<bool> stop{false};
+    std::thread thread;
+};
+
+void waitFor(const Listener& listener, int blocks) {
+    const int until = listener.blocks + blocks;
+    while (listener.blocks < until) {
+        juce::Timer::callPendingTimersSynchronously();
+        juce::Thread::sleep(1);
+    }
+}
+
+float calmSharpness() {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    restore(processor, smoothState("smooth"));
+    Listener listener(processor);
+    waitFor(listener, 600);
+    listener.finish();
+    REQUIRE(listener.loudest > 0.01f);
+    return listener.sharpest / listener.loudest;
+}
+
+} // namespace
+
+TEST_CASE("Windows, presets, dropped meshes and undo during playback: finite, and no click") {
+    const auto mesh = testFolder() / "plate.obj";
+    REQUIRE(writeMesh(sheetMesh(0.3, 0.2, 200), mesh));
+    const float calm = calmSharpness();
+
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    restore(processor, smoothState("smooth"));
+    Listener listener(processor);
+    const auto other = smoothState("other"), first = smoothState("smooth");
+    for (int round = 0; round < 12; ++round) {
+        const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
+        window->setSize(EditorWindow::leastWidth + 100 * round,
+                        EditorWindow::leastHeight + 50 * round);
+        window->createComponentSnapshot(window->getLocalBounds());
+        waitFor(listener, 20);
+        // A mesh is dropped, and what plays on is the sound there was: it is taken back at once.
+        processor.openFile(mesh);
+        waitFor(listener, 5);
+        processor.cancelImport();
+        restore(processor, round % 2 == 0 ? other : first);
+        waitFor(listener, 20);
+        processor.beginParameterChange(ParameterId::level);
+        processor.changeParameter(ParameterId::level, -0.5 * (round % 3));
+        processor.endParameterChange(ParameterId::level);
+        waitFor(listener, 5);
+        processor.editHistory().undo();
+    }
+    listener.finish();
+    CHECK(listener.finite);
+    CHECK(listener.loudest > 0.01f);
+    // A fade of 5 ms bends the waveform a little more than the soft blows do; a step of a tenth of
+    // the loudest sample would bend it by as much.
+    CHECK(calm < 0.01f);
+    CHECK(listener.sharpest / listener.loudest < 0.02f);
+}
+
+TEST_CASE("A dropped mesh plays, preview and all, while every sample stays finite") {
+    const auto mesh = testFolder() / "drop.obj";
+    REQUIRE(writeMesh(sheetMesh(0.3, 0.2, 300), mesh));
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    Listener listener(processor);
+    const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
+    const int before = processor.instrumentNumber();
+    processor.openFile(mesh);
+    for (int i = 0; i < 3000 && processor.importStatus().isWorking(); ++i)
+        waitFor(listener, 10);
+    CHECK(processor.importStatus().stage == ImportStatus::Stage::done);
+    waitFor(listener, 200);
+    listener.finish();
+    CHECK(processor.instrumentNumber() > before);
+    CHECK(processor.playedObjects().size() == 1);
+    CHECK(listener.finite);
+    CHECK(listener.loudest > 0.01f);
+    CHECK(listener.loudest < 1.5f);
+}

@@ -1,0 +1,120 @@
+#include "Editor/ParameterMenu.h"
+
+#include "Editor/Look.h"
+#include "Editor/ParameterControl.h"
+#include "Plugin/Processor.h"
+#include "Plugin/TestSound.h"
+#include "Plugin/WindowParts.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using enum ParameterId;
+
+namespace {
+
+juce::StringArray textsOf(const juce::PopupMenu& menu) {
+    juce::StringArray texts;
+    for (juce::PopupMenu::MenuItemIterator item(menu); item.next();)
+        texts.add(item.getItem().text);
+    return texts;
+}
+
+/// Does what a click on the item that begins so does.
+bool choose(const juce::PopupMenu& menu, const juce::String& beginning) {
+    for (juce::PopupMenu::MenuItemIterator item(menu); item.next();)
+        if (item.getItem().text.startsWith(beginning) && item.getItem().isEnabled) {
+            item.getItem().action();
+            return true;
+        }
+    return false;
+}
+
+juce::PopupMenu menuOf(Processor& processor, ParameterId parameter) {
+    return parameterMenu(parameterInfo(parameter), processor, nullptr);
+}
+
+void play(Processor& processor, int controller, int value) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::controllerEvent(1, controller, value), 0);
+    render(processor, 64, 64, midi);
+}
+
+} // namespace
+
+TEST_CASE("The menu says the value, and resets to the default in one step") {
+    Processor processor;
+    processor.changeParameter(strikeSpread, 33);
+    CHECK(textsOf(menuOf(processor, strikeSpread))[0].contains("33"));
+    REQUIRE(choose(menuOf(processor, strikeSpread), "Reset to"));
+    CHECK(processor.parameterValue(strikeSpread) == parameterInfo(strikeSpread).defaultValue);
+    processor.editHistory().undo();
+    CHECK(processor.parameterValue(strikeSpread) == 33);
+    CHECK_FALSE(processor.editHistory().canUndo());
+}
+
+TEST_CASE("A controller is learned, named and forgotten through the menu") {
+    Processor processor;
+    processor.prepareToPlay(48000, 64);
+    REQUIRE(choose(menuOf(processor, tau), "Learn"));
+    CHECK(processor.midiLearn().learningParameter() == tau);
+    CHECK(controllerSentence(parameterInfo(tau), processor.midiLearn()).startsWith("Move the"));
+    REQUIRE(choose(menuOf(processor, tau), "Stop waiting"));
+    CHECK_FALSE(processor.midiLearn().learningParameter());
+    REQUIRE(choose(menuOf(processor, tau), "Learn"));
+    play(processor, 21, 64);
+    CHECK(controllerSentence(parameterInfo(tau), processor.midiLearn()) ==
+          "Moved by MIDI controller 21");
+    CHECK(controllerSentence(parameterInfo(level), processor.midiLearn()).isEmpty());
+    REQUIRE(choose(menuOf(processor, tau), "Forget MIDI controller 21"));
+    CHECK_FALSE(processor.midiLearn().controllerOf(tau));
+    CHECK_FALSE(choose(menuOf(processor, tau), "Forget"));
+}
+
+TEST_CASE("A control that has learned says so, and cuts no name for its mark") {
+    Processor processor;
+    processor.prepareToPlay(48000, 64);
+    Look look;
+    ParameterControl control(parameterInfo(density), processor);
+    control.setLookAndFeel(&look);
+    control.setSize(180, 40);
+    const auto labelText = [&] {
+        juce::String text;
+        visit(control, [&](juce::Component& part) {
+            if (auto* label = dynamic_cast<juce::Label*>(&part);
+                label != nullptr && label->getTooltip().contains("Density"))
+                text = label->getTooltip();
+        });
+        return text;
+    };
+    CHECK_FALSE(labelText().contains("MIDI"));
+    processor.midiLearn().learnController(density);
+    control.refresh();
+    CHECK(labelText().contains("Move the MIDI controller"));
+    play(processor, 74, 64);
+    control.refresh();
+    CHECK(labelText().contains("controller 74"));
+    CHECK(control.getDescription().contains("controller 74"));
+    control.setLookAndFeel(nullptr);
+}
+
+TEST_CASE("The right button opens the menu and changes nothing by itself") {
+    Processor processor;
+    LeftClicked<juce::ToggleButton> toggle;
+    toggle.setSize(40, 20);
+    const auto right = juce::ModifierKeys(juce::ModifierKeys::rightButtonModifier);
+    const juce::MouseEvent event(juce::Desktop::getInstance().getMainMouseSource(), {5, 5}, right,
+                                 0, 0, 0, 0, 0, &toggle, &toggle, {}, {5, 5}, {}, 1, false);
+    toggle.mouseDown(event);
+    toggle.mouseUp(event);
+    CHECK_FALSE(toggle.getToggleState());
+    CHECK(toggle.getState() == juce::Button::buttonNormal);
+}
+
+TEST_CASE("Shift+F10 asks for the menu, other keys do not") {
+    using juce::KeyPress;
+    CHECK(asksForMenu({KeyPress::F10Key, juce::ModifierKeys::shiftModifier, 0}));
+    CHECK_FALSE(asksForMenu(KeyPress(KeyPress::F10Key)));
+    CHECK_FALSE(asksForMenu(KeyPress('m')));
+}

@@ -1,0 +1,182 @@
+#include "Editor/PresetBar.h"
+
+#include "Editor/EditorWindow.h"
+#include "Editor/Look.h"
+#include "Instrument/FactoryContent.h"
+#include "Plugin/Processor.h"
+#include "Plugin/UserSettings.h"
+#include "Plugin/WindowParts.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+struct Bar {
+    UserSettings user;
+    Processor processor;
+    PresetBar bar{processor};
+
+    juce::Button& button(const char* title) {
+        bar.refresh();
+        auto* found = find<juce::Button>(bar, title);
+        INFO(title);
+        REQUIRE(found != nullptr);
+        return *found;
+    }
+    void click(const char* title) {
+        button(title).onClick();
+        bar.refresh();
+    }
+    std::string shownName() { return button("Preset").getButtonText().toStdString(); }
+};
+
+juce::KeyPress command(int letter, int more = 0) {
+    return {letter, juce::ModifierKeys(juce::ModifierKeys::commandModifier | more), 0};
+}
+
+void changeDensity(Processor& processor, double value) {
+    processor.beginParameterChange(ParameterId::density);
+    processor.changeParameter(ParameterId::density, value);
+    processor.endParameterChange(ParameterId::density);
+}
+
+} // namespace
+
+TEST_CASE("The neighbours of a preset are one click away, round the ends, past broken files") {
+    Bar bar;
+    bar.user.write("Presets/broken.json", "{");
+    bar.processor.presetShelf().readPresets();
+    const int last = bar.processor.getNumPrograms() - 1;
+    bar.click("Previous preset");
+    CHECK(bar.processor.getCurrentProgram() == last);
+    bar.click("Next preset");
+    CHECK(bar.processor.getCurrentProgram() == 0);
+    CHECK(bar.shownName() == factoryPresets()[0].name);
+    bar.click("Next preset");
+    CHECK(bar.shownName() == factoryPresets()[1].name);
+    CHECK_FALSE(bar.processor.takeStatus().isError);
+}
+
+TEST_CASE("Undo and redo are offered by name, by click and by their keys") {
+    Bar bar;
+    CHECK_FALSE(bar.button("Undo").isEnabled());
+    CHECK_FALSE(bar.button("Redo").isEnabled());
+    const double before = bar.processor.parameterValue(ParameterId::density);
+    const auto now = [&] { return bar.processor.parameterValue(ParameterId::density); };
+    changeDensity(bar.processor, 1000);
+    CHECK(bar.button("Undo").getTooltip().contains("Density"));
+    bar.click("Undo");
+    CHECK(now() == before);
+    bar.click("Redo");
+    CHECK(now() == 1000);
+    CHECK(bar.bar.handleKey(command('z')));
+    CHECK(now() == before);
+    CHECK(bar.bar.handleKey(command('Z', juce::ModifierKeys::shiftModifier)));
+    CHECK(now() == 1000);
+    CHECK(bar.bar.handleKey(command('Z')));
+    CHECK(bar.bar.handleKey(command('y')));
+    CHECK(now() == 1000);
+    CHECK_FALSE(bar.bar.handleKey(juce::KeyPress('z')));
+    CHECK_FALSE(bar.bar.handleKey(command('q')));
+}
+
+TEST_CASE("A, B and the dice play other sounds, and undo takes them back") {
+    Bar bar;
+    auto& compare = bar.button("Compare A and B");
+    CHECK_FALSE(compare.getToggleState());
+    bar.click("Compare A and B");
+    CHECK(compare.getToggleState());
+    CHECK(find<juce::Button>(bar.bar, "Copy B to A") != nullptr);
+    changeDensity(bar.processor, 1000);
+    bar.click("Copy B to A");
+    bar.click("Compare A and B");
+    CHECK(bar.processor.parameterValue(ParameterId::density) == 1000);
+    CHECK_FALSE(compare.getToggleState());
+    const auto before = bar.processor.loadedSound().parameters;
+    bar.click("Mutate");
+    CHECK_FALSE(bar.processor.loadedSound().parameters == before);
+    bar.click("Undo");
+    CHECK(bar.processor.loadedSound().parameters == before);
+}
+
+TEST_CASE("A favourite is one click; a sound of no preset cannot be one") {
+    Bar bar;
+    CHECK(bar.button("Favourite").isEnabled());
+    bar.click("Favourite");
+    CHECK(bar.button("No favourite any more").getToggleState());
+    CHECK(bar.processor.presetShelf().presets().front().isFavourite);
+    bar.click("No favourite any more");
+    CHECK_FALSE(bar.button("Favourite").getToggleState());
+    REQUIRE(bar.processor.presetShelf().loadInitialSound());
+    CHECK_FALSE(bar.button("Favourite").isEnabled());
+}
+
+TEST_CASE("Saving asks for a name where there is none of one's own, and else saves at once") {
+    Bar bar;
+    int asked = 0;
+    bar.bar.onSaveAs = [&] { ++asked; };
+    CHECK(bar.bar.handleKey(command('s')));
+    CHECK(asked == 1);
+    REQUIRE(bar.processor.presetShelf().savePreset(
+        {.name = "Mine", .folder = "", .author = "", .description = "", .tags = {}}, false));
+    changeDensity(bar.processor, 1234);
+    CHECK(bar.button("Preset").getDescription().startsWith("Changed"));
+    bar.click("Save");
+    CHECK(asked == 1);
+    CHECK_FALSE(bar.button("Preset").getDescription().startsWith("Changed"));
+    CHECK(bar.user.read("Presets/Mine.json").find("1234") != std::string::npos);
+}
+
+TEST_CASE("What cannot be saved is one sentence in the status") {
+    Bar bar;
+    REQUIRE(bar.processor.presetShelf().savePreset(
+        {.name = "Mine", .folder = "In", .author = "", .description = "", .tags = {}}, false));
+    std::filesystem::remove_all(bar.user.folder() / "Presets");
+    std::ofstream(bar.user.folder() / "Presets") << "in the way";
+    bar.click("Save");
+    const auto status = bar.processor.takeStatus();
+    CHECK(status.isError);
+    CHECK(status.sentence.back() == '.');
+}
+
+TEST_CASE("At every width from 640 pixels on all of the bar is inside and nothing overlaps") {
+    Bar bar;
+    for (const int width : {640, 734, 1180, 3840}) {
+        bar.bar.setSize(width, 44);
+        const auto& children = bar.bar.getChildren();
+        for (const auto* child : children) {
+            INFO(width << " " << child->getTitle());
+            CHECK(bar.bar.getLocalBounds().contains(child->getBounds()));
+            CHECK(child->getWidth() >= 24);
+            CHECK(child->getHeight() >= 24);
+            for (const auto* other : children)
+                CHECK((other == child || !other->getBounds().intersects(child->getBounds())));
+        }
+        CHECK(find<juce::Button>(bar.bar, "Preset")->getWidth() >= 150);
+    }
+}
+
+TEST_CASE("Every button of the bar has a name of its own and a tooltip") {
+    Bar bar;
+    juce::StringArray names;
+    for (auto* child : bar.bar.getChildren()) {
+        CHECK(child->getTitle().isNotEmpty());
+        CHECK_FALSE(names.contains(child->getTitle()));
+        names.add(child->getTitle());
+        CHECK(dynamic_cast<juce::Button*>(child)->getTooltip().isNotEmpty());
+    }
+    CHECK(names.size() == 10);
+}
+
+TEST_CASE("The keys of the bar work anywhere in the window") {
+    const UserSettings user;
+    Processor processor;
+    const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
+    changeDensity(processor, 1000);
+    CHECK(window->keyPressed(command('z')));
+    CHECK(processor.editHistory().canRedo());
+    CHECK_FALSE(window->keyPressed(juce::KeyPress('z')));
+}

@@ -1,0 +1,278 @@
+#include "Editor/PresetBrowser.h"
+
+#include "Editor/EditorWindow.h"
+#include "Instrument/FactoryContent.h"
+#include "Plugin/TestSound.h"
+#include "Plugin/UserSettings.h"
+#include "Plugin/WindowParts.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <cstdlib>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+PresetDetails called(const std::string& name, const std::string& folder = "") {
+    return {.name = name, .folder = folder, .author = "", .description = "", .tags = {"mine"}};
+}
+
+struct Browser {
+    UserSettings user;
+    Processor processor;
+    PresetCollection& shelf = processor.presetShelf();
+    PresetBrowser browser{shelf};
+    int closed = 0;
+
+    Browser() {
+        browser.onClose = [this] { ++closed; };
+        browser.setSize(776, 360);
+        browser.open();
+    }
+
+    template <class Kind>
+    Kind& part(const char* title) {
+        auto* found = find<Kind>(browser, title);
+        INFO(title);
+        REQUIRE(found != nullptr);
+        return *found;
+    }
+    PresetList& list() { return part<PresetList>("Presets"); }
+    int rows() { return list().getListBoxModel()->getNumRows(); }
+    void type(const char* words) {
+        part<juce::TextEditor>("Search presets").setText(juce::String::fromUTF8(words));
+        part<juce::TextEditor>("Search presets").onTextChange();
+    }
+    void click(const char* title) { part<juce::TextButton>(title).onClick(); }
+    void press(int key) { browser.keyPressed(juce::KeyPress(key)); }
+    /// Of the form.
+    void fill(const char* title, const juce::String& text) {
+        auto& editor = part<juce::TextEditor>(title);
+        editor.setText(text, false);
+        editor.onTextChange();
+    }
+};
+
+const int factoryCount = static_cast<int>(factoryPresets().size());
+
+} // namespace
+
+TEST_CASE("The browser shows all presets, the one that plays selected") {
+    Browser b;
+    CHECK(b.rows() == factoryCount);
+    REQUIRE(b.list().selected() != nullptr);
+    CHECK(b.list().selected()->name == factoryPresets()[0].name);
+    CHECK(b.processor.takeStatus().isError == false);
+}
+
+TEST_CASE("Words narrow the list and no words show all") {
+    Browser b;
+    b.type("XYLOphone rosewood");
+    CHECK(b.rows() >= 1);
+    CHECK(b.rows() < factoryCount);
+    b.type("no such sound");
+    CHECK(b.rows() == 0);
+    b.type("");
+    CHECK(b.rows() == factoryCount);
+}
+
+TEST_CASE("Arrows play, Return keeps in one step, Escape returns") {
+    Browser b;
+    const auto before = saved(b.processor);
+    b.press(juce::KeyPress::downKey);
+    b.press(juce::KeyPress::downKey);
+    CHECK(b.processor.getCurrentProgram() == 2);
+    SECTION("Return") {
+        b.press(juce::KeyPress::returnKey);
+        CHECK(b.closed == 1);
+        CHECK(b.processor.getCurrentProgram() == 2);
+        b.processor.editHistory().undo();
+        CHECK(saved(b.processor) == before);
+        CHECK_FALSE(b.processor.editHistory().canUndo());
+    }
+    SECTION("Escape") {
+        b.press(juce::KeyPress::escapeKey);
+        CHECK(b.closed == 1);
+        CHECK(saved(b.processor) == before);
+        CHECK_FALSE(b.processor.editHistory().canUndo());
+    }
+    SECTION("up again, and beyond the first") {
+        for (int i = 0; i < 5; ++i)
+            b.press(juce::KeyPress::upKey);
+        CHECK(b.processor.getCurrentProgram() == 0);
+    }
+    SECTION("filters play nothing") {
+        b.type("wok");
+        CHECK(b.processor.getCurrentProgram() == 2);
+    }
+}
+
+TEST_CASE("Arrows go through the list from the search field, other keys are typed there") {
+    Browser b;
+    auto& search = b.part<juce::TextEditor>("Search presets");
+    using juce::KeyPress;
+    for (const int key : {KeyPress::downKey, KeyPress::upKey, KeyPress::pageDownKey})
+        CHECK_FALSE(search.keyPressed(KeyPress(key)));
+    CHECK(search.keyPressed(KeyPress('w', 0, 'w')));
+    CHECK(search.getText() == "w");
+}
+
+TEST_CASE("Sources and tags narrow the list together") {
+    Browser b;
+    REQUIRE(b.shelf.savePreset(called("Mine", "Bells/Small"), false));
+    REQUIRE(b.shelf.savePreset(called("Yours", "Bells"), false));
+    REQUIRE(b.shelf.setFavourite("Bells/Yours.json", true));
+    b.browser.open();
+    auto& sources = b.part<juce::ListBox>("From");
+    auto& tags = b.part<juce::ListBox>("Tags");
+    const auto choose = [&](juce::ListBox& box, const juce::String& name) {
+        auto* model = box.getListBoxModel();
+        for (int row = 0; row < model->getNumRows(); ++row)
+            if (model->getNameForRow(row).trim() == name)
+                return box.selectRow(row, false, &box != &tags);
+        FAIL("no " << name);
+    };
+    CHECK(b.rows() == factoryCount + 2);
+    choose(sources, "Factory");
+    CHECK(b.rows() == factoryCount);
+    choose(sources, "Yours");
+    CHECK(b.rows() == 2);
+    choose(sources, "Bells");
+    CHECK(b.rows() == 2);
+    choose(sources, "Bells/Small");
+    CHECK(b.rows() == 1);
+    choose(sources, "Favourites");
+    CHECK(b.rows() == 1);
+    choose(sources, "All");
+    choose(tags, "mine");
+    CHECK(b.rows() == 2);
+    choose(tags, "metal");
+    CHECK(b.rows() == 0); // both tags
+    CHECK(b.part<juce::Label>("Message").getText().startsWith("No preset"));
+}
+
+TEST_CASE("Saving under a new name puts it on the shelf; over another one asks first") {
+    Browser b;
+    b.click("Save as...");
+    b.fill("Name", "Mine");
+    b.fill("Folder", "Bells");
+    b.fill("Tags", "bright, , short ;x");
+    b.click("Save");
+    REQUIRE(b.shelf.chosenPreset() == "Bells/Mine.json");
+    CHECK(b.shelf.presets().back().tags == std::vector<std::string>{"bright", "short", "x"});
+    CHECK(b.list().selected()->name == "Mine");
+
+    b.processor.changeParameter(ParameterId::tau, 7);
+    b.click("Save as...");
+    b.click("Save");
+    CHECK(b.shelf.soundIsChanged());
+    b.fill("Name", "Other");
+    b.fill("Name", "Mine"); // typed again: asks again
+    b.click("Save");
+    CHECK(b.shelf.soundIsChanged());
+    b.click("Replace");
+    CHECK_FALSE(b.shelf.soundIsChanged());
+}
+
+TEST_CASE("What no file can be called is refused in the form, which stays open") {
+    Browser b;
+    b.click("Save as...");
+    b.fill("Name", "///");
+    b.click("Save");
+    CHECK(isOnScreen(b.part<juce::TextEditor>("Name"), b.browser));
+    CHECK(b.rows() == factoryCount);
+    b.browser.keyPressed(juce::KeyPress(juce::KeyPress::escapeKey));
+}
+
+TEST_CASE("A saved sound that was auditioned stays when the browser is left") {
+    Browser b;
+    b.press(juce::KeyPress::downKey);
+    b.click("Save as...");
+    b.fill("Name", "Second");
+    b.click("Save");
+    b.press(juce::KeyPress::escapeKey);
+    CHECK(b.shelf.chosenPreset() == "Second.json");
+}
+
+TEST_CASE("Renaming and deleting are for one's own presets") {
+    Browser b;
+    CHECK_FALSE(b.part<juce::TextButton>("Rename").isEnabled());
+    CHECK_FALSE(b.part<juce::TextButton>("Delete").isEnabled());
+    REQUIRE(b.shelf.savePreset(called("Mine"), false));
+    b.browser.open();
+    CHECK(b.part<juce::TextButton>("Delete").isEnabled());
+    b.click("Rename");
+    b.fill("Name", "Ours");
+    auto* yes = find<juce::TextButton>(b.browser, "Rename preset");
+    REQUIRE(yes != nullptr);
+    yes->onClick();
+    CHECK(b.shelf.chosenPreset() == "Ours.json");
+    CHECK(b.list().selected()->name == "Ours");
+#if JUCE_LINUX
+    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+    setenv("HOME", (testFolder() / "home").string().c_str(), 1);
+    b.click("Delete");
+    b.click("Cancel");
+    CHECK(b.rows() == factoryCount + 1);
+    b.click("Delete");
+    find<juce::TextButton>(b.browser, "Delete preset")->onClick();
+    setenv("HOME", home.c_str(), 1);
+    CHECK(b.rows() == factoryCount);
+    CHECK(b.shelf.chosenPreset().empty());
+#endif
+}
+
+TEST_CASE("A broken preset is shown, says why, and leaves the sound alone") {
+    Browser b;
+    b.user.write("Presets/broken.json", "{");
+    b.browser.open();
+    const auto before = saved(b.processor);
+    b.type("broken");
+    REQUIRE(b.rows() == 1);
+    b.press(juce::KeyPress::downKey);
+    CHECK(saved(b.processor) == before);
+    CHECK_FALSE(b.part<juce::TextButton>("Rename").isEnabled());
+    CHECK(b.part<juce::TextButton>("Delete").isEnabled());
+}
+
+TEST_CASE("The browser's parts are inside it and apart from its smallest size on, asking or not") {
+    Browser b;
+    for (const auto& [width, height] : {std::pair(640, 300), {776, 354}, {3800, 1900}}) {
+        b.browser.setSize(width, height);
+        for (const bool asking : {false, true}) {
+            b.browser.open();
+            if (asking)
+                b.click("Save as...");
+            std::vector<juce::Rectangle<int>> places;
+            for (auto* child : b.browser.getChildren()) {
+                if (!child->isVisible())
+                    continue;
+                INFO(width << " " << child->getTitle());
+                CHECK(b.browser.getLocalBounds().contains(child->getBounds()));
+                for (const auto& other : places)
+                    CHECK_FALSE(other.intersects(child->getBounds()));
+                places.push_back(child->getBounds());
+            }
+            CHECK((asking || b.list().isVisible()));
+            CHECK((!b.list().isVisible() || b.list().getHeight() >= 60));
+        }
+    }
+}
+
+TEST_CASE("A window closed while the browser is open keeps what plays, as one step") {
+    const UserSettings user;
+    Processor processor;
+    {
+        const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
+        find<juce::Button>(*window, "Preset")->onClick();
+        auto* browser = find<PresetBrowser>(*window, "Preset browser");
+        REQUIRE(browser != nullptr);
+        CHECK(browser->isVisible());
+        browser->keyPressed(juce::KeyPress(juce::KeyPress::downKey));
+    }
+    CHECK(processor.getCurrentProgram() == 1);
+    processor.editHistory().undo();
+    CHECK(processor.getCurrentProgram() == 0);
+    CHECK_FALSE(processor.editHistory().canUndo());
+}

@@ -1,0 +1,119 @@
+// The pages of the deck that show the sound, with a processor behind them.
+#include "Editor/ModesPage.h"
+#include "Editor/QualityPage.h"
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+template <class Kind>
+Kind* childOf(juce::Component& page, const juce::String& title) {
+    for (auto* child : page.getChildren())
+        if (auto* found = dynamic_cast<Kind*>(child);
+            found != nullptr && found->getTitle() == title)
+            return found;
+    return nullptr;
+}
+
+/// What the window does between two ticks of its timer.
+void playAndShow(Processor& processor, DeckPage& page, int note) {
+    processor.takeSoundFrame();
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(100)), 0);
+    render(processor, 4800, 480, midi);
+    const auto* frame = processor.takeSoundFrame();
+    REQUIRE(frame != nullptr);
+    page.showSound(*frame);
+    page.refresh();
+}
+
+struct Prepared {
+    Prepared() {
+        restore(processor, testState());
+        processor.prepareToPlay(48000, 480);
+    }
+    Processor processor;
+};
+
+} // namespace
+
+TEST_CASE("The modes page follows what is played, or the object that is chosen") {
+    Prepared prepared;
+    ModesPage page(prepared.processor);
+    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    auto* list = childOf<juce::ComboBox>(page, "Object");
+    auto* spectrum = childOf<ModeSpectrum>(page, "Modes");
+    REQUIRE(list != nullptr);
+    REQUIRE(spectrum != nullptr);
+    playAndShow(prepared.processor, page, 69);
+    CHECK(spectrum->frameShown().object == 9);
+    CHECK(list->getNumItems() == 1 + highestTestNote - lowestTestNote + 1);
+    CHECK(list->getText() == "Played last");
+    list->setSelectedId(4, juce::sendNotificationSync);
+    CHECK(prepared.processor.watchedObject() == 2);
+    playAndShow(prepared.processor, page, 69);
+    CHECK(spectrum->frameShown().object == 2);
+    restore(prepared.processor, testState("other"));
+    playAndShow(prepared.processor, page, 64);
+    CHECK(list->getText() == "Played last");
+    CHECK(spectrum->frameShown().object == 4);
+}
+
+TEST_CASE("The buttons mute the chosen mode, hear it alone, and give all back") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    ModesPage page(processor);
+    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    page.setVisible(true);
+    auto* mute = childOf<juce::TextButton>(page, "Mute mode");
+    auto* alone = childOf<juce::TextButton>(page, "Solo mode");
+    auto* all = childOf<juce::TextButton>(page, "Hear all modes");
+    auto* spectrum = childOf<ModeSpectrum>(page, "Modes");
+    std::optional<std::size_t> told;
+    page.onModeShown = [&](std::optional<std::size_t> mode) { told = mode; };
+    playAndShow(processor, page, 69);
+    CHECK_FALSE(mute->isEnabled());
+    spectrum->choose(1);
+    CHECK(told == 1);
+    CHECK(mute->isEnabled());
+    mute->onClick();
+    alone->onClick();
+    playAndShow(processor, page, 69);
+    CHECK(mute->getToggleState());
+    CHECK(alone->getToggleState());
+    CHECK(spectrum->frameShown().modes[0].standing == ModeStanding::silenced);
+    CHECK(spectrum->frameShown().modes[1].standing == ModeStanding::sounding);
+    CHECK(all->isEnabled());
+    all->onClick();
+    playAndShow(processor, page, 69);
+    CHECK_FALSE(mute->getToggleState());
+    CHECK_FALSE(all->isEnabled());
+    CHECK(spectrum->frameShown().modes[0].standing == ModeStanding::sounding);
+    page.setVisible(false);
+    CHECK(told == std::nullopt);
+}
+
+TEST_CASE("The quality page counts what sounds, and shows who has how much of the budget") {
+    Prepared prepared;
+    QualityPage page(prepared.processor);
+    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    auto* ramp = childOf<BudgetRamp>(page, "Shares of the budget");
+    auto* meters = childOf<SoundMeters>(page, "Level and load");
+    REQUIRE(ramp != nullptr);
+    REQUIRE(meters != nullptr);
+    prepared.processor.changeParameter(ParameterId::modeBudget, 16);
+    prepared.processor.changeParameter(ParameterId::letRing, 1);
+    for (const int note : {60, 64, 67, 72})
+        playAndShow(prepared.processor, page, note);
+    CHECK(ramp->description() == "16 of 16 modes for 4 objects");
+    CHECK_FALSE(meters->description().contains("silent"));
+    const juce::Rectangle<int> inside = page.getLocalBounds();
+    for (const auto* child : page.getChildren()) {
+        CHECK(inside.contains(child->getBounds()));
+        CHECK(child->getHeight() >= 48);
+    }
+}

@@ -1,0 +1,34 @@
+// Finds parts of a window by their accessible names.
+#pragma once
+
+#include <functional>
+#include <juce_gui_basics/juce_gui_basics.h>
+
+namespace idiophone::test {
+
+inline void visit(juce::Component& component, const std::function<void(juce::Component&)>& action) {
+    action(component);
+    for (auto* child : component.getChildren())
+        visit(*child, action);
+}
+
+/// The first of that kind and title; nullptr where there is none.
+template <class Kind>
+Kind* find(juce::Component& window, const juce::String& title) {
+    Kind* found = nullptr;
+    visit(window, [&](juce::Component& component) {
+        if (auto* candidate = dynamic_cast<Kind*>(&component);
+            found == nullptr && candidate != nullptr && component.getTitle() == title)
+            found = candidate;
+    });
+    return found;
+}
+
+inline bool isOnScreen(const juce::Component& component, const juce::Component& window) {
+    for (const auto* part = &component; part != &window; part = part->getParentComponent())
+        if (!part->isVisible())
+            return false;
+    return true;
+}
+
+} // namespace idiophone::test

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# Looks at the window: starts the standalone on a screen of its own, clicks, types, drops a mesh,
+# changes size and look, and saves what is seen.
+#
+#   Tests/Screenshots.sh OUTDIR [STANDALONE]
+#
+# Needs (Debian): xvfb xdotool imagemagick, and python3-xlib for $PYTHON (python3) to drop the mesh;
+# with pulseaudio and libasound2-plugins there is a sound device, so that what is struck is seen to
+# ring.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+if [ $# -lt 1 ]; then
+    sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+fi
+for tool in Xvfb xvfb-run xdotool import; do
+    command -v "$tool" >/dev/null || { echo "$tool is missing: see the head of this script." >&2; exit 2; }
+done
+mkdir -p "$1"
+out=$(cd "$1" && pwd)
+build=build/${PRESET:-release}
+standalone=${2:-$build/Source/Plugin/Idiophone_artefacts/Release/Standalone/Idiophone}
+python=${PYTHON:-python3}
+console=$build/Source/Console/idiophone
+
+# On a screen of our own, once.
+if [ -z "${IDIOPHONE_SCREEN:-}" ]; then
+    export IDIOPHONE_SCREEN=1
+    exec xvfb-run -a -s "-screen 0 2560x1440x24 +extension GLX" "$0" "$out" "$standalone"
+fi
+
+scratch=$(mktemp -d)
+running=
+stop() {
+    [ -z "$running" ] || kill "$running" 2>/dev/null || true
+    [ ! -d "$scratch/pulse" ] || pulseaudio --kill 2>/dev/null || true
+    rm -rf "$scratch"
+}
+trap stop EXIT
+export XDG_CONFIG_HOME=$scratch/config XDG_RUNTIME_DIR=$scratch HOME=$scratch
+mkdir -p "$XDG_CONFIG_HOME"
+if command -v pulseaudio >/dev/null; then
+    mkdir "$scratch/pulse"
+    printf '%s\n' 'pcm.!default { type pulse hint { show on description "Default" } }' \
+        'ctl.!default { type pulse }' >"$HOME/.asoundrc"
+    pulseaudio --start --exit-idle-time=-1 -n -L "module-null-sink" \
+        -L "module-native-protocol-unix" 2>/dev/null || true
+fi
+
+"$standalone" 2>/dev/null &
+running=$!
+window=
+for _ in $(seq 100); do
+    window=$(xdotool search --onlyvisible --name '^Idiophone$' 2>/dev/null | head -1) && [ -n "$window" ] && break
+    sleep 0.2
+done
+[ -n "$window" ] || { echo "The window did not open." >&2; exit 1; }
+sleep 3
+xdotool windowmove "$window" 0 0
+
+title=30 # of the window's own bar
+size() { # width and height of what is below the title
+    xdotool windowsize --sync "$window" "$1" $(($2 + title)) || true
+    width=$1 height=$2
+    sleep 1.5
+}
+click() { xdotool mousemove --window "$window" "$1" $(($2 + title)) click "${3:-1}"; sleep 0.25; }
+shot() { import -window "$window" "$out/$1.png"; echo "$out/$1.png"; }
+other_look() { click $((width - 29)) 22; xdotool mousemove --window "$window" 200 $((title + 20)); sleep 0.5; }
+tab() { # the pages' tabs stand between the picture and the pages
+    xdotool mousemove --window "$window" "$1" $(($2 + title)) click 1
+    sleep 0.4
+}
+
+for look in dark light; do
+    for extent in "800 500" "1180 860" "1920 1080"; do
+        # shellcheck disable=SC2086
+        size $extent
+        shot "$look-$width-rest"
+        # Strike what is in the picture.
+        click $((width / 4)) $((height / 3))
+        shot "$look-$width-struck"
+    done
+    size 1180 860
+    [ "$look" = light ] || other_look
+done
+
+# A mesh, dropped on the picture.
+size 1180 860
+other_look
+"$console" mesh ring -o "$scratch/ring.obj" >/dev/null
+if "$python" -c 'import Xlib' 2>/dev/null; then
+    "$python" Tests/drop_file.py "$window" 400 300 "$scratch/ring.obj"
+    sleep 1
+    shot dropped-preview
+    sleep 8
+    click 400 250
+    shot dropped
+fi
+echo "Saved in $out."
