@@ -7,7 +7,7 @@
 namespace idiophone {
 
 /// As `analyse`, of a mesh brought down to `previewVertices` and filled or covered with so few
-/// elements that meshes of 20,000 triangles take less than 2 s (docs/decisions/0021): shells by the
+/// elements that meshes of 20,000 triangles take less than 2 s (docs/decisions/0023): shells by the
 /// two layers whichever springs were asked for, the band as far as the elements serve it, every
 /// vertex with its shapes. Of the settings it takes name, source, material, method, thickness,
 /// `weldTolerance`, `largestComponentOnly` and the band.
