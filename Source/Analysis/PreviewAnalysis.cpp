@@ -79,6 +79,25 @@ coarseBody(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCon
     return coarseShell(mesh, settings, control);
 }
 
+/// Where nothing vibrates as low as the elements serve, as in a stiff hollow ball, the band reaches
+/// higher: a mode that is some per cent off is better than none.
+Result<ModalObject>
+solved(const CoarseBody& coarse, const AnalysisSettings& settings, const AnalysisControl& control) {
+    constexpr double least = 100;
+    for (double highestHz = std::max(coarse.maxFrequencyHz, least);; highestHz *= 4) {
+        const double bandHz = std::min(highestHz, settings.maxFrequencyHz);
+        auto object = solveBody(coarse.body,
+                                {.name = settings.name,
+                                 .source = settings.source,
+                                 .lowestFrequencyHz = settings.lowestFrequencyHz,
+                                 .maxFrequencyHz = bandHz,
+                                 .maximumModes = settings.maximumModes},
+                                control);
+        if (object || control.isCancelled() || bandHz >= settings.maxFrequencyHz)
+            return object;
+    }
+}
+
 } // namespace
 
 Result<ModalObject>
@@ -95,13 +114,7 @@ analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const Analysi
         if (!coarse)
             return tl::unexpected(coarse.error());
         coarse->body.components = connectedComponents(coarse->body.surface).count;
-        auto object = solveBody(coarse->body,
-                                {.name = settings.name,
-                                 .source = settings.source,
-                                 .lowestFrequencyHz = settings.lowestFrequencyHz,
-                                 .maxFrequencyHz = coarse->maxFrequencyHz,
-                                 .maximumModes = settings.maximumModes},
-                                control);
+        auto object = solved(*coarse, settings, control);
         if (object)
             object->provenance.notes = "A preview of few elements.";
         return object;
