@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Drops a file on a window as a file browser does (XDND version 5): drop_file.py WINDOW X Y FILE.
+"""Drops a file on a window as a file browser does (XDND version 3, which JUCE knows): drop_file.py WINDOW X Y FILE.
 
 X and Y are places of the window. Exits with 0 when the window has taken the file. Needs python3-xlib.
 """
@@ -61,7 +61,7 @@ class Drop:
         corner = self.root.translate_coords(self.target, 0, 0)
         place = ((corner.x + x) << 16) | (corner.y + y)
         copy = self.atom("XdndActionCopy")
-        self.send("XdndEnter", 5 << 24, self.uri_list)
+        self.send("XdndEnter", 3 << 24, self.uri_list)
         accepted = 0
         for _ in range(3):  # the first one may find the window still asking for the data
             self.send("XdndPosition", 0, place, X.CurrentTime, copy)
