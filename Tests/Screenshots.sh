@@ -68,11 +68,6 @@ size() { # width and height of what is below the title
 click() { xdotool mousemove --window "$window" "$1" $(($2 + title)) click "${3:-1}"; sleep 0.25; }
 shot() { import -window "$window" "$out/$1.png"; echo "$out/$1.png"; }
 other_look() { click $((width - 29)) 22; xdotool mousemove --window "$window" 200 $((title + 20)); sleep 0.5; }
-tab() { # the pages' tabs stand between the picture and the pages
-    xdotool mousemove --window "$window" "$1" $(($2 + title)) click 1
-    sleep 0.4
-}
-
 for look in dark light; do
     for extent in "800 500" "1180 860" "1920 1080"; do
         # shellcheck disable=SC2086
@@ -86,9 +81,34 @@ for look in dark light; do
     [ "$look" = light ] || other_look
 done
 
-# A mesh, dropped on the picture.
-size 1180 860
+# Places in the window of 1180 x 860.
+next_preset() { for _ in $(seq "$1"); do click 729 22; done; sleep 1; }
+nodal_lines() { click 124 56; }
+browse() { click 505 22; sleep 0.5; }
+
+for look in light dark; do
+    size 1180 860
+    browse
+    xdotool type "wood bars"
+    sleep 0.5
+    shot "$look-browser"
+    xdotool key Escape key Escape
+    next_preset 9
+    size 1560 960
+    for key in 300 700 1100; do click "$key" 935; done
+    shot "$look-vibraphone"
+    size 1180 860
+    next_preset 4
+    nodal_lines
+    click 590 200
+    shot "$look-handbell-nodes"
+    nodal_lines
+    next_preset 5
+    other_look
+done
 other_look
+
+# A mesh, dropped on the picture.
 "$console" mesh ring -o "$scratch/ring.obj" >/dev/null
 if "$python" -c 'import Xlib' 2>/dev/null; then
     "$python" Tests/drop_file.py "$window" 400 300 "$scratch/ring.obj"

@@ -260,12 +260,12 @@ TEST_CASE("Whoever chooses a preset meanwhile keeps it") {
     finish(processor);
     CHECK(processor.loadedInstrument() == chosen);
     CHECK(processor.importStatus().stage != Stage::done);
-    CHECK(processor.presetIndex() == 4);
+    CHECK(processor.getCurrentProgram() == 4);
     CHECK(processor.keyLayout() == KeyLayout::scaled);
     processor.setCurrentProgram(0);
     CHECK_FALSE(processor.keyLayout());
     processor.setKeyLayout(KeyLayout::zones);
-    CHECK(processor.presetIndex() == 0);
+    CHECK(processor.getCurrentProgram() == 0);
     CHECK_FALSE(processor.canAnalyseAgain());
 }
 
