@@ -119,7 +119,7 @@ void ImportPage::showKeys() {
 
 void ImportPage::showStatus() {
     const bool isWorking = shown.isWorking();
-    setTextOf(file, shown.stage == Stage::none ? juce::String("Drop a mesh on the window, or")
+    setTextOf(file, shown.stage == Stage::none ? juce::String("Drop a mesh here, or")
                                                : utf8(shown.fileName));
     setTextOf(step, stepText(shown));
     cancel.setVisible(isWorking);

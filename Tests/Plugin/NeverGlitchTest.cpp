@@ -152,8 +152,11 @@ TEST_CASE("A dropped mesh plays, preview and all, while every sample stays finit
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
     const int before = processor.instrumentNumber();
     processor.openFile(mesh);
-    for (int i = 0; i < 3000 && processor.importStatus().isWorking(); ++i)
-        waitFor(listener, 10);
+    const int mostTicks = 20000; // some minutes: a bound for what never ends
+    for (int i = 0; i < mostTicks && processor.importStatus().isWorking(); ++i) {
+        juce::Thread::sleep(10);
+        juce::Timer::callPendingTimersSynchronously();
+    }
     CHECK(processor.importStatus().stage == ImportStatus::Stage::done);
     waitFor(listener, 200);
     listener.finish();
