@@ -86,19 +86,23 @@ void ObjectView::newScene() {
 void ObjectView::showSound(const SoundFrame& frame) {
     if (frame.instrumentNumber != shownInstrument)
         return;
-    lights.assign(played.size(), 0);
+    std::vector<float> loudness(played.size(), 0);
     for (const auto& slot : frame.slots)
-        if (const auto object = static_cast<std::size_t>(slot.object); object < lights.size())
-            lights[object] = std::max(
-                lights[object],
+        if (const auto object = static_cast<std::size_t>(slot.object); object < loudness.size())
+            loudness[object] = std::max(
+                loudness[object],
                 1 - juce::Decibels::gainToDecibels(slot.amplitude, darkDecibels) / darkDecibels);
+    const bool wasMoving = moves();
     if (frame.object >= 0) {
         if (static_cast<std::size_t>(frame.object) != watched)
             slowMotion.reset();
         watched = static_cast<std::size_t>(frame.object);
         slowMotion.follow(frame.modes);
     }
-    wake();
+    if (loudness != lights || wasMoving || moves()) {
+        lights = std::move(loudness);
+        wake();
+    }
 }
 
 void ObjectView::showMode(std::optional<std::size_t> mode) {
