@@ -12,7 +12,7 @@ namespace {
 
 constexpr float left = 32, right = 6, top = 6, axisHeight = 15, footHeight = 6;
 constexpr float leastTickGap = 26, reach = 12;
-constexpr int stub = 4; // of what is silent
+constexpr int leastLine = 4; // of what is silent
 
 /// The loudest are drawn last and can be seen.
 constexpr std::array drawn{ModeStanding::outOfBand, ModeStanding::belowTau, ModeStanding::silenced,
@@ -56,7 +56,7 @@ std::vector<ModeSpectrum::Line> ModeSpectrum::linesOf(const SoundFrame& shown) c
         const double decibels = decibelsOf(static_cast<double>(mode.amplitude));
         result.push_back(
             {.x = juce::roundToInt(scale.x(static_cast<double>(mode.frequencyHz))),
-             .top = std::min(juce::roundToInt(scale.levelY(decibels)), foot - stub),
+             .top = std::min(juce::roundToInt(scale.levelY(decibels)), foot - leastLine),
              .decayY = juce::roundToInt(scale.decayY(static_cast<double>(mode.t60Seconds))),
              .group = mode.group,
              .standing = mode.standing,
