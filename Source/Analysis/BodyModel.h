@@ -22,6 +22,9 @@ struct BodyModel {
     double thicknessMetres = 0; ///< of a shell
     Material material;
     std::string method;
+    /// The end of the band that its elements serve: that asked for, or less where a budget made
+    /// them coarser than the shortest wavelength there wants.
+    double servedBandHz = 44000;
     int components = 1; ///< that do not touch: each has six rigid motions
     std::string notes;  ///< what there is to say of how it was made
 };

@@ -22,8 +22,8 @@ struct EliminationTree {
 };
 
 /// For a symmetric matrix with entries in these places [n×n] (either triangle will do; the diagonal
-/// is among them), in an approximate minimum-degree order. `blockSize` is how many rows of the true matrix an unknown
-/// stands for; wide ones are joined less willingly.
+/// is among them), in an approximate minimum-degree order. `blockSize` is how many rows of the true
+/// matrix an unknown stands for; wide ones are joined less willingly.
 EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& places, int blockSize);
 
 } // namespace idiophone

@@ -44,15 +44,15 @@ BarSpecification xylophoneBar(const char* material, double frequencyHz, double s
     constexpr double lastTuned = 96;
     const double note = noteOf(frequencyHz);
     const bool isTuned = note < lastTuned + 0.5;
-    return {.source = "undercut bar after concert xylophones, tuned 1:3 up to C7",
-            .shape =
-                start({.widthMetres = {0.038, 0.032}, .heightMetres = {0.018, 0.020}}, share,
-                      isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.43, 0.85})),
-            .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
-            .material = *findMaterial(material),
-            .maxFrequencyHz = 16000,
-            .resonator = Resonator{.frequencyHz = frequencyHz,
-                                   .radiusMetres = std::lerp(0.019, 0.009, share)}};
+    return {
+        .source = "undercut bar after concert xylophones, tuned 1:3 up to C7",
+        .shape = start({.widthMetres = {0.038, 0.032}, .heightMetres = {0.018, 0.020}}, share,
+                       isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.43, 0.85})),
+        .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
+        .material = *findMaterial(material),
+        .maxFrequencyHz = 16000,
+        .resonator =
+            Resonator{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.009, share)}};
 }
 
 BarSpecification rosewoodBar(double frequencyHz, double share) {

@@ -79,21 +79,15 @@ Result<std::vector<int>> shapeVertices(const AnalysisSettings& settings,
     return chosen;
 }
 
-/// What is to be solved, up to which frequency.
-struct PreparedBody {
-    BodyModel body;
-    double maxFrequencyHz = 0;
-};
-
-void noteBand(double servedHz, const AnalysisSettings& settings, BodyModel& body) {
-    if (servedHz < settings.maxFrequencyHz)
-        body.notes =
-            joined({body.notes, "The band ends at " + std::to_string(std::lround(servedHz)) +
-                                    " Hz, the highest that a model of an affordable size "
-                                    "follows."});
+void noteBand(const AnalysisSettings& settings, BodyModel& body) {
+    if (body.servedBandHz < settings.maxFrequencyHz)
+        body.notes = joined({body.notes, "The band ends at " +
+                                             std::to_string(std::lround(body.servedBandHz)) +
+                                             " Hz, the highest that a model of an affordable size "
+                                             "follows."});
 }
 
-Result<PreparedBody>
+Result<BodyModel>
 preparedShell(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     auto shell = shellBody(mesh,
                            {.material = settings.material,
@@ -101,13 +95,12 @@ preparedShell(const Mesh& mesh, const AnalysisSettings& settings, const Analysis
                             .maxFrequencyHz = settings.maxFrequencyHz,
                             .fitsMesh = !settings.method || mesh.vertexCount() > shellVertexLimit},
                            control);
-    if (!shell)
-        return failure(shell.error().message);
-    noteBand(shell->maxFrequencyHz, settings, shell->body);
-    return PreparedBody{std::move(shell->body), shell->maxFrequencyHz};
+    if (shell)
+        noteBand(settings, *shell);
+    return shell;
 }
 
-Result<PreparedBody>
+Result<BodyModel>
 preparedSprings(const Mesh& mesh, AnalysisMethod method, const AnalysisSettings& settings) {
     if (mesh.vertexCount() > springMassVertexLimit)
         return failure("The mesh has " + std::to_string(mesh.vertexCount()) +
@@ -122,10 +115,11 @@ preparedSprings(const Mesh& mesh, AnalysisMethod method, const AnalysisSettings&
     body.pointsMetres = mesh.vertices;
     body.material = settings.material;
     body.thicknessMetres = settings.thicknessMetres;
-    return PreparedBody{std::move(body), settings.maxFrequencyHz};
+    body.servedBandHz = settings.maxFrequencyHz;
+    return body;
 }
 
-Result<PreparedBody>
+Result<BodyModel>
 preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     const GrainAxes axes = grainAlong(mesh);
     auto solid = solidBody(mesh,
@@ -136,22 +130,21 @@ preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const Analysis
                            control);
     if (!solid)
         return failure(solid.error().message);
-    BodyModel& body = solid->body;
     if (settings.material.grain)
-        body.notes = joined({std::string("The grain runs along ") +
-                                 (axes.grain.x() > 0   ? "x"
-                                  : axes.grain.y() > 0 ? "y"
-                                                       : "z") +
-                                 ", the longest side.",
-                             body.notes});
-    noteBand(solid->maxFrequencyHz, settings, body);
-    return PreparedBody{std::move(body), solid->maxFrequencyHz};
+        solid->notes = joined({std::string("The grain runs along ") +
+                                   (axes.grain.x() > 0   ? "x"
+                                    : axes.grain.y() > 0 ? "y"
+                                                         : "z") +
+                                   ", the longest side.",
+                               solid->notes});
+    noteBand(settings, *solid);
+    return solid;
 }
 
-Result<PreparedBody> bodyBy(AnalysisMethod method,
-                            const Mesh& mesh,
-                            const AnalysisSettings& settings,
-                            const AnalysisControl& control) {
+Result<BodyModel> bodyBy(AnalysisMethod method,
+                         const Mesh& mesh,
+                         const AnalysisSettings& settings,
+                         const AnalysisControl& control) {
     switch (method) {
     case AnalysisMethod::tetrahedra:
         return preparedSolid(mesh, settings, control);
@@ -179,10 +172,10 @@ std::string noteOnParts(const BodyModel& body, const RepairReport& report) {
 }
 
 /// A body as `method` says, or where that was our own choice and no tetrahedra fill it, a shell.
-Result<PreparedBody> preparedBody(const Mesh& mesh,
-                                  MethodChoice& choice,
-                                  const AnalysisSettings& settings,
-                                  const AnalysisControl& control) {
+Result<BodyModel> preparedBody(const Mesh& mesh,
+                               MethodChoice& choice,
+                               const AnalysisSettings& settings,
+                               const AnalysisControl& control) {
     auto prepared = bodyBy(choice.method, mesh, settings, control);
     if (prepared || settings.method || choice.method != AnalysisMethod::tetrahedra ||
         control.isCancelled())
@@ -229,24 +222,23 @@ analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const Analysi
     if (control.isCancelled())
         return failure(std::string(cancelledMessage));
 
-    auto prepared = preparedBody(repaired->mesh, *choice, settings, control);
-    if (!prepared)
-        return failure(prepared.error().message);
-    BodyModel& body = prepared->body;
-    body.method = methodName(choice->method);
-    body.components = componentsOf(body, repaired->report);
-    body.notes = joined(
-        {repaired->report.text(), choice->reason, body.notes, noteOnParts(body, repaired->report)});
+    auto body = preparedBody(repaired->mesh, *choice, settings, control);
+    if (!body)
+        return failure(body.error().message);
+    body->method = methodName(choice->method);
+    body->components = componentsOf(*body, repaired->report);
+    body->notes = joined({repaired->report.text(), choice->reason, body->notes,
+                          noteOnParts(*body, repaired->report)});
     return solveBody(
-        body,
+        *body,
         {.name = settings.name,
          .source = settings.source,
          .lowestFrequencyHz = settings.lowestFrequencyHz,
-         .maxFrequencyHz = prepared->maxFrequencyHz,
+         .maxFrequencyHz = body->servedBandHz,
          .maximumModes = settings.maximumModes,
          .shapeVertices = settings.shapeVertices.empty()
                               ? std::vector<int>{}
-                              : nearestVertices(body.surface, repaired->mesh, *vertices)},
+                              : nearestVertices(body->surface, repaired->mesh, *vertices)},
         control);
 }
 

@@ -20,11 +20,6 @@ namespace {
 // these.
 constexpr int elementBudget = 300, shellVertexBudget = 300;
 
-struct CoarseBody {
-    BodyModel body;
-    double maxFrequencyHz = 0;
-};
-
 Result<Mesh>
 lightened(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
@@ -37,7 +32,7 @@ lightened(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCont
                     {.progress = {}, .cancelled = control.cancelled});
 }
 
-Result<CoarseBody>
+Result<BodyModel>
 coarseShell(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     auto shell = shellBody(mesh,
                            {.material = settings.material,
@@ -46,13 +41,12 @@ coarseShell(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCo
                             .vertexBudget = shellVertexBudget,
                             .fitsMesh = true},
                            control);
-    if (!shell)
-        return tl::unexpected(shell.error());
-    shell->body.method = methodName(AnalysisMethod::twoLayer);
-    return CoarseBody{std::move(shell->body), shell->maxFrequencyHz};
+    if (shell)
+        shell->method = methodName(AnalysisMethod::twoLayer);
+    return shell;
 }
 
-Result<CoarseBody>
+Result<BodyModel>
 coarseSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     auto solid = solidBody(mesh,
                            {.material = settings.material,
@@ -60,13 +54,12 @@ coarseSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCo
                             .maxFrequencyHz = settings.maxFrequencyHz,
                             .elementBudget = elementBudget},
                            control);
-    if (!solid)
-        return tl::unexpected(solid.error());
-    solid->body.method = methodName(AnalysisMethod::tetrahedra);
-    return CoarseBody{std::move(solid->body), solid->maxFrequencyHz};
+    if (solid)
+        solid->method = methodName(AnalysisMethod::tetrahedra);
+    return solid;
 }
 
-Result<CoarseBody>
+Result<BodyModel>
 coarseBody(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
     if (settings.method && *settings.method != AnalysisMethod::tetrahedra)
         return coarseShell(mesh, settings, control);
@@ -82,11 +75,11 @@ coarseBody(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCon
 /// Where nothing vibrates as low as the elements serve, as in a stiff hollow ball, the band reaches
 /// higher: a mode that is some per cent off is better than none.
 Result<ModalObject>
-solved(const CoarseBody& coarse, const AnalysisSettings& settings, const AnalysisControl& control) {
+solved(const BodyModel& coarse, const AnalysisSettings& settings, const AnalysisControl& control) {
     constexpr double least = 100;
-    for (double highestHz = std::max(coarse.maxFrequencyHz, least);; highestHz *= 4) {
+    for (double highestHz = std::max(coarse.servedBandHz, least);; highestHz *= 4) {
         const double bandHz = std::min(highestHz, settings.maxFrequencyHz);
-        auto object = solveBody(coarse.body,
+        auto object = solveBody(coarse,
                                 {.name = settings.name,
                                  .source = settings.source,
                                  .lowestFrequencyHz = settings.lowestFrequencyHz,
@@ -113,7 +106,7 @@ analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const Analysi
         auto coarse = coarseBody(*light, settings, control);
         if (!coarse)
             return tl::unexpected(coarse.error());
-        coarse->body.components = connectedComponents(coarse->body.surface).count;
+        coarse->components = connectedComponents(coarse->surface).count;
         auto object = solved(*coarse, settings, control);
         if (object)
             object->provenance.notes = "A preview of few elements.";

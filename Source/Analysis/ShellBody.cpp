@@ -68,17 +68,16 @@ Result<double> fitMesh(Mesh& mesh,
 
 } // namespace
 
-Result<ShellBody>
+Result<BodyModel>
 shellBody(const Mesh& surface, const ShellBodySettings& settings, const AnalysisControl& control) {
-    ShellBody result;
-    result.maxFrequencyHz = settings.maxFrequencyHz;
-    BodyModel& body = result.body;
+    BodyModel body;
+    body.servedBandHz = settings.maxFrequencyHz;
     body.surface = surface;
     if (settings.fitsMesh) {
         const auto served = fitMesh(body.surface, body.notes, settings, control);
         if (!served)
             return failure(served.error().message);
-        result.maxFrequencyHz = *served;
+        body.servedBandHz = *served;
     }
     const Mesh& mesh = body.surface;
     body.thicknessMetres = settings.thicknessMetres;
@@ -95,7 +94,7 @@ shellBody(const Mesh& surface, const ShellBodySettings& settings, const Analysis
         body.notes += std::string(body.notes.empty() ? "" : " ") +
                       "The shell is thicker than its curvature allows in places; pitches may be "
                       "off there.";
-    return result;
+    return body;
 }
 
 } // namespace idiophone

@@ -14,17 +14,10 @@ struct ShellBodySettings {
     bool fitsMesh = true;    ///< false leaves the mesh and the band as they are
 };
 
-struct ShellBody {
-    BodyModel body;
-    /// The end of the band that the triangles serve: that asked for, or less where the budget made
-    /// them coarser than four for the shortest wavelength there.
-    double maxFrequencyHz = 0;
-};
-
 /// The surface is remeshed where its triangles are much coarser or finer than they should be; edges
-/// over 40° stay. `surface` is as repairMesh leaves it. Errors, one sentence each: those of remesh,
-/// `cancelledMessage`.
-Result<ShellBody> shellBody(const Mesh& surface,
+/// over 40° stay; four serve the shortest wavelength. `surface` is as repairMesh leaves it. Errors,
+/// one sentence each: those of remesh, `cancelledMessage`.
+Result<BodyModel> shellBody(const Mesh& surface,
                             const ShellBodySettings& settings,
                             const AnalysisControl& control = {});
 

@@ -103,7 +103,7 @@ GrainAxes grainAlong(const Mesh& mesh) {
     return {.grain = Eigen::Vector3d::Unit(longest)};
 }
 
-Result<SolidBody>
+Result<BodyModel>
 solidBody(const Mesh& surface, const SolidBodySettings& settings, const AnalysisControl& control) {
     const MeshCheck check = checkMesh(surface, control.cancelled);
     const double wall = check.meanThicknessMetres;
@@ -111,8 +111,8 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
                                            settings.maxFrequencyHz, wall);
     const double edge = std::max(wanted, budgetEdgeMetres(check, settings.elementBudget));
     const double given = meanEdgeLengthMetres(surface);
-    SolidBody result;
-    Mesh& mesh = result.body.surface;
+    BodyModel body;
+    Mesh& mesh = body.surface;
     mesh = surface;
     bool keepSurface = true;
     if (given < finestEdgeShare * edge || given > coarsestEdgeShare * edge) {
@@ -121,7 +121,7 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
             return failure(covered.error().message);
         if (covered->mesh) {
             mesh = *covered->mesh;
-            result.body.notes =
+            body.notes =
                 "The surface was remeshed to edges of " + millimetres(covered->edgeMetres) + ".";
         } else {
             keepSurface = given < edge;
@@ -137,15 +137,14 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
         {.targetEdgeMetres = edge, .keepSurface = keepSurface, .cancelled = control.cancelled});
     if (!elements)
         return failure(elements.error().message);
-    result.body.model =
-        quadraticTetrahedra(*elements, settings.law, settings.material.densityKgPerM3);
-    result.body.pointsMetres = elements->nodes;
-    result.body.body = BodyKind::solid;
-    result.body.material = settings.material;
-    result.maxFrequencyHz = servedFrequencyHz(
+    body.model = quadraticTetrahedra(*elements, settings.law, settings.material.densityKgPerM3);
+    body.pointsMetres = elements->nodes;
+    body.body = BodyKind::solid;
+    body.material = settings.material;
+    body.servedBandHz = servedFrequencyHz(
         settings.law, settings.material.densityKgPerM3, settings.maxFrequencyHz, wall,
         coarsestElementsPerWavelength * std::max(edge, meanEdgeLengthMetres(*elements)));
-    return result;
+    return body;
 }
 
 } // namespace idiophone

@@ -17,18 +17,11 @@ struct SolidBodySettings {
     int elementBudget = 8000; ///< tetrahedra, about; where the band asks for more they are coarser
 };
 
-struct SolidBody {
-    BodyModel body;
-    /// The end of the band that the elements serve: that asked for, or less where the budget made
-    /// them coarser than three for the shortest wavelength there.
-    double maxFrequencyHz = 0;
-};
-
 /// The surface is remeshed where its triangles are much coarser or finer than the elements should
-/// be; edges over 40° stay. Precondition: `surface` is as repairMesh leaves it and its MeshCheck
-/// says that it is solid. Errors, one sentence each: those of remesh and tetrahedralise,
-/// `cancelledMessage`.
-Result<SolidBody> solidBody(const Mesh& surface,
+/// be; edges over 40° stay; three elements serve the shortest wavelength. Precondition: `surface`
+/// is as repairMesh leaves it and its MeshCheck says that it is solid. Errors, one sentence each:
+/// those of remesh and tetrahedralise, `cancelledMessage`.
+Result<BodyModel> solidBody(const Mesh& surface,
                             const SolidBodySettings& settings,
                             const AnalysisControl& control = {});
 

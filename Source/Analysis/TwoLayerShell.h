@@ -1,6 +1,6 @@
 // The shell as two sheets of springs: still springs and masses, but with stiffness against bending,
-// on triangles of any shape. Good for bars, plates, bowls and other sheets of one thickness; not for
-// solids.
+// on triangles of any shape. Good for bars, plates, bowls and other sheets of one thickness; not
+// for solids.
 #pragma once
 
 #include "Analysis/VibrationModel.h"

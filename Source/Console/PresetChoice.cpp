@@ -1,7 +1,7 @@
 #include "Console/PresetChoice.h"
 
-#include "Object/TextFile.h"
 #include "Instrument/FactoryContent.h"
+#include "Object/TextFile.h"
 
 #include <iostream>
 

@@ -2,9 +2,9 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/OptionChecks.h"
-#include "Object/TextFile.h"
 #include "Console/WavReader.h"
 #include "Instrument/SurfaceFile.h"
+#include "Object/TextFile.h"
 
 #include <iomanip>
 #include <iostream>

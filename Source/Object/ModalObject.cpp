@@ -136,6 +136,16 @@ std::vector<float> vertexNormals(const ModalObject& object) {
     return normals;
 }
 
+std::vector<double> summedSquareShapes(const ModalObject& object) {
+    std::vector<double> sums(object.modeCount());
+    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
+        const auto shapes = object.shapesAt(row);
+        for (std::size_t k = 0; k < shapes.size(); ++k)
+            sums[k / 3] += static_cast<double>(shapes[k]) * static_cast<double>(shapes[k]);
+    }
+    return sums;
+}
+
 std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 3>& pointMetres) {
     std::size_t nearest = 0;
     double nearestSquared = std::numeric_limits<double>::infinity();

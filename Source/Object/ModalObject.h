@@ -65,8 +65,9 @@ struct ModalObject {
     /// Whether the thickness may change while the object is played; otherwise it is analysed anew.
     bool hasLiveThickness() const noexcept { return !bending.empty(); }
 
-    /// λ of a mode of the shell `thicknessRatio` > 0 times as thick, by Rayleigh's quotient with the
-    /// shape as it was: exact for flat sheets, and within what docs/validation.md says for others.
+    /// λ of a mode of the shell `thicknessRatio` > 0 times as thick, by Rayleigh's quotient with
+    /// the shape as it was: exact for flat sheets, and within what docs/validation.md says for
+    /// others.
     double eigenvalueAt(std::size_t mode, double thicknessRatio) const noexcept {
         return hasLiveThickness()
                    ? eigenvalues[mode] + (thicknessRatio * thicknessRatio - 1) * bending[mode]
@@ -100,6 +101,10 @@ Result<ModalObject> validated(ModalObject object);
 /// Unit outward normals [N,3], the area-weighted mean over the faces at each mesh vertex
 /// ((0,0,1) at a vertex of no face).
 std::vector<float> vertexNormals(const ModalObject& object);
+
+/// [M] Σ |φ|² over the vertices that carry shapes, in 1/kg: how far a mode moves the object as a
+/// whole.
+std::vector<double> summedSquareShapes(const ModalObject& object);
 
 /// The row of `shapeVertices` whose vertex is nearest to a point in metres. The object has one.
 std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 3>& pointMetres);

@@ -31,16 +31,6 @@ ModeStanding standingOf(GroupStanding standing) {
     return ModeStanding::belowTau;
 }
 
-std::vector<double> meanSquareShapes(const ModalObject& object) {
-    std::vector<double> weights(object.modeCount());
-    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
-        const auto shapes = object.shapesAt(row);
-        for (std::size_t k = 0; k < shapes.size(); ++k)
-            weights[k / 3] += static_cast<double>(shapes[k]) * static_cast<double>(shapes[k]);
-    }
-    return weights;
-}
-
 } // namespace
 
 void SoundPicture::show(PictureSubject next) {
@@ -78,7 +68,7 @@ void SoundPicture::look(std::size_t slot) {
         return;
     object = subject.instrument->slots()[slot].object;
     key = modeSetKey(*subject.instrument, slot);
-    weights = meanSquareShapes(*object);
+    weights = summedSquareShapes(*object);
     isSilenced.clear();
     for (auto& silenced :
          silencedModes(*subject.instrument, subject.muted, subject.heardAlone).objects)

@@ -18,17 +18,6 @@ namespace {
 constexpr double floorVelocity = 1e-18;
 constexpr float faintEnergy = 1e-36f;
 
-/// [M] mean over the vertices of |φ_i|².
-std::vector<double> meanSquareShapes(const ModalObject& object) {
-    std::vector<double> weights(object.modeCount());
-    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
-        const auto shapes = object.shapesAt(row);
-        for (std::size_t k = 0; k < shapes.size(); ++k)
-            weights[k / 3] += static_cast<double>(shapes[k]) * static_cast<double>(shapes[k]);
-    }
-    return weights;
-}
-
 } // namespace
 
 SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
@@ -39,7 +28,7 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
       slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
       cellSeconds(cellSamples / sampleRateHz), weightScale(radiationScale(*object)),
-      modeWeights(meanSquareShapes(*object)),
+      modeWeights(summedSquareShapes(*object)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();

@@ -254,7 +254,7 @@ private:
 
     // Groups.
     double weightScale;                       ///< of the radiation weights (Listening.h)
-    std::vector<double> modeWeights;          ///< [M] mean-square shape
+    std::vector<double> modeWeights;          ///< [M] `summedSquareShapes`
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
     double thicknessRatio = 1;                ///< 1 where the object has none live
     std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness

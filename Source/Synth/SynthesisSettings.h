@@ -30,11 +30,11 @@ struct LiveMaterial {
 /// d = γ + χ √λ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³. The
 /// thickness acts on objects that have it live (ModalObject::eigenvalueAt), and on their mass.
 struct SynthesisSettings {
-    double tau = 0.01;         ///< τ ≥ 0 in 16-bit steps; 0 never truncates
-    double qualitySlope = 1;   ///< S ≥ 0; infinity is greedy
-    double modeBudget = 4096;  ///< Q ≥ 0: modes mixed per cell by all objects together
-    double compression = 1;    ///< ≥ 0, times the discrimination curve; 0 merges equal poles only
-    double sizeRatio = 1;      ///< 1e-6 to 1e6: every object scaled by this
+    double tau = 0.01;        ///< τ ≥ 0 in 16-bit steps; 0 never truncates
+    double qualitySlope = 1;  ///< S ≥ 0; infinity is greedy
+    double modeBudget = 4096; ///< Q ≥ 0: modes mixed per cell by all objects together
+    double compression = 1;   ///< ≥ 0, times the discrimination curve; 0 merges equal poles only
+    double sizeRatio = 1;     ///< 1e-6 to 1e6: every object scaled by this
     /// 0.1 to 10: every shell that can so many times as thick as it was analysed.
     double thicknessRatio = 1;
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)

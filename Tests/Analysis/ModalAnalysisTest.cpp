@@ -222,8 +222,7 @@ TEST_CASE("What cannot be analysed is refused with one sentence") {
     CHECK_THAT(errorOf(broken, settings), ContainsSubstring("not a finite number"));
     auto springs = settings;
     springs.method = AnalysisMethod::springMass;
-    CHECK_THAT(errorOf(gridPlateMesh(1, 1, 200, 200), springs),
-               ContainsSubstring("at most 40000"));
+    CHECK_THAT(errorOf(gridPlateMesh(1, 1, 200, 200), springs), ContainsSubstring("at most 40000"));
 }
 
 TEST_CASE("A million-triangle soup is refused before it is analysed") {

@@ -14,7 +14,7 @@ TEST_CASE(
     CHECK(silencedModes(*instrument, muted, alone).objects.empty());
     muted.set("62", 1, true);
     muted.set("64", 1, true);
-    muted.set("62", 7, true);  // which it does not have
+    muted.set("62", 7, true);      // which it does not have
     muted.set("nothing", 0, true); // nor this
     alone.set("64", 1, true);
     alone.set("62", 9, true);

@@ -118,11 +118,10 @@ TEST_CASE("The sound before plays on until the object is there, and nothing clic
 }
 
 TEST_CASE("Dropped objects of any size and kind are heard, and do not clip") {
-    const std::vector<std::pair<std::string, Mesh>> things{
-        {"plate", sheetMesh(0.08, 0.05, 150)},
-        {"hoop", hoopMesh(0.03, 0.01, 40, 3)},
-        {"ball", icosphereMesh(0.05, 2)},
-        {"coin", discMesh(0.012, 6)}};
+    const std::vector<std::pair<std::string, Mesh>> things{{"plate", sheetMesh(0.08, 0.05, 150)},
+                                                           {"hoop", hoopMesh(0.03, 0.01, 40, 3)},
+                                                           {"ball", icosphereMesh(0.05, 2)},
+                                                           {"coin", discMesh(0.012, 6)}};
     for (const auto& [name, mesh] : things) {
         Processor processor;
         processor.prepareToPlay(48000, blockSamples);

@@ -1,7 +1,8 @@
 // What hosts ask of the processor: buses, programs, tail, resets, sharing.
-#include "Plugin/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Plugin/GestureLog.h"
+#include "Plugin/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -241,25 +242,13 @@ TEST_CASE("Notes of the on-screen keyboard are played") {
 }
 
 TEST_CASE("A change in the window is recorded by the host as one gesture with the exact value") {
-    struct Listener final : juce::AudioProcessorListener {
-        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
-            log += "=";
-        }
-        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
-        void audioProcessorParameterChangeGestureBegin(juce::AudioProcessor*, int) override {
-            log += "(";
-        }
-        void audioProcessorParameterChangeGestureEnd(juce::AudioProcessor*, int) override {
-            log += ")";
-        }
-        juce::String log;
-    } listener;
+    GestureLog listener;
     Processor processor;
     processor.addListener(&listener);
     processor.beginParameterChange(ParameterId::density);
     processor.changeParameter(ParameterId::density, 1000.1);
     processor.endParameterChange(ParameterId::density);
     processor.removeListener(&listener);
-    CHECK(listener.log == "(=)");
+    CHECK(listener.text == "(=)");
     CHECK(processor.parameterValue(ParameterId::density) == 1000.1);
 }

@@ -1,6 +1,7 @@
 #include "Plugin/SoundHistory.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Plugin/GestureLog.h"
 #include "Plugin/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -163,25 +164,13 @@ TEST_CASE("Automation during a gesture and between steps is neither a step nor u
 }
 
 TEST_CASE("The host hears of an undone parameter as of a gesture by hand") {
-    struct Listener final : juce::AudioProcessorListener {
-        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
-            log += "=";
-        }
-        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
-        void audioProcessorParameterChangeGestureBegin(juce::AudioProcessor*, int) override {
-            log += "(";
-        }
-        void audioProcessorParameterChangeGestureEnd(juce::AudioProcessor*, int) override {
-            log += ")";
-        }
-        juce::String log;
-    } listener;
+    GestureLog listener;
     Processor processor;
     drag(processor, density, {1000});
     processor.addListener(&listener);
     processor.editHistory().undo();
     processor.removeListener(&listener);
-    CHECK(listener.log == "(=)");
+    CHECK(listener.text == "(=)");
 }
 
 TEST_CASE("States and programs that the host loads forget the steps and the other variant") {
