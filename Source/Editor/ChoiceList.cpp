@@ -1,10 +1,23 @@
 #include "Editor/ChoiceList.h"
 
+#include <set>
+
 namespace idiophone {
 namespace {
 
 // Item numbers, which JUCE wants from 1 on.
 constexpr int firstChoiceItem = 1, firstUserItem = 1000;
+
+/// "Own (Rosewood)"; "Own" where there is no one name.
+juce::String ownMaterial(const ProcessorView& view) {
+    std::set<std::string> names;
+    for (const auto& played : view.playedObjects())
+        names.insert(played.object->material.name);
+    const juce::String own("Own");
+    return names.size() != 1 || names.begin()->empty()
+               ? own
+               : own + " (" + juce::String::fromUTF8(names.begin()->c_str()) + ")";
+}
 
 } // namespace
 
@@ -24,6 +37,7 @@ void ChoiceList::fill() {
         addItem(juce::String::fromUTF8(name.data(), static_cast<int>(name.size())), item++);
     if (info.parameter != ParameterId::material)
         return;
+    instrument = -1;
     const auto own = view.readUserMaterials();
     if (!own.empty())
         addSeparator();
@@ -49,7 +63,17 @@ void ChoiceList::choose() {
     view.endParameterChange(info.parameter);
 }
 
+/// The first choice is what the objects themselves are made of, and says what that is.
+void ChoiceList::nameOwnMaterial() {
+    if (info.parameter != ParameterId::material || view.instrumentNumber() == instrument)
+        return;
+    instrument = view.instrumentNumber();
+    changeItemText(firstChoiceItem, ownMaterial(view));
+    setSelectedId(0, juce::dontSendNotification); // else a chosen one keeps its old text
+}
+
 void ChoiceList::refresh() {
+    nameOwnMaterial();
     const int own = info.parameter == ParameterId::material ? view.userMaterialIndex() : -1;
     const int item = own >= 0
                          ? firstUserItem + own

@@ -19,10 +19,12 @@ public:
 
 private:
     void fill();
+    void nameOwnMaterial();
     void choose();
 
     const ParameterInfo& info;
     ProcessorView& view;
+    int instrument = -1; ///< whose material the first choice names
 };
 
 } // namespace idiophone

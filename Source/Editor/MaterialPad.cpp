@@ -30,7 +30,8 @@ Material materialOf(const ProcessorView& view) {
 
 } // namespace
 
-MaterialPad::MaterialPad(ProcessorView& processor) : view(processor) {
+MaterialPad::MaterialPad(ProcessorView& processor)
+    : view(processor), burst([this] { beginMix(); }, [this] { endMix(); }) {
     setTitle("Material pad");
     setDescription("From slow to fast sound, from dull to ringing; arrows move between materials");
     setTooltip("Click a dot to take that material, drag between them to mix");
@@ -110,15 +111,10 @@ void MaterialPad::endMix() {
     mixing = false;
 }
 
-void MaterialPad::mixAt(const PlanePlace& place) {
-    beginMix();
-    mix(place);
-    endMix();
-}
-
 void MaterialPad::mouseDown(const juce::MouseEvent& event) {
     if (!event.mods.isLeftButtonDown())
         return;
+    burst.finish();
     if (const auto named = namedAt(event.position))
         return choose(*named);
     beginMix();
@@ -153,6 +149,11 @@ void MaterialPad::hover(std::optional<std::size_t> named) {
     repaint();
 }
 
+void MaterialPad::focusLost(FocusChangeType) {
+    burst.finish();
+    repaint();
+}
+
 bool MaterialPad::keyPressed(const juce::KeyPress& key) {
     constexpr double step = 0.02;
     auto place = shown;
@@ -166,7 +167,10 @@ bool MaterialPad::keyPressed(const juce::KeyPress& key) {
         place.ringing += step;
     else
         return false;
-    mixAt({std::clamp(place.fast, 0.0, 1.0), std::clamp(place.ringing, 0.0, 1.0)});
+    if (isMouseButtonDown())
+        return true;
+    burst.extend();
+    mix({std::clamp(place.fast, 0.0, 1.0), std::clamp(place.ringing, 0.0, 1.0)});
     return true;
 }
 

@@ -2,6 +2,7 @@
 // click on a dot takes that material; dragging elsewhere mixes, live.
 #pragma once
 
+#include "Editor/GestureBurst.h"
 #include "Editor/MaterialPlane.h"
 #include "Editor/ProcessorView.h"
 
@@ -17,9 +18,6 @@ public:
     /// Shows where the sound is, if that has changed.
     void refresh();
 
-    /// Plays the mixture at a place of the map, all figures as one change by hand.
-    void mixAt(const PlanePlace& place);
-
     void paint(juce::Graphics& g) override;
     void mouseDown(const juce::MouseEvent& event) override;
     void mouseDrag(const juce::MouseEvent& event) override;
@@ -28,7 +26,7 @@ public:
     void mouseExit(const juce::MouseEvent& event) override;
     bool keyPressed(const juce::KeyPress& key) override;
     void focusGained(FocusChangeType) override { repaint(); }
-    void focusLost(FocusChangeType) override { repaint(); }
+    void focusLost(FocusChangeType) override;
     std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
 
 private:
@@ -48,6 +46,7 @@ private:
     PlanePlace shown{-1, -1};
     std::optional<std::size_t> hovered; ///< index into the material library
     bool mixing = false;
+    GestureBurst burst; ///< of the arrow keys
 };
 
 } // namespace idiophone

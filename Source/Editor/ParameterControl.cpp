@@ -4,6 +4,7 @@
 #include "Editor/ParameterMenu.h"
 
 #include <limits>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -22,7 +23,9 @@ juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
 } // namespace
 
 ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& processor)
-    : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()) {
+    : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()),
+      burst([this] { view.beginParameterChange(info.parameter); },
+            [this] { view.endParameterChange(info.parameter); }) {
     const auto title = juce::String::fromUTF8(info.name);
     setTitle(title);
     name.setFont(Look::textFont());
@@ -52,16 +55,9 @@ void ParameterControl::makeSlider() {
     slider->textFromValueFunction = [this](double number) {
         return juce::String::fromUTF8(formatParameter(info, number).c_str());
     };
-    slider->onDragStart = [this] { view.beginParameterChange(info.parameter); };
-    slider->onDragEnd = [this] { view.endParameterChange(info.parameter); };
-    slider->onValueChange = [this] {
-        if (slider->isMouseButtonDown()) {
-            view.makeCustom(info.parameter);
-            view.changeParameter(info.parameter, slider->getValue());
-        } else
-            changeOnce(slider->getValue());
-        refresh();
-    };
+    slider->onDragStart = [this] { beginDrag(); };
+    slider->onDragEnd = [this] { endDrag(); };
+    slider->onValueChange = [this] { slid(); };
     addAndMakeVisible(*slider);
 }
 
@@ -85,7 +81,30 @@ void ParameterControl::makeValueText() {
     addAndMakeVisible(value);
 }
 
+// JUCE calls a notch of the wheel a drag, too.
+void ParameterControl::beginDrag() {
+    if (!slider->isMouseButtonDown())
+        return;
+    burst.finish();
+    isDragged = true;
+    view.beginParameterChange(info.parameter);
+}
+
+void ParameterControl::endDrag() {
+    if (std::exchange(isDragged, false))
+        view.endParameterChange(info.parameter);
+}
+
+void ParameterControl::slid() {
+    if (!isDragged)
+        burst.extend();
+    view.makeCustom(info.parameter);
+    view.changeParameter(info.parameter, slider->getValue());
+    refresh();
+}
+
 void ParameterControl::changeOnce(double number) {
+    burst.finish();
     view.beginParameterChange(info.parameter);
     view.makeCustom(info.parameter);
     view.changeParameter(info.parameter, number);
@@ -154,6 +173,17 @@ void ParameterControl::showMenu() {
 void ParameterControl::mouseDown(const juce::MouseEvent& event) {
     if (event.mods.isPopupMenu())
         showMenu();
+}
+
+// Whoever goes elsewhere has done with this one.
+void ParameterControl::mouseExit(const juce::MouseEvent& event) {
+    if (event.eventComponent == slider.get())
+        burst.finish();
+}
+
+void ParameterControl::focusOfChildComponentChanged(FocusChangeType) {
+    if (!hasKeyboardFocus(true))
+        burst.finish();
 }
 
 bool ParameterControl::keyPressed(const juce::KeyPress& key) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/ChoiceList.h"
+#include "Editor/GestureBurst.h"
 #include "Editor/ProcessorView.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
@@ -24,6 +25,8 @@ public:
     void resized() override;
     void paint(juce::Graphics& g) override;
     void mouseDown(const juce::MouseEvent& event) override;
+    void mouseExit(const juce::MouseEvent& event) override;
+    void focusOfChildComponentChanged(FocusChangeType cause) override;
     bool keyPressed(const juce::KeyPress& key) override;
     void lookAndFeelChanged() override;
 
@@ -31,6 +34,9 @@ private:
     void makeSlider();
     void makeSwitch();
     void makeValueText();
+    void beginDrag();
+    void endDrag();
+    void slid();
     void changeOnce(double value);
     void typed();
     void placeName(juce::Rectangle<int> area);
@@ -47,6 +53,8 @@ private:
     std::unique_ptr<juce::Slider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;
     std::unique_ptr<ChoiceList> list;
+    bool isDragged = false;
+    GestureBurst burst; ///< of the mouse wheel or a key
 };
 
 } // namespace idiophone

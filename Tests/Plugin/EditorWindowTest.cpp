@@ -1,7 +1,9 @@
 // The window, without a screen: what it shows, what it changes, and that it never touches the
 // sound.
 #include "Editor/EditorWindow.h"
+#include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
+#include "Plugin/GestureLog.h"
 #include "Plugin/TestSound.h"
 #include "Plugin/WindowParts.h"
 
@@ -233,6 +235,68 @@ TEST_CASE("Sliders, switches and lists change their parameter in its unit") {
     CHECK(processor.parameterValue(ParameterId::tune) == -50);
     CHECK(processor.parameterValue(ParameterId::letRing) == 0);
     CHECK(processor.parameterValue(ParameterId::material) == double{firstLibraryMaterial});
+}
+
+TEST_CASE("A turn of the wheel and a held arrow key are one gesture and one step each") {
+    Processor processor;
+    auto window = open(processor);
+    auto* pad = find<MaterialPad>(*window, "Material pad");
+    REQUIRE(pad != nullptr);
+    GestureLog host;
+    processor.addListener(&host);
+    const double before = processor.parameterValue(ParameterId::level);
+    auto* level = find<juce::Slider>(*window, "Level");
+    REQUIRE(level != nullptr);
+    const auto source = juce::Desktop::getInstance().getMainMouseSource();
+    const auto at = level->getLocalBounds().getCentre().toFloat();
+    for (int notch = 0; notch < 3; ++notch)
+        level->mouseWheelMove({source,
+                               at,
+                               {},
+                               0,
+                               0,
+                               0,
+                               0,
+                               0,
+                               level,
+                               level,
+                               juce::Time(1000 + notch),
+                               at,
+                               {},
+                               0,
+                               false},
+                              {.deltaX = 0,
+                               .deltaY = -0.1f,
+                               .isReversed = false,
+                               .isSmooth = false,
+                               .isInertial = false});
+    CHECK(processor.parameterValue(ParameterId::level) < before);
+    CHECK(host.text.startsWith("(="));
+    CHECK_FALSE(host.text.contains(")"));
+    REQUIRE(holdsSoon([&] { return host.text.endsWithChar(')'); }));
+    CHECK(host.text.retainCharacters("()") == "()");
+    processor.removeListener(&host);
+    processor.editHistory().undo();
+    CHECK(processor.parameterValue(ParameterId::level) == before);
+    CHECK_FALSE(processor.editHistory().canUndo());
+
+    const double densityBefore = processor.effectiveValue(ParameterId::density);
+    for (int press = 0; press < 3; ++press)
+        pad->keyPressed(juce::KeyPress(juce::KeyPress::rightKey));
+    CHECK(processor.effectiveValue(ParameterId::density) != densityBefore);
+    processor.editHistory().undo();
+    CHECK(processor.effectiveValue(ParameterId::density) == densityBefore);
+    CHECK_FALSE(processor.editHistory().canUndo());
+}
+
+TEST_CASE("The list of materials names the objects' own") {
+    Processor processor;
+    auto window = open(processor);
+    auto* list = find<juce::ComboBox>(*window, "Material");
+    REQUIRE(list != nullptr);
+    CHECK(list->getText() == "Own (Rosewood)");
+    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Steel Ring")));
+    CHECK(holdsSoon([&] { return list->getText().startsWith("Own (Steel"); }));
 }
 
 TEST_CASE("The window follows automation and presets from elsewhere") {
