@@ -1,9 +1,11 @@
 #include "Console/PresetChoice.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/PresetFile.h"
 #include "Object/TextFile.h"
 
 #include <iostream>
+#include <utility>
 
 namespace idiophone {
 
@@ -20,10 +22,12 @@ Result<Preset> findOrReadPreset(const std::string& nameOrFile) {
     if (!text)
         return tl::unexpected(text.error());
     auto preset = parsePreset(*text, nameOrFile);
-    if (preset)
-        for (const auto& id : preset->unknownParameters)
-            std::cerr << "warning: " << nameOrFile << ": this version does not know the parameter '"
-                      << id << "'" << std::endl;
+    if (!preset)
+        return preset;
+    for (const auto& id : preset->unknownParameters)
+        std::cerr << "warning: " << nameOrFile << ": this version does not know the parameter '"
+                  << id << "'" << std::endl;
+    preset->keyMap = withObjectsBeside(std::move(preset->keyMap), nameOrFile);
     return preset;
 }
 

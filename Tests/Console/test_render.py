@@ -1,7 +1,7 @@
 import json
 import math
 
-from console import ConsoleTest, Wave, midi_file, note, run, tempo
+from console import OBJECTS, ConsoleTest, Wave, midi_file, note, run, tempo
 
 XYLOPHONE = "Rosewood Xylophone"
 
@@ -166,6 +166,17 @@ class Render(ConsoleTest):
         by_name, by_file = (self.render(song, preset=p, name=f"{i}.wav")[1].read_bytes()
                             for i, p in enumerate(("steel plate", file)))
         self.assertEqual(by_name, by_file)
+
+    def test_objects_are_found_beside_their_preset(self):
+        preset = next(p for p in self.json("presets") if p["name"] == "Steel Plate")
+        (self.folder / "bank" / "Objects").mkdir(parents=True)
+        self.write("bank/Objects/mine.modal", (OBJECTS / "plate.modal").read_bytes())
+        preset["keyMap"]["object"] = "Objects/mine.modal"
+        file = self.write("bank/mine.json", json.dumps(preset))
+        song = self.song(note(0, 60))
+        own, factory = (self.render(song, preset=p, name=f"{i}.wav")[1].read_bytes()
+                        for i, p in enumerate((file, "Steel Plate")))
+        self.assertEqual(own, factory)
 
     def test_unknown_parameters_of_a_preset_are_warned_of(self):
         preset = self.json("presets")[0]
