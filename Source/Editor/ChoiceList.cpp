@@ -9,7 +9,7 @@ namespace {
 constexpr int firstChoiceItem = 1, firstUserItem = 1000;
 
 /// "Own (Rosewood)"; "Own" where there is no one name.
-juce::String ownMaterial(const ProcessorView& view) {
+juce::String ownMaterialText(const ProcessorView& view) {
     std::set<std::string> names;
     for (const auto& played : view.playedObjects())
         names.insert(played.object->material.name);
@@ -68,7 +68,7 @@ void ChoiceList::nameOwnMaterial() {
     if (info.parameter != ParameterId::material || view.instrumentNumber() == instrument)
         return;
     instrument = view.instrumentNumber();
-    changeItemText(firstChoiceItem, ownMaterial(view));
+    changeItemText(firstChoiceItem, ownMaterialText(view));
     setSelectedId(0, juce::dontSendNotification); // else a chosen one keeps its old text
 }
 
