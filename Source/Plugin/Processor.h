@@ -148,10 +148,12 @@ private:
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);
     void playMapped(const KeyMap& map, const std::string& step);
-    void playAsLoud(Preset preset,
-                    std::shared_ptr<const Instrument> built,
-                    ParameterValues values,
-                    std::optional<double> lufs);
+    void playAsLoud(const Preset& preset,
+                    const std::shared_ptr<const Instrument>& built,
+                    ParameterValues values);
+    void playAtOwnLevel(const Preset& preset,
+                        const std::shared_ptr<const Instrument>& built,
+                        const ParameterValues& values);
 
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;

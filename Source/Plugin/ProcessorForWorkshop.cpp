@@ -2,12 +2,14 @@
 #include "Plugin/Processor.h"
 
 #include "Geometry/ObjectMesh.h"
+#include "Instrument/LoudestBlow.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/Mallet.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace idiophone {
@@ -15,6 +17,10 @@ namespace {
 
 /// As PhrasePrediction hears the factory presets, at their levels and velocity 100.
 constexpr double wantedLufs = -42;
+
+/// So that about eight of the hardest blows at once stay below full scale, as with the factory
+/// presets (docs/decisions/0005): what rings short and high peaks far above its loudness.
+constexpr double hardestBlowDecibels = -18;
 
 constexpr KeyMapKind kindOf(KeyLayout layout) {
     return layout == KeyLayout::zones ? KeyMapKind::zones : KeyMapKind::scaled;
@@ -53,6 +59,17 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
         }
     }
     return best;
+}
+
+/// Of what was not played before: as loud as the factory presets, but for what peaks too high.
+double levelOfNew(const std::shared_ptr<const Instrument>& instrument,
+                  const Surface& surface,
+                  double sampleRateHz,
+                  const ParameterValues& values) {
+    const double asLoud = wantedLufs - predictedLufs(instrument, surface, sampleRateHz, values);
+    const double peak = loudestBlowPeak(instrument, surface, sampleRateHz, values);
+    const double level = std::min(asLoud, hardestBlowDecibels - 20 * std::log10(peak));
+    return std::isfinite(level) ? level : values[ParameterId::level];
 }
 
 } // namespace
@@ -145,7 +162,10 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     }
     const auto former = loadedInstrument();
     const auto play = [&] {
-        playAsLoud(preset, *built, values, isNew ? std::optional(wantedLufs) : std::nullopt);
+        if (!isNew || !isStruck(values)) // scrapes and rolls are predicted but for a constant
+            return playAsLoud(preset, *built, values);
+        values.set(ParameterId::level, levelOfNew(*built, preset.surface, rateHz(), values));
+        playAtOwnLevel(preset, *built, values);
     };
     if (product.isFirst) {
         history.record((product.isNewFile ? "Open " : "Analyse ") + object.name, play);
@@ -161,24 +181,29 @@ double Processor::rateHz() const {
     return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
-/// With the level that a loudness asks for, or else that keeps what plays as loud as it is.
-void Processor::playAsLoud(Preset preset,
-                           std::shared_ptr<const Instrument> built,
-                           ParameterValues values,
-                           std::optional<double> lufs) {
-    const auto before = loadedInstrument();
+/// With the level that keeps what plays as loud as it is.
+void Processor::playAsLoud(const Preset& preset,
+                           const std::shared_ptr<const Instrument>& built,
+                           ParameterValues values) {
     const auto now = parameters.values();
-    // The loudness of scrapes and rolls is known but for a constant.
-    if (before != nullptr && (!lufs || !isStruck(now)))
-        lufs = predictedLufs(before, preset.surface, rateHz(), now) + now[ParameterId::level];
-    const double level = lufs ? *lufs - predictedLufs(built, preset.surface, rateHz(), values)
-                              : now[ParameterId::level];
-    if (std::isfinite(level))
-        values.set(ParameterId::level, level);
+    if (const auto before = loadedInstrument(); before != nullptr) {
+        const auto lufs = [&](const auto& instrument, const ParameterValues& played) {
+            return predictedLufs(instrument, preset.surface, rateHz(), played);
+        };
+        const double level = now[ParameterId::level] + lufs(before, now) - lufs(built, values);
+        if (std::isfinite(level))
+            values.set(ParameterId::level, level);
+    }
+    playAtOwnLevel(preset, built, values);
+}
+
+void Processor::playAtOwnLevel(const Preset& preset,
+                               const std::shared_ptr<const Instrument>& built,
+                               const ParameterValues& values) {
     {
         const std::scoped_lock lock(soundMutex);
         parameters.load(values);
-        play(std::move(preset), std::move(built));
+        play(preset, built);
         programIndex = -1;
     }
     parameters.notifyListeners();
@@ -246,7 +271,7 @@ void Processor::playMapped(const KeyMap& map, const std::string& step) {
         preset = loadedPreset;
     }
     preset.keyMap = map;
-    history.record(step, [&] { playAsLoud(preset, *built, parameters.values(), std::nullopt); });
+    history.record(step, [&] { playAsLoud(preset, *built, parameters.values()); });
     importLoads = isOurs ? loads.load() : -1;
 }
 
