@@ -147,6 +147,7 @@ private:
     bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);
+    void renewHistory(const ModalObject& preview, const std::shared_ptr<const ModalObject>& whole);
     void playMapped(const KeyMap& map, const std::string& step);
     void playAsLoud(const Preset& preset,
                     const std::shared_ptr<const Instrument>& built,

@@ -14,6 +14,12 @@ bool playsAlike(const Preset& a, const Preset& b) {
     return a.surface == b.surface && a.seed == b.seed && a.parameters == b.parameters;
 }
 
+bool sharesObject(const std::shared_ptr<const Instrument>& one,
+                  const std::shared_ptr<const Instrument>& other) {
+    return other != nullptr && !one->slots().empty() && !other->slots().empty() &&
+           one->slots().front().object == other->slots().front().object;
+}
+
 int programOf(const std::string& presetId) {
     const auto presets = factoryPresets();
     const auto found = std::ranges::find_if(
@@ -48,6 +54,9 @@ SoundLabel Processor::loadedLabel() const {
 void Processor::playSound(const Sound& wanted) {
     if (wanted.instrument == nullptr)
         return;
+    // Steps back and forth between keys of one object leave its analysis under way.
+    const bool isImport =
+        importLoads == loads && sharesObject(wanted.instrument, loadedInstrument());
     {
         const std::scoped_lock lock(soundMutex);
         auto values = wanted.parameters;
@@ -66,6 +75,8 @@ void Processor::playSound(const Sound& wanted) {
         storedParameters = wanted.stored;
         programIndex = programOf(presetId);
     }
+    if (isImport)
+        importLoads = loads;
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }

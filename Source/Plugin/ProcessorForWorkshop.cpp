@@ -2,74 +2,28 @@
 #include "Plugin/Processor.h"
 
 #include "Geometry/ObjectMesh.h"
-#include "Instrument/LoudestBlow.h"
-#include "Instrument/LoudnessMatch.h"
-#include "Instrument/Mallet.h"
 #include "Instrument/SingleObjectMap.h"
+#include "Instrument/StartingLevel.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
 
-#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace idiophone {
 namespace {
-
-/// As PhrasePrediction hears the factory presets, at their levels and velocity 100.
-constexpr double wantedLufs = -42;
-
-/// So that about eight of the hardest blows at once stay below full scale, as with the factory
-/// presets (docs/decisions/0005): what rings short and high peaks far above its loudness.
-constexpr double hardestBlowDecibels = -18;
 
 constexpr KeyMapKind kindOf(KeyLayout layout) {
     return layout == KeyLayout::zones ? KeyMapKind::zones : KeyMapKind::scaled;
 }
 
+bool plays(const std::shared_ptr<const Instrument>& instrument, const ModalObject& object) {
+    return instrument != nullptr && !instrument->slots().empty() &&
+           instrument->slots().front().object.get() == &object;
+}
+
 bool isStruck(const ParameterValues& values) {
     return static_cast<int>(values[ParameterId::contact]) == strikeContact;
-}
-
-double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
-                     const Surface& surface,
-                     double sampleRateHz,
-                     const ParameterValues& values) {
-    const LoudnessMatch match(instrument, surface, sampleRateHz, values);
-    return match.predictedLufs(values)[PhrasePrediction::middleVelocity];
-}
-
-/// The values, but with a mallet of the rack where theirs leaves the instrument all but silent, as
-/// yarn does a small ball of steel: the softest that makes it sound, or the one that does it best.
-ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
-                                  const Surface& surface,
-                                  double sampleRateHz,
-                                  const ParameterValues& values) {
-    constexpr double faintestLufs = wantedLufs - 12; // what the level has to make up for
-    const auto loudnessOf = [&](const ParameterValues& with) {
-        return predictedLufs(instrument, surface, sampleRateHz, with);
-    };
-    double loudest = loudnessOf(values);
-    auto best = values;
-    for (std::size_t k = 0; k < malletRack().size() && !(loudest >= faintestLufs); ++k) {
-        auto with = values;
-        with.set(ParameterId::mallet, static_cast<double>(firstRackMallet + k));
-        if (const double lufs = loudnessOf(with); lufs > loudest) {
-            loudest = lufs;
-            best = with;
-        }
-    }
-    return best;
-}
-
-/// Of what was not played before: as loud as the factory presets, but for what peaks too high.
-double levelOfNew(const std::shared_ptr<const Instrument>& instrument,
-                  const Surface& surface,
-                  double sampleRateHz,
-                  const ParameterValues& values) {
-    const double asLoud = wantedLufs - predictedLufs(instrument, surface, sampleRateHz, values);
-    const double peak = loudestBlowPeak(instrument, surface, sampleRateHz, values);
-    const double level = std::min(asLoud, hardestBlowDecibels - 20 * std::log10(peak));
-    return std::isfinite(level) ? level : values[ParameterId::level];
 }
 
 } // namespace
@@ -164,16 +118,39 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     const auto play = [&] {
         if (!isNew || !isStruck(values)) // scrapes and rolls are predicted but for a constant
             return playAsLoud(preset, *built, values);
-        values.set(ParameterId::level, levelOfNew(*built, preset.surface, rateHz(), values));
+        values.set(ParameterId::level, startingLevel(*built, preset.surface, rateHz(), values));
         playAtOwnLevel(preset, *built, values);
     };
     if (product.isFirst) {
         history.record((product.isNewFile ? "Open " : "Analyse ") + object.name, play);
     } else {
         play();
-        history.replaceInstrument(former, loadedSound());
+        if (former != nullptr)
+            renewHistory(*former->slots().front().object, product.object);
     }
     importLoads = loads;
+}
+
+/// Steps that know the preview know the whole object from now on, by whatever keys they play it.
+void Processor::renewHistory(const ModalObject& preview,
+                             const std::shared_ptr<const ModalObject>& whole) {
+    const auto now = loadedSound();
+    std::map<const Instrument*, std::shared_ptr<const Instrument>> renewed;
+    history.renewSounds([&](Sound& sound) {
+        if (!plays(sound.instrument, preview))
+            return;
+        auto map = sound.preset.keyMap;
+        map.object = now.preset.keyMap.object;
+        auto& instrumentNow = renewed[sound.instrument.get()];
+        if (instrumentNow == nullptr && map == now.preset.keyMap)
+            instrumentNow = now.instrument;
+        if (instrumentNow == nullptr)
+            instrumentNow = buildSingleObject(map, whole).value_or(nullptr);
+        if (instrumentNow == nullptr)
+            return;
+        sound.instrument = instrumentNow;
+        sound.preset.keyMap = map;
+    });
 }
 
 double Processor::rateHz() const {

@@ -127,29 +127,22 @@ void SoundHistory::record(const std::string& name, const std::function<void()>& 
     pushLoad(name, before);
 }
 
-void SoundHistory::replaceInstrument(const std::shared_ptr<const Instrument>& old,
-                                     const Sound& now) {
+void SoundHistory::renewSounds(const std::function<void(Sound&)>& renew) {
     knownNumber = holder.soundNumber();
-    const auto replace = [&](Sound& sound) {
-        if (old == nullptr || sound.instrument != old)
-            return;
-        sound.instrument = now.instrument;
-        sound.preset.keyMap = now.preset.keyMap;
-    };
-    const auto replaceIn = [&](Session& kept) {
-        replace(kept.playing);
+    const auto renewIn = [&](Session& kept) {
+        renew(kept.playing);
         if (kept.other)
-            replace(*kept.other);
+            renew(*kept.other);
     };
     for (const auto& known : loads)
         if (const auto sessions = known.lock()) {
-            replaceIn(sessions->before);
-            replaceIn(sessions->after);
+            renewIn(sessions->before);
+            renewIn(sessions->after);
         }
     if (other)
-        replace(*other);
+        renew(*other);
     if (beforeAudition)
-        replaceIn(*beforeAudition);
+        renewIn(*beforeAudition);
 }
 
 Session SoundHistory::session() const {

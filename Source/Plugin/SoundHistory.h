@@ -56,10 +56,10 @@ public:
     /// the same afterwards, as when it failed.
     void record(const std::string& name, const std::function<void()>& load);
 
-    /// Another instrument has taken the place of one for good, as a finished analysis that of its
-    /// preview: steps and the other variant that knew the old one know the new one and its key map.
-    /// No step.
-    void replaceInstrument(const std::shared_ptr<const Instrument>& old, const Sound& now);
+    /// Objects have been replaced for good, what plays among them, as the preview of an analysis by
+    /// its end: every sound that the steps and the other variant know passes through `renew`. No
+    /// step.
+    void renewSounds(const std::function<void(Sound&)>& renew);
 
     /// Plays sounds to listen to, without steps, until `keepAudition`, which makes one step of them
     /// all, or `endAudition`, which returns to what played before. Without an audition under way

@@ -142,6 +142,33 @@ TEST_CASE("Dropped objects of any size and kind are heard, and do not clip") {
     }
 }
 
+TEST_CASE(
+    "Steps between keys of a preview leave its analysis under way, and know what comes of it") {
+    Processor processor;
+    processor.prepareToPlay(48000, blockSamples);
+    processor.openFile(meshFile("ball.obj", icosphereMesh(0.05, 3)));
+    bool switched = false;
+    finish(processor, [&] {
+        const auto status = processor.importStatus();
+        if (switched || !status.isWorking() || processor.keyLayout() != KeyLayout::scaled)
+            return;
+        switched = true;
+        processor.setKeyLayout(KeyLayout::zones);
+        processor.editHistory().undo();
+        CHECK(processor.keyLayout() == KeyLayout::scaled);
+    });
+    REQUIRE(switched);
+    CHECK(processor.importStatus().stage == Stage::done);
+    const auto whole = processor.loadedInstrument()->slots().front().object;
+    CHECK(whole->provenance.notes.find("preview") == std::string::npos);
+    processor.editHistory().redo();
+    CHECK(processor.keyLayout() == KeyLayout::zones);
+    CHECK(processor.loadedInstrument()->slots().front().object == whole);
+    processor.editHistory().undo();
+    CHECK(processor.keyLayout() == KeyLayout::scaled);
+    CHECK(processor.loadedInstrument()->slots().front().object == whole);
+}
+
 TEST_CASE("A file that cannot be opened changes nothing and is a sentence in the window") {
     Processor processor;
     restore(processor, testState());

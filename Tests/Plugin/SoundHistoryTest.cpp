@@ -323,13 +323,18 @@ TEST_CASE("Auditioned presets are one step when kept and none when not") {
     }
 }
 
-TEST_CASE("An instrument that takes another's place does so in the steps too") {
+TEST_CASE("Sounds are renewed in the steps too") {
     Processor processor;
     auto& history = processor.editHistory();
     const auto preview = processor.loadedInstrument();
     load(processor, 3);
     auto full = processor.loadedSound();
-    history.replaceInstrument(preview, full);
+    history.renewSounds([&](Sound& sound) {
+        if (sound.instrument != preview)
+            return;
+        sound.instrument = full.instrument;
+        sound.preset.keyMap = full.preset.keyMap;
+    });
     history.undo();
     CHECK(processor.loadedInstrument() == full.instrument);
     CHECK(processor.loadedSound().preset.keyMap == full.preset.keyMap);

@@ -1,0 +1,58 @@
+#include "Instrument/StartingLevel.h"
+
+#include "Instrument/LoudestBlow.h"
+#include "Instrument/LoudnessMatch.h"
+#include "Instrument/Mallet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+/// As PhrasePrediction hears the factory presets, at their levels and velocity 100.
+constexpr double wantedLufs = -42;
+constexpr double hardestBlowDecibels = -18;
+
+} // namespace
+
+double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
+                     const Surface& surface,
+                     double sampleRateHz,
+                     const ParameterValues& values) {
+    const LoudnessMatch match(instrument, surface, sampleRateHz, values);
+    return match.predictedLufs(values)[PhrasePrediction::middleVelocity];
+}
+
+ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
+                                  const Surface& surface,
+                                  double sampleRateHz,
+                                  const ParameterValues& values) {
+    constexpr double faintestLufs = wantedLufs - 12; // what the level has to make up for
+    const auto loudnessOf = [&](const ParameterValues& with) {
+        return predictedLufs(instrument, surface, sampleRateHz, with);
+    };
+    double loudest = loudnessOf(values);
+    auto best = values;
+    for (std::size_t k = 0; k < malletRack().size() && !(loudest >= faintestLufs); ++k) {
+        auto with = values;
+        with.set(ParameterId::mallet, static_cast<double>(firstRackMallet + k));
+        if (const double lufs = loudnessOf(with); lufs > loudest) {
+            loudest = lufs;
+            best = with;
+        }
+    }
+    return best;
+}
+
+double startingLevel(const std::shared_ptr<const Instrument>& instrument,
+                     const Surface& surface,
+                     double sampleRateHz,
+                     const ParameterValues& values) {
+    const double asLoud = wantedLufs - predictedLufs(instrument, surface, sampleRateHz, values);
+    const double peak = loudestBlowPeak(instrument, surface, sampleRateHz, values);
+    const double level = std::min(asLoud, hardestBlowDecibels - 20 * std::log10(peak));
+    return std::isfinite(level) ? level : values[ParameterId::level];
+}
+
+} // namespace idiophone
