@@ -31,7 +31,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
     name.setFont(Look::textFont());
     name.setBorderSize({0, 0, 0, 0});
     name.setMinimumHorizontalScale(0.8f);
-    name.setTooltip(juce::String::fromUTF8(info.description));
+    name.setTooltip(parameterTooltip(info));
     addAndMakeVisible(name);
     if (info.scale == ParameterScale::onOff)
         makeSwitch();
@@ -51,7 +51,7 @@ void ParameterControl::makeSlider() {
     slider->setTitle(getTitle());
     slider->setNormalisableRange(rangeOf(info));
     slider->setDoubleClickReturnValue(true, info.defaultValue);
-    slider->setTooltip(juce::String::fromUTF8(info.description));
+    slider->setTooltip(parameterTooltip(info));
     slider->textFromValueFunction = [this](double number) {
         return juce::String::fromUTF8(formatParameter(info, number).c_str());
     };
@@ -64,7 +64,7 @@ void ParameterControl::makeSlider() {
 void ParameterControl::makeSwitch() {
     toggle = std::make_unique<LeftClicked<juce::ToggleButton>>();
     toggle->setTitle(getTitle());
-    toggle->setTooltip(juce::String::fromUTF8(info.description));
+    toggle->setTooltip(parameterTooltip(info));
     toggle->onClick = [this] { changeOnce(toggle->getToggleState() ? 1 : 0); };
     addAndMakeVisible(*toggle);
 }
@@ -150,8 +150,7 @@ void ParameterControl::refreshController() {
     controller = number;
     isLearning = learning;
     const auto sentence = controllerSentence(info, midi);
-    name.setTooltip(juce::String::fromUTF8(info.description) +
-                    (sentence.isEmpty() ? "" : "\n" + sentence));
+    name.setTooltip(parameterTooltip(info) + (sentence.isEmpty() ? "" : "\n" + sentence));
     setDescription(sentence);
     resized();
     repaint();

@@ -40,6 +40,16 @@ parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void
     return menu;
 }
 
+juce::String parameterTooltip(const ParameterInfo& info) {
+    const auto description = juce::String::fromUTF8(info.description);
+    if (info.scale == ParameterScale::onOff || info.scale == ParameterScale::choice)
+        return description;
+    const auto text = [&](double value) {
+        return juce::String::fromUTF8(formatParameter(info, value).c_str());
+    };
+    return description + "\n" + text(info.minimum) + " to " + text(info.maximum);
+}
+
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi) {
     if (midi.learningParameter() == info.parameter)
         return "Move the MIDI controller that is to move this";

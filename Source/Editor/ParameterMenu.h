@@ -13,6 +13,9 @@ namespace idiophone {
 juce::PopupMenu
 parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue);
 
+/// What the parameter does to the sound, and for a number its range, with the unit.
+juce::String parameterTooltip(const ParameterInfo& info);
+
 /// "Moved by MIDI controller 21", what a parameter waits for, or nothing.
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi);
 
