@@ -26,6 +26,9 @@ KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
     keyboard.setTitle("Keyboard");
     addAndMakeVisible(keyboard);
     state.addListener(this);
+    // It asks 20 times a second whether a key has moved, also when nothing does: the window's own
+    // timer asks instead, in `refresh`. The base is private.
+    ((juce::Timer&)keyboard).stopTimer();
     refresh();
 }
 
@@ -45,6 +48,11 @@ KeyboardPanel::~KeyboardPanel() {
 }
 
 void KeyboardPanel::refresh() {
+    keyboard.timerCallback();
+    showRange();
+}
+
+void KeyboardPanel::showRange() {
     const auto range = view.keyRange();
     if (range.lowest == shown.lowest && range.highest == shown.highest)
         return;

@@ -12,7 +12,7 @@ public:
     explicit KeyboardPanel(ProcessorView& view);
     ~KeyboardPanel() override;
 
-    /// Shows the range of the instrument that is loaded now.
+    /// Shows the range of the instrument that is loaded now, and which keys are down.
     void refresh();
     void takeFocus() { keyboard.grabKeyboardFocus(); }
 
@@ -22,6 +22,8 @@ public:
 private:
     void handleNoteOn(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
     void handleNoteOff(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
+
+    void showRange();
 
     ProcessorView& view;
     ProcessorView::KeyRange shown{.lowest = -1, .highest = -1};

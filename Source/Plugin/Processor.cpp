@@ -89,7 +89,7 @@ Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
       parameters(*this) {
     setCurrentProgram(0);
-    startTimerHz(20);
+    startTimer(busyMilliseconds);
 }
 
 Processor::~Processor() {
@@ -261,6 +261,9 @@ Result<void> Processor::restore(const State& state) {
 }
 
 void Processor::timerCallback() {
+    const bool busy = modesMixed > 0 || workshop.status().isWorking();
+    if (const int period = busy ? busyMilliseconds : restMilliseconds; getTimerInterval() != period)
+        startTimer(period);
     followProgramChange();
     followWorkshop();
     if (!isNonRealtime())

@@ -131,6 +131,10 @@ public:
     std::shared_ptr<const Instrument> loadedInstrument() const;
 
 private:
+    /// How often the message thread looks after what the audio thread and the workshop have left:
+    /// while something sounds or is analysed, and otherwise.
+    static constexpr int busyMilliseconds = 50, restMilliseconds = 125;
+
     void timerCallback() override;
     void followProgramChange();
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
@@ -144,6 +148,7 @@ private:
 
     // ProcessorForWorkshop.cpp; for the message thread.
     double rateHz() const;
+    void beginImport();
     bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);

@@ -32,9 +32,14 @@ bool Processor::canOpen(const std::filesystem::path& file) const {
     return isMeshFile(file) || isModalFile(file);
 }
 
-void Processor::openFile(const std::filesystem::path& file) {
+void Processor::beginImport() {
     importLoads = loads;
     importFailureShown = false;
+    startTimer(busyMilliseconds); // else what is made would wait for a timer at rest
+}
+
+void Processor::openFile(const std::filesystem::path& file) {
+    beginImport();
     workshop.open(file, importSettings);
 }
 
@@ -52,8 +57,7 @@ void Processor::analyseAgain() {
     const bool isOurs = followsImportSettings();
     if (!isOurs && !keyLayout())
         return;
-    importLoads = loads;
-    importFailureShown = false;
+    beginImport();
     if (isOurs)
         return workshop.analyseAgain(importSettings);
     const auto playing = loadedInstrument();
