@@ -1,5 +1,6 @@
 #include "Editor/BudgetRamp.h"
 
+#include "Editor/DescribedValue.h"
 #include "Editor/Look.h"
 
 #include <algorithm>
@@ -126,19 +127,7 @@ void BudgetRamp::paint(juce::Graphics& g) {
 }
 
 std::unique_ptr<juce::AccessibilityHandler> BudgetRamp::createAccessibilityHandler() {
-    class Value final : public juce::AccessibilityTextValueInterface {
-    public:
-        explicit Value(BudgetRamp& shown) : ramp(shown) {}
-        bool isReadOnly() const override { return true; }
-        juce::String getCurrentValueAsString() const override { return ramp.description(); }
-        void setValueAsString(const juce::String&) override {}
-
-    private:
-        BudgetRamp& ramp;
-    };
-    return std::make_unique<juce::AccessibilityHandler>(
-        *this, juce::AccessibilityRole::image, juce::AccessibilityActions{},
-        juce::AccessibilityHandler::Interfaces{std::make_unique<Value>(*this)});
+    return describedValue(*this, juce::AccessibilityRole::image, [this] { return description(); });
 }
 
 } // namespace idiophone

@@ -1,5 +1,6 @@
 #include "Editor/MaterialPad.h"
 
+#include "Editor/DescribedValue.h"
 #include "Editor/Look.h"
 #include "Editor/MaterialColour.h"
 
@@ -181,19 +182,7 @@ juce::String MaterialPad::description() const {
 }
 
 std::unique_ptr<juce::AccessibilityHandler> MaterialPad::createAccessibilityHandler() {
-    class Value final : public juce::AccessibilityTextValueInterface {
-    public:
-        explicit Value(MaterialPad& shownPad) : pad(shownPad) {}
-        bool isReadOnly() const override { return true; }
-        juce::String getCurrentValueAsString() const override { return pad.description(); }
-        void setValueAsString(const juce::String&) override {}
-
-    private:
-        MaterialPad& pad;
-    };
-    return std::make_unique<juce::AccessibilityHandler>(
-        *this, juce::AccessibilityRole::slider, juce::AccessibilityActions{},
-        juce::AccessibilityHandler::Interfaces{std::make_unique<Value>(*this)});
+    return describedValue(*this, juce::AccessibilityRole::slider, [this] { return description(); });
 }
 
 void MaterialPad::paintNamed(juce::Graphics& g) const {

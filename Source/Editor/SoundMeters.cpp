@@ -1,5 +1,6 @@
 #include "Editor/SoundMeters.h"
 
+#include "Editor/DescribedValue.h"
 #include "Editor/Look.h"
 
 #include <algorithm>
@@ -83,19 +84,8 @@ void SoundMeters::paint(juce::Graphics& g) {
 }
 
 std::unique_ptr<juce::AccessibilityHandler> SoundMeters::createAccessibilityHandler() {
-    class Value final : public juce::AccessibilityTextValueInterface {
-    public:
-        explicit Value(SoundMeters& shown) : meters(shown) {}
-        bool isReadOnly() const override { return true; }
-        juce::String getCurrentValueAsString() const override { return meters.description(); }
-        void setValueAsString(const juce::String&) override {}
-
-    private:
-        SoundMeters& meters;
-    };
-    return std::make_unique<juce::AccessibilityHandler>(
-        *this, juce::AccessibilityRole::progressBar, juce::AccessibilityActions{},
-        juce::AccessibilityHandler::Interfaces{std::make_unique<Value>(*this)});
+    return describedValue(*this, juce::AccessibilityRole::progressBar,
+                          [this] { return description(); });
 }
 
 } // namespace idiophone
