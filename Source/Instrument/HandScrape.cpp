@@ -1,5 +1,6 @@
 #include "Instrument/HandScrape.h"
 
+#include "Instrument/GainRamp.h"
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
@@ -102,10 +103,7 @@ void HandScrape::soundOne(Contact& contact,
                               .normalForceNewtons = parameters[contactForce] * contact.pressure},
                              newtons);
     if (presses) {
-        const auto fromGain = static_cast<float>(contact.begins ? contact.gain : startGain);
-        const auto gainStep = (static_cast<float>(contact.gain) - fromGain) / cellSamples;
-        for (std::size_t i = 0; i < newtons.size(); ++i)
-            newtons[i] *= fromGain + static_cast<float>(i + 1) * gainStep;
+        applyGainRamp(newtons, contact.begins ? contact.gain : startGain, contact.gain);
         if (contact.isLifted)
             releaseFade.apply(contact.fade, newtons);
         synthesiser.applyForce(

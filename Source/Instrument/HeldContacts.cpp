@@ -1,6 +1,7 @@
 #include "Instrument/HeldContacts.h"
 
 #include "Instrument/DraggedForce.h"
+#include "Instrument/GainRamp.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -187,10 +188,7 @@ void HeldContacts::soundOne(Contact& contact,
         newtons);
     if (presses) {
         const auto& from = contact.begins ? contact.place : start;
-        const auto fromGain = static_cast<float>(contact.begins ? contact.gain : startGain);
-        const auto gainStep = (static_cast<float>(contact.gain) - fromGain) / cellSamples;
-        for (std::size_t i = 0; i < newtons.size(); ++i)
-            newtons[i] *= fromGain + static_cast<float>(i + 1) * gainStep;
+        applyGainRamp(newtons, contact.begins ? contact.gain : startGain, contact.gain);
         if (contact.isReleased)
             releaseFade.apply(contact.fade, newtons);
         synthesiser.applyForce(slot,

@@ -3,8 +3,8 @@
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"
+#include "Support/Highs.h"
 #include "Support/Level.h"
-#include "Support/Phasor.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
 
@@ -55,19 +55,6 @@ std::vector<float> drag(Player& player,
         output.insert(output.end(), sound.left.begin(), sound.left.end());
     }
     return output;
-}
-
-/// The loudest of what lies above 8 kHz in any hundredth of a second.
-double highs(std::span<const float> signal) {
-    constexpr std::size_t length = 512;
-    double loudest = 0;
-    for (std::size_t from = 0; from + length <= signal.size(); from += 64) {
-        double power = 0;
-        for (double hz = 8000; hz < 20000; hz += 250)
-            power += std::norm(phasorAt(signal.subspan(from, length), hz, rateHz));
-        loudest = std::max(loudest, power);
-    }
-    return 10 * std::log10(loudest);
 }
 
 } // namespace
@@ -190,7 +177,8 @@ TEST_CASE("A hand that is lifted fades within 10 ms, without a click, and leaves
             const auto sound = renderStereo(player, {}, eventSamples, 160, parameters);
             output.insert(output.end(), sound.left.begin(), sound.left.end());
         }
-        return highs(std::span(output).subspan(39 * eventSamples, 3 * eventSamples));
+        return loudestHighsDb(std::span(output).subspan(39 * eventSamples, 3 * eventSamples),
+                              rateHz);
     };
     const double heldDb = highsAfter(false), liftedDb = highsAfter(true);
     CAPTURE(heldDb, liftedDb);

@@ -1,7 +1,7 @@
 // How a held contact ends: released, silenced, or giving way to another.
 #include "HeldKeys.h"
+#include "Support/Highs.h"
 #include "Support/Level.h"
-#include "Support/Phasor.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -10,23 +10,6 @@
 
 using namespace idiophone;
 using namespace idiophone::test;
-
-namespace {
-
-/// What of a signal lies above 8 kHz at its loudest, a hundredth of a second at a time.
-double highsDb(std::span<const float> signal) {
-    constexpr std::size_t length = 512;
-    double loudest = 0;
-    for (std::size_t from = 0; from + length <= signal.size(); from += 64) {
-        double power = 0;
-        for (double hz = 8000; hz < 20000; hz += 250)
-            power += std::norm(phasorAt(signal.subspan(from, length), hz, playRateHz));
-        loudest = std::max(loudest, power);
-    }
-    return 10 * std::log10(loudest);
-}
-
-} // namespace
 
 TEST_CASE("The force is gone 10 ms after the key, and silence follows, at every sample rate") {
     const double rateHz = GENERATE(8000, 11025, 48000, 96000, 192000);
@@ -73,7 +56,7 @@ TEST_CASE("What gives way and what is silenced fades as what is released") {
     const MidiEvent loud = midi(0, 0x90, 60, 127);
     const auto highsAfter = [&](const std::vector<MidiEvent>& events) {
         const auto sound = play(instrument, events, 25200, parameters);
-        return highsDb(std::span(sound).subspan(23600));
+        return loudestHighsDb(std::span(sound).subspan(23600), playRateHz);
     };
     std::vector<MidiEvent> crowd{loud};
     for (int i = 0; i < static_cast<int>(HeldContacts::capacity) - 1; ++i)
@@ -96,7 +79,7 @@ TEST_CASE("A key that comes back while it fades out begins as from silence") {
     const auto instrument = plate();
     const auto highsAfter = [&](const std::vector<MidiEvent>& events) {
         const auto sound = play(instrument, events, 25200, scraping(rollContact));
-        return highsDb(std::span(sound).subspan(23600));
+        return loudestHighsDb(std::span(sound).subspan(23600), playRateHz);
     };
     const MidiEvent again = midi(24300, 0x90, 60, 127);
     const double freshDb = highsAfter({again});
