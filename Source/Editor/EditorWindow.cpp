@@ -23,6 +23,7 @@ constexpr double deckShare = 0.44;
 /// How often the window looks for what has changed: while something sounds or the mouse is over it,
 /// and after a while without either.
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
+constexpr int tooltipMilliseconds = 600;
 
 juce::String firstReadable(const juce::StringArray& files, const WorkshopView& view) {
     for (const auto& file : files)
@@ -141,6 +142,10 @@ void EditorWindow::timerCallback() {
 void EditorWindow::setBusy(bool busy) {
     ticksAtRest = busy ? 0 : std::min(ticksAtRest + 1, ticksToRest);
     const int hertz = ticksAtRest < ticksToRest ? busyHz : restHz;
+    if (hertz == restHz)
+        tooltips.reset();
+    else if (!tooltips)
+        tooltips.emplace(this, tooltipMilliseconds);
     if (getTimerInterval() != 1000 / hertz)
         startTimer(1000 / hertz);
 }

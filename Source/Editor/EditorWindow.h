@@ -14,6 +14,7 @@
 #include "Editor/StatusBar.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
+#include <optional>
 
 namespace idiophone {
 
@@ -58,8 +59,8 @@ private:
     StatusBar status;
     KeyboardPanel keyboard;
     DropFrame dropFrame;
-    int importPage = 0; ///< of the deck
-    juce::TooltipWindow tooltips{this, 600};
+    int importPage = 0;                          ///< of the deck
+    std::optional<juce::TooltipWindow> tooltips; ///< while the window is not at rest: it polls
     bool focusTaken = false;
     int ticksAtRest = 0;
 };

@@ -133,7 +133,7 @@ public:
 private:
     /// How often the message thread looks after what the audio thread and the workshop have left:
     /// while something sounds or is analysed, and otherwise.
-    static constexpr int busyMilliseconds = 50, restMilliseconds = 125;
+    static constexpr int busyMilliseconds = 50, restMilliseconds = 200;
 
     void timerCallback() override;
     void followProgramChange();

@@ -140,20 +140,20 @@ void Processor::renewHistory(const ModalObject& preview,
                              const std::shared_ptr<const ModalObject>& whole) {
     const auto now = loadedSound();
     std::map<const Instrument*, std::shared_ptr<const Instrument>> renewed;
-    history.renewSounds([&](Sound& sound) {
-        if (!plays(sound.instrument, preview))
+    history.renewSounds([&](Sound& known) {
+        if (!plays(known.instrument, preview))
             return;
-        auto map = sound.preset.keyMap;
+        auto map = known.preset.keyMap;
         map.object = now.preset.keyMap.object;
-        auto& instrumentNow = renewed[sound.instrument.get()];
+        auto& instrumentNow = renewed[known.instrument.get()];
         if (instrumentNow == nullptr && map == now.preset.keyMap)
             instrumentNow = now.instrument;
         if (instrumentNow == nullptr)
             instrumentNow = buildSingleObject(map, whole).value_or(nullptr);
         if (instrumentNow == nullptr)
             return;
-        sound.instrument = instrumentNow;
-        sound.preset.keyMap = map;
+        known.instrument = instrumentNow;
+        known.preset.keyMap = map;
     });
 }
 
@@ -168,8 +168,8 @@ void Processor::playAsLoud(const Preset& preset,
                            ParameterValues values) {
     const auto now = parameters.values();
     if (const auto before = loadedInstrument(); before != nullptr) {
-        const auto lufs = [&](const auto& instrument, const ParameterValues& played) {
-            return predictedLufs(instrument, preset.surface, rateHz(), played);
+        const auto lufs = [&](const auto& played, const ParameterValues& by) {
+            return predictedLufs(played, preset.surface, rateHz(), by);
         };
         const double level = now[ParameterId::level] + lufs(before, now) - lufs(built, values);
         if (std::isfinite(level))
