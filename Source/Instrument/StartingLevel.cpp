@@ -45,13 +45,20 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
     return best;
 }
 
+double highestLevel(const std::shared_ptr<const Instrument>& instrument,
+                    const Surface& surface,
+                    double sampleRateHz,
+                    const ParameterValues& values) {
+    const double peak = loudestBlowPeak(instrument, surface, sampleRateHz, values);
+    return hardestBlowDecibels - 20 * std::log10(peak);
+}
+
 double startingLevel(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values) {
     const double asLoud = wantedLufs - predictedLufs(instrument, surface, sampleRateHz, values);
-    const double peak = loudestBlowPeak(instrument, surface, sampleRateHz, values);
-    const double level = std::min(asLoud, hardestBlowDecibels - 20 * std::log10(peak));
+    const double level = std::min(asLoud, highestLevel(instrument, surface, sampleRateHz, values));
     return std::isfinite(level) ? level : values[ParameterId::level];
 }
 

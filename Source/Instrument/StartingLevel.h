@@ -26,9 +26,16 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
                                   double sampleRateHz,
                                   const ParameterValues& values);
 
-/// In dB: as loud as the factory presets, but so that about eight of the hardest blows at once stay
-/// below full scale (docs/decisions/0005): what rings short and high peaks far above its loudness.
-/// That of the values where nothing sounds. For keys that strike.
+/// In dB, the `level` at which about eight of the hardest blows at once stay below full scale
+/// (docs/decisions/0005); infinity where nothing sounds. For keys that strike.
+double highestLevel(const std::shared_ptr<const Instrument>& instrument,
+                    const Surface& surface,
+                    double sampleRateHz,
+                    const ParameterValues& values);
+
+/// In dB: as loud as the factory presets, but no higher than `highestLevel`: what rings short and
+/// high peaks far above its loudness. That of the values where nothing sounds. For keys that
+/// strike.
 double startingLevel(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,

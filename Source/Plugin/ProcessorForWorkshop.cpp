@@ -7,6 +7,7 @@
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -162,16 +163,18 @@ double Processor::rateHz() const {
     return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
-/// With the level that keeps what plays as loud as it is.
+/// With the level that keeps what plays as loud as it is, and where that had headroom, leaves it.
 void Processor::playAsLoud(const Preset& preset,
                            const std::shared_ptr<const Instrument>& built,
                            ParameterValues values) {
     const auto now = parameters.values();
     if (const auto before = loadedInstrument(); before != nullptr) {
-        const auto lufs = [&](const auto& played, const ParameterValues& by) {
-            return predictedLufs(played, preset.surface, rateHz(), by);
-        };
-        const double level = now[ParameterId::level] + lufs(before, now) - lufs(built, values);
+        const auto& surface = preset.surface;
+        double level = now[ParameterId::level] + predictedLufs(before, surface, rateHz(), now) -
+                       predictedLufs(built, surface, rateHz(), values);
+        if (isStruck(now) &&
+            now[ParameterId::level] <= highestLevel(before, surface, rateHz(), now) + 0.1)
+            level = std::min(level, highestLevel(built, surface, rateHz(), values));
         if (std::isfinite(level))
             values.set(ParameterId::level, level);
     }

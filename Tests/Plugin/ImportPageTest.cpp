@@ -33,13 +33,6 @@ Kind& part(juce::Component& whole, const juce::String& title) {
     return *found;
 }
 
-void finish(Processor& processor) {
-    while (processor.importStatus().isWorking())
-        waitFor();
-    waitFor(60); // the timer's period
-    juce::Timer::callPendingTimersSynchronously();
-}
-
 void click(juce::Button& button) {
     REQUIRE(button.isEnabled());
     button.onClick();

@@ -3,11 +3,13 @@
 
 #include "Geometry/MeshWriter.h"
 #include "Geometry/ParametricMesh.h"
+#include "Plugin/Processor.h"
 #include "Support/TestFolder.h"
 
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -16,6 +18,22 @@ namespace idiophone::test {
 
 inline void waitFor(int milliseconds = 1) {
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+/// Lets the message thread's timers run until a job has ended and what it made plays.
+inline void finish(
+    Processor& processor, const std::function<void()>& meanwhile = [] {}) {
+    const auto tick = [&] {
+        juce::Timer::callPendingTimersSynchronously();
+        meanwhile();
+    };
+    for (; processor.importStatus().isWorking(); waitFor())
+        tick();
+    // Without a message loop JUCE's timers may stand still for 300 ms.
+    for (int i = 0; i < 20; ++i) {
+        waitFor(20);
+        tick();
+    }
 }
 
 inline std::filesystem::path writtenFile(const std::string& name, const std::string& bytes) {
