@@ -67,6 +67,22 @@ size() { # width and height of what is below the title
 }
 click() { xdotool mousemove --window "$window" "$1" $(($2 + title)) click "${3:-1}"; sleep 0.25; }
 shot() { import -window "$window" "$out/$1.png"; echo "$out/$1.png"; }
+shot_with_menus() { # which are windows of their own
+    import -window root -crop "${width}x$((height + title))+0+0" +repage "$out/$1.png"
+    echo "$out/$1.png"
+}
+drag() { # from x y to x y, with a picture of that name on the way
+    local steps=12
+    xdotool mousemove --window "$window" "$1" $(($2 + title)) mousedown 1
+    for step in $(seq $steps); do
+        xdotool mousemove --window "$window" $(($1 + ($3 - $1) * step / steps)) \
+            $(($2 + ($4 - $2) * step / steps + title))
+        sleep 0.04
+    done
+    [ -z "${5:-}" ] || shot "$5"
+    xdotool mouseup 1
+    sleep 0.25
+}
 other_look() { click $((width - 29)) 22; xdotool mousemove --window "$window" 200 $((title + 20)); sleep 0.5; }
 for look in dark light; do
     for extent in "800 500" "1180 860" "1920 1080"; do
@@ -85,6 +101,7 @@ done
 next_preset() { for _ in $(seq "$1"); do click 729 22; done; sleep 1; }
 nodal_lines() { click 124 56; }
 browse() { click 505 22; sleep 0.5; }
+draw_path() { click 262 56; }
 
 for look in light dark; do
     size 1180 860
@@ -103,9 +120,31 @@ for look in light dark; do
     click 590 200
     shot "$look-handbell-nodes"
     nodal_lines
+    drag 540 190 640 330 "$look-handbell-scraped"
     next_preset 5
     other_look
 done
+
+# The keyboard alone, and a menu.
+xdotool key --window "$window" Tab Tab Tab Tab Tab
+sleep 0.3
+shot light-focus
+xdotool key --window "$window" shift+F10
+sleep 0.5
+shot_with_menus light-focus-menu
+xdotool key Escape
+click 900 620 3
+sleep 0.5
+shot_with_menus light-menu
+xdotool key Escape
+
+# A strike path drawn by hand over the steel plate.
+next_preset 3
+draw_path
+drag 380 250 800 300 light-path-drawing
+shot light-path-drawn
+draw_path
+next_preset 15
 other_look
 
 # A mesh, dropped on the picture.
