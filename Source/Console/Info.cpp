@@ -111,7 +111,7 @@ void print(const ModalObject& object) {
         std::cout << ", a shell " << object.thicknessMetres * 1000 << " mm thick";
     std::cout << "\n";
     row("material") << object.material.name << ", " << object.material.youngsModulusPa / 1e9
-                    << " GPa, " << object.material.densityKgPerM3 << " kg/m3\n";
+                    << " GPa, " << object.material.densityKgPerM3 << " kg/m³\n";
     row("mass") << std::setprecision(4) << object.mass.massKg << " kg\n";
     row("source") << origin.source << " (" << origin.software << ", " << origin.analysedVertices
                   << " vertices analysed";

@@ -3,8 +3,10 @@
 #include "Instrument/FactoryContent.h"
 #include "Parameters/ParameterTable.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <string>
 
 namespace idiophone {
 namespace {
@@ -58,10 +60,17 @@ std::string rangeOf(const ParameterInfo& info) {
     return formatParameter(info, info.minimum) + " to " + formatParameter(info, info.maximum);
 }
 
+/// A column that wide, of UTF-8 text.
+std::string column(const std::string& text, std::size_t width) {
+    const auto characters = static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
+    return text + std::string(width > characters ? width - characters : 0, ' ');
+}
+
 void printParameters() {
     for (const auto& info : parameterTable())
-        std::cout << std::left << std::setw(16) << info.id << std::setw(30) << rangeOf(info)
-                  << std::setw(14) << formatParameter(info, info.defaultValue) << info.description
+        std::cout << column(info.id, 16) << column(rangeOf(info), 30)
+                  << column(formatParameter(info, info.defaultValue), 14) << info.description
                   << '\n';
     for (const auto& info : parameterTable()) {
         if (info.scale != ParameterScale::choice)

@@ -54,7 +54,7 @@ void print(const Material& material) {
 void print(std::span<const Material> materials) {
     std::cout
         << "                                         gamma     loss     eta       T60 in s at\n"
-           "                 E GPa   kg/m3   nu     1/s       factor   s         "
+           "                 E GPa   kg/m³   nu     1/s       factor   s         "
            "440     1000    4000 Hz\n";
     for (const auto& material : materials)
         print(material);

@@ -165,7 +165,9 @@ juce::PopupMenu ParameterControl::menu() {
 }
 
 void ParameterControl::showMenu() {
-    menu().showMenuAsync(
+    auto shown = menu();
+    shown.setLookAndFeel(&getLookAndFeel());
+    shown.showMenuAsync(
         juce::PopupMenu::Options().withTargetComponent(*this).withDeletionCheck(*this));
 }
 

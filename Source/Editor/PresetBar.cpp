@@ -151,7 +151,9 @@ void PresetBar::showMutationMenu() {
             if (bar != nullptr)
                 bar->mutate(strength);
         });
-    menu.showMenuAsync(juce::PopupMenu::Options().withTargetComponent(mutation));
+    menu.setLookAndFeel(&getLookAndFeel());
+    menu.showMenuAsync(
+        juce::PopupMenu::Options().withTargetComponent(mutation).withDeletionCheck(*this));
 }
 
 void PresetBar::refresh() {

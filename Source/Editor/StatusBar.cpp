@@ -33,7 +33,8 @@ void StatusBar::paint(juce::Graphics& g) {
 
     g.setFont(Look::textFont());
     g.setColour(colourOf(*this, LookColour::dimText));
-    g.drawText(juce::String(shown.modesMixed) + " modes", modes, juce::Justification::centredRight);
+    g.drawText(juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes"), modes,
+               juce::Justification::centredRight);
     g.setColour(shown.isError ? colourOf(*this, LookColour::error)
                               : colourOf(*this, LookColour::text));
     g.drawFittedText(juce::String::fromUTF8(shown.sentence.c_str()), area,

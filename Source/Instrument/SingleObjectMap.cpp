@@ -2,12 +2,15 @@
 
 #include "Geometry/ObjectMesh.h"
 #include "Geometry/SurfaceQuery.h"
+#include "Geometry/SurfaceRoute.h"
 #include "Instrument/ObjectBox.h"
 #include "Instrument/PlaceBetween.h"
 #include "Instrument/StrikeStrip.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -48,6 +51,33 @@ double liveliestPlace(const ModalObject& object, const KeyMap& map) {
     return best;
 }
 
+Eigen::Vector3d vectorOf(const Point& point) {
+    return {point[0], point[1], point[2]};
+}
+
+/// Where rays have missed between two places, round the hole they went through: places in metres.
+std::vector<Eigen::Vector3d> roundHoles(const std::vector<std::optional<Eigen::Vector3d>>& hits,
+                                        const Mesh& mesh,
+                                        const Eigen::Vector3d& facing) {
+    constexpr std::size_t mostPlaces = 64;
+    std::vector<Eigen::Vector3d> path;
+    bool missed = false;
+    for (const auto& hit : hits) {
+        if (!hit) {
+            missed = !path.empty();
+            continue;
+        }
+        if (std::exchange(missed, false)) {
+            const auto way = surfaceRoute(mesh, path.back(), *hit, facing);
+            const std::size_t places = std::min(way.size(), mostPlaces);
+            for (std::size_t i = 1; i + 1 < places; ++i)
+                path.push_back(way[i * (way.size() - 1) / (places - 1)]);
+        }
+        path.push_back(*hit);
+    }
+    return path;
+}
+
 } // namespace
 
 KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMapKind kind) {
@@ -75,18 +105,19 @@ std::vector<Point> pathOverTop(const ModalObject& object) {
     Point direction{};
     direction[depth] = -side;
     const SurfaceQuery surface(objectMesh(object));
-    std::vector<Point> path;
+    std::vector<std::optional<Eigen::Vector3d>> hits;
     for (int i = 0; i < samples; ++i) {
         Point from{};
         from[along] = ends * (2.0 * i / (samples - 1) - 1);
         from[depth] = side;
         Point origin = box.at(from);
         origin[depth] += side * box.halfExtentMetres[along];
-        if (const auto hit = surface.firstHit({origin[0], origin[1], origin[2]},
-                                              {direction[0], direction[1], direction[2]}))
-            path.push_back(
-                box.relative({hit->pointMetres.x(), hit->pointMetres.y(), hit->pointMetres.z()}));
+        const auto hit = surface.firstHit(vectorOf(origin), vectorOf(direction));
+        hits.push_back(hit ? std::optional(hit->pointMetres) : std::nullopt);
     }
+    std::vector<Point> path;
+    for (const auto& place : roundHoles(hits, surface.mesh(), -vectorOf(direction)))
+        path.push_back(box.relative({place.x(), place.y(), place.z()}));
     if (path.size() < 2) {
         Point start{}, end{};
         start[along] = -1;

@@ -18,8 +18,8 @@ namespace idiophone {
 KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMapKind kind);
 
 /// From one end of the object's longest side to the other over what is seen from above, in units of
-/// its box; of what stands upright, up its front. Where the object has a hole the path goes on
-/// behind it.
+/// its box; of what stands upright, up its front. Where the object has a hole the path goes
+/// round it.
 std::vector<std::array<double, 3>> pathOverTop(const ModalObject& object);
 
 /// A key map's path in metres of the object's mesh, and back: of the points that are finite at most

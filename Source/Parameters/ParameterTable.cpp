@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <locale>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -24,19 +25,19 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "How steeply the mode budget favours the loudest objects", "Greedy"},
     {modeBudget, "budget", "Mode budget", "Budget", "modes", logarithmic, 16, 16384, 4096, 4, 1,
      "Modes mixed at a time by all objects together", nullptr},
-    {compression, "compression", "Mode compression", "Compression", "x", linear, 0, 4, 1, 2, 1,
+    {compression, "compression", "Mode compression", "Compression", "×", linear, 0, 4, 1, 2, 1,
      "How far apart modes may lie to be merged, in units of what the ear discriminates", nullptr},
     {material, "material", "Material", "Material", "", choice, 0, 63, ownMaterial, 0, 1,
      "What the objects are made of; Custom takes the five figures below", nullptr},
     {youngsModulus, "young", "Young's modulus", "Young's mod.", "GPa", logarithmic, 0.01, 1000, 12.5, 4, 1,
      "Stiffness of the custom material: pitch rises with its square root", nullptr},
-    {density, "density", "Density", "Density", "kg/m3", logarithmic, 10, 25000, 850, 4, 1,
+    {density, "density", "Density", "Density", "kg/m³", logarithmic, 10, 25000, 850, 4, 1,
      "Density of the custom material: pitch falls with its square root", nullptr},
     {fluidDamping, "gamma", "Fluid damping", "Fluid damp.", "1/s", logarithmic, 0.01, 1000, 51.58, 4, 1,
      "Damping of the custom material that is the same for all modes", nullptr},
-    {viscoelasticDamping, "eta", "Visco-elastic damping", "Viscous damp.", "us", logarithmic, 0.0001, 100, 0.235, 4, 1,
+    {viscoelasticDamping, "eta", "Visco-elastic damping", "Viscous damp.", "µs", logarithmic, 0.0001, 100, 0.235, 4, 1,
      "Damping of the custom material that grows with the square of frequency", nullptr},
-    {size, "size", "Size", "Size", "x", logarithmic, 0.1, 10, 1, 3, 1,
+    {size, "size", "Size", "Size", "×", logarithmic, 0.1, 10, 1, 3, 1,
      "Scales every object: twice the size sounds an octave lower", nullptr},
     {strikeAlong, "strike_along", "Strike position along", "Along", "%", linear, -100, 100, 0, 1, 1,
      "Moves the strike from its place on each key towards either end", nullptr},
@@ -85,7 +86,7 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "How hard full pressure presses a scrape or roll", nullptr},
     {contactSpeed, "speed", "Contact speed", "Speed", "m/s", logarithmic, 0.01, 10, 1, 3, 2,
      "How fast the full modulation wheel moves a scrape or roll", nullptr},
-    {roughness, "roughness", "Roughness", "Roughness", "x", logarithmic, 0.01, 10, 1, 3, 2,
+    {roughness, "roughness", "Roughness", "Roughness", "×", logarithmic, 0.01, 10, 1, 3, 2,
      "How rough the surface is that scrapes or rolls", nullptr},
     {rollCoupling, "roll_coupling", "Roll coupling", "Coupling", "%", linear, 0, 100, 0, 1, 2,
      "How much a roll drives the object's lowest modes; at 100 as hard as a scrape does", nullptr},
@@ -136,6 +137,16 @@ std::string_view trimmed(std::string_view text) {
 bool sameWord(std::string_view a, std::string_view b) {
     return std::ranges::equal(
         a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+/// Units as they are typed: µ has two code points and may be a u, ³ a 3, × an x.
+std::string typedUnit(std::string_view unit) {
+    std::string typed(unit);
+    for (const auto& [shown, plain] :
+         {std::pair<std::string_view, const char*>("µ", "u"), {"μ", "u"}, {"³", "3"}, {"×", "x"}})
+        for (auto at = typed.find(shown); at != std::string::npos; at = typed.find(shown))
+            typed.replace(at, shown.size(), plain);
+    return typed;
 }
 
 std::string formatNumber(double value, int decimals) {
@@ -259,7 +270,7 @@ std::optional<double> parseParameter(const ParameterInfo& info, std::string_view
         return std::nullopt;
     std::string rest;
     std::getline(stream, rest);
-    if (!trimmed(rest).empty() && !sameWord(trimmed(rest), info.unit))
+    if (!trimmed(rest).empty() && !sameWord(typedUnit(trimmed(rest)), typedUnit(info.unit)))
         return std::nullopt;
     return info.clamped(value);
 }

@@ -88,10 +88,11 @@ std::span<const ParameterInfo> parameterTable();
 const ParameterInfo& parameterInfo(ParameterId parameter);
 const ParameterInfo* findParameter(std::string_view id);
 
-/// "12.5 GPa", "Rosewood", "Greedy", "On".
+/// "12.5 GPa", "Rosewood", "Greedy", "On"; in UTF-8, as units are.
 std::string formatParameter(const ParameterInfo& info, double value);
 
-/// What a person typed, with or without the unit; nothing where it is not a value.
+/// What a person typed, with or without the unit ("kg/m3" and "us" will do); nothing where it is
+/// not a value.
 std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text);
 
 /// The names of a choice; empty for other parameters. A choice's range may be longer than its

@@ -105,8 +105,20 @@ TEST_CASE("Numbers are written with a point whatever the locale of the host") {
     const auto typed = parseParameter(young, "12.5");
     std::locale::global(before);
     CHECK(shown == "12.50 GPa");
-    CHECK(hundreds == "12500 kg/m3");
+    CHECK(hundreds == "12500 kg/m³");
     CHECK(typed == 12.5);
+}
+
+TEST_CASE("Units may be typed as keyboards have them") {
+    const auto& density = parameterInfo(ParameterId::density);
+    for (const char* text : {"900", "900 kg/m3", "900 kg/m³", "900KG/M3"})
+        CHECK(parseParameter(density, text) == 900.0);
+    CHECK_FALSE(parseParameter(density, "900 kg/m"));
+    const auto& eta = parameterInfo(ParameterId::viscoelasticDamping);
+    for (const char* text : {"2 us", "2 µs", "2 μs"}) // the micro sign and the Greek letter
+        CHECK(parseParameter(eta, text) == 2.0);
+    CHECK(formatParameter(eta, 2) == "2.000 µs");
+    CHECK(parseParameter(parameterInfo(ParameterId::size), "2x") == 2.0);
 }
 
 TEST_CASE("The material choice names the library's materials in the library's order") {

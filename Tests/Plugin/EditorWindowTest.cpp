@@ -160,7 +160,7 @@ TEST_CASE("A typed value is taken with its unit, exactly; what is no value chang
     CHECK(processor.parameterValue(ParameterId::density) == 7850.1);
     value->setText("heavy", juce::sendNotificationSync);
     CHECK(processor.parameterValue(ParameterId::density) == 7850.1);
-    CHECK(value->getText() == "7850 kg/m3");
+    CHECK(value->getText() == juce::String::fromUTF8("7850 kg/m³"));
 }
 
 TEST_CASE("Figures shown are those that play; one changed by hand makes them all custom") {
@@ -308,7 +308,8 @@ TEST_CASE("The window follows automation and presets from elsewhere") {
     CHECK(holdsSoon([&] {
         return find<juce::Button>(*window, "Preset")->getButtonText().toStdString() ==
                    factoryPresets()[1].name &&
-               find<juce::Label>(*window, "Density")->getText() == "25000 kg/m3";
+               find<juce::Label>(*window, "Density")->getText() ==
+                   juce::String::fromUTF8("25000 kg/m³");
     }));
 }
 
