@@ -165,9 +165,9 @@ juce::PopupMenu ParameterControl::menu() {
 }
 
 void ParameterControl::showMenu() {
-    auto shown = menu();
-    shown.setLookAndFeel(&getLookAndFeel());
-    shown.showMenuAsync(
+    auto popup = menu();
+    popup.setLookAndFeel(&getLookAndFeel());
+    popup.showMenuAsync(
         juce::PopupMenu::Options().withTargetComponent(*this).withDeletionCheck(*this));
 }
 
