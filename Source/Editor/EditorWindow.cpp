@@ -53,6 +53,7 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     };
     browser.onClose = [this] { setBrowsing(false); };
     addChildComponent(dropFrame);
+    addChildComponent(focusRing);
     setLook(look.scheme());
     setResizable(true, true);
     setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
@@ -117,6 +118,8 @@ void EditorWindow::setBrowsing(bool browses) {
 }
 
 bool EditorWindow::keyPressed(const juce::KeyPress& key) {
+    if (key.isKeyCode(juce::KeyPress::tabKey))
+        focusRing.tabPressed();
     return presets.handleKey(key) || AudioProcessorEditor::keyPressed(key);
 }
 
@@ -176,6 +179,11 @@ void EditorWindow::paint(juce::Graphics& g) {
 }
 
 void EditorWindow::resized() {
+    placeParts();
+    focusRing.follow();
+}
+
+void EditorWindow::placeParts() {
     dropFrame.setBounds(getLocalBounds());
     auto area = getLocalBounds().reduced(margin, 0);
     auto bar = area.removeFromTop(barHeight);

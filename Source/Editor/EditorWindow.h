@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/DropFrame.h"
+#include "Editor/FocusRing.h"
 #include "Editor/KeyboardPanel.h"
 #include "Editor/Look.h"
 #include "Editor/ObjectPane.h"
@@ -46,6 +47,7 @@ public:
 private:
     void timerCallback() override;
     void makePages();
+    void placeParts();
     void setBusy(bool busy);
 
     ProcessorView& view;
@@ -59,6 +61,7 @@ private:
     StatusBar status;
     KeyboardPanel keyboard;
     DropFrame dropFrame;
+    FocusRing focusRing;
     int importPage = 0;                          ///< of the deck
     std::optional<juce::TooltipWindow> tooltips; ///< while the window is not at rest: it polls
     bool focusTaken = false;

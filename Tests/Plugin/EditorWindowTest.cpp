@@ -346,3 +346,24 @@ TEST_CASE("The window opens and closes 100 times while the same notes sound the 
     CHECK(rounds > 0);
     CHECK(same);
 }
+
+TEST_CASE("Tab goes once to all that can be used, and arrows move what it has chosen") {
+    Processor processor;
+    const auto window = open(processor);
+    window->setSize(1180, 860);
+    const auto order = window->createKeyboardFocusTraverser()->getAllComponents(window.get());
+    visit(*window, [&](juce::Component& part) {
+        const bool isUsed = dynamic_cast<juce::Slider*>(&part) != nullptr ||
+                            dynamic_cast<juce::Button*>(&part) != nullptr ||
+                            dynamic_cast<juce::ComboBox*>(&part) != nullptr;
+        if (!isUsed || !isOnScreen(part, *window) || !part.isEnabled())
+            return;
+        INFO(part.getTitle() << " (" << typeid(part).name() << ")");
+        CHECK(std::ranges::count(order, &part) == 1);
+    });
+    auto* density = find<juce::Slider>(*window, "Density");
+    REQUIRE(density != nullptr);
+    const double before = processor.effectiveValue(ParameterId::density);
+    CHECK(density->keyPressed(juce::KeyPress(juce::KeyPress::upKey)));
+    CHECK(processor.effectiveValue(ParameterId::density) > before);
+}
