@@ -3,6 +3,7 @@
 #include "Editor/Look.h"
 #include "Editor/ParameterMenu.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -19,6 +20,51 @@ juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
             [row](double, double, double value) { return row->toNormalised(value); },
             [row](double, double, double value) { return row->clamped(value); }};
 }
+
+/// Arrows and the page keys move it by shares of its way, whatever its range; with Shift less far.
+class KeyedSlider final : public LeftClicked<juce::Slider> {
+public:
+    explicit KeyedSlider(const ParameterInfo& row)
+        : LeftClicked(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox), info(row) {
+        setWantsKeyboardFocus(true);
+    }
+
+    bool keyPressed(const juce::KeyPress& key) override {
+        const double from = valueToProportionOfLength(getValue());
+        if (key.isKeyCode(juce::KeyPress::homeKey))
+            return moveTo(0);
+        if (key.isKeyCode(juce::KeyPress::endKey))
+            return moveTo(1);
+        const double far = key.getModifiers().isShiftDown() ? shiftStep : step;
+        if (key.isKeyCode(juce::KeyPress::rightKey) || key.isKeyCode(juce::KeyPress::upKey))
+            return moveTo(from + least(far));
+        if (key.isKeyCode(juce::KeyPress::leftKey) || key.isKeyCode(juce::KeyPress::downKey))
+            return moveTo(from - least(far));
+        if (key.isKeyCode(juce::KeyPress::pageUpKey))
+            return moveTo(from + least(pageStep));
+        if (key.isKeyCode(juce::KeyPress::pageDownKey))
+            return moveTo(from - least(pageStep));
+        return false;
+    }
+
+private:
+    static constexpr double shiftStep = 0.001, step = 0.01, pageStep = 0.1;
+
+    /// Whole numbers move by one at least.
+    double least(double share) const {
+        return info.scale == ParameterScale::steps
+                   ? std::max(share, 1 / (info.maximum - info.minimum))
+                   : share;
+    }
+
+    bool moveTo(double share) {
+        setValue(proportionOfLengthToValue(std::clamp(share, 0.0, 1.0)),
+                 juce::sendNotificationSync);
+        return true;
+    }
+
+    const ParameterInfo& info;
+};
 
 } // namespace
 
@@ -46,8 +92,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
 
 void ParameterControl::makeSlider() {
     makeValueText();
-    slider = std::make_unique<LeftClicked<juce::Slider>>(juce::Slider::LinearHorizontal,
-                                                         juce::Slider::NoTextBox);
+    slider = std::make_unique<KeyedSlider>(info);
     slider->setTitle(getTitle());
     slider->setNormalisableRange(rangeOf(info));
     slider->setDoubleClickReturnValue(true, info.defaultValue);

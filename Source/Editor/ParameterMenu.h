@@ -25,7 +25,7 @@ bool asksForMenu(const juce::KeyPress& key);
 
 /// A control that leaves the right button to the one it is part of.
 template <class Control>
-class LeftClicked final : public Control {
+class LeftClicked : public Control {
 public:
     using Control::Control;
 

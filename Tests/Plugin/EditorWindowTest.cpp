@@ -361,9 +361,24 @@ TEST_CASE("Tab goes once to all that can be used, and arrows move what it has ch
         INFO(part.getTitle() << " (" << typeid(part).name() << ")");
         CHECK(std::ranges::count(order, &part) == 1);
     });
-    auto* density = find<juce::Slider>(*window, "Density");
-    REQUIRE(density != nullptr);
-    const double before = processor.effectiveValue(ParameterId::density);
-    CHECK(density->keyPressed(juce::KeyPress(juce::KeyPress::upKey)));
-    CHECK(processor.effectiveValue(ParameterId::density) > before);
+    for (const auto parameter : {ParameterId::density, ParameterId::tau, ParameterId::lossFactor,
+                                 ParameterId::bendRange}) {
+        const auto& info = parameterInfo(parameter);
+        INFO(info.name);
+        auto* slider = find<juce::Slider>(*window, info.name);
+        REQUIRE(slider != nullptr);
+        const auto placeNow = [&] {
+            return info.toNormalised(processor.effectiveValue(parameter));
+        };
+        const double before = placeNow();
+        CHECK(slider->keyPressed(juce::KeyPress(juce::KeyPress::upKey)));
+        const double step =
+            std::max(0.01, info.scale == ParameterScale::steps ? 1 / info.maximum : 0);
+        CHECK(placeNow() == Approx(before + step));
+        CHECK(slider->keyPressed(juce::KeyPress(juce::KeyPress::leftKey)));
+        CHECK(placeNow() == Approx(before));
+        CHECK(slider->keyPressed(juce::KeyPress(juce::KeyPress::endKey)));
+        CHECK(placeNow() == 1);
+        CHECK_FALSE(slider->keyPressed(juce::KeyPress('x')));
+    }
 }
