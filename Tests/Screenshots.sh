@@ -126,8 +126,12 @@ for look in light dark; do
     other_look
 done
 
-# The keyboard alone, and a menu.
-xdotool key Tab Tab Tab Tab Tab
+# By keys alone: on from the picture to the mallet's hardness, and its menu.
+click 590 240
+# shellcheck disable=SC2046
+xdotool key $(yes Tab | head -20)
+sleep 0.3
+xdotool key Up Up Up
 sleep 0.3
 shot light-focus
 xdotool key shift+F10

@@ -136,9 +136,12 @@ void EditorWindow::timerCallback() {
         deck.showSound(*frame);
     }
     // In a host the keys of the computer are the host's.
-    if (!focusTaken && juce::JUCEApplicationBase::isStandaloneApp() && isShowing()) {
+    const auto* peer = getPeer();
+    if (!focusTaken && juce::JUCEApplicationBase::isStandaloneApp() && peer != nullptr &&
+        peer->isFocused()) {
         focusTaken = true;
-        keyboard.takeFocus();
+        if (!hasKeyboardFocus(true))
+            keyboard.takeFocus();
     }
 }
 
