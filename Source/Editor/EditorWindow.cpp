@@ -135,14 +135,10 @@ void EditorWindow::timerCallback() {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
     }
-    // In a host the keys of the computer are the host's.
-    const auto* peer = getPeer();
-    if (!focusTaken && juce::JUCEApplicationBase::isStandaloneApp() && peer != nullptr &&
-        peer->isFocused()) {
-        focusTaken = true;
-        if (!hasKeyboardFocus(true))
-            keyboard.takeFocus();
-    }
+    // Where nothing else wants them the keys of the computer play. In a host they are the host's.
+    if (juce::JUCEApplicationBase::isStandaloneApp() &&
+        getCurrentlyFocusedComponent() == getTopLevelComponent())
+        keyboard.takeFocus();
 }
 
 void EditorWindow::setBusy(bool busy) {

@@ -64,7 +64,6 @@ private:
     FocusRing focusRing;
     int importPage = 0;                          ///< of the deck
     std::optional<juce::TooltipWindow> tooltips; ///< while the window is not at rest: it polls
-    bool focusTaken = false;
     int ticksAtRest = 0;
 };
 
