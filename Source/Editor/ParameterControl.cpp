@@ -4,6 +4,7 @@
 #include "Editor/ParameterMenu.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -22,6 +23,7 @@ juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
 }
 
 /// Arrows and the page keys move it by shares of its way, whatever its range; with Shift less far.
+/// Return asks for a value to be typed.
 class KeyedSlider final : public LeftClicked<juce::Slider> {
 public:
     explicit KeyedSlider(const ParameterInfo& row)
@@ -29,7 +31,13 @@ public:
         setWantsKeyboardFocus(true);
     }
 
+    std::function<void()> onReturn;
+
     bool keyPressed(const juce::KeyPress& key) override {
+        if (key.isKeyCode(juce::KeyPress::returnKey)) {
+            onReturn();
+            return true;
+        }
         const double from = valueToProportionOfLength(getValue());
         if (key.isKeyCode(juce::KeyPress::homeKey))
             return moveTo(0);
@@ -92,7 +100,9 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
 
 void ParameterControl::makeSlider() {
     makeValueText();
-    slider = std::make_unique<KeyedSlider>(info);
+    auto keyed = std::make_unique<KeyedSlider>(info);
+    keyed->onReturn = [this] { value.showEditor(); };
+    slider = std::move(keyed);
     slider->setTitle(getTitle());
     slider->setNormalisableRange(rangeOf(info));
     slider->setDoubleClickReturnValue(true, info.defaultValue);
@@ -120,8 +130,9 @@ void ParameterControl::makeValueText() {
     value.setBorderSize({0, 0, 0, 0});
     value.setMinimumHorizontalScale(0.8f);
     value.setEditable(true);
+    value.setWantsKeyboardFocus(false); // Return on the slider gets there
     value.setTitle(getTitle());
-    value.setTooltip("Click to type a value");
+    value.setTooltip("Click, or press Return on the slider, to type a value");
     value.onTextChange = [this] { typed(); };
     addAndMakeVisible(value);
 }

@@ -380,5 +380,10 @@ TEST_CASE("Tab goes once to all that can be used, and arrows move what it has ch
         CHECK(slider->keyPressed(juce::KeyPress(juce::KeyPress::endKey)));
         CHECK(placeNow() == 1);
         CHECK_FALSE(slider->keyPressed(juce::KeyPress('x')));
+        auto* value = find<juce::Label>(*window, info.name);
+        REQUIRE(value != nullptr);
+        CHECK(slider->keyPressed(juce::KeyPress(juce::KeyPress::returnKey)));
+        CHECK(value->isBeingEdited());
+        value->hideEditor(true);
     }
 }
