@@ -129,7 +129,7 @@ done
 # By keys alone: on from the picture to the mallet's hardness, and its menu.
 click 590 240
 # shellcheck disable=SC2046
-xdotool key $(yes Tab | head -15)
+xdotool key $(yes Tab | head -19)
 sleep 0.3
 xdotool key Up Up Up
 sleep 0.3
