@@ -95,7 +95,7 @@ void HandScrape::soundOne(Contact& contact,
     const ForcePlace start = contact.place;
     const double startGain = contact.gain;
     contact.place = contact.path.place(friction);
-    contact.gain = parameters[roughness] * malletScale * malletScale;
+    contact.gain = strength * parameters[roughness] * malletScale * malletScale;
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses =

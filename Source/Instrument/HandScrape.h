@@ -38,6 +38,9 @@ public:
                std::shared_ptr<const SurfaceProfile> profile,
                std::uint64_t seed);
 
+    /// Times the contact force; 1 at first. Between blocks of sound.
+    void setStrength(double times) noexcept { strength = times; }
+
     /// From one object to another the hand is lifted and touches again. The slot and the rows
     /// exist.
     void touch(const SurfaceTouch& touch) noexcept;
@@ -80,6 +83,7 @@ private:
     const Instrument& instrument;
     double cellSeconds;
     ReleaseFade releaseFade;
+    double strength = 1;
     std::vector<Contact> contacts; ///< two: one may fade out while the other one is played
     std::size_t now = 0;           ///< the one played last
 };

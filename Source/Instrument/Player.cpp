@@ -2,6 +2,7 @@
 
 #include "Instrument/ContactTrain.h"
 #include "Instrument/DecayTime.h"
+#include "Instrument/HandStrength.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/SharedSurfaceProfile.h"
@@ -73,6 +74,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       slotSilenced(playedInstrument->slots().size(), false) {
     late.reserve(lateCapacity);
     surfaceStrikes.reserve(surfaceCapacity);
+    handScrape.setStrength(handStrength(loudness, own));
 }
 
 void Player::process(const StereoSpan& output,
