@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -22,9 +23,10 @@ constexpr std::uint64_t apartFromKeys = std::uint64_t{1} << 62;
 
 HandScrape::HandScrape(const Instrument& played,
                        std::shared_ptr<const SurfaceProfile> profile,
-                       std::uint64_t seed)
+                       std::uint64_t seed,
+                       std::vector<double> slotStrengths)
     : instrument(played), cellSeconds(cellSamples / profile->sampleRateHz()),
-      releaseFade(profile->sampleRateHz()) {
+      releaseFade(profile->sampleRateHz()), strengths(std::move(slotStrengths)) {
     for (std::size_t k = 0; k < contactCount; ++k)
         contacts.push_back(
             {.force = ContactForce(profile, (seed * contactCount + k) ^ apartFromKeys),
@@ -95,7 +97,7 @@ void HandScrape::soundOne(Contact& contact,
     const ForcePlace start = contact.place;
     const double startGain = contact.gain;
     contact.place = contact.path.place(friction);
-    contact.gain = strength * parameters[roughness] * malletScale * malletScale;
+    contact.gain = strengths[contact.slot] * parameters[roughness] * malletScale * malletScale;
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses =

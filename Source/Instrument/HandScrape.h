@@ -33,13 +33,12 @@ class HandScrape {
 public:
     static constexpr double fastestMetresPerSecond = 5;
 
-    /// The seed says where on the profile the hand begins. `instrument` outlives it.
+    /// The seed says where on the profile the hand begins. Strengths [slots] multiply the contact
+    /// force. `instrument` outlives it.
     HandScrape(const Instrument& instrument,
                std::shared_ptr<const SurfaceProfile> profile,
-               std::uint64_t seed);
-
-    /// Times the contact force; 1 at first. Between blocks of sound.
-    void setStrength(double times) noexcept { strength = times; }
+               std::uint64_t seed,
+               std::vector<double> strengths);
 
     /// From one object to another the hand is lifted and touches again. The slot and the rows
     /// exist.
@@ -83,7 +82,7 @@ private:
     const Instrument& instrument;
     double cellSeconds;
     ReleaseFade releaseFade;
-    double strength = 1;
+    std::vector<double> strengths;
     std::vector<Contact> contacts; ///< two: one may fade out while the other one is played
     std::size_t now = 0;           ///< the one played last
 };

@@ -32,12 +32,22 @@ std::array<float, 3> pushOf(const StripPlace& place, double friction) noexcept {
 } // namespace
 
 Phrase::Phrase(std::shared_ptr<const Instrument> played, Surface scraped, double rateHz)
+    : Phrase(played,
+             std::move(scraped),
+             rateHz,
+             played->keyMap().lowestNote,
+             played->keyMap().highestNote) {}
+
+Phrase::Phrase(std::shared_ptr<const Instrument> played,
+               Surface scraped,
+               double rateHz,
+               int lowestNote,
+               int highestNote)
     : instrument(std::move(played)), surface(std::move(scraped)), sampleRateHz(rateHz) {
-    const auto& map = instrument->keyMap();
     for (std::size_t i = 0; i < notes.size(); ++i) {
-        const int above = (map.highestNote - map.lowestNote) * static_cast<int>(i) /
-                          static_cast<int>(notes.size() - 1);
-        notes[i].key = instrument->key(map.lowestNote + above);
+        const int above =
+            (highestNote - lowestNote) * static_cast<int>(i) / static_cast<int>(notes.size() - 1);
+        notes[i].key = instrument->key(lowestNote + above);
         if (notes[i].key.slot < 0)
             continue;
         const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];

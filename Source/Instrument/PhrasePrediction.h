@@ -30,6 +30,12 @@ struct Phrase {
 
     /// The surface, which is valid, is what keys that scrape or roll sound like.
     Phrase(std::shared_ptr<const Instrument> instrument, Surface surface, double sampleRateHz);
+    /// From one MIDI note to another.
+    Phrase(std::shared_ptr<const Instrument> instrument,
+           Surface surface,
+           double sampleRateHz,
+           int lowestNote,
+           int highestNote);
 
     std::shared_ptr<const Instrument> instrument;
     Surface surface;

@@ -2,7 +2,7 @@
 
 #include "Instrument/ContactTrain.h"
 #include "Instrument/DecayTime.h"
-#include "Instrument/HandStrength.h"
+#include "Instrument/HandStrengths.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Instrument/SharedSurfaceProfile.h"
@@ -67,14 +67,16 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
       malletScales(malletScalesOf(*playedInstrument)),
       held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
-      handScrape(*playedInstrument, sharedSurfaceProfile(surface, sampleRateHz), seed),
+      handScrape(*playedInstrument,
+                 sharedSurfaceProfile(surface, sampleRateHz),
+                 seed,
+                 handStrengths(playedInstrument, surface, sampleRateHz, own)),
       loudness(playedInstrument, surface, sampleRateHz, own), motor(cellSamples / sampleRateHz),
       slotTouched(playedInstrument->slots().size(), false),
       slotHeld(playedInstrument->slots().size(), false),
       slotSilenced(playedInstrument->slots().size(), false) {
     late.reserve(lateCapacity);
     surfaceStrikes.reserve(surfaceCapacity);
-    handScrape.setStrength(handStrength(loudness, own));
 }
 
 void Player::process(const StereoSpan& output,

@@ -1,0 +1,76 @@
+#include "Instrument/HandStrengths.h"
+
+#include "Instrument/HeldContacts.h"
+#include "Instrument/PhrasePrediction.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace idiophone {
+namespace {
+
+/// What the prediction of scrapes leaves out, and how far below a blow they are to be: by
+/// measurement over the factory presets.
+constexpr double scrapeConstantDb = 0;
+
+constexpr int keysTried = 8;
+
+double lufs(const Phrase& phrase, const ParameterValues& values) {
+    PhrasePrediction prediction;
+    prediction.begin(phrase, values, HeldContacts::controllerAtRest);
+    prediction.advance(std::numeric_limits<std::size_t>::max());
+    return prediction.lufs()[PhrasePrediction::middleVelocity];
+}
+
+ParameterValues scraping(ParameterValues values) {
+    values.set(ParameterId::contact, scrapeContact);
+    for (const auto figure :
+         {ParameterId::contactForce, ParameterId::contactSpeed, ParameterId::roughness})
+        values.set(figure, parameterInfo(figure).defaultValue);
+    return values;
+}
+
+/// Between what is known of keys, the nearest beyond them. One is known.
+double between(const std::map<int, double>& known, int note) {
+    const auto above = known.lower_bound(note);
+    if (above == known.begin())
+        return above->second;
+    if (above == known.end())
+        return known.rbegin()->second;
+    const auto below = std::prev(above);
+    const double share =
+        static_cast<double>(note - below->first) / static_cast<double>(above->first - below->first);
+    return below->second + share * (above->second - below->second);
+}
+
+} // namespace
+
+std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instrument,
+                                  const Surface& surface,
+                                  double sampleRateHz,
+                                  const ParameterValues& own) {
+    std::vector<double> strengths(instrument->slots().size(), 1);
+    if (!strikes(own))
+        return strengths;
+    const auto& map = instrument->keyMap();
+    const auto scraped = scraping(own);
+    std::map<int, double> weakerDb; // of keys
+    for (int i = 0; i < keysTried; ++i) {
+        const int note = map.lowestNote + (map.highestNote - map.lowestNote) * i / (keysTried - 1);
+        if (instrument->key(note).slot < 0 || weakerDb.contains(note))
+            continue;
+        const Phrase phrase(instrument, surface, sampleRateHz, note, note);
+        if (const double weaker = lufs(phrase, own) - lufs(phrase, scraped); std::isfinite(weaker))
+            weakerDb[note] = weaker;
+    }
+    if (weakerDb.empty())
+        return strengths;
+    for (int note = map.lowestNote; note <= map.highestNote; ++note)
+        if (const int slot = instrument->key(note).slot; slot >= 0)
+            strengths[static_cast<std::size_t>(slot)] =
+                std::pow(10, (between(weakerDb, note) + scrapeConstantDb) / 20);
+    return strengths;
+}
+
+} // namespace idiophone
