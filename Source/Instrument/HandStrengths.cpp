@@ -12,7 +12,7 @@ namespace {
 
 /// What the prediction of scrapes leaves out, and how far below a blow they are to be: by
 /// measurement over the factory presets.
-constexpr double scrapeConstantDb = 0;
+constexpr double scrapeConstantDb = 34;
 
 constexpr int keysTried = 8;
 

@@ -1,5 +1,6 @@
 // A hand that drags over a surface.
 #include "Instrument/HandScrape.h"
+#include "Instrument/FactoryContent.h"
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"
@@ -57,7 +58,74 @@ std::vector<float> drag(Player& player,
     return output;
 }
 
+std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& point) {
+    std::array<double, 3> metres{};
+    for (std::size_t k = 0; k < mostShapeRows; ++k) {
+        const auto vertex = object.shapeVertices[static_cast<std::size_t>(point.shapeRows[k])];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            metres[axis] += static_cast<double>(
+                point.weights[k] * object.vertices[3 * static_cast<std::size_t>(vertex) + axis]);
+    }
+    return metres;
+}
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// A second of a hand that goes to and fro on what a key strikes, half a metre a second.
+std::vector<float> scrapedToAndFro(Player& player, const Key& key, const Preset& preset) {
+    const auto& strip = player.instrument().strip(key);
+    const auto& slot = player.instrument().slots()[static_cast<std::size_t>(key.slot)];
+    const auto placeAt = [&](double along) { return strip.between(along, 0).point; };
+    const double lengthMetres =
+        slot.sizeRatio * preset.parameters[ParameterId::size] / 0.6 *
+        distance(metresOf(*slot.object, placeAt(0.2)), metresOf(*slot.object, placeAt(0.8)));
+    std::vector<float> output;
+    double along = 0.2, step = 0.5 * eventSamples / rateHz / lengthMetres;
+    for (int event = 0; event < 60; ++event) {
+        if (along + step > 0.8 || along + step < 0.2)
+            step = -step;
+        along += step;
+        player.scrapeSurface(
+            {.slot = static_cast<std::size_t>(key.slot), .point = placeAt(along), .pressure = 0.5});
+        const auto sound = renderStereo(player, {}, eventSamples, 100, preset.parameters);
+        output.insert(output.end(), sound.left.begin(), sound.left.end());
+    }
+    return output;
+}
+
 } // namespace
+
+TEST_CASE("Every factory instrument is heard when a hand scrapes it, beside blows") {
+    for (const auto& preset : factoryPresets()) {
+        if (!strikes(preset.parameters))
+            continue;
+        const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+        const auto& map = preset.keyMap;
+        for (const double part : {0.1, 0.5, 0.9}) {
+            const int note =
+                map.lowestNote + static_cast<int>(part * (map.highestNote - map.lowestNote));
+            const auto& key = instrument->key(note);
+            const auto newPlayer = [&] {
+                return Player(instrument, rateHz, preset.surface, preset.seed, preset.parameters);
+            };
+            auto player = newPlayer();
+            const auto scraped = scrapedToAndFro(player, key, preset);
+            auto other = newPlayer();
+            other.strikeSurface({.slot = static_cast<std::size_t>(key.slot),
+                                 .point = instrument->strip(key).between(0.4, 0).point,
+                                 .velocity = 80});
+            const auto struck =
+                renderStereo(other, {}, scraped.size(), 100, preset.parameters).left;
+            INFO(preset.name << ", note " << note);
+            const double decibels = 20 * std::log10(rms(scraped) / rms(struck));
+            CHECK(decibels > -18);
+            CHECK(decibels < 5);
+            CHECK(peak(scraped) < peak(struck));
+        }
+    }
+}
 
 TEST_CASE("A drag over the surface sounds, whatever the keys do, and the faster the louder") {
     auto parameters = quiet();
