@@ -123,6 +123,12 @@ bool EditorWindow::keyPressed(const juce::KeyPress& key) {
     return presets.handleKey(key) || AudioProcessorEditor::keyPressed(key);
 }
 
+// Whatever has the focus, the keys of the computer play where it does not want them. In a host they
+// are the host's.
+bool EditorWindow::keyStateChanged(bool isDown) {
+    return juce::JUCEApplicationBase::isStandaloneApp() && keyboard.followKeys(isDown);
+}
+
 void EditorWindow::timerCallback() {
     presets.refresh();
     object.refresh();
@@ -135,7 +141,7 @@ void EditorWindow::timerCallback() {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
     }
-    // Where nothing else wants them the keys of the computer play. In a host they are the host's.
+    // With the focus on the window around this one its keys would not come here.
     if (juce::JUCEApplicationBase::isStandaloneApp() &&
         getCurrentlyFocusedComponent() == getTopLevelComponent())
         keyboard.takeFocus();

@@ -32,6 +32,7 @@ public:
     void paint(juce::Graphics& g) override;
     void resized() override;
     bool keyPressed(const juce::KeyPress& key) override;
+    bool keyStateChanged(bool isDown) override;
 
     /// Shows the list of presets in place of picture and pages, or these again.
     void setBrowsing(bool browses);

@@ -15,6 +15,8 @@ public:
     /// Shows the range of the instrument that is loaded now, and which keys are down.
     void refresh();
     void takeFocus() { keyboard.grabKeyboardFocus(); }
+    /// Keys of the computer are down or up that nothing else has taken; whether they play.
+    bool followKeys(bool isDown) { return keyboard.keyStateChanged(isDown); }
 
     void resized() override;
     void lookAndFeelChanged() override;

@@ -29,6 +29,7 @@ public:
     explicit KeyedSlider(const ParameterInfo& row)
         : LeftClicked(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox), info(row) {
         setWantsKeyboardFocus(true);
+        setMouseClickGrabsKeyboardFocus(false); // who turns it goes on playing by keys
     }
 
     std::function<void()> onReturn;
