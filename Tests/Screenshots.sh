@@ -90,7 +90,7 @@ for look in dark light; do
         size $extent
         shot "$look-$width-rest"
         # Strike what is in the picture, which in a low window is beside the pages.
-        part=$((width < 1000 ? 54 : 33))
+        part=$((width < 1000 ? 48 : 33))
         xdotool mousemove --window "$window" $((width / 4)) $((height * part / 100 + title)) click 1
         shot "$look-$width-struck"
     done
