@@ -179,8 +179,10 @@ void Player::strikeAt(std::size_t slot,
                       double malletScale,
                       std::uint32_t number) {
     const auto& own = playedInstrument->slots()[slot].object->material;
+    auto softened = current;
+    softened.set(malletSpeed, softness * current[malletSpeed]);
     const auto strike =
-        malletStrike(point, velocity, malletScale, current, surfaceCompliancePerPa(own, current));
+        malletStrike(point, velocity, malletScale, softened, surfaceCompliancePerPa(own, current));
     auto train = contactTrain(strike, malletScale, current[chatter], number);
     if (current[modalPulse] != 0) {
         const auto settings = synthesisSettings(current, bend * current[bendRange]);
@@ -285,7 +287,7 @@ void Player::updateDampers() {
         slotHeld[*slot] = true;
     if (current[letRing] != 0)
         slotHeld.assign(slotHeld.size(), true);
-    auto keys = keysSustained;
+    auto keys = keysSustained | keysCaught;
     for (const auto& down : keysDown)
         keys |= down;
     for (int note = 0; note < 128; ++note)
@@ -316,8 +318,7 @@ void Player::reset() {
     handScrape.reset();
     playedLast.reset();
     keysDown = {};
-    keysSustained.reset();
-    sustainPedal = false;
+    liftPedals();
     bend = 0;
     programChange.reset();
     std::fill(slotSilenced.begin(), slotSilenced.end(), false);

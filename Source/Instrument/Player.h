@@ -106,6 +106,8 @@ private:
     void keyDown(int channel, int note, int velocity);
     void keyUp(int channel, int note);
     void controller(int channel, int number, int value);
+    void catchKeys(bool isDown);
+    void liftPedals();
     void schedule(std::size_t slot, double sample, const Strike& strike);
     void strikePendingBefore(double sampleInCell);
     void strikeNow(std::size_t slot, const Strike& strike, double sampleInCell);
@@ -139,8 +141,11 @@ private:
     float gainAtCellStart = 1, gainAtCellEnd = 1; ///< of both; it is linear in between
 
     std::array<std::bitset<128>, 16> keysDown; ///< of each channel
-    std::bitset<128> keysSustained;
+    std::bitset<128> keysSustained;            ///< released under the sustain pedal
+    std::bitset<128> keysCaught;               ///< down when the sostenuto pedal went down
     bool sustainPedal = false;
+    bool sostenutoPedal = false;
+    double softness = 1;           ///< of the soft pedal: times the mallet's speed
     double bend = 0;               ///< −1 to 1
     std::vector<bool> slotTouched; ///< a hand on its surface holds it
     std::vector<bool> slotHeld;    ///< that, or some key of it is down or sustained, or it may ring

@@ -9,11 +9,15 @@ namespace {
 enum ControllerNumber {
     modulationController = 1,
     sustainController = 64,
+    sostenutoController = 66,
+    softController = 67,
     placeController = 74,
     allSoundOff = 120,
     resetControllers,
     allNotesOff = 123
 };
+
+constexpr double softestShare = 0.5; // of the mallet's speed, with the soft pedal all down
 
 } // namespace
 
@@ -43,7 +47,7 @@ void Player::follow(const MidiEvent& event) {
 void Player::keyDown(int channel, int note, int velocity) {
     keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
     if (!strikes(current))
-        held.press(channel, note, velocity / 127.0);
+        held.press(channel, note, softness * velocity / 127.0);
     if (const auto slot = playedInstrument->key(note).slot; slot >= 0) {
         slotSilenced[static_cast<std::size_t>(slot)] = false;
         playedLast = static_cast<std::size_t>(slot);
@@ -57,6 +61,24 @@ void Player::keyUp(int channel, int note) {
         keysSustained.set(index);
     down.reset(index);
     held.release(channel, note);
+}
+
+/// Keys that are down when the sostenuto pedal goes down are held until it is up again.
+void Player::catchKeys(bool isDown) {
+    if (isDown == sostenutoPedal)
+        return;
+    sostenutoPedal = isDown;
+    keysCaught.reset();
+    if (isDown)
+        for (const auto& down : keysDown)
+            keysCaught |= down;
+}
+
+void Player::liftPedals() {
+    sustainPedal = sostenutoPedal = false;
+    keysSustained.reset();
+    keysCaught.reset();
+    softness = 1;
 }
 
 void Player::controller(int channel, int number, int value) {
@@ -73,6 +95,12 @@ void Player::controller(int channel, int number, int value) {
         if (!sustainPedal)
             keysSustained.reset();
         break;
+    case sostenutoController:
+        catchKeys(value >= 64);
+        break;
+    case softController:
+        softness = 1 - (1 - softestShare) * value / 127.0;
+        break;
     case allSoundOff:
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
         pending.clear();
@@ -84,10 +112,10 @@ void Player::controller(int channel, int number, int value) {
         held.releaseAll();
         keysDown = {};
         keysSustained.reset();
+        keysCaught.reset();
         break;
     case resetControllers:
-        sustainPedal = false;
-        keysSustained.reset();
+        liftPedals();
         bend = 0;
         held.resetControllers(channel);
         loudness.setSpeedController(HeldContacts::controllerAtRest);

@@ -1,11 +1,13 @@
 // What a player makes of MIDI messages other than strikes: releases, pedal, wheel and the rest.
 #include "Instrument/Player.h"
+#include "Support/Highs.h"
 #include "Support/Level.h"
 #include "Support/PoleFit.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -55,6 +57,47 @@ TEST_CASE("The sustain pedal holds released keys until it is lifted") {
     const auto at = [&](std::size_t sample) { return rms(std::span(sound).subspan(sample, 480)); };
     CHECK(at(9000) > 0.3 * at(1000));
     CHECK(at(12500) < 0.001 * at(9000));
+}
+
+TEST_CASE("The sostenuto pedal holds the keys that were down before it, and no others") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.05);
+    const auto levels = [&](int note, int noteAt) {
+        const std::vector events{midi(noteAt, 0x90, note, 100), midi(noteAt + 100, 0x80, note, 0)};
+        std::vector all{midi(500, 0xb0, 66, 127), midi(600, 0xb0, 66, 100),
+                        midi(9600, 0xb0, 66, 0)};
+        all.insert(all.end(), events.begin(), events.end());
+        std::ranges::stable_sort(all, {}, &MidiEvent::sampleOffset);
+        Player player(bars(), sampleRateHz);
+        const auto sound = render(player, all, 19200, 256, parameters);
+        const auto at = [&](std::size_t sample) {
+            return rms(std::span(sound).subspan(sample, 480));
+        };
+        return std::array{at(1000), at(9000), at(12500)};
+    };
+    const auto caught = levels(69, 450); // still down at 500
+    CHECK(caught[1] > 0.3 * caught[0]);
+    CHECK(caught[2] < 0.001 * caught[1]);
+    const auto later = levels(69, 700);
+    CHECK(later[1] < 0.001 * later[0]);
+}
+
+TEST_CASE("The soft pedal makes blows softer and darker, as far as it is down") {
+    const auto played = [](int pedal) {
+        Player player(bars(), sampleRateHz);
+        return render(player, {midi(0, 0xb0, 67, pedal), midi(1, 0x90, 69, 100)}, 9600, 256);
+    };
+    const auto hard = played(0), half = played(64), soft = played(127);
+    const double softer = 20 * std::log10(rms(soft) / rms(hard));
+    CHECK(softer == Approx(-6).margin(1));
+    CHECK(rms(half) < rms(hard));
+    CHECK(rms(half) > rms(soft));
+    CHECK(loudestHighsDb(soft, sampleRateHz) - loudestHighsDb(hard, sampleRateHz) < softer - 0.5);
+    Player player(bars(), sampleRateHz);
+    const auto reset = render(
+        player, {midi(0, 0xb0, 67, 127), midi(0, 0xb0, 121, 0), midi(1, 0x90, 69, 100)}, 9600, 256);
+    CHECK(reset == hard);
 }
 
 TEST_CASE("A key struck again just after its release is not damped") {
