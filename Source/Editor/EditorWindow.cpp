@@ -126,7 +126,17 @@ bool EditorWindow::keyPressed(const juce::KeyPress& key) {
 // Whatever has the focus, the keys of the computer play where it does not want them. In a host they
 // are the host's.
 bool EditorWindow::keyStateChanged(bool isDown) {
-    return juce::JUCEApplicationBase::isStandaloneApp() && keyboard.followKeys(isDown);
+    if (!juce::JUCEApplicationBase::isStandaloneApp())
+        return false;
+    if (dynamic_cast<juce::TextInputTarget*>(getCurrentlyFocusedComponent()) != nullptr)
+        return false; // it takes keys that go down, but tells of those that come up
+    return keyboard.followKeys(isDown);
+}
+
+void EditorWindow::focusOfChildComponentChanged(FocusChangeType) {
+    if (!hasKeyboardFocus(true) ||
+        dynamic_cast<juce::TextInputTarget*>(getCurrentlyFocusedComponent()) != nullptr)
+        keyboard.releaseKeys();
 }
 
 void EditorWindow::timerCallback() {

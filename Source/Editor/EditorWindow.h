@@ -33,6 +33,7 @@ public:
     void resized() override;
     bool keyPressed(const juce::KeyPress& key) override;
     bool keyStateChanged(bool isDown) override;
+    void focusOfChildComponentChanged(FocusChangeType cause) override;
 
     /// Shows the list of presets in place of picture and pages, or these again.
     void setBrowsing(bool browses);

@@ -17,6 +17,8 @@ public:
     void takeFocus() { keyboard.grabKeyboardFocus(); }
     /// Keys of the computer are down or up that nothing else has taken; whether they play.
     bool followKeys(bool isDown) { return keyboard.keyStateChanged(isDown); }
+    /// As when it loses the focus: what the computer's keys hold is let go.
+    void releaseKeys() { keyboard.focusLost(focusChangedDirectly); }
 
     void resized() override;
     void lookAndFeelChanged() override;

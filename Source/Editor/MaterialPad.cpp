@@ -113,9 +113,9 @@ void MaterialPad::endMix() {
 }
 
 void MaterialPad::mouseDown(const juce::MouseEvent& event) {
+    burst.finish();
     if (!event.mods.isLeftButtonDown())
         return;
-    burst.finish();
     if (const auto named = namedAt(event.position))
         return choose(*named);
     beginMix();

@@ -7,10 +7,10 @@
 
 namespace idiophone {
 
-/// From the vertex nearest to one point to that nearest to another along the edges of faces that
-/// face within 60° of a unit vector, or of all where these do not join the two: the shortest such
-/// way, with its corners rounded off. Empty where nothing joins them. The mesh has a face, and its
-/// indices are valid.
+/// Along the edges of faces that face within 60° of a unit vector, or of all where these do not
+/// join, from the vertex of such faces nearest to one point to that nearest to another: the
+/// shortest such way, with its corners rounded off. Empty where nothing joins them. The mesh has a
+/// face, and its indices are valid.
 std::vector<Eigen::Vector3d> surfaceRoute(const Mesh& mesh,
                                           const Eigen::Vector3d& from,
                                           const Eigen::Vector3d& to,

@@ -66,10 +66,16 @@ std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instr
     }
     if (weakerDb.empty())
         return strengths;
+    // Of what several keys play, the mean over them.
+    std::vector<double> sums(strengths.size(), 0), keys(strengths.size(), 0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note)
-        if (const int slot = instrument->key(note).slot; slot >= 0)
-            strengths[static_cast<std::size_t>(slot)] =
-                std::pow(10, (between(weakerDb, note) + scrapeConstantDb) / 20);
+        if (const int slot = instrument->key(note).slot; slot >= 0) {
+            sums[static_cast<std::size_t>(slot)] += between(weakerDb, note);
+            keys[static_cast<std::size_t>(slot)] += 1;
+        }
+    for (std::size_t slot = 0; slot < strengths.size(); ++slot)
+        if (keys[slot] > 0)
+            strengths[slot] = std::pow(10, (sums[slot] / keys[slot] + scrapeConstantDb) / 20);
     return strengths;
 }
 

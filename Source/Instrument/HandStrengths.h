@@ -11,7 +11,7 @@
 namespace idiophone {
 
 /// [slots] What multiplies the contact force of a hand on each object: a scrape of some newtons is
-/// 40 to 70 dB weaker than a blow of a mallet, and presets that strike have their level by blows.
+/// 37 to 75 dB weaker than a blow of a mallet, and presets that strike have their level by blows.
 /// With it a drag of half a metre a second is nearly as loud as a blow there, by the prediction for
 /// the preset's own values; what is changed afterwards is heard. 1 where keys scrape or roll
 /// themselves, and where nothing sounds. The surface is valid. Not for the audio thread.

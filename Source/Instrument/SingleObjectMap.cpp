@@ -59,7 +59,7 @@ Eigen::Vector3d vectorOf(const Point& point) {
 std::vector<Eigen::Vector3d> roundHoles(const std::vector<std::optional<Eigen::Vector3d>>& hits,
                                         const Mesh& mesh,
                                         const Eigen::Vector3d& facing) {
-    constexpr std::size_t mostPlaces = 64;
+    constexpr std::size_t mostPlaces = 32;
     std::vector<Eigen::Vector3d> path;
     bool missed = false;
     for (const auto& hit : hits) {

@@ -211,6 +211,7 @@ private:
     std::array<float*, 2> channelPointers{};
 
     // The message thread's.
+    std::array<int, parameterCount> openGestures{}; ///< by hand, of each parameter; message thread
     SoundHistory history{*this};
     PresetCollection shelf{*this, history, userSettingsFolder()};
 };

@@ -6,6 +6,7 @@
 #include "Object/MaterialFile.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -26,6 +27,9 @@ std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& poi
 } // namespace
 
 juce::AudioProcessorEditor* Processor::createEditor() {
+    for (std::size_t i = 0; i < openGestures.size(); ++i)
+        if (std::exchange(openGestures[i], 0) > 0)
+            parameters[static_cast<ParameterId>(i)].endChangeGesture();
     history.endAllGestures();
     return new EditorWindow(*this, *this);
 }
@@ -69,7 +73,11 @@ bool Processor::isLive(ParameterId parameter) const {
            });
 }
 
+// A figure that makes a material custom is changed within a gesture of its own: the outer one
+// counts.
 void Processor::beginParameterChange(ParameterId parameter) {
+    if (openGestures[static_cast<std::size_t>(parameter)]++ > 0)
+        return;
     history.beginGesture(parameter);
     parameters[parameter].beginChangeGesture();
 }
@@ -82,6 +90,9 @@ void Processor::changeParameter(ParameterId parameter, double value) {
 }
 
 void Processor::endParameterChange(ParameterId parameter) {
+    auto& open = openGestures[static_cast<std::size_t>(parameter)];
+    if (open == 0 || --open > 0)
+        return;
     parameters[parameter].endChangeGesture();
     history.endGesture(parameter);
 }

@@ -54,9 +54,11 @@ SoundLabel Processor::loadedLabel() const {
 void Processor::playSound(const Sound& wanted) {
     if (wanted.instrument == nullptr)
         return;
-    // Steps back and forth between keys of one object leave its analysis under way.
-    const bool isImport =
-        importLoads == loads && sharesObject(wanted.instrument, loadedInstrument());
+    // Steps back and forth between keys of one object leave its analysis under way; another preset
+    // of the same object does not.
+    const auto now = loadedSound();
+    const bool isImport = importLoads == loads && wanted.preset.name == now.preset.name &&
+                          sharesObject(wanted.instrument, now.instrument);
     {
         const std::scoped_lock lock(soundMutex);
         auto values = wanted.parameters;
@@ -83,10 +85,13 @@ void Processor::playSound(const Sound& wanted) {
 
 void Processor::setValue(ParameterId parameter, double value) {
     auto& changed = parameters[parameter];
-    changed.beginChangeGesture();
+    const bool isInGesture = openGestures[static_cast<std::size_t>(parameter)] > 0;
+    if (!isInGesture)
+        changed.beginChangeGesture();
     changed.setExactValue(value);
     changed.sendValueChangedMessageToListeners(changed.getValue());
-    changed.endChangeGesture();
+    if (!isInGesture)
+        changed.endChangeGesture();
 }
 
 } // namespace idiophone

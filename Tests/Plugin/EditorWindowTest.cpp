@@ -289,6 +289,26 @@ TEST_CASE("A turn of the wheel and a held arrow key are one gesture and one step
     CHECK_FALSE(processor.editHistory().canUndo());
 }
 
+TEST_CASE(
+    "A figure that makes its material custom is one gesture, one step, and comes back exactly") {
+    Processor processor;
+    auto window = open(processor);
+    auto* slider = find<juce::Slider>(*window, "Density");
+    REQUIRE(slider != nullptr);
+    const double before = processor.effectiveValue(ParameterId::density);
+    for (int press = 0; press < 3; ++press)
+        slider->keyPressed(juce::KeyPress(juce::KeyPress::upKey));
+    const double after = processor.effectiveValue(ParameterId::density);
+    CHECK(after > before);
+    auto& history = processor.editHistory();
+    history.undo(); // in the middle of the burst
+    CHECK(processor.effectiveValue(ParameterId::density) == before);
+    CHECK_FALSE(history.canUndo());
+    history.redo();
+    CHECK(processor.effectiveValue(ParameterId::density) == after);
+    CHECK(processor.parameterValue(ParameterId::material) == customMaterial);
+}
+
 TEST_CASE("The list of materials names the objects' own") {
     Processor processor;
     auto window = open(processor);
