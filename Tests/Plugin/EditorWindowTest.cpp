@@ -306,7 +306,7 @@ TEST_CASE(
     CHECK_FALSE(history.canUndo());
     history.redo();
     CHECK(processor.effectiveValue(ParameterId::density) == after);
-    CHECK(processor.parameterValue(ParameterId::material) == customMaterial);
+    CHECK(processor.parameterValue(ParameterId::material) == double{customMaterial});
 }
 
 TEST_CASE("The list of materials names the objects' own") {
