@@ -1,6 +1,10 @@
 # idiophone_debian_source(<FetchContent name> PACKAGE p VERSION v SUITE s [FOLDER f])
 # On Debian, unpacks a pinned source package once into build/dependencies and points FetchContent
 # at it; elsewhere does nothing, so that FetchContent fetches the upstream tag.
+#
+# idiophone_debian_binary(<variable> PACKAGE p VERSION v SUITE s)
+# For packages whose source is not served: on Debian, unpacks what would be installed and sets the
+# variable to its folder; elsewhere sets it to nothing.
 include(FetchContent)
 
 set(IDIOPHONE_DEPENDENCIES "${CMAKE_SOURCE_DIR}/build/dependencies" CACHE PATH
@@ -12,6 +16,24 @@ if(EXISTS /etc/debian_version AND EXISTS /usr/share/keyrings/debian-archive-keyr
 endif()
 option(IDIOPHONE_DEBIAN_SOURCES "Take JUCE, libigl and Catch2 from Debian's source packages" ${is_debian})
 
+# Unpacks it into the folder unless that stands already; further arguments go to debian-source.sh.
+function(idiophone_unpack_debian folder package version suite)
+    if(EXISTS "${folder}")
+        return()
+    endif()
+    message(STATUS "Fetching Debian package ${package} ${version}")
+    file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
+    execute_process(
+        COMMAND "${CMAKE_SOURCE_DIR}/cmake/debian-source.sh" ${package} ${version} ${suite}
+                "${IDIOPHONE_DEPENDENCIES}" ${ARGN}
+        RESULT_VARIABLE failed OUTPUT_VARIABLE log ERROR_VARIABLE log)
+    if(failed)
+        message(FATAL_ERROR "Debian package ${package} ${version} could not be fetched; "
+                            "-DIDIOPHONE_DEBIAN_SOURCES=OFF takes the upstream repository "
+                            "instead.\n${log}")
+    endif()
+endfunction()
+
 function(idiophone_debian_source name)
     cmake_parse_arguments(arg "" "PACKAGE;VERSION;SUITE;FOLDER" "" ${ARGN})
     string(TOUPPER ${name} upper)
@@ -20,18 +42,16 @@ function(idiophone_debian_source name)
     endif()
     string(REGEX REPLACE "-[^-]*$" "" upstream_version "${arg_VERSION}")
     set(folder "${IDIOPHONE_DEPENDENCIES}/${arg_PACKAGE}-${upstream_version}")
-    if(NOT EXISTS "${folder}")
-        message(STATUS "Fetching Debian source package ${arg_PACKAGE} ${arg_VERSION}")
-        file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
-        execute_process(
-            COMMAND "${CMAKE_SOURCE_DIR}/cmake/debian-source.sh" ${arg_PACKAGE} ${arg_VERSION}
-                    ${arg_SUITE} "${IDIOPHONE_DEPENDENCIES}" ${arg_FOLDER}
-            RESULT_VARIABLE failed OUTPUT_VARIABLE log ERROR_VARIABLE log)
-        if(failed)
-            message(FATAL_ERROR "Debian source package ${arg_PACKAGE} ${arg_VERSION} could not be "
-                                "fetched; -DIDIOPHONE_DEBIAN_SOURCES=OFF takes the upstream "
-                                "repository instead.\n${log}")
-        endif()
-    endif()
+    idiophone_unpack_debian("${folder}" ${arg_PACKAGE} ${arg_VERSION} ${arg_SUITE} ${arg_FOLDER})
     set(FETCHCONTENT_SOURCE_DIR_${upper} "${folder}" CACHE PATH "Unpacked source of ${name}" FORCE)
+endfunction()
+
+function(idiophone_debian_binary variable)
+    cmake_parse_arguments(arg "" "PACKAGE;VERSION;SUITE" "" ${ARGN})
+    set(${variable} "" PARENT_SCOPE)
+    if(IDIOPHONE_DEBIAN_SOURCES)
+        set(folder "${IDIOPHONE_DEPENDENCIES}/${arg_PACKAGE}-${arg_VERSION}")
+        idiophone_unpack_debian("${folder}" ${arg_PACKAGE} ${arg_VERSION} ${arg_SUITE} --binary)
+        set(${variable} "${folder}" PARENT_SCOPE)
+    endif()
 endfunction()

@@ -1,25 +1,34 @@
 #!/usr/bin/env bash
-# Unpacks one pinned Debian source package, signature checked, without touching the machine's own
-# apt sources. Used by DebianSource.cmake; the mirror is read from the machine's apt settings.
-#   debian-source.sh PACKAGE VERSION SUITE DESTINATION [FOLDER_TO_KEEP]
+# Unpacks one pinned Debian package, signature checked, without touching the machine's own apt
+# sources. Used by DebianSource.cmake; the mirror is read from the machine's apt settings.
+#   debian-source.sh PACKAGE VERSION SUITE DESTINATION [FOLDER_TO_KEEP | --archives | --binary]
+# --archives: of the source package only what it is packed in; --binary: the package that is
+# installed, to DESTINATION/PACKAGE-VERSION, instead of its source.
 set -euo pipefail
 package=$1 version=$2 suite=$3 destination=$4 keep=${5:-}
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
     awk '$2 == "bookworm" { print $1; exit }')
 [ -n "$mirror" ] || { echo "apt knows no bookworm mirror; run apt-get update first" >&2; exit 1; }
 
-work=$destination/apt-$suite
+kind=deb-src lists=Sources work=$destination/apt-$suite
+[ "$keep" != --binary ] || { kind=deb lists=Packages work=$work-binary; }
 mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
-echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" \
+echo "$kind [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" \
     > "$work/sources.list"
 apt=(apt-get -qq -o "Dir::Etc::sourcelist=$work/sources.list" -o Dir::Etc::sourceparts=-
     -o "Dir::State::lists=$work/lists" -o "Dir::Cache=$work/cache" -o APT::Sandbox::User=root)
 
 cd "$destination"
-[ -n "$(find "$work/lists" -name '*Sources*' -print -quit)" ] || "${apt[@]}" update
+[ -n "$(find "$work/lists" -name "*$lists*" -print -quit)" ] || "${apt[@]}" update
 if [ "$keep" = --archives ]; then
     # Some mirrors serve a package's archives but not its description: take what there is.
     "${apt[@]}" source --download-only "$package=$version" || true
+elif [ "$keep" = --binary ]; then
+    "${apt[@]}" download "$package=$version"
+    rm -rf "$package-$version.partial"
+    dpkg-deb --extract "${package}_"*.deb "$package-$version.partial"
+    mv "$package-$version.partial" "$package-$version"
+    rm -f "${package}_"*.deb
 else
     rm -rf "$package-${version%-*}"
     "${apt[@]}" source "$package=$version"

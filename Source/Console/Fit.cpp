@@ -7,8 +7,8 @@
 #include "Console/WavReader.h"
 #include "Geometry/MeshReader.h"
 #include "Object/ModalObjectFile.h"
+#include "Object/NumberText.h"
 
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
@@ -37,15 +37,6 @@ struct Strike {
 
 constexpr double farthestMetres = 1e4;
 
-std::optional<double> parseNumber(std::string_view text) {
-    double value = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
-        std::abs(value) > farthestMetres)
-        return std::nullopt;
-    return value;
-}
-
 /// The last @ parts file from place, for a file's name may hold some.
 Result<Strike> parseStrike(const std::string& text) {
     const auto refuse = [&] {
@@ -60,7 +51,7 @@ Result<Strike> parseStrike(const std::string& text) {
     while (true) {
         const auto comma = rest.find(',');
         const auto number = parseNumber(rest.substr(0, comma));
-        if (!number)
+        if (!number || !(std::abs(*number) <= farthestMetres))
             return refuse();
         numbers.push_back(*number);
         if (comma == std::string_view::npos)

@@ -4,6 +4,7 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/PresetChoice.h"
 #include "Console/SongRender.h"
+#include "Instrument/ScalaTuning.h"
 #include "Object/TextFile.h"
 
 #include <iostream>
@@ -17,6 +18,8 @@ struct Options {
     std::string preset;
     std::filesystem::path midi;
     std::filesystem::path impulses;
+    std::filesystem::path scale;
+    std::filesystem::path mapping;
     std::vector<std::string> assignments;
     RecordingFormat format;
     std::filesystem::path statistics;
@@ -47,6 +50,24 @@ Result<void> report(const RenderTally& tally, const Recording& recording, const 
     return {};
 }
 
+Result<ScalaFile> readScalaFile(const std::filesystem::path& file) {
+    if (file.empty())
+        return ScalaFile{};
+    return readTextFile(file, ScalaTuning::largestFileBytes).transform([&](std::string text) {
+        return ScalaFile{.name = file.string(), .text = std::move(text)};
+    });
+}
+
+Result<KeyTuning> readTuning(const Options& options) {
+    const auto scale = readScalaFile(options.scale);
+    if (!scale)
+        return tl::unexpected(scale.error());
+    const auto mapping = readScalaFile(options.mapping);
+    if (!mapping)
+        return tl::unexpected(mapping.error());
+    return keyTuning({.scale = *scale, .mapping = *mapping});
+}
+
 Result<RenderTally> playSong(const Preset& preset,
                              const ParameterValues& values,
                              const Options& options,
@@ -54,11 +75,15 @@ Result<RenderTally> playSong(const Preset& preset,
     auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
+    const auto tuning = readTuning(options);
+    if (!tuning)
+        return tl::unexpected(tuning.error());
     const auto song = readMidiSong(options.midi);
     if (!song)
         return tl::unexpected(song.error());
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
                   preset.parameters);
+    player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
     auto tally =
         renderSong(player, *song, values, options.format, to, options.midi.filename().string());
@@ -99,10 +124,16 @@ void addRender(CLI::App& program, Action& chosen) {
     auto* preset = command->add_option("--preset", options->preset,
                                        "A factory preset's name or a preset file");
     auto* source = command->add_option_group("source", "What is played");
-    source->add_option("--midi", options->midi, "A Standard MIDI File")->needs(preset);
+    auto* midi = source->add_option("--midi", options->midi, "A Standard MIDI File")->needs(preset);
     source->add_option("--impulses", options->impulses,
                        "Contacts as a physics engine reports them (docs/impulses.md)");
     source->require_option(1);
+    command->add_option("--scale", options->scale, "A Scala scale (.scl) for the keys")
+        ->needs(midi);
+    command
+        ->add_option("--mapping", options->mapping,
+                     "A keyboard mapping (.kbm) of the scale's notes")
+        ->needs(midi);
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
     command->add_option("--stats", options->statistics, "A JSON file for figures of the rendering");

@@ -6,6 +6,7 @@
 #include "Editor/ParameterPage.h"
 #include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
+#include "Editor/TuningPage.h"
 
 #include <algorithm>
 #include <vector>
@@ -25,9 +26,9 @@ constexpr double deckShare = 0.44;
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 constexpr int tooltipMilliseconds = 600;
 
-juce::String firstReadable(const juce::StringArray& files, const WorkshopView& view) {
+juce::String firstReadable(const juce::StringArray& files, const ProcessorView& view) {
     for (const auto& file : files)
-        if (view.canOpen(file.toStdString()))
+        if (view.canOpen(file.toStdString()) || view.isTuningFile(file.toStdString()))
             return file;
     return {};
 }
@@ -81,14 +82,16 @@ void EditorWindow::makePages() {
         "Contact",
         std::vector<ParameterGroup>{
             {"Scrape and roll", 0, {contact, contactForce, contactSpeed, roughness, rollCoupling}},
-            {"Keys", 1, {letRing, releaseTime, bendRange}},
-            {"Motor", 1, {motorSpeed, motorDepth}}},
+            {"Keys", 1, {letRing, releaseTime}},
+            {"Motor", 1, {motorSpeed, motorSync, motorDepth}}},
         view));
     deck.add(std::make_unique<ParameterPage>(
         "Output",
         std::vector<ParameterGroup>{{"Listening", 0, {radiation, width}},
-                                    {"Output", 1, {level, tune, bypass}}},
+                                    {"Output", 1, {level, bypass}}},
         view));
+    tuningPage = deck.pageCount();
+    deck.add(std::make_unique<TuningPage>(view));
     importPage = deck.pageCount();
     deck.add(std::make_unique<ImportPage>(view));
 }
@@ -185,8 +188,12 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     const auto file = firstReadable(files, view);
     if (file.isEmpty())
         return;
-    view.openFile(file.toStdString());
-    deck.show(importPage);
+    const bool isTuning = view.isTuningFile(file.toStdString());
+    if (isTuning)
+        view.openTuning(file.toStdString());
+    else
+        view.openFile(file.toStdString());
+    deck.show(isTuning ? tuningPage : importPage);
 }
 
 void EditorWindow::paint(juce::Graphics& g) {

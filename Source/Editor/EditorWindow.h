@@ -64,7 +64,7 @@ private:
     KeyboardPanel keyboard;
     DropFrame dropFrame;
     FocusRing focusRing;
-    int importPage = 0;                          ///< of the deck
+    int importPage = 0, tuningPage = 0;          ///< of the deck
     std::optional<juce::TooltipWindow> tooltips; ///< while the window is not at rest: it polls
     int ticksAtRest = 0;
 };

@@ -44,7 +44,7 @@ public:
     virtual std::string chosenPreset() const = 0;
     /// What the sound is called and said to be.
     virtual PresetDetails soundDetails() const = 0;
-    /// Whether a parameter but bypass is not as its preset has it.
+    /// Whether a parameter beside the setup is not as its preset has it.
     virtual bool soundIsChanged() const = 0;
 
     /// One step of the history, as is `loadInitialSound`.

@@ -6,6 +6,7 @@
 #include "Editor/PresetShelf.h"
 #include "Editor/SoundVariants.h"
 #include "Editor/SoundView.h"
+#include "Editor/TuningView.h"
 #include "Editor/WorkshopView.h"
 #include "Object/ModalObject.h"
 #include "Parameters/ParameterTable.h"
@@ -20,7 +21,7 @@
 namespace idiophone {
 
 /// For the message thread.
-class ProcessorView : public SoundView, public WorkshopView {
+class ProcessorView : public SoundView, public WorkshopView, public TuningView {
 public:
     struct Status {
         std::string sentence; ///< what is loaded, or what went wrong last

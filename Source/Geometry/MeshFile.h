@@ -3,6 +3,7 @@
 // program or overrun buffers on malformed files (docs/decisions).
 #pragma once
 
+#include "Object/NumberText.h"
 #include "Object/Result.h"
 
 #include <cstddef>
@@ -38,10 +39,6 @@ public:
 private:
     std::string_view rest_;
 };
-
-/// A whole word as a number ("nan" and "inf" are numbers, to be refused by what they mean).
-std::optional<double> parseNumber(std::string_view word);
-std::optional<std::int64_t> parseInteger(std::string_view word);
 
 /// One reader a format. The errors say the fault only; readMesh adds the file.
 Result<RawMesh> readObj(std::string_view bytes);

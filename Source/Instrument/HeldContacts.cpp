@@ -124,6 +124,12 @@ void HeldContacts::setPlaceController(int channel, int value) noexcept {
     controllers[static_cast<std::size_t>(channel)].place = value;
 }
 
+double HeldContacts::placeMoved(int channel, double along) const noexcept {
+    const double turn = controllers[static_cast<std::size_t>(channel)].place - controllerAtRest;
+    return along + (turn < 0 ? turn / controllerAtRest * along
+                             : turn / (127 - controllerAtRest) * (1 - along));
+}
+
 void HeldContacts::resetControllers(int channel) noexcept {
     controllers[static_cast<std::size_t>(channel)] = {};
     for (auto& contact : contacts)
@@ -139,7 +145,7 @@ void HeldContacts::sound(const ParameterValues& parameters,
         releaseAll();
     for (auto& contact : contacts)
         if (contact.isActive()) {
-            chooseKind(contact, parameters, settings);
+            chooseKind(contact, parameters, settings, synthesiser);
             soundOne(contact, parameters, synthesiser, cell);
         }
 }
@@ -147,13 +153,15 @@ void HeldContacts::sound(const ParameterValues& parameters,
 /// While a contact fades out it stays of its kind, whatever is chosen by then.
 void HeldContacts::chooseKind(Contact& contact,
                               const ParameterValues& parameters,
-                              const SynthesisSettings& settings) const noexcept {
+                              SynthesisSettings settings,
+                              const Synthesiser& synthesiser) const noexcept {
     if (strikes(parameters))
         return;
     const bool rolls = static_cast<int>(parameters[ParameterId::contact]) == rollContact;
     const double coupling = rolls ? parameters[rollCoupling] / 100 : 0;
     if (coupling > 0) {
         const auto slot = static_cast<std::size_t>(instrument.key(contact.note).slot);
+        settings.frequencyRatio *= synthesiser.frequencyRatio(slot);
         const auto modes = coupledModes(lowestModes[slot], ownMaterial(contact), settings);
         contact.force.setCoupledModes(modes.span());
     }
@@ -210,10 +218,7 @@ void HeldContacts::move(Contact& contact,
                         const Key& key,
                         const ParameterValues& parameters) const noexcept {
     const auto own = aimedPlace(key.along, parameters);
-    const double turn = controllersOf(contact).place - controllerAtRest;
-    const double target =
-        own.along + (turn < 0 ? turn / controllerAtRest * own.along
-                              : turn / (127 - controllerAtRest) * (1 - own.along));
+    const double target = placeMoved(contact.channel, own.along);
     const auto& strip = instrument.strip(key);
     const double cellSeconds = cellSamples / rateHz;
     const double ratio =

@@ -55,11 +55,16 @@ public:
     void setPressure(int channel, double pressure) noexcept;
     void setSpeedController(int channel, int value) noexcept; ///< 0 to 127
     void setPlaceController(int channel, int value) noexcept; ///< 0 to 127
+    /// Where the channel's controller moves a place on a strip to, 0 to 1: at rest nowhere, at 0
+    /// and 127 to the ends.
+    double placeMoved(int channel, double along) const noexcept;
+    void takeControllersOf(const HeldContacts& other) noexcept { controllers = other.controllers; }
     /// As before any of the channel moved: held keys press as they were struck.
     void resetControllers(int channel) noexcept;
 
-    /// Applies a cell of every contact's force to the cell begun last, under the settings of that
-    /// cell. While the parameters ask for strikes, every contact counts as released.
+    /// Applies a cell of every contact's force to the cell begun last, under the settings and the
+    /// slots' frequency ratios of that cell. While the parameters ask for strikes, every contact
+    /// counts as released.
     void sound(const ParameterValues& parameters,
                const SynthesisSettings& settings,
                Synthesiser& synthesiser,
@@ -94,7 +99,8 @@ private:
 
     void chooseKind(Contact& contact,
                     const ParameterValues& parameters,
-                    const SynthesisSettings& settings) const noexcept;
+                    SynthesisSettings settings,
+                    const Synthesiser& synthesiser) const noexcept;
     void soundOne(Contact& contact,
                   const ParameterValues& parameters,
                   Synthesiser& synthesiser,

@@ -43,6 +43,7 @@ public:
     /// Where the modulation wheel is, 0 to 127: the speed of scrapes and rolls moves their spectrum
     /// by octaves. At rest until it moves; counts from the next `advance` on.
     void setSpeedController(int value) noexcept { wheel = value; }
+    int speedController() const noexcept { return wheel; }
 
     /// The last gain that was complete.
     double gainDb() const noexcept { return state.gainDb; }

@@ -72,8 +72,9 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                  seed,
                  handStrengths(playedInstrument, surface, sampleRateHz, own)),
       loudness(playedInstrument, surface, sampleRateHz, own), motor(cellSamples / sampleRateHz),
-      slotTouched(playedInstrument->slots().size(), false),
+      slotTuning(*playedInstrument), slotTouched(playedInstrument->slots().size(), false),
       slotHeld(playedInstrument->slots().size(), false),
+      slotPressed(playedInstrument->slots().size(), 0),
       slotSilenced(playedInstrument->slots().size(), false) {
     late.reserve(lateCapacity);
     surfaceStrikes.reserve(surfaceCapacity);
@@ -83,6 +84,7 @@ void Player::process(const StereoSpan& output,
                      std::span<const MidiEvent> events,
                      const ParameterValues& parameters) {
     current = parameters;
+    bend.setParameters(current);
     const int count = static_cast<int>(output.size());
     std::size_t next = 0;
     for (int position = 0; position < count;) {
@@ -117,10 +119,11 @@ void Player::strikeFor(const MidiEvent& event) {
         return;
     const int velocity = event.bytes[2] & 0x7f;
     const auto& key = playedInstrument->key(event.bytes[1]);
-    if (key.slot < 0)
+    if (!slotTuning.sounds(event.bytes[1] & 0x7f))
         return;
     const auto number = strikeCount++;
-    const auto place = strikePlace(key.along, current, number);
+    auto place = strikePlace(key.along, current, number);
+    place.along = held.placeMoved(event.bytes[0] & 0x0f, place.along);
     strikeAt(static_cast<std::size_t>(key.slot),
              playedInstrument->strip(key).between(place.along, place.across).point, velocity,
              key.malletScale, number);
@@ -185,9 +188,8 @@ void Player::strikeAt(std::size_t slot,
         malletStrike(point, velocity, malletScale, softened, surfaceCompliancePerPa(own, current));
     auto train = contactTrain(strike, malletScale, current[chatter], number);
     if (current[modalPulse] != 0) {
-        const auto settings = synthesisSettings(current, bend * current[bendRange]);
-        train = withModalPulses(train,
-                                lowestModes[slot].moved(liveFrequencyRatio(own, settings)).span());
+        const double ratio = synth.frequencyRatio(slot) * liveFrequencyRatio(own, settingsNow());
+        train = withModalPulses(train, lowestModes[slot].moved(ratio).span());
     }
     if (train.size() > pending.room()) {
         strikeNow(slot, strike, cellPosition);
@@ -240,9 +242,14 @@ void Player::strikeNow(std::size_t slot, const Strike& strike, double sampleInCe
     }
 }
 
+SynthesisSettings Player::settingsNow() const {
+    return synthesisSettings(current, bend.commonSemitones());
+}
+
 void Player::beginCell() {
-    const auto settings = synthesisSettings(current, bend * current[bendRange]);
+    const auto settings = settingsNow();
     synth.setSettings(settings);
+    slotTuning.apply(bend, synth);
     updateDampers();
     synth.beginCell(cell());
     held.sound(current, settings, synth, cell());
@@ -266,7 +273,8 @@ void Player::updateGain() {
     if (std::abs(goal - matchingGain) < 1e-5f * goal)
         matchingGain = goal;
     gainAtCellStart = before;
-    gainAtCellEnd = matchingGain * motor.advance(current[motorSpeed], current[motorDepth] / 100);
+    gainAtCellEnd = matchingGain *
+                    motor.advance(motorTurnsPerSecond(current, tempo), current[motorDepth] / 100);
 }
 
 /// Copies what is next in the cell to the output, with its gain.
@@ -290,14 +298,22 @@ void Player::updateDampers() {
     auto keys = keysSustained | keysCaught;
     for (const auto& down : keysDown)
         keys |= down;
-    for (int note = 0; note < 128; ++note)
-        if (const int slot = playedInstrument->key(note).slot;
-            slot >= 0 && keys[static_cast<std::size_t>(note)])
-            slotHeld[static_cast<std::size_t>(slot)] = true;
-    for (std::size_t slot = 0; slot < slotHeld.size(); ++slot)
+    std::fill(slotPressed.begin(), slotPressed.end(), 0.0f);
+    const bool pressureDamps = strikes(current);
+    for (std::size_t note = 0; note < keys.size(); ++note) {
+        const int key = playedInstrument->key(static_cast<int>(note)).slot;
+        if (key < 0 || !keys[note])
+            continue;
+        const auto slot = static_cast<std::size_t>(key);
+        slotHeld[slot] = true;
+        if (pressureDamps)
+            slotPressed[slot] = std::max(slotPressed[slot], keyPressures[note]);
+    }
+    for (std::size_t slot = 0; slot < slotHeld.size(); ++slot) {
+        const double share = slotHeld[slot] ? slotPressed[slot] * slotPressed[slot] : 1;
         synth.setDamping(slot, slotSilenced[slot] ? decayPerSecond(silencingSeconds)
-                               : slotHeld[slot]   ? 0
-                                                  : decayPerSecond(current[releaseTime]));
+                                                  : share * decayPerSecond(current[releaseTime]));
+    }
 }
 
 void Player::reset() {
@@ -318,8 +334,9 @@ void Player::reset() {
     handScrape.reset();
     playedLast.reset();
     keysDown = {};
+    keyPressures.fill(0);
     liftPedals();
-    bend = 0;
+    bend.reset();
     programChange.reset();
     std::fill(slotSilenced.begin(), slotSilenced.end(), false);
 }

@@ -9,7 +9,9 @@
 #include "Instrument/LowestModes.h"
 #include "Instrument/Motor.h"
 #include "Instrument/PendingStrikes.h"
+#include "Instrument/PitchBend.h"
 #include "Instrument/SilencedModes.h"
+#include "Instrument/SlotTuning.h"
 #include "Instrument/StereoSpan.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Synthesiser.h"
@@ -83,7 +85,20 @@ public:
     /// rendered; a `reset` changes nothing.
     void setSilencedModes(const SilencedModes& silenced);
 
-    /// Silence, all keys up, controllers at rest, the grid at its start.
+    /// Acts as `setSilencedModes` does. Keys without a pitch play nothing.
+    void setTuning(const KeyTuning& tuning) { slotTuning.setTuning(tuning); }
+
+    /// Pedals, wheels and other controllers stand as another player's do, whose keys this one does
+    /// not have.
+    void takeControllersOf(const Player& former) noexcept;
+    /// Of these only MPE's zones and the bend ranges.
+    void takeBendSetupOf(const Player& former) noexcept;
+
+    /// The host's, from the next cell on; 0 where it tells none.
+    void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
+
+    /// Silence, all keys up, controllers at rest, the grid at its start. MPE's zones and the bend
+    /// ranges stay as MIDI has set them.
     void reset();
 
     bool silent() const;
@@ -105,6 +120,8 @@ private:
     void strikeWaiting();
     void keyDown(int channel, int note, int velocity);
     void keyUp(int channel, int note);
+    void press(int channel, int note, double pressure);
+    void press(int channel, double pressure);
     void controller(int channel, int number, int value);
     void catchKeys(bool isDown);
     void liftPedals();
@@ -112,6 +129,7 @@ private:
     void strikePendingBefore(double sampleInCell);
     void strikeNow(std::size_t slot, const Strike& strike, double sampleInCell);
     void beginCell();
+    SynthesisSettings settingsNow() const;
     void updateDampers();
     void updateGain();
     void copyOut(const StereoSpan& output, int position, int count) const;
@@ -138,6 +156,7 @@ private:
     LoudnessMatch loudness;
     float matchingGain = 1;
     Motor motor;
+    double tempo = 0;                             ///< beats a minute, or 0
     float gainAtCellStart = 1, gainAtCellEnd = 1; ///< of both; it is linear in between
 
     std::array<std::bitset<128>, 16> keysDown; ///< of each channel
@@ -145,10 +164,13 @@ private:
     std::bitset<128> keysCaught;               ///< down when the sostenuto pedal went down
     bool sustainPedal = false;
     bool sostenutoPedal = false;
-    double softness = 1;           ///< of the soft pedal: times the mallet's speed
-    double bend = 0;               ///< −1 to 1
-    std::vector<bool> slotTouched; ///< a hand on its surface holds it
-    std::vector<bool> slotHeld;    ///< that, or some key of it is down or sustained, or it may ring
+    double softness = 1; ///< of the soft pedal: times the mallet's speed
+    PitchBend bend;
+    SlotTuning slotTuning;
+    std::array<float, 128> keyPressures{}; ///< 0 to 1, of keys that are down
+    std::vector<bool> slotTouched;         ///< a hand on its surface holds it
+    std::vector<bool> slotHeld; ///< that, or some key of it is down or sustained, or it may ring
+    std::vector<float> slotPressed; ///< the most that one of its keys presses
     std::vector<bool> slotSilenced; ///< by "all sound off", until the next strike
     std::optional<int> programChange;
 };

@@ -33,25 +33,29 @@ void Player::follow(const MidiEvent& event) {
     else if (kind == 0x80 || kind == 0x90)
         keyUp(channel, first);
     else if (kind == 0xa0)
-        held.setPressure(channel, first, second / 127.0);
+        press(channel, first, second / 127.0);
     else if (kind == 0xb0)
         controller(channel, first, second);
     else if (kind == 0xc0)
         programChange = first;
     else if (kind == 0xd0)
-        held.setPressure(channel, first / 127.0);
+        press(channel, first / 127.0);
     else if (kind == 0xe0)
-        bend = std::clamp((second * 128 + first - 8192) / 8191.0, -1.0, 1.0);
+        bend.wheel(channel, first, second);
 }
 
 void Player::keyDown(int channel, int note, int velocity) {
+    if (!slotTuning.sounds(note))
+        return;
+    bend.noteOn(channel, note);
+    slotTuning.noteOn(note);
+    keyPressures[static_cast<std::size_t>(note)] = 0;
     keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
     if (!strikes(current))
         held.press(channel, note, softness * velocity / 127.0);
-    if (const auto slot = playedInstrument->key(note).slot; slot >= 0) {
-        slotSilenced[static_cast<std::size_t>(slot)] = false;
-        playedLast = static_cast<std::size_t>(slot);
-    }
+    const auto slot = static_cast<std::size_t>(playedInstrument->key(note).slot);
+    slotSilenced[slot] = false;
+    playedLast = slot;
 }
 
 void Player::keyUp(int channel, int note) {
@@ -60,7 +64,27 @@ void Player::keyUp(int channel, int note) {
     if (sustainPedal && down[index])
         keysSustained.set(index);
     down.reset(index);
+    keyPressures[index] = 0;
+    bend.noteOff(channel, note);
     held.release(channel, note);
+}
+
+/// Pressure is the force of a contact that a key holds, or the hand that damps what it struck.
+void Player::press(int channel, int note, double pressure) {
+    held.setPressure(channel, note, pressure);
+    if (keysDown[static_cast<std::size_t>(channel)][static_cast<std::size_t>(note)])
+        keyPressures[static_cast<std::size_t>(note)] = static_cast<float>(pressure);
+}
+
+void Player::press(int channel, double pressure) {
+    const auto [first, last] = bend.reachOf(channel);
+    for (int each = first; each <= last; ++each) {
+        held.setPressure(each, pressure);
+        const auto& down = keysDown[static_cast<std::size_t>(each)];
+        for (std::size_t note = 0; note < down.size(); ++note)
+            if (down[note])
+                keyPressures[note] = static_cast<float>(pressure);
+    }
 }
 
 /// Keys that are down when the sostenuto pedal goes down are held until it is up again.
@@ -74,6 +98,19 @@ void Player::catchKeys(bool isDown) {
             keysCaught |= down;
 }
 
+void Player::takeControllersOf(const Player& former) noexcept {
+    takeBendSetupOf(former);
+    bend.takeWheelsOf(former.bend);
+    sustainPedal = former.sustainPedal;
+    softness = former.softness;
+    held.takeControllersOf(former.held);
+    loudness.setSpeedController(former.loudness.speedController());
+}
+
+void Player::takeBendSetupOf(const Player& former) noexcept {
+    bend.takeSetupOf(former.bend);
+}
+
 void Player::liftPedals() {
     sustainPedal = sostenutoPedal = false;
     keysSustained.reset();
@@ -82,13 +119,17 @@ void Player::liftPedals() {
 }
 
 void Player::controller(int channel, int number, int value) {
+    bend.controller(channel, number, value);
+    const auto [first, last] = bend.reachOf(channel);
     switch (number) {
     case modulationController:
-        held.setSpeedController(channel, value);
+        for (int each = first; each <= last; ++each)
+            held.setSpeedController(each, value);
         loudness.setSpeedController(value);
         break;
     case placeController:
-        held.setPlaceController(channel, value);
+        for (int each = first; each <= last; ++each)
+            held.setPlaceController(each, value);
         break;
     case sustainController:
         sustainPedal = value >= 64;
@@ -111,13 +152,14 @@ void Player::controller(int channel, int number, int value) {
         liftHands();
         held.releaseAll();
         keysDown = {};
+        keyPressures.fill(0);
         keysSustained.reset();
         keysCaught.reset();
         break;
     case resetControllers:
         liftPedals();
-        bend = 0;
-        held.resetControllers(channel);
+        for (int each = first; each <= last; ++each)
+            held.resetControllers(each);
         loudness.setSpeedController(HeldContacts::controllerAtRest);
         break;
     default:

@@ -61,6 +61,13 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own) {
     return values;
 }
 
+double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute) {
+    const double beats = motorSyncBeats(static_cast<int>(values[motorSync]));
+    if (beats == 0 || !(beatsPerMinute > 0))
+        return values[motorSpeed];
+    return beatsPerMinute / 60 / beats / 2;
+}
+
 SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones) {
     const double slope = values[qualitySlope];
     return {.tau = values[tau],
@@ -69,7 +76,8 @@ SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSe
             .compression = values[compression],
             .sizeRatio = values[size],
             .thicknessRatio = values[thickness] / 100,
-            .frequencyRatio = std::exp2((values[tune] / 100 + bendSemitones) / 12),
+            .frequencyRatio = values[concertPitch] / parameterInfo(concertPitch).defaultValue *
+                              std::exp2((values[tune] / 100 + bendSemitones) / 12),
             .radiation = values[radiation] / 100,
             .material = liveMaterial(values)};
 }

@@ -32,8 +32,12 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own);
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
 
 /// The settings that the values stand for, with every frequency bent by so many semitones on top of
-/// "tune". Any thread.
+/// "tune" and concert pitch. Any thread.
 SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones = 0);
+
+/// How fast the motor turns: two openings a turn, one in every note of the chosen length, where a
+/// length is chosen and the tempo is known, which 0 is not. Any thread.
+double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute);
 
 /// The library's material where one is chosen to be live, else nullptr. Any thread.
 const Material* chosenLibraryMaterial(const ParameterValues& values);

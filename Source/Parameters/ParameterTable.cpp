@@ -98,6 +98,14 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "How far the discs close the resonators: the depth of the tremolo", nullptr},
     {thickness, "thickness", "Thickness", "Thickness", "%", logarithmic, 25, 400, 100, 3, 3,
      "Of shells, to the thickness they were analysed with; solids keep theirs", nullptr},
+    {concertPitch, "a4", "Concert pitch", "A4", "Hz", linear, 380, 480, 440, 1, 4,
+     "What the A above middle C is tuned to; everything else moves with it", nullptr},
+    {mpe, "mpe", "MPE", "MPE", "", onOff, 0, 1, 0, 0, 4,
+     "On: every note has a channel, a bend, a place and a pressure of its own", nullptr},
+    {mpeBendRange, "mpe_bend_range", "MPE bend range", "MPE bend", "semitones", steps, 1, 96, 48, 0, 4,
+     "How far the bend of a single note reaches", nullptr},
+    {motorSync, "motor_sync", "Motor sync", "Sync", "", choice, 0, 15, freeMotor, 0, 4,
+     "The note of the host's tempo in which the discs open once; Free turns at motor speed", nullptr},
 }};
 
 // Appended to only, in the order of malletRack().
@@ -105,6 +113,12 @@ constexpr std::array<std::string_view, 8> malletNames{
     "Custom", "Yarn", "Soft rubber", "Medium rubber", "Hard rubber", "Wood", "Hard plastic", "Brass"};
 
 constexpr std::array<std::string_view, 3> contactNames{"Strike", "Scrape", "Roll"};
+
+// Appended to only.
+constexpr std::array<std::string_view, 9> motorSyncNames{
+    "Free", "1/1", "1/2", "1/2 T", "1/4", "1/4 T", "1/8", "1/8 T", "1/16"};
+constexpr std::array<double, motorSyncNames.size()> motorSyncLengths{
+    0, 4, 2, 4.0 / 3, 1, 2.0 / 3, 0.5, 1.0 / 3, 0.25};
 // clang-format on
 
 // Of the maximum; what is smaller is 0, as its digits would not end.
@@ -227,7 +241,14 @@ std::span<const std::string_view> choiceNames(ParameterId parameter) {
         return malletNames;
     if (parameter == contact)
         return contactNames;
+    if (parameter == motorSync)
+        return motorSyncNames;
     return {};
+}
+
+double motorSyncBeats(int choice) {
+    const auto index = static_cast<std::size_t>(std::max(choice, 0));
+    return index < motorSyncLengths.size() ? motorSyncLengths[index] : 0;
 }
 
 std::string formatParameter(const ParameterInfo& info, double value) {
@@ -282,6 +303,12 @@ ParameterValues::ParameterValues() {
 
 void ParameterValues::set(ParameterId parameter, double value) {
     values[static_cast<std::size_t>(parameter)] = parameterInfo(parameter).clamped(value);
+}
+
+ParameterValues withSetupOf(const ParameterValues& setup, ParameterValues values) {
+    for (const auto parameter : setupParameters)
+        values.set(parameter, setup[parameter]);
+    return values;
 }
 
 } // namespace idiophone

@@ -52,6 +52,10 @@ enum class ParameterId : std::size_t {
     motorSpeed,
     motorDepth,
     thickness,
+    concertPitch,
+    mpe,
+    mpeBendRange,
+    motorSync,
     count
 };
 
@@ -116,11 +120,25 @@ private:
     std::array<double, parameterCount> values;
 };
 
+/// What belongs to the player's place in a session and not to a sound: presets, comparisons and
+/// loads that are undone leave it as it is.
+inline constexpr std::array setupParameters{ParameterId::bypass, ParameterId::concertPitch,
+                                            ParameterId::mpe, ParameterId::mpeBendRange};
+
+/// The values with the setup of others.
+ParameterValues withSetupOf(const ParameterValues& setup, ParameterValues values);
+
 /// Choices of ParameterId::material with a meaning of their own; library materials follow.
 enum MaterialChoice { ownMaterial = 0, customMaterial = 1, firstLibraryMaterial = 2 };
 
 /// Choices of ParameterId::mallet: the custom one, then those of the rack.
 enum MalletChoice { customMallet = 0, firstRackMallet = 1 };
+
+/// Choices of ParameterId::motorSync: at its own speed, or opening once in every note of a length.
+enum MotorSyncChoice { freeMotor = 0, firstSyncedMotor = 1 };
+
+/// How many beats the note lasts that a choice of ParameterId::motorSync names; 0 for none.
+double motorSyncBeats(int choice);
 
 /// Choices of ParameterId::contact: what a held key does.
 enum ContactChoice { strikeContact = 0, scrapeContact = 1, rollContact = 2 };

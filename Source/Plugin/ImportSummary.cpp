@@ -13,12 +13,6 @@
 namespace idiophone {
 namespace {
 
-bool hasExtension(const std::filesystem::path& file, std::initializer_list<const char*> known) {
-    const juce::String extension = juce::String::fromUTF8(file.extension().string().c_str());
-    return std::ranges::any_of(known,
-                               [&](const char* each) { return extension.equalsIgnoreCase(each); });
-}
-
 /// Three figures.
 juce::String figure(double value) {
     if (value >= 100)
@@ -33,18 +27,6 @@ juce::String frequency(double hz) {
 }
 
 } // namespace
-
-bool isModalFile(const std::filesystem::path& file) {
-    return hasExtension(file, {".modal"});
-}
-
-bool isMeshFile(const std::filesystem::path& file) {
-    return hasExtension(file, {".obj", ".off", ".ply", ".stl"});
-}
-
-std::string nameOf(const std::filesystem::path& file) {
-    return file.filename().string();
-}
 
 std::string summaryOf(const ModalObject& object) {
     const double lowestHz = std::sqrt(object.eigenvalues.front()) / (2 * std::numbers::pi);

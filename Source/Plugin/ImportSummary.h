@@ -1,19 +1,11 @@
-// What there is to say of files that are opened and of the objects made of them.
+// What there is to say of objects that are made of files.
 #pragma once
 
 #include "Object/ModalObject.h"
 
-#include <filesystem>
 #include <string>
 
 namespace idiophone {
-
-/// The extensions that the workshop reads, in any case.
-bool isModalFile(const std::filesystem::path& file); ///< .modal
-bool isMeshFile(const std::filesystem::path& file);  ///< .obj, .off, .ply, .stl
-
-/// Without its folder.
-std::string nameOf(const std::filesystem::path& file);
 
 /// "171 modes from 12.5 to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200 mm".
 std::string summaryOf(const ModalObject& object);

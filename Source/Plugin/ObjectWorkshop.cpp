@@ -6,6 +6,7 @@
 #include "Geometry/MeshReader.h"
 #include "Object/MaterialFile.h"
 #include "Object/ModalObjectFile.h"
+#include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"
 
 #include <algorithm>

@@ -13,15 +13,18 @@ PlayerCrossfade::~PlayerCrossfade() {
 }
 
 void PlayerCrossfade::install(std::unique_ptr<Player> player) {
+    if (player != nullptr && current != nullptr)
+        player->takeBendSetupOf(*current);
     delete std::exchange(current, player.release());
     delete std::exchange(fading, nullptr);
-    controllers = atRest;
 }
 
-void PlayerCrossfade::changeTo(Player* next, const ParameterValues& values) noexcept {
+void PlayerCrossfade::changeTo(Player* next) noexcept {
     if (next == nullptr)
         return;
     Player* previous = std::exchange(current, next);
+    if (previous != nullptr)
+        current->takeControllersOf(*previous);
     if (fading != nullptr || previous == nullptr || previous->silent()) {
         handoff.retire(previous);
     } else {
@@ -29,13 +32,11 @@ void PlayerCrossfade::changeTo(Player* next, const ParameterValues& values) noex
         fadePosition = 0;
         fadingValues = lastValues;
     }
-    current->process({}, controllers, values);
 }
 
 void PlayerCrossfade::process(const StereoSpan& output,
                               std::span<const MidiEvent> events,
                               const ParameterValues& values) noexcept {
-    followControllers(events);
     if (current != nullptr) {
         current->process(output, events, values);
     } else {
@@ -45,23 +46,6 @@ void PlayerCrossfade::process(const StereoSpan& output,
     if (fading != nullptr)
         addFading(output);
     lastValues = values;
-}
-
-void PlayerCrossfade::followControllers(std::span<const MidiEvent> events) noexcept {
-    constexpr std::uint8_t resetControllers = 121;
-    for (const auto& event : events) {
-        const int kind = event.bytes[0] & 0xf0;
-        const bool resets = kind == 0xb0 && event.bytes[1] == resetControllers;
-        for (std::size_t k = 0; k < controllers.size(); ++k) {
-            auto& known = controllers[k].bytes;
-            const bool sameChannel = known[0] == event.bytes[0];
-            const bool same = k < shared ? (known[0] & 0xf0) == kind : sameChannel;
-            if (resets && (k < shared || sameChannel))
-                known = atRest[k].bytes;
-            else if (same && (kind == 0xe0 || known[1] == event.bytes[1]))
-                known = event.bytes;
-        }
-    }
 }
 
 void PlayerCrossfade::addFading(const StereoSpan& output) noexcept {
@@ -84,7 +68,6 @@ void PlayerCrossfade::reset() noexcept {
     handoff.retire(std::exchange(fading, nullptr));
     if (current != nullptr)
         current->reset();
-    controllers = atRest;
 }
 
 } // namespace idiophone

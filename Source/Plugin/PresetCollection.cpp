@@ -31,8 +31,7 @@ Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std
 /// What is saved sounds as it does now, when its own material and mallet are what "match loudness"
 /// keeps to.
 ParameterValues storedValues(const Sound& sound) {
-    auto values = sound.parameters;
-    values.set(ParameterId::bypass, 0);
+    auto values = withSetupOf({}, sound.parameters);
     LoudnessMatch match(sound.instrument, sound.preset.surface, anyRateHz, sound.preset.parameters);
     match.prepare(values);
     values.set(ParameterId::level, values[ParameterId::level] + match.gainDb());

@@ -42,8 +42,11 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     Player* const next = handoff.take();
     controllers.follow(midi, parameters);
     const ParameterValues& values = parameters.snapshot();
-    sound.changeTo(next, values);
+    sound.changeTo(next);
     silencer.silence(sound.player());
+    tuner.tune(midi, sound.player());
+    if (auto* player = sound.player())
+        player->setTempo(hostTempo());
     hand.playOn(sound.player());
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
@@ -57,6 +60,17 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     }
     if (isNonRealtime())
         followProgramChange();
+}
+
+/// [audio thread] Beats a minute; 0 where the host tells none, or none that is one.
+double Processor::hostTempo() const noexcept {
+    constexpr double fastest = 2000;
+    auto* const host = getPlayHead();
+    if (host == nullptr)
+        return 0;
+    const auto position = host->getPosition();
+    const double tempo = position ? position->getBpm().orFallback(0) : 0;
+    return tempo > 0 && tempo <= fastest ? tempo : 0;
 }
 
 std::span<float* const> Processor::channelsFrom(juce::AudioBuffer<float>& buffer,
@@ -166,10 +180,8 @@ void Processor::setCurrentProgram(int index) {
             lastError = preset.name + " cannot be played: " + built.error().message;
             return;
         }
-        auto values = preset.parameters;
-        values.set(ParameterId::bypass, parameters[ParameterId::bypass].exactValue());
         unknownParameters.clear();
-        parameters.load(values);
+        parameters.load(withSetupOf(parameters.values(), preset.parameters));
         play(preset, std::move(*built));
         programIndex = index;
         presetId = factoryPresetId(preset.name);
@@ -214,11 +226,13 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
                 .unknownParameters = {},
                 .preset = {},
                 .objects = {},
-                .controllers = controllers.assignments()};
+                .controllers = controllers.assignments(),
+                .tuning = {}};
     {
         const std::scoped_lock lock(soundMutex);
         state.unknownParameters = unknownParameters;
         state.preset = loadedPreset;
+        state.tuning = scala;
         if (instrument)
             state.objects = foreignObjects(*instrument);
     }
@@ -241,10 +255,14 @@ void Processor::setStateInformation(const void* bytes, int byteCount) {
 }
 
 Result<void> Processor::restore(const State& state) {
+    const auto keys = keyTuning(state.tuning);
+    if (!keys)
+        return failure("The saved state has a fault in its tuning: " + keys.error().message);
     const std::scoped_lock lock(soundMutex);
     auto built = buildInstrument(state.preset.keyMap, state.objects);
     if (!built)
         return failure("The saved state cannot be played: " + built.error().message);
+    tuneTo(state.tuning, *keys);
     unknownParameters = state.unknownParameters;
     parameters.load(state.parameters);
     controllers.assign(state.controllers);

@@ -18,6 +18,7 @@
 #include "Plugin/SoundPicture.h"
 #include "Plugin/State.h"
 #include "Plugin/SurfaceHand.h"
+#include "Plugin/Tuner.h"
 
 #include <functional>
 #include <juce_audio_processors/juce_audio_processors.h>
@@ -43,6 +44,7 @@ public:
     const juce::String getName() const override { return "Idiophone"; }
     bool acceptsMidi() const override { return true; }
     bool producesMidi() const override { return false; }
+    bool supportsMPE() const override { return true; }
 
     bool isBusesLayoutSupported(const BusesLayout& layouts) const override;
     void prepareToPlay(double sampleRateHz, int maximumBlockSize) override;
@@ -114,6 +116,11 @@ public:
     double valueOf(ParameterId parameter) const override { return parameterValue(parameter); }
     void setValue(ParameterId parameter, double value) override;
 
+    bool isTuningFile(const std::filesystem::path& file) const override;
+    void openTuning(const std::filesystem::path& file) override;
+    void forgetTuning() override;
+    TuningStatus tuningStatus() const override;
+
     bool canOpen(const std::filesystem::path& file) const override;
     void openFile(const std::filesystem::path& file) override;
     bool canAnalyseAgain() const override;
@@ -140,6 +147,7 @@ private:
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
+    void tuneTo(const ScalaTuning& wanted, const KeyTuning& keys);
     std::unique_ptr<Player> newPlayer() const;
     bool
     changeModes(std::size_t object,
@@ -161,6 +169,7 @@ private:
                         const std::shared_ptr<const Instrument>& built,
                         const ParameterValues& values);
 
+    double hostTempo() const noexcept;
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
 
@@ -180,6 +189,7 @@ private:
     mutable std::mutex soundMutex;
     Preset loadedPreset;
     ModeSet modesHeardAlone;
+    ScalaTuning scala; ///< of files
     std::shared_ptr<const Instrument> instrument;
     std::vector<std::pair<std::string, double>> unknownParameters;
     std::string presetId;             ///< of the shelf, or empty
@@ -192,6 +202,7 @@ private:
     NoteQueue editorNotes;
     SurfaceHand hand;
     ModeSilencer silencer;
+    Tuner tuner;
     SoundMonitor monitor;
     MidiLearn controllers;
     std::atomic<int> loads{0};

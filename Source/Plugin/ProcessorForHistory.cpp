@@ -40,9 +40,8 @@ Sound Processor::loadedSound() const {
 }
 
 SoundLabel Processor::loadedLabel() const {
-    auto now = parameters.values();
     const std::scoped_lock lock(soundMutex);
-    now.set(ParameterId::bypass, storedParameters[ParameterId::bypass]);
+    const auto now = withSetupOf(storedParameters, parameters.values());
     return {.name = loadedPreset.name,
             .author = loadedPreset.author,
             .description = loadedPreset.description,
@@ -61,9 +60,7 @@ void Processor::playSound(const Sound& wanted) {
                           sharesObject(wanted.instrument, now.instrument);
     {
         const std::scoped_lock lock(soundMutex);
-        auto values = wanted.parameters;
-        values.set(ParameterId::bypass, parameters[ParameterId::bypass].exactValue());
-        parameters.load(values);
+        parameters.load(withSetupOf(parameters.values(), wanted.parameters));
         if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset)) {
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
             loadedPreset = wanted.preset;

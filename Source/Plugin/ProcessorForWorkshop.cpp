@@ -4,6 +4,7 @@
 #include "Geometry/ObjectMesh.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Instrument/StartingLevel.h"
+#include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
 

@@ -30,7 +30,7 @@ struct SoundLabel {
     std::string description;
     std::vector<std::string> tags;
     std::string presetId;
-    bool isChanged = false; ///< a parameter but bypass is not as stored
+    bool isChanged = false; ///< a parameter beside the setup is not as stored
 };
 
 /// By which the shelf knows the factory's preset of that name.
@@ -47,8 +47,8 @@ public:
     virtual Sound loadedSound() const = 0;
     /// The same, without what costs to copy.
     virtual SoundLabel loadedLabel() const = 0;
-    /// Plays the sound at once, with bypass as it is. What rings fades out where the instrument or
-    /// its preset is another one, and goes on where only parameters change. A sound without
+    /// Plays the sound at once, with the setup as it is. What rings fades out where the instrument
+    /// or its preset is another one, and goes on where only parameters change. A sound without
     /// instrument is not played.
     virtual void playSound(const Sound& sound) = 0;
     /// Another number after every load, by whomever.

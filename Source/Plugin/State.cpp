@@ -127,6 +127,30 @@ ControllerAssignments parseControllers(const json& object) {
     return assignments;
 }
 
+ScalaFile parseScalaFile(const json& tuning, const char* key) {
+    if (!tuning.contains(key))
+        return {};
+    auto file = ScalaFile{.name = text(tuning[key], "name"), .text = text(tuning[key], "text")};
+    if (file.text.size() > ScalaTuning::largestFileBytes)
+        throw Fault{"has a " + std::string(key) + " that is too long"};
+    return file;
+}
+
+ScalaTuning parseTuning(const json& object) {
+    if (!object.is_object())
+        throw Fault{"has a 'tuning' that is not a JSON object"};
+    return {.scale = parseScalaFile(object, "scale"), .mapping = parseScalaFile(object, "mapping")};
+}
+
+ordered_json encodeTuning(const ScalaTuning& tuning) {
+    ordered_json object = ordered_json::object();
+    if (tuning.scale.isGiven())
+        object["scale"] = {{"name", tuning.scale.name}, {"text", tuning.scale.text}};
+    if (tuning.mapping.isGiven())
+        object["mapping"] = {{"name", tuning.mapping.name}, {"text", tuning.mapping.text}};
+    return object;
+}
+
 State parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
         throw Fault{"is not one of Idiophone's"};
@@ -146,6 +170,8 @@ State parse(const json& root) {
     state.objects = parseObjects(member(root, "objects"));
     if (root.contains("controllers"))
         state.controllers = parseControllers(root["controllers"]);
+    if (root.contains("tuning"))
+        state.tuning = parseTuning(root["tuning"]);
     return state;
 }
 
@@ -172,6 +198,8 @@ std::string encodeState(const State& state) {
                       {"objects", objects}};
     if (!controllers.empty())
         root["controllers"] = controllers;
+    if (state.tuning.isGiven())
+        root["tuning"] = encodeTuning(state.tuning);
     // Names come from people and files: replace what is not UTF-8 rather than throw.
     return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

@@ -1,9 +1,10 @@
 // What a host saves with its project, as bytes: versioned JSON (docs: "format", "version",
-// "engine", "parameters", "preset", "objects", "controllers"). Plain data; applying it is the
-// processor's.
+// "engine", "parameters", "preset", "objects", "controllers", "tuning"). Plain data; applying it is
+// the processor's.
 #pragma once
 
 #include "Instrument/Preset.h"
+#include "Instrument/ScalaTuning.h"
 #include "Object/Result.h"
 #include "Plugin/ControllerAssignments.h"
 
@@ -34,6 +35,7 @@ struct State {
     Preset preset;
     std::vector<EmbeddedObject> objects;
     ControllerAssignments controllers; ///< none in states that say none
+    ScalaTuning tuning;                ///< none in states that say none; not read yet
 
     bool operator==(const State&) const = default;
 };

@@ -43,6 +43,7 @@ public:
 
     void setDamping(double dampingPerSecond) noexcept;
     void setFrequencyRatio(double ratio) noexcept;
+    double frequencyRatio() const noexcept { return requestedFrequencyRatio; }
     /// From the next `beginCell` on modes that are not 0 here ([modes of the object], or empty:
     /// none) are not heard. They fade out and in, and ring on unheard in between.
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;

@@ -120,6 +120,10 @@ void Synthesiser::setFrequencyRatio(std::size_t slot, double ratio) noexcept {
         implementation->objects[slot].setFrequencyRatio(ratio);
 }
 
+double Synthesiser::frequencyRatio(std::size_t slot) const noexcept {
+    return slot < slotCount() ? implementation->objects[slot].frequencyRatio() : 1;
+}
+
 void Synthesiser::setSilencedModes(std::size_t slot,
                                    std::span<const std::uint8_t> silenced) noexcept {
     if (slot < slotCount())

@@ -43,6 +43,8 @@ public:
 
     /// Frequencies of one slot times this (> 0), from the next `beginCell` on.
     void setFrequencyRatio(std::size_t slot, double ratio) noexcept;
+    /// As set last; 1 where the slot does not exist.
+    double frequencyRatio(std::size_t slot) const noexcept;
 
     /// From the next `beginCell` on modes of one slot that are not 0 here ([modes of its object],
     /// or empty: none) are not heard: they fade out and in within 3 ms and ring on in between.

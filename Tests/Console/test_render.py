@@ -49,6 +49,28 @@ class Render(ConsoleTest):
             self.assertAlmostEqual(first, 337 / 960 * rate, delta=2)
             self.assertTrue(any(channel[-1] != 0 for channel in wave.channels))
 
+    def test_a_scale_and_a_mapping_tune_the_keys(self):
+        song = self.song([tempo(0, 500000)] + note(0, 81, 100))
+        steps = "".join(f"{100.0 * step}\n" for step in range(1, 13))
+        scale = self.write("equal.scl", b"Equal\n12\n" + steps.encode())
+        mapping = self.write("low.kbm", b"0\n0\n127\n60\n69\n432\n0\n")
+        plain = self.render(song, name="plain.wav")[1].read_bytes()
+        self.assertEqual(self.render(song, "--scale", scale)[1].read_bytes(), plain)
+        self.assertNotEqual(self.render(song, "--mapping", mapping)[1].read_bytes(), plain)
+        lower = self.render(song, "--set", "a4=432", name="lower.wav")[1]
+        mapped = self.render(song, "--scale", scale, "--mapping", mapping)[1]
+        first, second = (Wave(file).left for file in (lower, mapped))
+        loudest = max(map(abs, first))
+        self.assertLess(max(abs(a - b) for a, b in zip(first, second)), 1e-3 * loudest)
+
+    def test_a_bad_tuning_is_one_sentence(self):
+        song = self.song([tempo(0, 500000)] + note(0, 81, 100))
+        bad = self.write("bad.scl", b"title\n3\n3/2\n")
+        failed = run("render", "--preset", XYLOPHONE, "--midi", song, "-o",
+                     self.folder / "bad.wav", "--scale", bad)
+        self.assertNotEqual(failed.returncode, 0)
+        self.assertIn("bad.scl ends before note 2 of its 3.", failed.stderr)
+
     def test_radiation_parts_the_channels_and_no_width_joins_them(self):
         song = self.song([tempo(0, 500000)] + note(0, 72, 127))
 

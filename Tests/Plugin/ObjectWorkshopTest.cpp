@@ -85,7 +85,7 @@ TEST_CASE("What no object can be made of is refused in a sentence that names the
         {writtenFile("empty.ply", ""), "empty.ply"},
         {writtenFile("empty.obj", "# nothing\n"), "empty.obj"},
         {writtenFile("point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), "point.obj"},
-        {writtenFile("huge.stl", std::string(80, 'x') + "\xff\xff\xff\x7f"), "huge.stl"},
+        {writtenFile("huge.stl", std::string(80, 'x').append("\xff\xff\xff\x7f")), "huge.stl"},
         {writtenFile("noise.modal", std::string(64, '\xff')), "noise.modal"},
         {writtenFile("song.mid", "MThd"), "song.mid"},
         {folder, folder.filename().string()},

@@ -65,7 +65,7 @@ struct Ringing {
 TEST_CASE("What rang fades out under a raised cosine of 5 ms") {
     Ringing ringing;
     const auto alone = continuation(600);
-    ringing.sound.changeTo(testPlayer("other").release(), values);
+    ringing.sound.changeTo(testPlayer("other").release());
     std::vector<float> output(600);
     play(ringing.sound, output, {}, values);
     for (std::size_t i = 0; i < output.size(); ++i) {
@@ -77,8 +77,8 @@ TEST_CASE("What rang fades out under a raised cosine of 5 ms") {
 
 TEST_CASE("The fade does not depend on the block size") {
     Ringing whole, pieces;
-    whole.sound.changeTo(testPlayer("other").release(), values);
-    pieces.sound.changeTo(testPlayer("other").release(), values);
+    whole.sound.changeTo(testPlayer("other").release());
+    pieces.sound.changeTo(testPlayer("other").release());
     std::vector<float> expected(600), output(600);
     play(whole.sound, expected, {}, values);
     for (std::size_t start = 0; start < 600; start += 7)
@@ -91,8 +91,8 @@ TEST_CASE("What fades keeps the parameters it sounded with") {
     Ringing kept, changed;
     auto bent = values;
     bent.set(ParameterId::size, 0.5);
-    kept.sound.changeTo(testPlayer("other").release(), values);
-    changed.sound.changeTo(testPlayer("other").release(), bent);
+    kept.sound.changeTo(testPlayer("other").release());
+    changed.sound.changeTo(testPlayer("other").release());
     std::vector<float> expected(600), output(600);
     play(kept.sound, expected, {}, values);
     play(changed.sound, output, {}, bent);
@@ -103,7 +103,7 @@ TEST_CASE("A new player that is struck at once sounds from its first sample, unf
     Handoff<Player> handoff;
     PlayerCrossfade sound(handoff);
     sound.install(testPlayer());
-    sound.changeTo(testPlayer("other", 1.5).release(), values);
+    sound.changeTo(testPlayer("other", 1.5).release());
     auto alone = testPlayer("other", 1.5);
     std::vector<float> expected(600), output(600);
     const std::array events{strikeNote()};
@@ -115,12 +115,12 @@ TEST_CASE("A new player that is struck at once sounds from its first sample, unf
 
 TEST_CASE("A second change within a fade lets the first sound fade on") {
     Ringing once, twice;
-    once.sound.changeTo(testPlayer("other").release(), values);
-    twice.sound.changeTo(testPlayer("other").release(), values);
+    once.sound.changeTo(testPlayer("other").release());
+    twice.sound.changeTo(testPlayer("other").release());
     std::vector<float> expected(600), output(600);
     play(once.sound, expected, {}, values);
     play(twice.sound, std::span(output).first(100), {}, values);
-    twice.sound.changeTo(testPlayer("third").release(), values);
+    twice.sound.changeTo(testPlayer("third").release());
     play(twice.sound, std::span(output).subspan(100), {}, values);
     CHECK(output == expected);
 }
@@ -138,7 +138,7 @@ TEST_CASE("Pedal and pitch wheel stay where they are when the player changes") {
     std::vector<float> expected(9600), output(9600);
     const std::array before{pedal, wheel};
     play(sound, std::span(output).first(64), before, damped);
-    sound.changeTo(testPlayer("other").release(), damped);
+    sound.changeTo(testPlayer("other").release());
     const std::array tap{strikeNote(), release};
     for (std::size_t start = 0; start < 9600; start += 960)
         play(sound, std::span(output).subspan(start, 960),
@@ -164,7 +164,7 @@ TEST_CASE("Speed and place of each channel stay where they are when the player c
     std::vector<float> expected(4800), output(4800);
     const std::array before{speed, place, otherSpeed, otherPlace};
     play(sound, std::span(output).first(64), before, scraping);
-    sound.changeTo(testPlayer("other").release(), scraping);
+    sound.changeTo(testPlayer("other").release());
     const std::array hold{strikeNote()};
     for (std::size_t start = 0; start < 4800; start += 960)
         play(sound, std::span(output).subspan(start, 960),
@@ -180,7 +180,7 @@ TEST_CASE("Speed and place of each channel stay where they are when the player c
 
 TEST_CASE("A reset is silence at once, also in a fade") {
     Ringing ringing;
-    ringing.sound.changeTo(testPlayer("other").release(), values);
+    ringing.sound.changeTo(testPlayer("other").release());
     ringing.sound.reset();
     std::vector<float> output(600, 1.0f);
     play(ringing.sound, output, {}, values);

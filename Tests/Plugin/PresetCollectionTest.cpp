@@ -139,7 +139,7 @@ TEST_CASE("Saving never cuts what rings") {
     CHECK(render(processor, 4800, 480, {}) == render(untouched, 4800, 480, {}));
 }
 
-TEST_CASE("Saving over a preset has to be said; bypass is not saved") {
+TEST_CASE("Saving over a preset has to be said; the setup is not saved") {
     const UserSettings user;
     Processor processor;
     auto& shelf = processor.presetShelf();
@@ -150,6 +150,7 @@ TEST_CASE("Saving over a preset has to be said; bypass is not saved") {
     const auto before = user.read("Presets/Twice.json");
     processor.changeParameter(ParameterId::tau, 5);
     processor.changeParameter(ParameterId::bypass, 1);
+    processor.changeParameter(ParameterId::concertPitch, 415);
     const auto refused = shelf.savePreset(called("Twice"), false);
     REQUIRE_FALSE(refused);
     CHECK(user.read("Presets/Twice.json") == before);
@@ -158,6 +159,7 @@ TEST_CASE("Saving over a preset has to be said; bypass is not saved") {
     REQUIRE(other.presetShelf().loadPreset("Twice.json"));
     CHECK(other.parameterValue(ParameterId::tau) == 5);
     CHECK(other.parameterValue(ParameterId::bypass) == 0);
+    CHECK(other.parameterValue(ParameterId::concertPitch) == 440);
 }
 
 TEST_CASE("A load is one step of the history") {

@@ -85,16 +85,17 @@ TEST_CASE("A new instance plays the first factory preset") {
     CHECK(loudest(render(processor, 4096, 512, hardNote)) > 0.001f);
 }
 
-TEST_CASE("A program sets every parameter but bypass") {
+TEST_CASE("A program sets every parameter but bypass, concert pitch and MPE") {
     Processor processor;
     for (auto* parameter : processor.getParameters())
         parameter->setValue(1);
     processor.setCurrentProgram(1);
     for (const auto& info : parameterTable()) {
         INFO(info.id);
-        const double expected = info.parameter == ParameterId::bypass
-                                    ? 1
-                                    : factoryPresets()[1].parameters[info.parameter];
+        const bool isSetup =
+            std::ranges::find(setupParameters, info.parameter) != setupParameters.end();
+        const double expected =
+            isSetup ? info.maximum : factoryPresets()[1].parameters[info.parameter];
         CHECK(processor.parameterValue(info.parameter) == expected);
     }
 }

@@ -230,15 +230,17 @@ TEST_CASE("A window that closes in the middle of a gesture leaves a whole step")
     CHECK(history.canUndo());
 }
 
-TEST_CASE("An undone load plays the very objects of before, and bypass stays where it is") {
+TEST_CASE("An undone load plays the very objects of before, and the setup stays where it is") {
     Processor processor;
     const auto first = processor.loadedInstrument();
     load(processor, 4);
     CHECK(processor.loadedInstrument() != first);
     processor.changeParameter(bypass, 1);
+    processor.changeParameter(concertPitch, 415);
     processor.editHistory().undo();
     CHECK(processor.loadedInstrument() == first);
     CHECK(processor.parameterValue(bypass) == 1);
+    CHECK(processor.parameterValue(concertPitch) == 415);
     CHECK(processor.getCurrentProgram() == 0);
 }
 

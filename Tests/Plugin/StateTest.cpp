@@ -36,6 +36,10 @@ State randomState(unsigned seed) {
             info.fromNormalised(std::uniform_real_distribution<double>(0, 1)(random)));
     state.preset.surface.roughness = std::uniform_real_distribution<double>(0, 100)(random);
     state.preset.seed = random();
+    if (seed % 2 == 0)
+        state.tuning.scale = {.name = "a.scl", .text = "line\n\"quoted\"\t\xc3\xa9\n"};
+    if (seed % 3 == 0)
+        state.tuning.mapping = {.name = "a.kbm", .text = "0\r\n127"};
     return state;
 }
 

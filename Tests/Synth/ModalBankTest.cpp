@@ -1,19 +1,20 @@
 // The bank on every SIMD target that this machine has.
 #include "Synth/ModalBank.h"
 
+#include "Support/SimdTargets.h"
+
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
 #include <cmath>
 #include <complex>
-#include <hwy/highway.h>
-#include <hwy/targets.h>
 #include <numbers>
 #include <random>
 #include <vector>
 
 using namespace idiophone;
+using namespace idiophone::test;
 
 namespace {
 
@@ -36,25 +37,6 @@ struct Reference {
         }
     }
 };
-
-/// Runs a test with each target in turn and leaves dispatch as it was.
-struct TargetInTurn {
-    explicit TargetInTurn(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-    ~TargetInTurn() {
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
-
-std::vector<std::int64_t> targetsHere() {
-    std::vector<std::int64_t> targets;
-    for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1)
-        targets.push_back(rest & -rest);
-    return targets;
-}
 
 ModalBank ringingBank(const Reference& reference) {
     ModalBank bank(modes, 1, sampleRate);

@@ -1,0 +1,123 @@
+#include "Editor/TuningPage.h"
+
+#include "Editor/Look.h"
+
+#include <utility>
+#include <vector>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+using Source = TuningStatus::Source;
+
+constexpr int scaleHeight = 26, originHeight = 20, buttonWidth = 70, gap = 6;
+
+std::vector<ParameterGroup> groups() {
+    return {{"Pitch", 0, {concertPitch, tune, bendRange}}, {"MPE", 1, {mpe, mpeBendRange}}};
+}
+
+juce::String utf8(const std::string& text) {
+    return juce::String::fromUTF8(text.c_str());
+}
+
+juce::String originOf(const TuningStatus& status) {
+    switch (status.source) {
+    case Source::files:
+        return status.mappingFile.empty() ? juce::String("A scale of your own, from note 60 on")
+                                          : "Keys as in " + utf8(status.mappingFile);
+    case Source::session:
+        return "As the session has it (MTS-ESP)";
+    default:
+        return "Open or drop a scale (.scl) or a mapping (.kbm)";
+    }
+}
+
+} // namespace
+
+TuningPage::TuningPage(ProcessorView& processor)
+    : DeckPage("Tuning"), view(processor), columns(groups(), processor) {
+    addButton(open, "Open a tuning",
+              "Open a Scala scale (.scl) or a keyboard mapping (.kbm); dropping it on the window "
+              "does the same",
+              [this] { chooseFile(); });
+    addButton(forget, "Forget the tuning",
+              "Forget scale and mapping: keys are as the session tunes them, or equally tempered",
+              [this] { view.forgetTuning(); });
+    for (auto* label : {&scale, &origin}) {
+        label->setBorderSize({0, 0, 0, 0});
+        label->setMinimumHorizontalScale(0.8f);
+        addAndMakeVisible(*label);
+    }
+    scale.setFont(Look::headingFont());
+    origin.setFont(Look::textFont());
+    scale.setTitle("Scale");
+    origin.setTitle("Where the tuning comes from");
+    addAndMakeVisible(columns);
+    shown = view.tuningStatus();
+    lookAndFeelChanged();
+    showTuning();
+}
+
+void TuningPage::addButton(juce::TextButton& button,
+                           const juce::String& title,
+                           const juce::String& tooltip,
+                           std::function<void()> action) {
+    button.setTitle(title);
+    button.setTooltip(tooltip);
+    button.onClick = [this, act = std::move(action)] {
+        act();
+        refresh();
+    };
+    addAndMakeVisible(button);
+}
+
+void TuningPage::chooseFile() {
+    chooser = std::make_unique<juce::FileChooser>("Open a scale or a keyboard mapping",
+                                                  juce::File(), "*.scl;*.kbm");
+    chooser->launchAsync(juce::FileBrowserComponent::openMode |
+                             juce::FileBrowserComponent::canSelectFiles,
+                         [this](const juce::FileChooser& done) {
+                             if (const auto chosen = done.getResult(); chosen != juce::File())
+                                 view.openTuning(chosen.getFullPathName().toStdString());
+                             refresh();
+                         });
+}
+
+void TuningPage::refresh() {
+    columns.refresh();
+    auto status = view.tuningStatus();
+    if (status == shown)
+        return;
+    shown = std::move(status);
+    showTuning();
+}
+
+void TuningPage::showTuning() {
+    const auto name = utf8(shown.scale);
+    scale.setText(name.isEmpty() ? juce::String("A scale without a name") : name,
+                  juce::dontSendNotification);
+    scale.setTooltip(name);
+    origin.setText(originOf(shown), juce::dontSendNotification);
+    forget.setEnabled(shown.source == Source::files);
+}
+
+void TuningPage::resized() {
+    auto area = getLocalBounds().reduced(padding);
+    auto row = area.removeFromTop(scaleHeight);
+    forget.setBounds(row.removeFromRight(buttonWidth));
+    row.removeFromRight(gap);
+    open.setBounds(row.removeFromRight(buttonWidth));
+    row.removeFromRight(gap);
+    scale.setBounds(row);
+    origin.setBounds(area.removeFromTop(originHeight));
+    area.removeFromTop(2 * gap);
+    columns.setBounds(area);
+}
+
+void TuningPage::lookAndFeelChanged() {
+    scale.setColour(juce::Label::textColourId, colourOf(*this, LookColour::text));
+    origin.setColour(juce::Label::textColourId, colourOf(*this, LookColour::dimText));
+}
+
+} // namespace idiophone

@@ -1,0 +1,168 @@
+#include "Instrument/PitchBend.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+constexpr int lowerManager = 0, upperManager = 15;
+constexpr int mostMembers = 15;
+constexpr double memberSemitones = 48; // what a configured zone begins with
+
+enum ControllerNumber {
+    dataEntryMsb = 6,
+    dataEntryLsb = 38,
+    registeredLsb = 100,
+    registeredMsb = 101,
+    resetControllers = 121
+};
+
+enum RegisteredParameter { bendSensitivity = 0, mpeConfiguration = 6 };
+
+std::size_t at(int index) noexcept {
+    return static_cast<std::size_t>(index);
+}
+
+} // namespace
+
+void PitchBend::setParameters(const ParameterValues& parameters) noexcept {
+    commonRange.setParameter(parameters[ParameterId::bendRange]);
+    memberRange.setParameter(parameters[ParameterId::mpeBendRange]);
+    const bool isOn = parameters[ParameterId::mpe] != 0;
+    if (std::exchange(mpeParameter, isOn) != isOn && !configured)
+        forgetNotes();
+    bendHeldNotes();
+}
+
+PitchBend::Zones PitchBend::zones() const noexcept {
+    return configured.value_or(Zones{.lowerMembers = mpeParameter ? mostMembers : 0});
+}
+
+bool PitchBend::isMember(int channel) const noexcept {
+    const auto [lower, upper] = zones();
+    return (channel > lowerManager && channel <= lower) ||
+           (channel < upperManager && channel >= upperManager - upper);
+}
+
+PitchBend::Channels PitchBend::reachOf(int channel) const noexcept {
+    const auto [lower, upper] = zones();
+    if (channel == lowerManager && lower > 0)
+        return {lowerManager, lower};
+    if (channel == upperManager && upper > 0)
+        return {upperManager - upper, upperManager};
+    return {channel, channel};
+}
+
+void PitchBend::noteOn(int channel, int note) noexcept {
+    heldBy[at(note)] = isMember(channel) ? static_cast<std::int8_t>(channel) : none;
+    noteSemitones[at(note)] = 0;
+    bendHeldNotes();
+}
+
+void PitchBend::noteOff(int channel, int note) noexcept {
+    if (heldBy[at(note)] == channel)
+        heldBy[at(note)] = none;
+}
+
+void PitchBend::wheel(int channel, int low, int high) noexcept {
+    const double bend = std::clamp((high * 128 + low - 8192) / 8191.0, -1.0, 1.0);
+    if (!isMember(channel)) {
+        commonBend = bend;
+        return;
+    }
+    memberBends[at(channel)] = bend;
+    bendHeldNotes();
+}
+
+void PitchBend::bendHeldNotes() noexcept {
+    for (std::size_t note = 0; note < heldBy.size(); ++note)
+        if (heldBy[note] != none)
+            noteSemitones[note] = memberBends[at(heldBy[note])] * memberRange.semitones();
+}
+
+void PitchBend::controller(int channel, int number, int value) noexcept {
+    const auto small = static_cast<std::int8_t>(value);
+    const bool isSensitivity =
+        parameterMsb[at(channel)] == 0 && parameterLsb[at(channel)] == bendSensitivity;
+    const bool isConfiguration =
+        parameterMsb[at(channel)] == 0 && parameterLsb[at(channel)] == mpeConfiguration;
+    switch (number) {
+    case registeredMsb:
+        parameterMsb[at(channel)] = small;
+        break;
+    case registeredLsb:
+        parameterLsb[at(channel)] = small;
+        break;
+    case dataEntryMsb:
+        if (isSensitivity)
+            giveRange(channel, value, 0);
+        else if (isConfiguration)
+            configure(channel, value);
+        break;
+    case dataEntryLsb:
+        if (isSensitivity)
+            giveRange(channel, static_cast<int>(rangeOf(channel).semitones()), value);
+        break;
+    case resetControllers:
+        if (isMember(channel))
+            memberBends[at(channel)] = 0;
+        else
+            commonBend = 0;
+        bendHeldNotes();
+        break;
+    default:
+        break;
+    }
+}
+
+void PitchBend::giveRange(int channel, int semitones, int cents) noexcept {
+    rangeOf(channel).give(semitones + std::min(cents, 99) / 100.0);
+    bendHeldNotes();
+}
+
+/// A zone takes the channels it asks for from the other one; none ends it.
+void PitchBend::configure(int managerChannel, int members) noexcept {
+    if (managerChannel != lowerManager && managerChannel != upperManager)
+        return;
+    auto wanted = zones();
+    auto& own = managerChannel == lowerManager ? wanted.lowerMembers : wanted.upperMembers;
+    auto& other = managerChannel == lowerManager ? wanted.upperMembers : wanted.lowerMembers;
+    own = std::clamp(members, 0, mostMembers);
+    // Fourteen members and two managers are all channels there are.
+    other = std::clamp(other, 0, std::max(mostMembers - 1 - own, 0));
+    configured = wanted;
+    memberRange.give(memberSemitones);
+    forgetNotes();
+}
+
+void PitchBend::forgetNotes() noexcept {
+    heldBy.fill(none);
+    noteSemitones.fill(0);
+    memberBends.fill(0);
+}
+
+double PitchBend::commonSemitones() const noexcept {
+    return commonBend * commonRange.semitones();
+}
+
+void PitchBend::takeWheelsOf(const PitchBend& other) noexcept {
+    commonBend = other.commonBend;
+    memberBends = other.memberBends;
+}
+
+void PitchBend::takeSetupOf(const PitchBend& other) noexcept {
+    mpeParameter = other.mpeParameter;
+    configured = other.configured;
+    commonRange = other.commonRange;
+    memberRange = other.memberRange;
+    parameterMsb = other.parameterMsb;
+    parameterLsb = other.parameterLsb;
+}
+
+void PitchBend::reset() noexcept {
+    commonBend = 0;
+    forgetNotes();
+}
+
+} // namespace idiophone

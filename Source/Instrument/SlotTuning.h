@@ -1,0 +1,41 @@
+// The pitch of each of an instrument's objects: that of its key in the tuning, bent as its note is.
+#pragma once
+
+#include "Instrument/Instrument.h"
+#include "Instrument/KeyTuning.h"
+#include "Instrument/PitchBend.h"
+#include "Synth/Synthesiser.h"
+
+#include <vector>
+
+namespace idiophone {
+
+/// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
+/// allocates, locks nor throws. The instrument outlives it.
+///
+/// Where keys have objects of their own (bars, scaled) these follow their keys. An object that keys
+/// share (zones) keeps its pitch in any tuning, and is bent as the note played last is.
+class SlotTuning {
+public:
+    explicit SlotTuning(const Instrument& instrument);
+
+    void setTuning(const KeyTuning& wanted) noexcept { tuning = wanted; }
+    /// False where the tuning has no pitch for the key's object, and where there is none.
+    bool sounds(int note) const noexcept;
+    void noteOn(int note) noexcept;
+    /// Once a cell, before it begins.
+    void apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept;
+
+private:
+    struct SlotPitch {
+        int note = -1;        ///< whose pitch it has, or −1: none was played
+        double semitones = 0; ///< as the synthesiser has it
+    };
+
+    const Instrument& instrument;
+    bool keysHaveObjects;
+    KeyTuning tuning;
+    std::vector<SlotPitch> slots;
+};
+
+} // namespace idiophone

@@ -1,0 +1,17 @@
+// Which files the plugin opens, told by their extensions in any case.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace idiophone {
+
+bool isModalFile(const std::filesystem::path& file);       ///< .modal
+bool isMeshFile(const std::filesystem::path& file);        ///< .obj, .off, .ply, .stl
+bool isScale(const std::filesystem::path& file);           ///< .scl
+bool isKeyboardMapping(const std::filesystem::path& file); ///< .kbm
+
+/// Without its folder.
+std::string nameOf(const std::filesystem::path& file);
+
+} // namespace idiophone

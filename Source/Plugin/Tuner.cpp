@@ -1,0 +1,70 @@
+#include "Plugin/Tuner.h"
+
+#include "Instrument/Player.h"
+
+#include <cmath>
+#include <libMTSClient.h>
+
+namespace idiophone {
+namespace {
+
+constexpr char anyChannel = -1;
+constexpr double farthestSemitones = 128;
+constexpr juce::uint8 systemExclusive = 0xf0;
+
+} // namespace
+
+void Tuner::Deregister::operator()(MTSClient* registered) const {
+    MTS_DeregisterClient(registered);
+}
+
+Tuner::Tuner() : client(MTS_RegisterClient()) {}
+
+void Tuner::setOwn(const std::optional<KeyTuning>& tuning) noexcept {
+    handoff.next() = {.isGiven = tuning.has_value(), .keys = tuning.value_or(KeyTuning{})};
+    handoff.publish();
+}
+
+bool Tuner::hasMaster() const {
+    return MTS_HasMaster(client.get());
+}
+
+std::string Tuner::masterScaleName() const {
+    const char* name = MTS_GetScaleName(client.get());
+    return name != nullptr ? name : "";
+}
+
+void Tuner::tune(const juce::MidiBuffer& midi, Player* player) noexcept {
+    if (const auto* given = handoff.take())
+        own = *given;
+    for (const auto message : midi) {
+        if (message.numBytes > 0 && message.data[0] == systemExclusive) {
+            MTS_ParseMIDIDataU(client.get(), message.data, message.numBytes);
+            wasRetuned = true;
+        }
+    }
+    if (player == nullptr)
+        return;
+    if (!own.isGiven)
+        readSession();
+    player->setTuning(own.isGiven ? own.keys : session);
+}
+
+/// A pitch that is no number, or as far away as no key is, is none.
+void Tuner::readSession() noexcept {
+    session = {};
+    if (!wasRetuned && !MTS_HasMaster(client.get()))
+        return;
+    for (int note = 0; note < KeyTuning::notes; ++note) {
+        const auto index = static_cast<std::size_t>(note);
+        const auto key = static_cast<char>(note);
+        const double semitones = MTS_RetuningInSemitones(client.get(), key, anyChannel);
+        if (MTS_ShouldFilterNote(client.get(), key, anyChannel) ||
+            !(std::abs(semitones) <= farthestSemitones))
+            session.unmapped.set(index);
+        else
+            session.semitonesFromEqual[index] = semitones;
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,57 @@
+// Which tuning the keys have: the user's own for this instance, or else what a master of the
+// session (MTS-ESP) or MIDI Tuning Standard messages say.
+#pragma once
+
+#include "Instrument/KeyTuning.h"
+#include "Plugin/LatestValue.h"
+
+#include <juce_audio_basics/juce_audio_basics.h>
+#include <memory>
+#include <optional>
+#include <string>
+
+struct MTSClient;
+
+namespace idiophone {
+
+class Player;
+
+/// Constructed and destroyed off the audio thread; a client of MTS-ESP for as long as it lives.
+class Tuner {
+public:
+    Tuner();
+
+    /// [message side, one at a time] Holds from the next callback on; nothing leaves the tuning to
+    /// the session.
+    void setOwn(const std::optional<KeyTuning>& tuning) noexcept;
+
+    /// [any thread but the audio thread] Whether a master tunes the plugins of the session.
+    bool hasMaster() const;
+    /// [any thread but the audio thread] The master's scale, which may have no name.
+    std::string masterScaleName() const;
+
+    /// [audio thread] Once a callback: takes in messages of the MIDI Tuning Standard and gives the
+    /// tuning that holds to the player, if there is one. Neither allocates, locks nor throws.
+    void tune(const juce::MidiBuffer& midi, Player* player) noexcept;
+
+private:
+    struct Own {
+        bool isGiven = false;
+        KeyTuning keys;
+    };
+    struct Deregister {
+        void operator()(MTSClient* client) const;
+    };
+
+    void readSession() noexcept;
+
+    std::unique_ptr<MTSClient, Deregister> client;
+    LatestValue<Own> handoff{Own{}}; ///< message side to audio thread
+
+    // The audio thread's.
+    Own own;
+    KeyTuning session;
+    bool wasRetuned = false; ///< by a message
+};
+
+} // namespace idiophone

@@ -1,0 +1,136 @@
+#include "Instrument/PitchBend.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using Catch::Approx;
+
+namespace {
+
+constexpr int up = 127, rest = 64;
+
+PitchBend bendWith(bool mpe, double range = 2, double memberRange = 48) {
+    ParameterValues values;
+    values.set(ParameterId::mpe, mpe ? 1 : 0);
+    values.set(ParameterId::bendRange, range);
+    values.set(ParameterId::mpeBendRange, memberRange);
+    PitchBend bend;
+    bend.setParameters(values);
+    return bend;
+}
+
+void giveRegistered(PitchBend& bend, int channel, int parameter, int value) {
+    bend.controller(channel, 101, 0);
+    bend.controller(channel, 100, parameter);
+    bend.controller(channel, 6, value);
+}
+
+} // namespace
+
+TEST_CASE("Without MPE any channel's wheel bends all notes") {
+    auto bend = bendWith(false);
+    bend.noteOn(5, 60);
+    bend.wheel(5, 127, up);
+    CHECK(bend.commonSemitones() == 2);
+    CHECK(bend.ownSemitones(60) == 0);
+    bend.wheel(3, 0, 0);
+    CHECK(bend.commonSemitones() == -2);
+    bend.wheel(3, 0, rest);
+    CHECK(bend.commonSemitones() == 0);
+}
+
+TEST_CASE("With MPE a member's wheel bends its own notes, and the zone's all of them") {
+    auto bend = bendWith(true);
+    bend.noteOn(1, 60);
+    bend.noteOn(2, 64);
+    bend.wheel(1, 127, up);
+    CHECK(bend.ownSemitones(60) == 48);
+    CHECK(bend.ownSemitones(64) == 0);
+    CHECK(bend.commonSemitones() == 0);
+    bend.wheel(0, 127, up);
+    CHECK(bend.commonSemitones() == 2);
+    CHECK(bend.ownSemitones(64) == 0);
+}
+
+TEST_CASE("A note begins where its channel's wheel is, and keeps its bend when it is released") {
+    auto bend = bendWith(true, 2, 12);
+    bend.wheel(4, 127, up);
+    bend.noteOn(4, 60);
+    CHECK(bend.ownSemitones(60) == 12);
+    bend.noteOff(4, 60);
+    bend.wheel(4, 0, rest);
+    bend.noteOn(4, 62);
+    CHECK(bend.ownSemitones(60) == 12);
+    CHECK(bend.ownSemitones(62) == 0);
+    bend.noteOn(0, 60); // on the zone's own channel
+    CHECK(bend.ownSemitones(60) == 0);
+}
+
+TEST_CASE("MIDI configures zones, whatever the parameter says") {
+    auto bend = bendWith(false);
+    giveRegistered(bend, 0, 6, 7);
+    giveRegistered(bend, 15, 6, 5);
+    for (const int channel : {1, 7, 10, 14}) {
+        INFO(channel);
+        bend.noteOn(channel, 60);
+        bend.wheel(channel, 127, up);
+        CHECK(bend.ownSemitones(60) == 48);
+        CHECK(bend.commonSemitones() == 0);
+    }
+    CHECK(bend.reachOf(0).last == 7);
+    CHECK(bend.reachOf(15).first == 10);
+    CHECK(bend.reachOf(9).first == 9); // in neither zone
+    CHECK(bend.reachOf(9).last == 9);
+    bend.wheel(9, 127, up);
+    CHECK(bend.commonSemitones() == 2);
+
+    giveRegistered(bend, 15, 6, 14); // takes the lower zone's channels
+    CHECK(bend.reachOf(0).last == 0);
+    CHECK(bend.reachOf(15).first == 1);
+    giveRegistered(bend, 15, 6, 0);
+    CHECK(bend.reachOf(15).first == 15);
+    bend.wheel(1, 127, up);
+    CHECK(bend.commonSemitones() == 2);
+}
+
+TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
+    auto bend = bendWith(true);
+    giveRegistered(bend, 0, 0, 7);
+    bend.controller(0, 38, 50);
+    bend.wheel(0, 127, up);
+    CHECK(bend.commonSemitones() == Approx(7.5));
+    giveRegistered(bend, 3, 0, 24); // of all members
+    bend.noteOn(5, 60);
+    bend.wheel(5, 127, up);
+    CHECK(bend.ownSemitones(60) == 24);
+
+    ParameterValues values;
+    values.set(ParameterId::mpe, 1);
+    values.set(ParameterId::bendRange, 3);
+    bend.setParameters(values);
+    CHECK(bend.commonSemitones() == 3);
+    CHECK(bend.ownSemitones(60) == 24);
+
+    bend.controller(0, 101, 127); // no parameter: data go nowhere
+    bend.controller(0, 100, 127);
+    bend.controller(0, 6, 11);
+    CHECK(bend.commonSemitones() == 3);
+}
+
+TEST_CASE("Reset controllers brings a channel's wheel back; a reset keeps zones and ranges") {
+    auto bend = bendWith(false);
+    giveRegistered(bend, 0, 6, 15);
+    giveRegistered(bend, 1, 0, 12);
+    bend.noteOn(1, 60);
+    bend.wheel(1, 127, up);
+    bend.wheel(0, 127, up);
+    bend.controller(1, 121, 0);
+    CHECK(bend.ownSemitones(60) == 0);
+    CHECK(bend.commonSemitones() == 2);
+    bend.reset();
+    CHECK(bend.commonSemitones() == 0);
+    bend.noteOn(1, 60);
+    bend.wheel(1, 127, up);
+    CHECK(bend.ownSemitones(60) == 12);
+}

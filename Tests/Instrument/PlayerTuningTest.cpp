@@ -1,0 +1,171 @@
+// Pitches of keys: tunings, bends of single notes, and pressure on what was struck.
+#include "Instrument/Player.h"
+#include "Instrument/ScalaTuning.h"
+#include "Support/Level.h"
+#include "Support/PoleFit.h"
+#include "Support/RenderNotes.h"
+#include "TestInstruments.h"
+
+#include <algorithm>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <span>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+KeyTuning tuningWith(int note, double semitones) {
+    KeyTuning tuning;
+    tuning.semitonesFromEqual[static_cast<std::size_t>(note)] = semitones;
+    return tuning;
+}
+
+double soundingHz(std::span<const float> sound, double expectedHz) {
+    return fitPole(sound, sampleRateHz, expectedHz, 0.05).frequencyHz;
+}
+
+ParameterValues withMpe() {
+    ParameterValues values;
+    values.set(ParameterId::mpe, 1);
+    return values;
+}
+
+} // namespace
+
+TEST_CASE("Concert pitch moves every key") {
+    ParameterValues values;
+    values.set(ParameterId::concertPitch, 432);
+    Player player(bars(), sampleRateHz);
+    const auto sound = render(player, {midi(0, 0x90, 69, 100)}, 24000, 256, values);
+    CHECK(std::abs(cents(soundingHz(sound, 432), 432)) < 0.5);
+}
+
+TEST_CASE("Bars sound at the pitch that the tuning gives their key") {
+    Player player(bars(), sampleRateHz);
+    player.setTuning(tuningWith(69, -0.31));
+    const auto sound = render(player, {midi(0, 0x90, 69, 100)}, 24000, 256);
+    CHECK(std::abs(cents(soundingHz(sound, 430), 440) + 31) < 0.5);
+    Player other(bars(), sampleRateHz);
+    other.setTuning(tuningWith(69, -0.31));
+    Player untuned(bars(), sampleRateHz);
+    CHECK(render(other, {midi(0, 0x90, 64, 100)}, 4800, 256) ==
+          render(untuned, {midi(0, 0x90, 64, 100)}, 4800, 256));
+}
+
+TEST_CASE("A tuning that changes moves what rings, without a step") {
+    Player player(bars(), sampleRateHz);
+    auto sound = render(player, {midi(0, 0x90, 69, 100)}, 24000, 256);
+    player.setTuning(tuningWith(69, 0.5));
+    const auto later = render(player, {}, 24000, 256);
+    CHECK(std::abs(cents(soundingHz(later, 453), 440) - 50) < 0.5);
+    sound.insert(sound.end(), later.begin(), later.end());
+    const auto steepest = [](std::span<const float> part) {
+        float most = 0;
+        for (std::size_t i = 1; i < part.size(); ++i)
+            most = std::max(most, std::abs(part[i] - part[i - 1]));
+        return most;
+    };
+    CHECK(steepest(std::span(sound).subspan(23990, 100)) <
+          1.1f * steepest(std::span(sound).subspan(20000, 3000)));
+}
+
+TEST_CASE("A key without a pitch is silent, and its pedal too") {
+    KeyTuning tuning;
+    tuning.unmapped.set(69);
+    Player player(bars(), sampleRateHz);
+    player.setTuning(tuning);
+    CHECK(peak(render(player,
+                      {midi(0, 0xb0, 64, 127), midi(0, 0x90, 69, 127), midi(900, 0x80, 69, 0)},
+                      4800, 256)) == 0);
+    CHECK(peak(render(player, {midi(0, 0x90, 70, 127)}, 4800, 256)) > 0);
+}
+
+TEST_CASE("Keys that share an object keep its pitch in any tuning") {
+    KeyTuning tuning;
+    tuning.semitonesFromEqual.fill(0.7);
+    tuning.unmapped.set(60);
+    Player tuned(plate(), sampleRateHz), untuned(plate(), sampleRateHz);
+    tuned.setTuning(tuning);
+    CHECK(render(tuned, {midi(0, 0x90, 60, 100)}, 4800, 256) ==
+          render(untuned, {midi(0, 0x90, 60, 100)}, 4800, 256));
+}
+
+TEST_CASE("With MPE two notes bend apart, and each keeps its bend after its release") {
+    Player player(bars(), sampleRateHz);
+    const auto sound =
+        render(player,
+               {midi(0, 0x91, 69, 100), midi(0, 0xe1, 0, 66), midi(24000, 0x81, 69, 0),
+                midi(24000, 0xe1, 0, 64), midi(24000, 0x91, 60, 1)},
+               48000, 256, withMpe());
+    const double bent = 48.0 * (66 * 128 - 8192) / 8191 * 100;
+    const double bentHz = 440 * std::exp2(bent / 1200);
+    CHECK(std::abs(cents(soundingHz(std::span(sound).subspan(64, 23900), bentHz), bentHz)) < 0.5);
+    CHECK(std::abs(cents(soundingHz(std::span(sound).subspan(24064), bentHz), bentHz)) < 0.5);
+}
+
+TEST_CASE("Notes bend one another where they share an object: the last one's bend holds") {
+    Player bent(plate(), sampleRateHz), plain(plate(), sampleRateHz);
+    const auto values = withMpe();
+    const auto sound =
+        render(bent, {midi(0, 0x91, 60, 100), midi(0, 0xe1, 127, 70)}, 9600, 256, values);
+    CHECK(sound != render(plain, {midi(0, 0x91, 60, 100)}, 9600, 256, values));
+}
+
+TEST_CASE("Pressure damps what a key has struck while the key is down") {
+    ParameterValues values;
+    values.set(ParameterId::releaseTime, 0.2);
+    const auto level = [&](int pressure) {
+        Player player(bars(), sampleRateHz);
+        const auto sound = render(player, {midi(0, 0x90, 69, 100), midi(4799, 0xd0, pressure, 0)},
+                                  14640, 256, values);
+        return 20 * std::log10(rms(std::span(sound).subspan(14160, 480)));
+    };
+    const double free = level(0);
+    CHECK(level(127) - free == Approx(-60).margin(1)); // as if it were released
+    CHECK(level(64) - free == Approx(-60 * (64.0 / 127) * (64.0 / 127)).margin(1));
+
+    Player lifted(bars(), sampleRateHz), never(bars(), sampleRateHz);
+    CHECK(render(lifted, {midi(0, 0x90, 69, 100), midi(100, 0x80, 69, 0), midi(200, 0xd0, 127, 0)},
+                 4800, 256, values) ==
+          render(never, {midi(0, 0x90, 69, 100), midi(100, 0x80, 69, 0)}, 4800, 256, values));
+}
+
+TEST_CASE("Polyphonic pressure damps its own key, and with MPE a channel's its own") {
+    ParameterValues values = withMpe();
+    values.set(ParameterId::releaseTime, 0.05);
+    const auto remains = [&](const MidiEvent& press) {
+        Player player(bars(), sampleRateHz), alone(bars(), sampleRateHz);
+        const auto both = render(player, {midi(0, 0x91, 69, 100), midi(0, 0x92, 60, 100), press},
+                                 9600, 256, values);
+        const auto one = render(alone, {midi(0, 0x92, 60, 100)}, 9600, 256, values);
+        float most = 0;
+        for (std::size_t i = 9000; i < both.size(); ++i)
+            most = std::max(most, std::abs(both[i] - one[i]));
+        return most / peak(std::span(both).subspan(9000));
+    };
+    CHECK(remains(midi(64, 0xa1, 69, 127)) < 1e-3f);
+    CHECK(remains(midi(64, 0xd1, 127, 0)) < 1e-3f);
+    CHECK(remains(midi(64, 0xd3, 127, 0)) > 0.1f);
+}
+
+TEST_CASE("CC74 moves where a key is struck, from one end of its path to the other") {
+    ParameterValues values;
+    values.set(ParameterId::strikeSpread, 0);
+    const auto struck = [&](int controller, int channel) {
+        Player player(plate(), sampleRateHz);
+        return render(player, {midi(0, 0xb0 | channel, 74, controller), midi(0, 0x90, 66, 100)},
+                      4800, 256, values);
+    };
+    const auto atRest = struck(64, 0);
+    CHECK(struck(0, 0) != atRest);
+    CHECK(struck(0, 0) != struck(127, 0));
+    CHECK(struck(0, 5) == atRest);
+    Player end(plate(), sampleRateHz);
+    CHECK(struck(127, 0) == render(end, {midi(0, 0x90, 96, 100)}, 4800, 256, values));
+}

@@ -1,0 +1,148 @@
+// Where tunings come from: files of the instance, messages, and the state.
+#include "Plugin/Tuner.h"
+
+#include "Plugin/TestSound.h"
+#include "Support/PoleFit.h"
+#include "Support/TestFolder.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <cmath>
+#include <fstream>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+constexpr int struckNote = 69;
+
+std::filesystem::path written(const std::string& name, const std::string& text) {
+    const auto file = testFolder() / name;
+    std::ofstream(file) << text;
+    return file;
+}
+
+const std::string sixSteps = "Six steps\n6\n200.\n400.\n600.\n800.\n1000.\n2/1\n";
+const std::string from432 = "0\n0\n127\n60\n69\n432\n0\n";
+
+/// A message of the MIDI Tuning Standard: that note to equal temperament's `pitch` and this share
+/// of the next semitone, in 16383rds.
+juce::MidiMessage singleNoteTuning(int note, int pitch, int share) {
+    const juce::uint8 bytes[] = {0x7f,
+                                 0x7f,
+                                 0x08,
+                                 0x02,
+                                 0x00,
+                                 0x01,
+                                 static_cast<juce::uint8>(note),
+                                 static_cast<juce::uint8>(pitch),
+                                 static_cast<juce::uint8>(share >> 7),
+                                 static_cast<juce::uint8>(share & 127)};
+    return juce::MidiMessage::createSysExMessage(bytes, sizeof bytes);
+}
+
+/// What note 69 sounds like, struck now, after a message at the same time.
+double struckHz(Processor& processor, double expectedHz, const juce::MidiMessage* message = {}) {
+    juce::MidiBuffer midi;
+    if (message != nullptr)
+        midi.addEvent(*message, 0);
+    midi.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{100}), 0);
+    juce::AudioBuffer<float> sound(2, 24000);
+    processor.processBlock(sound, midi);
+    return fitPole({sound.getReadPointer(0), 24000}, sampleRateHz, expectedHz, 0.05).frequencyHz;
+}
+
+struct Prepared {
+    Prepared() {
+        restore(processor, testState());
+        processor.prepareToPlay(sampleRateHz, 24000);
+    }
+    Processor processor;
+};
+
+} // namespace
+
+TEST_CASE("A scale from a file tunes the keys, and is forgotten when asked") {
+    Prepared instance;
+    auto& processor = instance.processor;
+    CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
+    processor.openTuning(written("six.scl", sixSteps));
+    const auto status = processor.tuningStatus();
+    CHECK(status.source == TuningStatus::Source::files);
+    CHECK(status.scale == "Six steps");
+    const double hertz = 440 * std::exp2(9 / 12.0); // nine whole tones above middle C
+    CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
+    processor.forgetTuning();
+    CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
+    CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
+}
+
+TEST_CASE("Scale and mapping come from files of their own, one after the other") {
+    Prepared instance;
+    auto& processor = instance.processor;
+    processor.openTuning(written("from432.kbm", from432));
+    CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
+    processor.openTuning(written("six.scl", sixSteps));
+    CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
+    CHECK(processor.tuningStatus().mappingFile == "from432.kbm");
+}
+
+TEST_CASE("A file that cannot be read leaves the tuning, and is named in the status") {
+    Prepared instance;
+    auto& processor = instance.processor;
+    processor.openTuning(written("six.scl", sixSteps));
+    const auto before = saved(processor);
+    for (const auto& file : {written("bad.scl", "title\n2\nhello\n"), written("none.kbm", ""),
+                             testFolder() / "missing.scl"}) {
+        processor.openTuning(file);
+        const auto status = processor.takeStatus();
+        CHECK(status.isError);
+        CHECK_THAT(status.sentence, ContainsSubstring(file.filename().string()));
+    }
+    CHECK(saved(processor) == before);
+}
+
+TEST_CASE("A tuning stays through programs, and travels in the state to the byte") {
+    Prepared first, second;
+    first.processor.openTuning(written("six.scl", sixSteps));
+    first.processor.openTuning(written("from432.kbm", from432));
+    first.processor.setCurrentProgram(1);
+    CHECK(first.processor.tuningStatus().source == TuningStatus::Source::files);
+    restore(first.processor, [&] {
+        auto state = *parseState(saved(first.processor));
+        auto keyboard = testState();
+        keyboard.tuning = state.tuning;
+        return keyboard;
+    }());
+    const auto state = saved(first.processor);
+    restoreBytes(second.processor, state);
+    CHECK(saved(second.processor) == state);
+    CHECK(std::abs(cents(struckHz(second.processor, 432), 432)) < 0.5);
+    restore(second.processor, testState()); // a state without a tuning forgets it
+    CHECK(std::abs(cents(struckHz(second.processor, 440), 440)) < 0.5);
+}
+
+TEST_CASE("A state whose tuning cannot be read changes nothing") {
+    Prepared instance;
+    const auto before = saved(instance.processor);
+    auto state = testState();
+    state.tuning.scale = {.name = "old.scl", .text = "title\nmany\n"};
+    restore(instance.processor, state);
+    CHECK(saved(instance.processor) == before);
+    CHECK_THAT(instance.processor.takeStatus().sentence, ContainsSubstring("old.scl"));
+}
+
+TEST_CASE("Messages of the MIDI Tuning Standard tune keys, unless the instance has a tuning") {
+    Prepared instance;
+    auto& processor = instance.processor;
+    const auto message = singleNoteTuning(struckNote, 70, 8192); // half a semitone above B flat
+    const double hertz = 440 * std::exp2(1.5 / 12);
+    CHECK(std::abs(cents(struckHz(processor, hertz, &message), hertz)) < 0.5);
+    processor.openTuning(written("from432.kbm", from432));
+    CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
+    processor.forgetTuning();
+    CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
+}

@@ -1,0 +1,29 @@
+// Runs code with the kernels of each SIMD target that this machine has, not just the best.
+#pragma once
+
+#include <cstdint>
+#include <hwy/targets.h>
+#include <vector>
+
+namespace idiophone::test {
+
+/// While it lives, dispatch takes that target; after, the best one.
+struct TargetInTurn {
+    explicit TargetInTurn(std::int64_t target) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    }
+    ~TargetInTurn() {
+        hwy::SetSupportedTargetsForTest(0);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    }
+};
+
+inline std::vector<std::int64_t> targetsHere() {
+    std::vector<std::int64_t> targets;
+    for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1)
+        targets.push_back(rest & -rest);
+    return targets;
+}
+
+} // namespace idiophone::test

@@ -1,0 +1,25 @@
+# The client of MTS-ESP (0BSD): the tuning that one plugin of a session sets for all.
+if(TARGET idiophone_mts_esp)
+    return()
+endif()
+idiophone_debian_binary(mts_esp
+    PACKAGE libmts-esp-dev VERSION 0.0~git20230110.9df9a9c-1+b1 SUITE trixie)
+if(mts_esp)
+    # Not position-independent all through: what links it into a shared library excludes its
+    # symbols from what is exported (--exclude-libs).
+    add_library(idiophone_mts_esp INTERFACE)
+    target_link_libraries(idiophone_mts_esp INTERFACE
+        "${mts_esp}/usr/lib/libMTS.a" ${CMAKE_DL_LIBS})
+    target_include_directories(idiophone_mts_esp SYSTEM INTERFACE "${mts_esp}/usr/include")
+else()
+    FetchContent_Declare(mts_esp
+        GIT_REPOSITORY https://github.com/ODDSound/MTS-ESP.git
+        GIT_TAG 9df9a9c4a1556f7206536913418f081abfba910b)
+    FetchContent_GetProperties(mts_esp)
+    if(NOT mts_esp_POPULATED)
+        FetchContent_Populate(mts_esp) # it has no build of its own
+    endif()
+    add_library(idiophone_mts_esp STATIC "${mts_esp_SOURCE_DIR}/Client/libMTSClient.cpp")
+    target_include_directories(idiophone_mts_esp SYSTEM INTERFACE "${mts_esp_SOURCE_DIR}/Client")
+    target_link_libraries(idiophone_mts_esp PRIVATE ${CMAKE_DL_LIBS})
+endif()
