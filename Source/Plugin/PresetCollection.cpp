@@ -111,14 +111,15 @@ bool PresetCollection::soundIsChanged() const {
     return holder.loadedLabel().isChanged;
 }
 
-Result<Sound> PresetCollection::soundOf(const std::string& id) {
+Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string& id) {
     const auto cannot = [&](const std::string& name, const Error& why) {
         return failure(name + " cannot be played: " + why.message);
     };
     if (const auto* preset = factoryPreset(id)) {
         auto built = buildInstrument(preset->keyMap, {});
-        return built ? Result<Sound>(soundWith(*preset, std::move(*built), id))
-                     : cannot(preset->name, built.error());
+        if (!built)
+            return cannot(preset->name, built.error());
+        return FoundSound{.sound = soundWith(*preset, std::move(*built), id), .notice = {}};
     }
     if (folder.find(id) == nullptr)
         readPresets();
@@ -127,14 +128,30 @@ Result<Sound> PresetCollection::soundOf(const std::string& id) {
         return failure("There is no preset '" + id + "' any more.");
     if (!entry->preset)
         return tl::unexpected(entry->preset.error());
-    auto built = buildPresetInstrument(entry->preset->keyMap, folder.fileOf(id));
-    return built ? Result<Sound>(soundWith(*entry->preset, std::move(*built), id))
-                 : cannot(entry->preset->name, built.error());
+    const auto built = buildPresetInstrument(entry->preset->keyMap, folder.fileOf(id));
+    if (!built)
+        return cannot(entry->preset->name, built.error());
+    auto preset = *entry->preset;
+    if (built->notice.empty())
+        return FoundSound{.sound = soundWith(std::move(preset), built->instrument, id),
+                          .notice = {}};
+    // It is none of the shelf's, so that saving it over the file has to be said.
+    preset.keyMap = built->keyMap;
+    preset.mutedModes = {};
+    const auto notice = preset.name + ": " + built->notice;
+    return FoundSound{.sound = soundWith(std::move(preset), built->instrument, {}),
+                      .notice = notice};
+}
+
+void PresetCollection::play(const FoundSound& found) {
+    holder.playSound(found.sound);
+    if (!found.notice.empty())
+        holder.tellUser(found.notice);
 }
 
 Result<void> PresetCollection::loadPreset(const std::string& id) {
-    return soundOf(id).map([&](const Sound& sound) {
-        history.record(sound.preset.name, [&] { holder.playSound(sound); });
+    return soundOf(id).map([&](const FoundSound& found) {
+        history.record(found.sound.preset.name, [&] { play(found); });
     });
 }
 
@@ -148,7 +165,7 @@ Result<void> PresetCollection::loadInitialSound() {
 
 Result<void> PresetCollection::auditionPreset(const std::string& id) {
     return soundOf(id).map(
-        [&](const Sound& sound) { history.audition([&] { holder.playSound(sound); }); });
+        [&](const FoundSound& found) { history.audition([&] { play(found); }); });
 }
 
 void PresetCollection::keepAudition() {

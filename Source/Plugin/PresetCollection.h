@@ -34,7 +34,12 @@ public:
     Result<std::string> presetFolder() override;
 
 private:
-    Result<Sound> soundOf(const std::string& id);
+    struct FoundSound {
+        Sound sound;
+        std::string notice; ///< a sentence for the user, or empty
+    };
+    Result<FoundSound> soundOf(const std::string& id);
+    void play(const FoundSound& found);
     void nameSound(const std::string& id, const Preset& saved);
 
     SoundHolder& holder;

@@ -4,6 +4,7 @@
 #include "Instrument/PresetFile.h"
 #include "Plugin/ObjectEmbedding.h"
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <string_view>
@@ -53,6 +54,35 @@ Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
     return {};
 }
 
+/// The factory's ring at the pitches of the keys.
+KeyMap standInFor(const KeyMap& keyMap) {
+    return {.kind = KeyMapKind::scaled,
+            .lowestNote = keyMap.lowestNote,
+            .highestNote = keyMap.highestNote,
+            .object = "ring"};
+}
+
+/// The objects of `found`, by the names of `keyMap`.
+Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const KeyMap& found) {
+    if (found.object == keyMap.object)
+        return Instrument::build(keyMap, ObjectLibrary::shared());
+    // A library of its own, where the names mean these objects; the objects are shared all the
+    // same.
+    ObjectLibrary own;
+    std::map<std::string, std::shared_ptr<const ModalObject>> kept;
+    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
+        const auto name = keyMap.objectFor(note);
+        if (kept.contains(name) || factoryObject(name))
+            continue;
+        auto object = ObjectLibrary::shared().find(found.objectFor(note));
+        if (!object)
+            return tl::unexpected(object.error());
+        own.add(name, *object);
+        kept.emplace(name, std::move(*object));
+    }
+    return Instrument::build(keyMap, own);
+}
+
 } // namespace
 
 Result<KeyMap>
@@ -81,27 +111,24 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
     return stored;
 }
 
-Result<std::shared_ptr<const Instrument>> buildPresetInstrument(const KeyMap& keyMap,
-                                                                const juce::File& presetFile) {
-    const auto file = presetFile.getFullPathName().toStdString();
-    const auto found = withObjectsBeside(keyMap, file);
-    if (found.object == keyMap.object)
-        return Instrument::build(keyMap, ObjectLibrary::shared());
-    // A library of its own, where the names mean these objects; the objects are shared all the
-    // same.
-    ObjectLibrary own;
-    std::map<std::string, std::shared_ptr<const ModalObject>> kept;
-    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
-        const auto name = keyMap.objectFor(note);
-        if (kept.contains(name) || factoryObject(name))
-            continue;
-        auto object = ObjectLibrary::shared().find(found.objectFor(note));
-        if (!object)
-            return tl::unexpected(object.error());
-        own.add(name, *object);
-        kept.emplace(name, std::move(*object));
+Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile) {
+    const auto lowest = keyMap.objectFor(keyMap.lowestNote);
+    const auto found = withObjectsBeside(keyMap, presetFile.getFullPathName().toStdString());
+    std::error_code fault;
+    if (found.object == keyMap.object && !factoryObject(lowest) &&
+        !std::filesystem::exists(lowest, fault)) {
+        const auto standIn = standInFor(keyMap);
+        return Instrument::build(standIn, ObjectLibrary::shared()).transform([&](auto built) {
+            return PresetInstrument{.keyMap = standIn,
+                                    .instrument = std::move(built),
+                                    .notice = lowest + " is missing; a steel ring plays in its "
+                                                       "place."};
+        });
     }
-    return Instrument::build(keyMap, own);
+    return buildWith(keyMap, found).transform([&](auto built) {
+        return PresetInstrument{
+            .keyMap = keyMap, .instrument = std::move(built), .notice = std::string()};
+    });
 }
 
 } // namespace idiophone

@@ -18,9 +18,15 @@ inline constexpr const char* presetObjectFolder = "Objects";
 Result<KeyMap>
 writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder);
 
+struct PresetInstrument {
+    KeyMap keyMap; ///< from which the instrument was built
+    std::shared_ptr<const Instrument> instrument;
+    std::string notice; ///< a sentence where something plays in the place of what is missing
+};
+
 /// Builds the instrument of a preset that was read from a file; its objects keep the names of the
-/// key map, wherever they lie.
-Result<std::shared_ptr<const Instrument>> buildPresetInstrument(const KeyMap& keyMap,
-                                                                const juce::File& presetFile);
+/// key map, wherever they lie (withObjectsBeside). Where they are missing, a factory object plays
+/// their keys; files that are there and cannot be read are an error.
+Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile);
 
 } // namespace idiophone

@@ -112,6 +112,7 @@ public:
     Sound loadedSound() const override;
     SoundLabel loadedLabel() const override;
     void playSound(const Sound& wanted) override;
+    void tellUser(const std::string& sentence) override { reportError(sentence); }
     int soundNumber() const override { return loads; }
     double valueOf(ParameterId parameter) const override { return parameterValue(parameter); }
     void setValue(ParameterId parameter, double value) override;

@@ -51,6 +51,8 @@ public:
     /// or its preset is another one, and goes on where only parameters change. A sound without
     /// instrument is not played.
     virtual void playSound(const Sound& sound) = 0;
+    /// A sentence for the status line.
+    virtual void tellUser(const std::string& sentence) = 0;
     /// Another number after every load, by whomever.
     virtual int soundNumber() const = 0;
 

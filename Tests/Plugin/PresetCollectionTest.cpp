@@ -199,16 +199,22 @@ TEST_CASE(
     CHECK(broken->folder == "Old");
     const auto before = saved(processor);
     for (const auto* id :
-         {"Old/broken.json", "lost.json", "nowhere.json", "", "factory:", "../favourites.json"}) {
+         {"Old/broken.json", "nowhere.json", "", "factory:", "../favourites.json"}) {
         const auto loaded = shelf.loadPreset(id);
         REQUIRE_FALSE(loaded);
         CHECK_FALSE(loaded.error().message.empty());
         CHECK_FALSE(shelf.auditionPreset(id));
     }
-    CHECK_THAT(shelf.loadPreset("lost.json").error().message, ContainsSubstring("lost-12.modal"));
     shelf.endAudition();
     CHECK(saved(processor) == before);
     CHECK_FALSE(processor.editHistory().canUndo());
+
+    REQUIRE(shelf.loadPreset("lost.json"));
+    const auto status = processor.takeStatus();
+    CHECK(status.isError);
+    CHECK_THAT(status.sentence, ContainsSubstring("Lost: Objects/lost-12.modal is missing"));
+    CHECK(processor.loadedLabel().name == "Lost");
+    CHECK(shelf.chosenPreset().empty()); // saving it would have to be said
 }
 
 TEST_CASE("Favourites stay with the machine and follow a renamed preset") {

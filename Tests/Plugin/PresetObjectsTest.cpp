@@ -74,10 +74,10 @@ TEST_CASE("A foreign object is written once, whoever saves it, and comes back by
 
     const auto built = buildPresetInstrument(*stored, folder.getChildFile("Bells/x.json"));
     REQUIRE(built);
-    CHECK(sameObjects(**built, *played.instrument));
-    CHECK((*built)->keyMap() == *stored);
+    CHECK(sameObjects(*built->instrument, *played.instrument));
+    CHECK(built->instrument->keyMap() == *stored);
     // Saved again it is the same file.
-    CHECK(writePresetObjects(*stored, **built, folder).value() == *stored);
+    CHECK(writePresetObjects(*stored, *built->instrument, folder).value() == *stored);
     CHECK(objectFiles(folder) == 1);
 }
 
@@ -88,8 +88,9 @@ TEST_CASE("Two objects of one name do not overwrite each other") {
     const auto secondStored = writePresetObjects(second.keyMap, *second.instrument, folder).value();
     CHECK(firstStored.object != secondStored.object);
     const auto preset = folder.getChildFile("x.json");
-    CHECK(sameObjects(**buildPresetInstrument(firstStored, preset), *first.instrument));
-    CHECK(sameObjects(**buildPresetInstrument(secondStored, preset), *second.instrument));
+    CHECK(sameObjects(*buildPresetInstrument(firstStored, preset)->instrument, *first.instrument));
+    CHECK(
+        sameObjects(*buildPresetInstrument(secondStored, preset)->instrument, *second.instrument));
 }
 
 TEST_CASE("A keyboard of foreign objects is written whole") {
@@ -100,7 +101,7 @@ TEST_CASE("A keyboard of foreign objects is written whole") {
     CHECK(objectFiles(folder) == 5);
     const auto built = buildPresetInstrument(*stored, folder.getChildFile("x.json"));
     REQUIRE(built);
-    CHECK(sameObjects(**built, *played.instrument));
+    CHECK(sameObjects(*built->instrument, *played.instrument));
 }
 
 TEST_CASE("The factory's objects are not written") {
@@ -124,11 +125,11 @@ TEST_CASE("The folder of presets opens elsewhere, objects and all, and instances
     const auto first = buildPresetInstrument(stored, preset);
     const auto second = buildPresetInstrument(stored, preset);
     REQUIRE((first && second));
-    CHECK(sameObjects(**first, *played.instrument));
-    CHECK((*first)->slots()[0].object == (*second)->slots()[0].object);
+    CHECK(sameObjects(*first->instrument, *played.instrument));
+    CHECK(first->instrument->slots()[0].object == second->instrument->slots()[0].object);
 }
 
-TEST_CASE("A missing or damaged object is one error that names it") {
+TEST_CASE("A damaged object is an error that names it; a missing one is replaced, and named") {
     const auto folder = freshFolder();
     const auto played = bowl("bowl.obj", 300);
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder).value();
@@ -143,8 +144,11 @@ TEST_CASE("A missing or damaged object is one error that names it") {
     CHECK(buildPresetInstrument(stored, preset));
     object.deleteFile();
     const auto missing = buildPresetInstrument(stored, preset);
-    REQUIRE_FALSE(missing);
-    CHECK_THAT(missing.error().message, ContainsSubstring(object.getFileName().toStdString()));
+    REQUIRE(missing);
+    CHECK_THAT(missing->notice, ContainsSubstring(object.getFileName().toStdString()));
+    CHECK(missing->keyMap.object == "ring");
+    for (const int note : {stored.lowestNote, stored.highestNote})
+        CHECK(missing->instrument->key(note).slot >= 0);
 }
 
 TEST_CASE("Objects of hostile names are written below the folder and nowhere else") {
