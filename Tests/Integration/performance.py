@@ -10,6 +10,7 @@ SAMPLE_RATE = 48000
 # A quarter of a sample late: whether a host rounds a time in seconds or cuts it off, it finds the
 # sample that was meant.
 SAFELY_INSIDE = 0.25
+IDENTICAL = -math.inf  # for assert_equal_sound
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,0 +1,91 @@
+"""Ardour without a window: sessions made by its Lua, rendered by its export, in a home of their own."""
+import os
+import pathlib
+import subprocess
+import xml.etree.ElementTree as xml
+
+import mido
+import soundfile
+
+from performance import SAMPLE_RATE
+
+SESSION = "song"
+SUPERCLOCKS_PER_SAMPLE = 282_240_000 // SAMPLE_RATE  # Ardour's unit of time
+TICKS_PER_QUARTER = 1920  # Ardour's, whatever the file's are
+FIRST_ID = 90_001  # above those of a session of one track
+
+
+class Ardour:
+    def __init__(self, lua, scanner, home, vst3):
+        self.lua, self.export = lua, lua.with_name("ardour7-export")
+        self.environment = {name: value for name, value in os.environ.items()
+                            if not name.startswith("XDG_")} | {"HOME": str(home)}
+        folder = home / ".vst3"
+        folder.mkdir()
+        plugin = folder / vst3.name
+        plugin.symlink_to(vst3)
+        self.run(scanner, "-f", plugin, LD_LIBRARY_PATH=str(scanner.parent))
+
+    def run(self, *command, **variables):
+        result = subprocess.run(list(map(str, command)), env=self.environment | variables,
+                                capture_output=True, text=True, timeout=120)
+        assert result.returncode == 0, result.stdout + result.stderr
+
+    def make_session(self, folder, midi_file, program, parameters=()):
+        script = pathlib.Path(__file__).with_name("ardour_session.lua")
+        values = [text for pair in parameters for text in pair]
+        self.run(self.lua, script, folder, SESSION, SAMPLE_RATE, "Idiophone", program, *values)
+        put_song(folder, midi_file)
+
+    def render(self, folder, frames):
+        """Opens the session anew and exports so many frames from its start; [channels, frames]."""
+        set_range(folder, frames)
+        wave = folder / "export" / "song.wav"
+        self.run(self.export, "-b", "float", "-o", wave, folder, SESSION)
+        assert soundfile.info(wave).subtype == "FLOAT"
+        samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
+        assert rate == SAMPLE_RATE
+        return samples.T
+
+
+def put_song(folder, midi_file):
+    """Puts a MIDI file, all tracks as one, and its tempo into the session: Ardour's Lua can neither
+    import files nor make regions."""
+    song = mido.MidiFile(midi_file)
+    merged = mido.merge_tracks(song.tracks)
+    single = mido.MidiFile(type=0, ticks_per_beat=song.ticks_per_beat)
+    single.tracks.append(merged)
+    single.save(next(folder.glob("interchange/*/midifiles")) / "song.mid")
+    length = sum(message.time for message in merged) * TICKS_PER_QUARTER // song.ticks_per_beat
+    tempo, = (mido.tempo2bpm(message.tempo) for message in merged if message.type == "set_tempo")
+
+    def edit(session):
+        source, region = str(FIRST_ID), str(FIRST_ID + 1)
+        xml.SubElement(session.find("Sources"), "Source", {
+            "name": "song.mid", "type": "midi", "id": source, "origin": ""})
+        xml.SubElement(session.find("Playlists/Playlist"), "Region", {
+            "name": "song", "type": "midi", "id": region, "source-0": source,
+            "master-source-0": source, "position": "b0", "start": "b0", "length": f"b{length}@b0"})
+        element = session.find("TempoMap/Tempos/Tempo")
+        element.set("npm", str(tempo))
+        element.set("enpm", str(tempo))
+    edit_session(folder, edit)
+
+
+def set_range(folder, frames):
+    """What is exported."""
+    def edit(session):
+        locations = session.find("Locations")
+        locations.clear()
+        xml.SubElement(locations, "Location", {
+            "name": "session", "flags": "IsSessionRange", "id": str(FIRST_ID + 2), "start": "a0",
+            "end": f"a{frames * SUPERCLOCKS_PER_SAMPLE}"})
+    edit_session(folder, edit)
+
+
+def edit_session(folder, edit):
+    file = folder / f"{SESSION}.ardour"
+    tree = xml.parse(file)
+    edit(tree.getroot())
+    tree.getroot().set("id-counter", str(FIRST_ID + 3))
+    tree.write(file, encoding="UTF-8", xml_declaration=True)
