@@ -16,25 +16,26 @@ FIRST_ID = 90_001  # above those of a session of one track
 
 
 class Ardour:
-    def __init__(self, lua, scanner, home, vst3):
+    def __init__(self, lua, scanner, home, vst3, lv2):
         self.lua, self.export = lua, lua.with_name("ardour7-export")
         self.environment = {name: value for name, value in os.environ.items()
-                            if not name.startswith("XDG_")} | {"HOME": str(home)}
-        folder = home / ".vst3"
-        folder.mkdir()
-        plugin = folder / vst3.name
-        plugin.symlink_to(vst3)
-        self.run(scanner, "-f", plugin, LD_LIBRARY_PATH=str(scanner.parent))
+                            if not name.startswith("XDG_") and name != "LV2_PATH"}
+        self.environment["HOME"] = str(home)
+        for folder, plugin in ((home / ".vst3", vst3), (home / ".lv2", lv2)):
+            folder.mkdir()
+            (folder / plugin.name).symlink_to(plugin)
+        self.run(scanner, "-f", home / ".vst3" / vst3.name, LD_LIBRARY_PATH=str(scanner.parent))
 
     def run(self, *command, **variables):
         result = subprocess.run(list(map(str, command)), env=self.environment | variables,
                                 capture_output=True, text=True, timeout=120)
         assert result.returncode == 0, result.stdout + result.stderr
 
-    def make_session(self, folder, midi_file, program, parameters=()):
+    def make_session(self, folder, midi_file, plugin_type, program, parameters=()):
         script = pathlib.Path(__file__).with_name("ardour_session.lua")
         values = [text for pair in parameters for text in pair]
-        self.run(self.lua, script, folder, SESSION, SAMPLE_RATE, "Idiophone", program, *values)
+        self.run(self.lua, script, folder, SESSION, SAMPLE_RATE, "Idiophone", plugin_type, program,
+                 *values)
         put_song(folder, midi_file)
 
     def render(self, folder, frames):
