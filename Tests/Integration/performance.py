@@ -71,6 +71,12 @@ def assert_sounds(audio):
     assert numpy.abs(audio).max() > 1e-3, "silence"
 
 
+def onset(audio):
+    """The first sample at which there is sound, in any channel."""
+    assert_sounds(audio)
+    return int(numpy.flatnonzero(audio.any(axis=0))[0])
+
+
 def assert_equal_sound(audio, reference, decibels=-100):
     """Every sample of `audio` within `decibels` of the reference's peak."""
     assert audio.shape == reference.shape
