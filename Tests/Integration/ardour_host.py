@@ -1,4 +1,4 @@
-"""Ardour without a window: sessions made by its Lua, rendered by its export, in a home of their own."""
+"""Ardour without a window: its Lua makes sessions, its export renders them, in a home of their own."""
 import os
 import pathlib
 import subprocess

@@ -42,8 +42,9 @@ def render_in_console(console, songs, tmp_path_factory):
     def render(preset, *assignments):
         wave = tmp_path_factory.mktemp("console") / "song.wav"
         changes = [argument for assignment in assignments for argument in ("--set", assignment)]
-        subprocess.run([console, "render", "--preset", preset, *changes, "-o", wave, "--midi",
-                        songs / "TheEntertainer.mid", "--sample-rate", "48000"], check=True, timeout=300)
+        subprocess.run([console, "render", "--preset", preset, *changes, "-o", wave,
+                        "--midi", songs / "TheEntertainer.mid", "--sample-rate", "48000"],
+                       check=True, timeout=300)
         assert soundfile.info(wave).subtype == "FLOAT"
         samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
         assert rate == 48000

@@ -68,8 +68,8 @@ class Lv2Host:
 
     def __init__(self, bundle, uri, environment, sample_rate, block):
         self.block, self.uris, self.keep, self.changes = block, {}, [], []
-        binary = next(path for ending in ("so", "dylib", "dll") for path in bundle.glob(f"*.{ending}"))
-        library = ctypes.CDLL(str(binary))
+        library = ctypes.CDLL(str(next(path for ending in ("so", "dylib", "dll")
+                                       for path in bundle.glob(f"*.{ending}"))))
         library.lv2_descriptor.restype = ctypes.POINTER(Descriptor)
         self.descriptor = library.lv2_descriptor(0)
         assert self.descriptor.contents.uri.decode() == uri

@@ -71,6 +71,11 @@ def assert_sounds(audio):
     assert numpy.abs(audio).max() > 1e-3, "silence"
 
 
+def within(events, start, end):
+    """Those of these samples, counted from the start."""
+    return [(sample - start, message) for sample, message in events if start <= sample < end]
+
+
 def onset(audio):
     """The first sample at which there is sound, in any channel."""
     assert_sounds(audio)

@@ -7,8 +7,8 @@ import numpy
 import pytest
 
 from lv2_host import Lv2Host
-from performance import (IDENTICAL, SAMPLE_RATE, Note, Performance, assert_equal_sound, assert_sounds,
-                         onset)
+from performance import (IDENTICAL, SAMPLE_RATE, Note, Performance, assert_equal_sound,
+                         assert_sounds, onset, within)
 
 BLOCK = 512
 
@@ -71,7 +71,8 @@ def host(lv2, environment, uri):
 
 @pytest.fixture
 def parameters(lv2, uri):
-    names = re.findall(r"^plug:(\w+)\n\ta lv2:Parameter", (lv2 / "dsp.ttl").read_text(), re.MULTILINE)
+    text = (lv2 / "dsp.ttl").read_text()
+    names = re.findall(r"^plug:(\w+)\n\ta lv2:Parameter", text, re.MULTILINE)
     assert len(names) > 15
     return [f"{uri}:{name}" for name in names]
 
@@ -109,6 +110,24 @@ def test_a_note_sounds_from_its_exact_sample_on(host, sample):
     assert onset(host(block=100).render(note, 8000)) == sample
 
 
+def test_instances_side_by_side_leave_each_other_alone(host):
+    """Twenty, of which every other one gets nothing to play, run in turn block by block."""
+    scale = Performance.scale().midi_events()
+    hosts, blocks = [host() for _ in range(20)], SAMPLE_RATE // BLOCK
+    rendered = [[] for _ in hosts]
+    for start in range(0, blocks * BLOCK, BLOCK):
+        now = within(scale, start, start + BLOCK)
+        for position, one in enumerate(hosts):
+            rendered[position].append(one.run(now if position % 2 == 0 else [], BLOCK))
+    alone = host().render(scale, blocks * BLOCK)
+    for position, pieces in enumerate(rendered):
+        audio = numpy.concatenate(pieces, axis=1)
+        if position % 2 == 0:
+            assert_equal_sound(audio, alone, IDENTICAL)
+        else:
+            assert not audio.any()
+
+
 def test_what_is_disabled_is_silent_and_sounds_again_when_enabled(host):
     scale, one = Performance.scale().midi_events(), host()
     one.set_control("enabled", 0)
@@ -124,8 +143,7 @@ def test_a_state_comes_back_byte_for_byte_after_random_automation(host, paramete
     for start in range(0, SAMPLE_RATE, BLOCK):
         for parameter in parameters:
             first.set_parameter(parameter, values.uniform())
-        now = [(sample - start, message) for sample, message in scale
-               if start <= sample < start + BLOCK]
+        now = within(scale, start, start + BLOCK)
         assert numpy.isfinite(first.run(now, BLOCK)).all()
     saved = first.save()
     assert saved != untouched, "the state does not tell what was changed"

@@ -7,7 +7,7 @@ import pedalboard
 import pytest
 
 from performance import (IDENTICAL, PRESET, SAMPLE_RATE, Note, Performance, assert_equal_sound,
-                         assert_sounds, onset, seconds)
+                         assert_sounds, onset, seconds, within)
 
 BLOCK = 480
 # After loading, pedalboard strikes middle C until something sounds, or as long as this: a xylophone
@@ -62,8 +62,8 @@ def test_playing_on_piece_by_piece_sounds_as_one_bounce(load):
     lengths, pieces, start = numpy.random.default_rng(1), [], 0
     while start < SAMPLE_RATE:
         end = min(start + int(lengths.integers(1, 3000)), SAMPLE_RATE)
-        now = [(sample - start, message) for sample, message in events if start <= sample < end]
-        pieces.append(render_events(plugin, now, end - start, reset=start == 0))
+        pieces.append(render_events(plugin, within(events, start, end), end - start,
+                                    reset=start == 0))
         start = end
     assert_equal_sound(numpy.concatenate(pieces, axis=1), bounce, IDENTICAL)
 
