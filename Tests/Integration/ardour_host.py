@@ -1,6 +1,7 @@
-"""Ardour without a window: its Lua makes sessions, its export renders them, in a home of their own."""
+"""Ardour without a window: its Lua makes sessions and exports them, in a home of their own."""
 import os
 import pathlib
+import shutil
 import subprocess
 import xml.etree.ElementTree as xml
 
@@ -10,20 +11,23 @@ import soundfile
 from performance import SAMPLE_RATE
 
 SESSION = "song"
-SUPERCLOCKS_PER_SAMPLE = 282_240_000 // SAMPLE_RATE  # Ardour's unit of time
+SCRIPTS = pathlib.Path(__file__).parent
 TICKS_PER_QUARTER = 1920  # Ardour's, whatever the file's are
 FIRST_ID = 90_001  # above those of a session of one track
 
 
 class Ardour:
     def __init__(self, lua, scanner, home, vst3, lv2):
-        self.lua, self.export = lua, lua.with_name("ardour7-export")
+        self.lua = lua
         self.environment = {name: value for name, value in os.environ.items()
                             if not name.startswith("XDG_") and name != "LV2_PATH"}
         self.environment["HOME"] = str(home)
         for folder, plugin in ((home / ".vst3", vst3), (home / ".lv2", lv2)):
             folder.mkdir()
             (folder / plugin.name).symlink_to(plugin)
+        presets = home / ".config" / "ardour7" / "export"
+        presets.mkdir(parents=True)
+        shutil.copy(SCRIPTS / "ardour_export.preset", presets)
         self.run(scanner, "-f", home / ".vst3" / vst3.name, LD_LIBRARY_PATH=str(scanner.parent))
 
     def run(self, *command, **variables):
@@ -32,17 +36,15 @@ class Ardour:
         assert result.returncode == 0, result.stdout + result.stderr
 
     def make_session(self, folder, midi_file, plugin_type, program, parameters=()):
-        script = pathlib.Path(__file__).with_name("ardour_session.lua")
         values = [text for pair in parameters for text in pair]
-        self.run(self.lua, script, folder, SESSION, SAMPLE_RATE, "Idiophone", plugin_type, program,
-                 *values)
+        self.run(self.lua, SCRIPTS / "ardour_session.lua", folder, SESSION, SAMPLE_RATE,
+                 "Idiophone", plugin_type, program, *values)
         put_song(folder, midi_file)
 
     def render(self, folder, frames):
         """Opens the session anew and exports so many frames from its start; [channels, frames]."""
-        set_range(folder, frames)
+        self.run(self.lua, SCRIPTS / "ardour_export.lua", folder, SESSION, frames)
         wave = folder / "export" / "song.wav"
-        self.run(self.export, "-b", "float", "-o", wave, folder, SESSION)
         assert soundfile.info(wave).subtype == "FLOAT"
         samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
         assert rate == SAMPLE_RATE
@@ -60,33 +62,16 @@ def put_song(folder, midi_file):
     length = sum(message.time for message in merged) * TICKS_PER_QUARTER // song.ticks_per_beat
     tempo, = (mido.tempo2bpm(message.tempo) for message in merged if message.type == "set_tempo")
 
-    def edit(session):
-        source, region = str(FIRST_ID), str(FIRST_ID + 1)
-        xml.SubElement(session.find("Sources"), "Source", {
-            "name": "song.mid", "type": "midi", "id": source, "origin": ""})
-        xml.SubElement(session.find("Playlists/Playlist"), "Region", {
-            "name": "song", "type": "midi", "id": region, "source-0": source,
-            "master-source-0": source, "position": "b0", "start": "b0", "length": f"b{length}@b0"})
-        element = session.find("TempoMap/Tempos/Tempo")
-        element.set("npm", str(tempo))
-        element.set("enpm", str(tempo))
-    edit_session(folder, edit)
-
-
-def set_range(folder, frames):
-    """What is exported."""
-    def edit(session):
-        locations = session.find("Locations")
-        locations.clear()
-        xml.SubElement(locations, "Location", {
-            "name": "session", "flags": "IsSessionRange", "id": str(FIRST_ID + 2), "start": "a0",
-            "end": f"a{frames * SUPERCLOCKS_PER_SAMPLE}"})
-    edit_session(folder, edit)
-
-
-def edit_session(folder, edit):
     file = folder / f"{SESSION}.ardour"
     tree = xml.parse(file)
-    edit(tree.getroot())
-    tree.getroot().set("id-counter", str(FIRST_ID + 3))
+    session, source, region = tree.getroot(), str(FIRST_ID), str(FIRST_ID + 1)
+    session.set("id-counter", str(FIRST_ID + 2))
+    xml.SubElement(session.find("Sources"), "Source", {
+        "name": "song.mid", "type": "midi", "id": source, "origin": ""})
+    xml.SubElement(session.find("Playlists/Playlist"), "Region", {
+        "name": "song", "type": "midi", "id": region, "source-0": source,
+        "master-source-0": source, "position": "b0", "start": "b0", "length": f"b{length}@b0"})
+    element = session.find("TempoMap/Tempos/Tempo")
+    element.set("npm", str(tempo))
+    element.set("enpm", str(tempo))
     tree.write(file, encoding="UTF-8", xml_declaration=True)
