@@ -9,7 +9,8 @@ from performance import PRESET, Performance
 
 
 def pytest_addoption(parser):
-    for name in ("vst3", "lv2", "console", "validator", "pluginval", "songs"):
+    for name in ("vst3", "lv2", "console", "validator", "pluginval", "songs", "ardour-lua",
+                 "ardour-scanner"):
         parser.addoption(f"--{name}", help=f"path of the {name}")
 
 
@@ -27,6 +28,7 @@ def path_option(name):
 vst3, lv2, console = path_option("vst3"), path_option("lv2"), path_option("console")
 validator, pluginval = path_option("validator"), path_option("pluginval")
 songs = path_option("songs")
+ardour_lua, ardour_scanner = path_option("ardour-lua"), path_option("ardour-scanner")
 
 
 @pytest.fixture(scope="session")
@@ -35,12 +37,21 @@ def song(songs):
 
 
 @pytest.fixture(scope="session")
-def console_render(console, songs, tmp_path_factory):
+def render_in_console(console, songs, tmp_path_factory):
     """The console's render of the song, [channels, frames], 32-bit float at 48 kHz."""
-    wave = tmp_path_factory.mktemp("console") / "song.wav"
-    subprocess.run([console, "render", "--preset", PRESET, "--midi", songs / "TheEntertainer.mid",
-                    "-o", wave, "--sample-rate", "48000"], check=True, timeout=300)
-    assert soundfile.info(wave).subtype == "FLOAT"
-    samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
-    assert rate == 48000
-    return samples.T
+    def render(preset, *assignments):
+        wave = tmp_path_factory.mktemp("console") / "song.wav"
+        changes = [argument for assignment in assignments for argument in ("--set", assignment)]
+        subprocess.run([console, "render", "--preset", preset, *changes, "-o", wave,
+                        "--midi", songs / "TheEntertainer.mid", "--sample-rate", "48000"],
+                       check=True, timeout=300)
+        assert soundfile.info(wave).subtype == "FLOAT"
+        samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
+        assert rate == 48000
+        return samples.T
+    return render
+
+
+@pytest.fixture(scope="session")
+def console_render(render_in_console):
+    return render_in_console(PRESET)

@@ -1,13 +1,15 @@
 """A host of one LV2 instrument, over the C interface of LV2; lilv (lv2info) finds its ports."""
 import ctypes
 import re
-import struct
 import subprocess
 
 import numpy
 
-LV2 = "http://lv2plug.in/ns/"
+import lv2_state
+from lv2_atoms import LV2, empty_chunk, midi_event, patch_set, sequence
+
 SEQUENCE_BYTES = 1 << 16
+LONGEST_BLOCK = 1 << 14
 
 
 class Descriptor(ctypes.Structure):
@@ -48,21 +50,26 @@ class Option(ctypes.Structure):
 
 
 def ports_of(uri, environment):
-    """[(index, set of type names, default value)] as lilv reads them from the plugin's files."""
+    """[(index, symbol, set of type names, default value)] as lilv reads them from the plugin's
+    files."""
     text = subprocess.run(["lv2info", uri], env=environment, check=True, capture_output=True,
                           text=True, timeout=60).stdout
     ports = []
     for index, body in re.findall(r"^\tPort (\d+):\n((?:\t\t.*\n|\n)*)", text, re.MULTILINE):
         types = set(re.findall(r"[#](\w+Port)\b", body))
+        symbol = re.search(r"Symbol:\s+(\S+)", body).group(1)
         default = re.search(r"Default:\s+(\S+)", body)
-        ports.append((int(index), types, float(default.group(1)) if default else 0.0))
+        ports.append((int(index), symbol, types, float(default.group(1)) if default else 0.0))
     return ports
 
 
 class Lv2Host:
-    def __init__(self, bundle, binary, uri, environment, sample_rate, block):
-        self.block, self.uris, self.keep = block, {}, []
-        library = ctypes.CDLL(str(binary))
+    """One instance, which is told that blocks have at most `block` samples."""
+
+    def __init__(self, bundle, uri, environment, sample_rate, block):
+        self.block, self.uris, self.keep, self.changes = block, {}, [], []
+        library = ctypes.CDLL(str(next(path for ending in ("so", "dylib", "dll")
+                                       for path in bundle.glob(f"*.{ending}"))))
         library.lv2_descriptor.restype = ctypes.POINTER(Descriptor)
         self.descriptor = library.lv2_descriptor(0)
         assert self.descriptor.contents.uri.decode() == uri
@@ -98,10 +105,10 @@ class Lv2Host:
         return ctypes.cast(pointers, ctypes.c_void_p)
 
     def connect(self, ports):
-        self.audio, self.events_in, self.events_out = [], None, None
-        for index, types, default in ports:
+        self.audio, self.controls, self.events_in, self.events_out = [], {}, None, None
+        for index, symbol, types, default in ports:
             if "AudioPort" in types:
-                memory = numpy.zeros(self.block, dtype=numpy.float32)
+                memory = numpy.zeros(LONGEST_BLOCK, dtype=numpy.float32)
                 if "OutputPort" in types:
                     self.audio.append(memory)
             elif "AtomPort" in types:
@@ -111,34 +118,48 @@ class Lv2Host:
                 else:
                     self.events_out = memory
             else:
-                memory = ctypes.c_float(default)
+                memory = self.controls[symbol] = ctypes.c_float(default)
             self.keep.append(memory)
             address = (memory.ctypes.data if isinstance(memory, numpy.ndarray)
                        else ctypes.addressof(memory))
             self.descriptor.contents.connect_port(self.handle, index, address)
 
-    def write_events(self, messages):
-        """An atom sequence of (frame, MIDI bytes), in time order."""
-        midi = self.urid(LV2 + "ext/midi#MidiEvent")
-        body = struct.pack("=II", 0, 0)
-        for frame, message in messages:
-            body += struct.pack("=qII", frame, len(message), midi) + message
-            body += bytes(-len(body) % 8)
-        atom = struct.pack("=II", len(body), self.urid(LV2 + "ext/atom#Sequence")) + body
-        ctypes.memmove(self.events_in, atom, len(atom))
+    def set_control(self, symbol, value):
+        self.controls[symbol].value = value
 
-    def render(self, messages, frames):
-        """Plays (sample, MIDI bytes) in time order; [channels, frames]."""
-        rendered, waiting = [], list(messages)
-        chunk = self.urid(LV2 + "ext/atom#Chunk")
-        for start in range(0, frames, self.block):
+    def set_parameter(self, uri, value):
+        """From the first sample of the next block on."""
+        self.changes.append((0, patch_set(self.urid, uri, value)))
+
+    def save(self):
+        return lv2_state.save(self.descriptor, self.handle)
+
+    def restore(self, saved):
+        lv2_state.restore(self.descriptor, self.handle, saved)
+
+    def run(self, messages, frames):
+        """One block with (frame, MIDI bytes) in time order; [channels, frames]."""
+        events = self.changes + [(frame, midi_event(self.urid, message))
+                                 for frame, message in messages]
+        self.changes = []
+        written = sequence(self.urid, events)
+        ctypes.memmove(self.events_in, written, len(written))
+        if self.events_out is not None:
+            room = empty_chunk(self.urid, SEQUENCE_BYTES - 8)
+            ctypes.memmove(self.events_out, room, len(room))
+        self.descriptor.contents.run(self.handle, frames)
+        return numpy.array([channel[:frames] for channel in self.audio])
+
+    def render(self, messages, frames, lengths=None):
+        """Plays (sample, MIDI bytes) in time order, in blocks of these lengths and then of the one
+        that was told; [channels, frames]."""
+        rendered, waiting, start = [], list(messages), 0
+        lengths = iter(lengths or ())
+        while start < frames:
+            length = min(next(lengths, self.block), frames - start)
             now = [(sample - start, message) for sample, message in waiting
-                   if sample < start + self.block]
+                   if sample < start + length]
             waiting = waiting[len(now):]
-            self.write_events(now)
-            if self.events_out is not None:
-                capacity = struct.pack("=II", SEQUENCE_BYTES - 8, chunk)
-                ctypes.memmove(self.events_out, capacity, len(capacity))
-            self.descriptor.contents.run(self.handle, self.block)
-            rendered.append(numpy.array(self.audio, dtype=numpy.float32))
-        return numpy.concatenate(rendered, axis=1)[:, :frames]
+            rendered.append(self.run(now, length))
+            start += length
+        return numpy.concatenate(rendered, axis=1)

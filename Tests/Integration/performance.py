@@ -10,6 +10,7 @@ SAMPLE_RATE = 48000
 # A quarter of a sample late: whether a host rounds a time in seconds or cuts it off, it finds the
 # sample that was meant.
 SAFELY_INSIDE = 0.25
+IDENTICAL = -math.inf  # for assert_equal_sound
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,6 +69,17 @@ class Performance:
 def assert_sounds(audio):
     assert numpy.isfinite(audio).all(), "not every sample is a number"
     assert numpy.abs(audio).max() > 1e-3, "silence"
+
+
+def within(events, start, end):
+    """Those of these samples, counted from the start."""
+    return [(sample - start, message) for sample, message in events if start <= sample < end]
+
+
+def onset(audio):
+    """The first sample at which there is sound, in any channel."""
+    assert_sounds(audio)
+    return int(numpy.flatnonzero(audio.any(axis=0))[0])
 
 
 def assert_equal_sound(audio, reference, decibels=-100):

@@ -1,22 +1,27 @@
 """The VST3 in DawDreamer, built on JUCE's own host.
 
 To be run without a display: loading a state, DawDreamer opens a window of its own, and on a bare X
-server without a window manager it ends the process there (an X error, BadAtom).
+server without a window manager it ends the process there (an X error, BadAtom). In stereo only: it
+asks any plugin for an input bus, if one without channels, when the number of channels changes.
 """
 import dawdreamer
 import numpy
 import pytest
 
-from performance import SAMPLE_RATE, Performance, assert_equal_sound, assert_sounds, seconds
+from performance import (IDENTICAL, SAMPLE_RATE, Performance, assert_equal_sound, assert_sounds,
+                         seconds)
 
 BLOCK = 512
+# Choices, switches and whole numbers take the nearest.
+STEPPED = {"Material", "Let ring", "Pitch bend range", "Bypass", "Mallet", "Modal pulse",
+           "Match loudness", "Contact"}
 
 
 class Host:
     """One engine with one instance of the plugin in it."""
 
-    def __init__(self, vst3):
-        self.engine = dawdreamer.RenderEngine(SAMPLE_RATE, BLOCK)
+    def __init__(self, vst3, block=BLOCK):
+        self.engine = dawdreamer.RenderEngine(SAMPLE_RATE, block)
         self.plugin = self.engine.make_plugin_processor("idiophone", str(vst3))
         self.engine.load_graph([(self.plugin, [])])
 
@@ -24,6 +29,9 @@ class Host:
         """Index and name of the plugin's own: JUCE adds one for each MIDI controller to a VST3."""
         return [(one["index"], one["name"]) for one in self.plugin.get_parameters_description()
                 if not one["name"].startswith("MIDI CC ")]
+
+    def index(self, name):
+        return next(index for index, each in self.parameters() if each == name)
 
     def values(self):
         return [self.plugin.get_parameter_text(index) for index, _ in self.parameters()]
@@ -43,13 +51,41 @@ class Host:
 
 @pytest.fixture
 def host(vst3):
-    return lambda: Host(vst3)
+    return lambda **options: Host(vst3, **options)
 
 
 def test_it_renders_the_song_as_the_console_does(host, song, console_render):
     host = host()
     assert host.plugin.get_latency_samples() == 0
     assert_equal_sound(host.render(song, console_render.shape[1]), console_render)
+
+
+@pytest.mark.parametrize("block", (1, 64, 100, 2048, 8192))
+def test_blocks_of_any_size_render_the_same(host, block):
+    scale = Performance.scale()
+    assert_equal_sound(host(block=block).render(scale, SAMPLE_RATE),
+                       host().render(scale, SAMPLE_RATE), IDENTICAL)
+
+
+def test_the_hosts_tempo_changes_nothing(host):
+    scale, restless = Performance.scale(), host()
+    every_twentieth_of_a_beat = numpy.random.default_rng(1).uniform(30, 300, 200)
+    assert restless.engine.set_bpm(every_twentieth_of_a_beat.astype(numpy.float32), 20)
+    assert_equal_sound(restless.render(scale, SAMPLE_RATE), host().render(scale, SAMPLE_RATE),
+                       IDENTICAL)
+
+
+def test_automated_bypass_silences_and_what_rang_meanwhile_rings_on(host):
+    scale, bypassed = Performance.scale(), host()
+    on, off, fade = 20 * BLOCK, 50 * BLOCK, 2000
+    automation = numpy.zeros(SAMPLE_RATE, numpy.float32)
+    automation[on:off] = 1
+    bypassed.plugin.set_automation(bypassed.index("Bypass"), automation)
+    audio, expected = bypassed.render(scale, SAMPLE_RATE), host().render(scale, SAMPLE_RATE)
+    assert expected[:, on + fade:off].any(axis=0).mean() > 0.9
+    assert not audio[:, on + fade:off].any()
+    for untouched in (slice(0, on), slice(off + fade, None)):
+        assert_equal_sound(audio[:, untouched], expected[:, untouched], IDENTICAL)
 
 
 def test_every_parameter_moves_through_its_range_while_notes_sound(host):
@@ -87,3 +123,21 @@ def test_a_state_comes_back_byte_for_byte_and_sounds_the_same(host, tmp_path):
     first.render(Performance([]), frames)
     expected = first.render(scale, frames)
     assert_equal_sound(second.render(scale, frames), expected)
+
+
+def test_a_state_holds_where_random_automation_ended_and_comes_back_byte_for_byte(host, tmp_path):
+    first, random, last = host(), numpy.random.default_rng(2), {}
+    for index, name in first.parameters():
+        if name == "Program":  # sets the others
+            continue
+        steps = random.uniform(0, 1, SAMPLE_RATE // BLOCK + 1).astype(numpy.float32)
+        first.plugin.set_automation(index, numpy.repeat(steps, BLOCK)[:SAMPLE_RATE])
+        last[name] = steps[-1]
+    assert numpy.isfinite(first.render(Performance.scale(), SAMPLE_RATE)).all()
+    saved = first.state(tmp_path / "saved")
+
+    second = host()
+    second.plugin.load_state(str(tmp_path / "saved"))
+    assert second.state(tmp_path / "again") == saved
+    reached = {name: second.plugin.get_parameter(second.index(name)) for name in last}
+    assert {name for name in last if abs(reached[name] - last[name]) > 1e-4} <= STEPPED

@@ -3,10 +3,12 @@ import os
 import re
 import subprocess
 
+import numpy
 import pytest
 
 from lv2_host import Lv2Host
-from performance import SAMPLE_RATE, assert_equal_sound, assert_sounds
+from performance import (IDENTICAL, SAMPLE_RATE, Note, Performance, assert_equal_sound,
+                         assert_sounds, onset, within)
 
 BLOCK = 512
 
@@ -54,10 +56,96 @@ def test_lilv_lists_it(environment, uri):
     assert uri in listed
 
 
-def test_it_renders_the_song_as_the_console_does(lv2, environment, uri, song, console_render):
-    binary = next(path for ending in ("so", "dylib", "dll") for path in lv2.glob(f"*.{ending}"))
-    host = Lv2Host(lv2, binary, uri, environment, SAMPLE_RATE, BLOCK)
-    audio = host.render(song.midi_events(), console_render.shape[1])
-    host.close()
+@pytest.fixture
+def host(lv2, environment, uri):
+    """Makes instances, which are closed after the test."""
+    hosts = []
+
+    def make(block=BLOCK):
+        hosts.append(Lv2Host(lv2, uri, environment, SAMPLE_RATE, block))
+        return hosts[-1]
+    yield make
+    for one in hosts:
+        one.close()
+
+
+@pytest.fixture
+def parameters(lv2, uri):
+    text = (lv2 / "dsp.ttl").read_text()
+    names = re.findall(r"^plug:(\w+)\n\ta lv2:Parameter", text, re.MULTILINE)
+    assert len(names) > 15
+    return [f"{uri}:{name}" for name in names]
+
+
+def test_it_renders_the_song_as_the_console_does(host, song, console_render):
+    audio = host().render(song.midi_events(), console_render.shape[1])
     assert_sounds(audio)
     assert_equal_sound(audio, console_render)
+
+
+def test_blocks_of_changing_length_render_the_same(host):
+    scale = Performance.scale().midi_events()
+    lengths = numpy.random.default_rng(1).integers(0, BLOCK + 1, 400).tolist()
+    assert_equal_sound(host().render(scale, SAMPLE_RATE, [1, 1, 0, 7, *lengths]),
+                       host().render(scale, SAMPLE_RATE), IDENTICAL)
+
+
+def test_blocks_longer_than_announced_render_the_same(host):
+    scale = Performance.scale().midi_events()
+    assert_equal_sound(host(block=64).render(scale, SAMPLE_RATE, [64, 16000, 65, 8192]),
+                       host().render(scale, SAMPLE_RATE), IDENTICAL)
+
+
+def test_a_bounce_sounds_as_playing_did(host):
+    scale, bounced, played = Performance.scale().midi_events(), host(), host()
+    bounced.set_control("freeWheeling", 1)
+    assert_equal_sound(bounced.render(scale, SAMPLE_RATE), played.render(scale, SAMPLE_RATE),
+                       IDENTICAL)
+
+
+@pytest.mark.parametrize("sample", (0, 1, 63, 64, 99, 100, 511, 512, 4001))
+def test_a_note_sounds_from_its_exact_sample_on(host, sample):
+    note = Performance([Note(sample, sample + 2000, 84, 100)]).midi_events()
+    assert onset(host().render(note, 8000)) == sample
+    assert onset(host(block=100).render(note, 8000)) == sample
+
+
+def test_instances_side_by_side_leave_each_other_alone(host):
+    """Twenty, of which every other one gets nothing to play, run in turn block by block."""
+    scale = Performance.scale().midi_events()
+    hosts, blocks = [host() for _ in range(20)], SAMPLE_RATE // BLOCK
+    rendered = [[] for _ in hosts]
+    for start in range(0, blocks * BLOCK, BLOCK):
+        now = within(scale, start, start + BLOCK)
+        for position, one in enumerate(hosts):
+            rendered[position].append(one.run(now if position % 2 == 0 else [], BLOCK))
+    alone = host().render(scale, blocks * BLOCK)
+    for position, pieces in enumerate(rendered):
+        audio = numpy.concatenate(pieces, axis=1)
+        if position % 2 == 0:
+            assert_equal_sound(audio, alone, IDENTICAL)
+        else:
+            assert not audio.any()
+
+
+def test_what_is_disabled_is_silent_and_sounds_again_when_enabled(host):
+    scale, one = Performance.scale().midi_events(), host()
+    one.set_control("enabled", 0)
+    assert not one.render(scale, SAMPLE_RATE).any()
+    one.set_control("enabled", 1)
+    assert_sounds(one.render(scale, SAMPLE_RATE))
+
+
+def test_a_state_comes_back_byte_for_byte_after_random_automation(host, parameters):
+    first, second, values = host(), host(), numpy.random.default_rng(2)
+    untouched = first.save()
+    scale = Performance.scale().midi_events()
+    for start in range(0, SAMPLE_RATE, BLOCK):
+        for parameter in parameters:
+            first.set_parameter(parameter, values.uniform())
+        now = within(scale, start, start + BLOCK)
+        assert numpy.isfinite(first.run(now, BLOCK)).all()
+    saved = first.save()
+    assert saved != untouched, "the state does not tell what was changed"
+    second.restore(saved)
+    assert second.save() == saved

@@ -1,10 +1,13 @@
-"""The VST3 in pedalboard, a host of its own make."""
+"""The VST3 in pedalboard, a host of its own make.
+
+In stereo only: it refuses to change the number of channels of any plugin without an input.
+"""
 import numpy
 import pedalboard
 import pytest
 
-from performance import (PRESET, SAMPLE_RATE, Performance, assert_equal_sound, assert_sounds,
-                         seconds)
+from performance import (IDENTICAL, PRESET, SAMPLE_RATE, Note, Performance, assert_equal_sound,
+                         assert_sounds, onset, seconds, within)
 
 BLOCK = 480
 # After loading, pedalboard strikes middle C until something sounds, or as long as this: a xylophone
@@ -18,10 +21,14 @@ def load(vst3):
     return lambda: pedalboard.load_plugin(str(vst3), initialization_timeout=LOADING_SECONDS)
 
 
-def render(plugin, performance, frames, reset=True):
-    messages = [(message, seconds(sample)) for sample, message in performance.midi_events()]
-    return plugin(messages, duration=frames / SAMPLE_RATE, sample_rate=SAMPLE_RATE,
-                  num_channels=2, buffer_size=BLOCK, reset=reset)
+def render(plugin, performance, frames, reset=True, block=BLOCK):
+    return render_events(plugin, performance.midi_events(), frames, reset, block)
+
+
+def render_events(plugin, events, frames, reset, block=BLOCK):
+    messages = [(message, seconds(sample)) for sample, message in events]
+    return plugin(messages, duration=seconds(frames), sample_rate=SAMPLE_RATE,
+                  num_channels=2, buffer_size=block, reset=reset)
 
 
 def change(plugin):
@@ -40,6 +47,33 @@ def test_it_renders_the_song_as_the_console_does(load, song, console_render):
     assert plugin.parameters["program"].string_value == PRESET
     assert plugin.reported_latency_samples == 0
     assert_equal_sound(render(plugin, song, console_render.shape[1]), console_render)
+
+
+@pytest.mark.parametrize("block", (1, 64, 100, 512, 2048, 8192))
+def test_blocks_of_any_size_render_the_same(load, block):
+    plugin, scale = load(), Performance.scale()
+    expected = render(plugin, scale, SAMPLE_RATE)
+    assert_equal_sound(render(plugin, scale, SAMPLE_RATE, block=block), expected, IDENTICAL)
+
+
+def test_playing_on_piece_by_piece_sounds_as_one_bounce(load):
+    plugin, events = load(), Performance.scale().midi_events()
+    bounce = render_events(plugin, events, SAMPLE_RATE, reset=True)
+    lengths, pieces, start = numpy.random.default_rng(1), [], 0
+    while start < SAMPLE_RATE:
+        end = min(start + int(lengths.integers(1, 3000)), SAMPLE_RATE)
+        pieces.append(render_events(plugin, within(events, start, end), end - start,
+                                    reset=start == 0))
+        start = end
+    assert_equal_sound(numpy.concatenate(pieces, axis=1), bounce, IDENTICAL)
+
+
+@pytest.mark.parametrize("block", (64, 100, 512, 8192))
+def test_a_note_sounds_from_its_exact_sample_on(load, block):
+    plugin = load()
+    for sample in (0, 1, 63, 64, 99, 100, 511, 512, 4001):
+        note = Performance([Note(sample, sample + 2000, 84, 100)])
+        assert onset(render(plugin, note, 8000, block=block)) == sample
 
 
 def test_every_parameter_moves_through_its_range_while_notes_sound(load):

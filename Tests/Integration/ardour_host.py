@@ -1,0 +1,77 @@
+"""Ardour without a window: its Lua makes sessions and exports them, in a home of their own."""
+import os
+import pathlib
+import shutil
+import subprocess
+import xml.etree.ElementTree as xml
+
+import mido
+import soundfile
+
+from performance import SAMPLE_RATE
+
+SESSION = "song"
+SCRIPTS = pathlib.Path(__file__).parent
+TICKS_PER_QUARTER = 1920  # Ardour's, whatever the file's are
+FIRST_ID = 90_001  # above those of a session of one track
+
+
+class Ardour:
+    def __init__(self, lua, scanner, home, vst3, lv2):
+        self.lua = lua
+        self.environment = {name: value for name, value in os.environ.items()
+                            if not name.startswith("XDG_") and name != "LV2_PATH"}
+        self.environment["HOME"] = str(home)
+        for folder, plugin in ((home / ".vst3", vst3), (home / ".lv2", lv2)):
+            folder.mkdir()
+            (folder / plugin.name).symlink_to(plugin)
+        presets = home / ".config" / "ardour7" / "export"
+        presets.mkdir(parents=True)
+        shutil.copy(SCRIPTS / "ardour_export.preset", presets)
+        self.run(scanner, "-f", home / ".vst3" / vst3.name, LD_LIBRARY_PATH=str(scanner.parent))
+
+    def run(self, *command, **variables):
+        result = subprocess.run(list(map(str, command)), env=self.environment | variables,
+                                capture_output=True, text=True, timeout=120)
+        assert result.returncode == 0, result.stdout + result.stderr
+
+    def make_session(self, folder, midi_file, plugin_type, program, parameters=()):
+        values = [text for pair in parameters for text in pair]
+        self.run(self.lua, SCRIPTS / "ardour_session.lua", folder, SESSION, SAMPLE_RATE,
+                 "Idiophone", plugin_type, program, *values)
+        put_song(folder, midi_file)
+
+    def render(self, folder, frames):
+        """Opens the session anew and exports so many frames from its start; [channels, frames]."""
+        self.run(self.lua, SCRIPTS / "ardour_export.lua", folder, SESSION, frames)
+        wave = folder / "export" / "song.wav"
+        assert soundfile.info(wave).subtype == "FLOAT"
+        samples, rate = soundfile.read(wave, dtype="float32", always_2d=True)
+        assert rate == SAMPLE_RATE
+        return samples.T
+
+
+def put_song(folder, midi_file):
+    """Puts a MIDI file, all tracks as one, and its tempo into the session: Ardour's Lua can neither
+    import files nor make regions."""
+    song = mido.MidiFile(midi_file)
+    merged = mido.merge_tracks(song.tracks)
+    single = mido.MidiFile(type=0, ticks_per_beat=song.ticks_per_beat)
+    single.tracks.append(merged)
+    single.save(next(folder.glob("interchange/*/midifiles")) / "song.mid")
+    length = sum(message.time for message in merged) * TICKS_PER_QUARTER // song.ticks_per_beat
+    tempo, = (mido.tempo2bpm(message.tempo) for message in merged if message.type == "set_tempo")
+
+    file = folder / f"{SESSION}.ardour"
+    tree = xml.parse(file)
+    session, source, region = tree.getroot(), str(FIRST_ID), str(FIRST_ID + 1)
+    session.set("id-counter", str(FIRST_ID + 2))
+    xml.SubElement(session.find("Sources"), "Source", {
+        "name": "song.mid", "type": "midi", "id": source, "origin": ""})
+    xml.SubElement(session.find("Playlists/Playlist"), "Region", {
+        "name": "song", "type": "midi", "id": region, "source-0": source,
+        "master-source-0": source, "position": "b0", "start": "b0", "length": f"b{length}@b0"})
+    element = session.find("TempoMap/Tempos/Tempo")
+    element.set("npm", str(tempo))
+    element.set("enpm", str(tempo))
+    tree.write(file, encoding="UTF-8", xml_declaration=True)

@@ -1,0 +1,40 @@
+"""LV2 atoms as bytes: what a host writes into an event port."""
+import struct
+
+LV2 = "http://lv2plug.in/ns/"
+
+
+def atom(type_urid, body):
+    return struct.pack("=II", len(body), type_urid) + body
+
+
+def padded(data):
+    return data + bytes(-len(data) % 8)
+
+
+def midi_event(urid, message):
+    return atom(urid(LV2 + "ext/midi#MidiEvent"), message)
+
+
+def patch_set(urid, parameter, value):
+    """Sets a parameter, which JUCE's plugins have in place of control ports, to a float."""
+    properties = (("property", "URID", struct.pack("=I", urid(parameter))),
+                  ("value", "Float", struct.pack("=f", value)))
+    body = struct.pack("=II", 0, urid(LV2 + "ext/patch#Set"))
+    for key, kind, data in properties:
+        body += struct.pack("=II", urid(LV2 + "ext/patch#" + key), 0)
+        body += padded(atom(urid(LV2 + "ext/atom#" + kind), data))
+    return atom(urid(LV2 + "ext/atom#Object"), body)
+
+
+def sequence(urid, events):
+    """Of (frame, atom), in time order."""
+    body = struct.pack("=II", 0, 0)
+    for frame, event in events:
+        body += padded(struct.pack("=q", frame) + event)
+    return atom(urid(LV2 + "ext/atom#Sequence"), body)
+
+
+def empty_chunk(urid, capacity):
+    """What an output port holds before the plugin writes a sequence over it."""
+    return struct.pack("=II", capacity, urid(LV2 + "ext/atom#Chunk"))
