@@ -1,6 +1,8 @@
 #include "Console/ImpulseFile.h"
 
+#include "Object/OneLine.h"
 #include "Object/TextFile.h"
+#include "Object/UntrustedJson.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,11 +83,11 @@ void parseMember(const std::string& key, const json& value, Impulse& impulse) {
     else if (key == "contact_time")
         impulse.contactSeconds = number(value, "'contact_time'", 0, longestContactSeconds);
     else
-        throw Fault{"an impulse has no '" + key + "'"};
+        throw Fault{"an impulse has no " + inQuotes(key)};
 }
 
 Impulse parseLine(const std::string& text) {
-    const auto root = json::parse(text, nullptr, false);
+    const auto root = parseUntrusted(text);
     if (!root.is_object())
         throw Fault{"it is not a JSON object"};
     for (const char* key : {"time", "object", "impulse"})

@@ -44,6 +44,11 @@ std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
     return events;
 }
 
+/// Data bytes have seven bits; JUCE takes any.
+bool isWhole(const SongEvent& event) {
+    return event.bytes[1] < 0x80 && event.bytes[2] < 0x80;
+}
+
 } // namespace
 
 Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
@@ -59,6 +64,8 @@ Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
         return refuse("the MIDI file is damaged or cut off");
     midi.convertTimestampTicksToSeconds();
     auto events = channelMessages(midi);
+    if (!std::ranges::all_of(events, isWhole))
+        return refuse("the MIDI file is damaged or cut off");
     if (std::ranges::none_of(events, &SongEvent::isNoteOn))
         return refuse("it holds no notes");
     // Negated, so that it catches NaN; sorting put it anywhere.

@@ -1,6 +1,7 @@
 #include "Console/WavReader.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <juce_audio_formats/juce_audio_formats.h>
 #include <memory>
 
@@ -11,13 +12,48 @@ constexpr double longestSeconds = 600;
 constexpr unsigned mostChannels = 64;
 constexpr double lowestRateHz = 1000, highestRateHz = 1e6;
 
+/// JUCE takes the lengths of chunks at their word: it would ask for as much memory, or look for
+/// text beyond the file's end for ever.
+bool chunksLieInside(juce::InputStream& stream) {
+    const auto fileEnd = stream.getTotalLength();
+    const auto name = [](const char* text) {
+        return static_cast<int>(juce::ByteOrder::littleEndianInt(text));
+    };
+    const auto kind = stream.readInt();
+    const bool is64 = kind == name("RF64");
+    auto end = std::uint64_t{8} + static_cast<std::uint32_t>(stream.readInt());
+    if ((!is64 && kind != name("RIFF")) || stream.readInt() != name("WAVE"))
+        return true; // which is no WAV file
+    std::int64_t dataLength = 0;
+    if (is64) {
+        stream.setPosition(20); // in "ds64", which comes first
+        end = 8 + static_cast<std::uint64_t>(stream.readInt64());
+        dataLength = stream.readInt64();
+    }
+    end = std::min(end, static_cast<std::uint64_t>(fileEnd));
+    for (std::int64_t chunk = 12; static_cast<std::uint64_t>(chunk) < end;) {
+        stream.setPosition(chunk);
+        const bool isData = stream.readInt() == name("data");
+        std::int64_t length = static_cast<std::uint32_t>(stream.readInt());
+        if (is64 && isData && dataLength > 0)
+            length = dataLength;
+        if (length > fileEnd - stream.getPosition())
+            return false;
+        chunk = stream.getPosition() + length + (length & 1);
+    }
+    return true;
+}
+
 /// What is wrong with the header; empty where all is well.
 std::string faultOf(const juce::AudioFormatReader& reader, std::uintmax_t fileBytes) {
     if (reader.numChannels < 1 || reader.numChannels > mostChannels)
         return "it has " + std::to_string(reader.numChannels) + " channels";
     if (!(reader.sampleRate >= lowestRateHz && reader.sampleRate <= highestRateHz))
         return "its sample rate is not 1 kHz to 1 MHz";
-    const auto frameBytes = std::uintmax_t{reader.numChannels} * (reader.bitsPerSample / 8);
+    const auto bits = reader.bitsPerSample;
+    if (bits != 8 && bits != 16 && bits != 24 && bits != 32)
+        return "its samples have " + std::to_string(bits) + " bits";
+    const auto frameBytes = std::uintmax_t{reader.numChannels} * (bits / 8);
     const auto frames = static_cast<std::uintmax_t>(reader.lengthInSamples);
     if (reader.lengthInSamples < 0 || frameBytes == 0 || frames > fileBytes / frameBytes)
         return "it is shorter than its header says";
@@ -41,6 +77,9 @@ Result<MonoRecording> readWav(const std::filesystem::path& file) {
     if (!stream->openedOk())
         return refuse("the file cannot be opened");
     const auto fileBytes = static_cast<std::uintmax_t>(stream->getTotalLength());
+    if (!chunksLieInside(*stream))
+        return refuse("it is shorter than its header says");
+    stream->setPosition(0);
     const std::unique_ptr<juce::AudioFormatReader> reader(
         juce::WavAudioFormat().createReaderFor(stream.release(), true));
     if (reader == nullptr)

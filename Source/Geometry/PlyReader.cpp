@@ -1,4 +1,5 @@
 #include "Geometry/MeshFile.h"
+#include "Object/OneLine.h"
 
 #include <algorithm>
 #include <array>
@@ -225,14 +226,13 @@ Result<RawMesh> readPly(std::string_view bytes) {
     RawMesh mesh;
     for (const auto& element : header->elements) {
         if (!isPlausible(element, values))
-            return failure("its header promises " + std::to_string(element.count) +
-                           " of element \"" + std::string(element.name) +
-                           "\", more than the file can hold");
+            return failure("its header promises " + std::to_string(element.count) + " of element " +
+                           inQuotes(element.name) + ", more than the file can hold");
         if (element.properties.empty())
             continue;
         for (std::int64_t row = 0; row < element.count; ++row)
             if (!readRow(element, values, mesh))
-                return failure("it ends or is malformed at " + std::string(element.name) + " " +
+                return failure("it ends or is malformed at " + inQuotes(element.name) + " " +
                                std::to_string(row) + " of " + std::to_string(element.count));
     }
     return mesh;

@@ -1,6 +1,8 @@
 #include "Instrument/Preset.h"
 
 #include "Instrument/SurfaceFile.h"
+#include "Object/OneLine.h"
+#include "Object/UntrustedJson.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -52,7 +54,7 @@ KeyMapKind parseKind(const std::string& name) {
     for (const auto& [kind, kindName] : kindNames)
         if (name == kindName)
             return kind;
-    throw Fault{"its key map '" + name + "' is none of bars, zones and scaled"};
+    throw Fault{"its key map " + inQuotes(name) + " is none of bars, zones and scaled"};
 }
 
 const char* kindName(KeyMapKind wanted) {
@@ -134,13 +136,13 @@ ModeSet parseMutedModes(const json& object) {
     ModeSet muted;
     for (const auto& [name, modes] : object.items()) {
         if (!modes.is_array())
-            throw Fault{"'mutedModes' has something for '" + name + "' that is not a list"};
+            throw Fault{"'mutedModes' has something for " + inQuotes(name) + " that is not a list"};
         for (const auto& mode : modes) {
             const bool isNumber = mode.is_number_unsigned() &&
                                   mode.get<std::uint64_t>() < std::uint64_t{ModeSet::mostModes};
             if (!isNumber)
-                throw Fault{"'mutedModes' holds something for '" + name +
-                            "' that is not the number of a mode"};
+                throw Fault{"'mutedModes' holds something for " + inQuotes(name) +
+                            " that is not the number of a mode"};
             if (!muted.set(name, mode.get<std::int32_t>(), true))
                 throw Fault{"'mutedModes' holds more than " + std::to_string(ModeSet::capacity) +
                             " modes"};
@@ -200,7 +202,7 @@ Result<Preset> parsePreset(std::string_view text, std::string_view name) {
     if (text.size() > 1 << 20)
         return refuse("it is too large for a preset");
     try {
-        const auto root = nlohmann::json::parse(text, nullptr, false);
+        const auto root = parseUntrusted(text);
         if (root.is_discarded())
             return refuse("it is not JSON");
         return parse(root);

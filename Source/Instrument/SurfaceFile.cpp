@@ -1,5 +1,8 @@
 #include "Instrument/SurfaceFile.h"
 
+#include "Object/OneLine.h"
+#include "Object/UntrustedJson.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -49,7 +52,7 @@ std::string parseFigures(const json& root, Surface& surface) {
         if (figure != std::end(figures))
             surface.*figure->member = value;
         else if (key != "format" && key != "version" && key != "name")
-            return "a surface has no '" + key + "'";
+            return "a surface has no " + inQuotes(key);
     }
     for (const auto& figure : figures)
         if (figure.required && !root.contains(figure.key))
@@ -65,7 +68,7 @@ Result<Surface> parseSurface(std::string_view text, std::string_view file) {
     };
     if (text.size() > 1 << 16)
         return refuse("it is too large for a surface");
-    const auto root = json::parse(text, nullptr, false);
+    const auto root = parseUntrusted(text);
     if (root.is_discarded())
         return refuse("it is not JSON");
     if (const auto fault = faultOfHead(root); !fault.empty())

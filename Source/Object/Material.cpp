@@ -1,5 +1,7 @@
 #include "Object/Material.h"
 
+#include "Object/OneLine.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -39,13 +41,14 @@ Result<Material> validated(Material material) {
     };
     for (const auto& rule : rules)
         if (!(rule.value >= rule.lowest && rule.value <= rule.highest)) // also catches NaN
-            return failure("material '" + material.name + "': the " + rule.what +
+            return failure("material " + inQuotes(material.name) + ": the " + rule.what +
                            " is out of range: " + written(rule.value));
     if (material.grain)
         if (const auto constants =
                 validated(orthotropicElasticity(material.youngsModulusPa, *material.grain));
             !constants)
-            return failure("material '" + material.name + "': " + constants.error().message);
+            return failure("material " + inQuotes(material.name) + ": " +
+                           constants.error().message);
     return material;
 }
 

@@ -1,7 +1,9 @@
 #include "Object/MaterialFile.h"
 
 #include "Object/GrainJson.h"
+#include "Object/OneLine.h"
 #include "Object/TextFile.h"
+#include "Object/UntrustedJson.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -46,15 +48,6 @@ constexpr Figure contact[] = {
 };
 constexpr std::span<const Figure> figureGroups[] = {elasticity, damping, contact};
 
-/// In quotes, as part of a sentence: what a file says may be long, and of several lines.
-std::string quoted(std::string text) {
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-    if (text.size() > longestNameBytes)
-        text = text.substr(0, longestNameBytes) + "...";
-    return "'" + text + "'";
-}
-
 const Figure* findFigure(const std::string& key) {
     for (const auto group : figureGroups)
         for (const auto& figure : group)
@@ -93,7 +86,7 @@ std::string parseSource(const json& value) {
     }
     for (const auto& [part, text] : value.items())
         if (part != "elasticity" && part != "density" && part != "damping" && part != "contact")
-            throw Fault{"'source' has no " + quoted(part)};
+            throw Fault{"'source' has no " + inQuotes(part)};
     return all;
 }
 
@@ -127,7 +120,7 @@ Material parseObject(const json& object, const std::string& defaultName) {
                 throw Fault{grain.error().message};
             material.grain = *grain;
         } else if (key != "t60_s") { // what `idiophone materials --json` adds for people
-            throw Fault{"a material has no " + quoted(key)};
+            throw Fault{"a material has no " + inQuotes(key)};
         }
     }
     requireFigures(object);
@@ -152,7 +145,7 @@ std::vector<Material> parseList(const json& root) {
         if (name.empty())
             throw Fault{"one of its materials has no name"};
         if (!names.insert(name).second)
-            throw Fault{"it has two materials " + quoted(name)};
+            throw Fault{"it has two materials " + inQuotes(name)};
     }
     return materials;
 }
@@ -167,7 +160,7 @@ auto parsed(std::string_view text, const std::filesystem::path& file, const Pars
     if (text.size() > largestFileBytes)
         return refuse("it is too large for a material");
     try {
-        const auto root = json::parse(text, nullptr, false);
+        const auto root = parseUntrusted(text);
         if (root.is_discarded())
             return refuse("it is not JSON");
         return parse(root);

@@ -2,7 +2,9 @@
 
 #include "Object/GrainJson.h"
 #include "Object/HalfFloat.h"
+#include "Object/OneLine.h"
 #include "Object/Safetensors.h"
+#include "Object/UntrustedJson.h"
 
 #include <algorithm>
 #include <fstream>
@@ -25,7 +27,7 @@ public:
         if (!container.metadata.is_object() || text("format") != "idiophone-modal")
             throw Fault{"it is not an Idiophone modal object"};
         if (text("format_version") != std::to_string(formatVersion))
-            throw Fault{"it has format version " + text("format_version") +
+            throw Fault{"it has format version " + oneLine(text("format_version")) +
                         ", and this Idiophone reads version " + std::to_string(formatVersion)};
     }
 
@@ -61,7 +63,7 @@ private:
     }
 
     json section(const char* key) const {
-        json parsed = json::parse(text(key), nullptr, false);
+        json parsed = parseUntrusted(text(key));
         if (!parsed.is_object())
             throw Fault{"its metadata '" + std::string(key) + "' are not a JSON object"};
         return parsed;
@@ -105,7 +107,7 @@ private:
             return BodyKind::solid;
         if (kind == "shell")
             return BodyKind::shell;
-        throw Fault{"its body '" + kind + "' is neither solid nor shell"};
+        throw Fault{"its body " + inQuotes(kind) + " is neither solid nor shell"};
     }
 
     Material material() const {

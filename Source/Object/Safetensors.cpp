@@ -1,5 +1,8 @@
 #include "Object/Safetensors.h"
 
+#include "Object/OneLine.h"
+#include "Object/UntrustedJson.h"
+
 #include <algorithm>
 
 namespace idiophone::safetensors {
@@ -15,12 +18,14 @@ std::size_t valueBytes(const std::string& type) {
         {"BF16", 2}, {"I16", 2}, {"U16", 2}, {"I8", 1},  {"U8", 1},  {"BOOL", 1}};
     const auto found = sizes.find(type);
     if (found == sizes.end())
-        throw Fault{"its header names an unknown number type '" + type + "'"};
+        throw Fault{"its header names an unknown number type " + inQuotes(type)};
     return found->second;
 }
 
 Tensor parseTensor(const std::string& name, const json& entry, std::span<const std::byte> data) {
-    const auto fault = [&](const char* what) { return Fault{"tensor '" + name + "' " + what}; };
+    const auto fault = [&](const char* what) {
+        return Fault{"tensor " + inQuotes(name) + " " + what};
+    };
     if (!entry.is_object() || !entry.contains("dtype") || !entry["dtype"].is_string() ||
         !entry.contains("shape") || !entry["shape"].is_array() || !entry.contains("data_offsets") ||
         !entry["data_offsets"].is_array() || entry["data_offsets"].size() != 2)
@@ -82,8 +87,7 @@ Container parse(std::span<const std::byte> bytes) {
     if (headerLength > bytes.size())
         throw Fault{"it is cut off inside its header"};
 
-    const auto* text = reinterpret_cast<const char*>(bytes.data());
-    const json header = json::parse(text, text + headerLength, nullptr, false);
+    const json header = parseUntrusted({reinterpret_cast<const char*>(bytes.data()), headerLength});
     if (!header.is_object())
         throw Fault{"its header is not a JSON object"};
 

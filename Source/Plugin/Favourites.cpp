@@ -1,5 +1,7 @@
 #include "Plugin/Favourites.h"
 
+#include "Object/UntrustedJson.h"
+
 #include <nlohmann/json.hpp>
 
 namespace idiophone {
@@ -19,7 +21,7 @@ const std::set<std::string>& Favourites::read() {
         return ids;
     const auto root = file.getSize() > largestFileBytes
                           ? json(json::value_t::discarded)
-                          : json::parse(file.loadFileAsString().toStdString(), nullptr, false);
+                          : parseUntrusted(file.loadFileAsString().toStdString());
     isDamaged = !root.is_object() || root.value("format", json()) != formatName ||
                 !root.contains("presets") || !root["presets"].is_array();
     if (!isDamaged)

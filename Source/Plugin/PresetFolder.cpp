@@ -1,6 +1,7 @@
 #include "Plugin/PresetFolder.h"
 
 #include "Instrument/PresetFile.h"
+#include "Object/UntrustedJson.h"
 #include "Plugin/PresetObjects.h"
 
 #include <algorithm>
@@ -42,7 +43,9 @@ Result<void> replaceText(const juce::File& file, const std::string& text) {
 Result<std::string> renamedText(const juce::File& file, const std::string& name) {
     const auto text = file.loadFileAsString().toStdString();
     try {
-        auto root = nlohmann::ordered_json::parse(text);
+        // In order; but first whether it is too deep to be written again.
+        auto root = parseUntrusted(text).is_discarded() ? nlohmann::ordered_json()
+                                                        : nlohmann::ordered_json::parse(text);
         root.at("name") = name;
         return root.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     } catch (const nlohmann::json::exception&) {

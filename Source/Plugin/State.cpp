@@ -1,5 +1,8 @@
 #include "Plugin/State.h"
 
+#include "Object/OneLine.h"
+#include "Object/UntrustedJson.h"
+
 #include <algorithm>
 #include <juce_core/juce_core.h>
 #include <mutex>
@@ -70,14 +73,14 @@ std::vector<std::byte>
 unpacked(const std::string& packedText, const std::string& name, juce::int64 largestBytes) {
     juce::MemoryOutputStream compressed;
     if (!juce::Base64::convertFromBase64(compressed, juce::String(packedText)))
-        throw Fault{"holds a damaged object '" + name + "'"};
+        throw Fault{"holds a damaged object " + inQuotes(name)};
     juce::MemoryInputStream source(compressed.getData(), compressed.getDataSize(), false);
     juce::GZIPDecompressorInputStream zip(source);
     juce::MemoryOutputStream plain;
     // A few bytes can unpack to any length, so that the end must be ours to set.
     plain.writeFromInputStream(zip, largestBytes);
     if (plain.getDataSize() == 0 || !zip.isExhausted())
-        throw Fault{"holds a damaged object '" + name + "'"};
+        throw Fault{"holds a damaged object " + inQuotes(name)};
     const auto* first = static_cast<const std::byte*>(plain.getData());
     return {first, first + plain.getDataSize()};
 }
@@ -87,7 +90,7 @@ void parseParameters(const json& object, State& state) {
         throw Fault{"has 'parameters' that are not a JSON object"};
     for (const auto& [id, value] : object.items()) {
         if (!value.is_number())
-            throw Fault{"has a parameter '" + id + "' that is not a number"};
+            throw Fault{"has a parameter " + inQuotes(id) + " that is not a number"};
         if (const auto* info = findParameter(id))
             state.parameters.set(info->parameter, value);
         else
@@ -158,7 +161,7 @@ State parse(const json& root) {
     if (!version.is_number_integer() || version.get<double>() < 1)
         throw Fault{"has a 'version' that is not a whole number from 1 on"};
     if (version.get<double>() > stateFormatVersion)
-        throw Fault{"was made by a newer Idiophone (" + text(root, "engine") +
+        throw Fault{"was made by a newer Idiophone (" + oneLine(text(root, "engine")) +
                     "); the sound stays as it was"};
     State state;
     state.engineVersion = text(root, "engine");
@@ -206,7 +209,7 @@ std::string encodeState(const State& state) {
 
 Result<State> parseState(std::string_view bytes) {
     try {
-        const auto root = json::parse(bytes, nullptr, false);
+        const auto root = parseUntrusted(bytes);
         if (root.is_discarded())
             throw Fault{"is damaged, or not one of Idiophone's"};
         return parse(root);

@@ -191,7 +191,8 @@ class BadPresetsAndSongs(ConsoleTest):
         silent = midi_file([(0, b"\xff\x51\x03\x07\xa1\x20")])
         endless = midi_file(note(2 ** 27, 72), division=1)
         for content in (b"", b"RIFF", b"hello, this is text", b"MThd", whole[:30], whole[:-3],
-                        silent, endless, midi_file(note(0, 72), division=0),
+                        silent, endless, midi_file(note(0, 72, velocity=200)),
+                        midi_file(note(0, 72), division=0),
                         midi_file(note(0, 72), division=-25 * 256)):
             path = self.write("bad.mid", content)
             self.refuse("render", "--preset", "Steel Ring", "--midi", path, *self.out, naming=path)

@@ -120,6 +120,7 @@ class Impulses(ConsoleTest):
             json.dumps({**good, "object": ""}): "'object'",
             json.dumps({**good, "body": 1.5}): "'body'",
             json.dumps({**good, "colour": "red"}): "'colour'",
+            json.dumps({**good, "two\nlines": 1}): "'two?lines'",
             "[" * 100000: "JSON",
         }
         file = self.write("bad.jsonl", "".join(f"{json.dumps(good)}\n{line}\n" for line in bad))

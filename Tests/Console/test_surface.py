@@ -35,13 +35,23 @@ def scrape(exponent, frequency, damping, count=1 << 16):
     return [0.5 * value / peak for value in result]
 
 
+def riff(*chunks):
+    """A WAV file of (name, content) or (name, content, length promised)."""
+    body = b"WAVE" + b"".join(name + struct.pack("<I", *(promised or [len(content)])) + content
+                              for name, content, *promised in chunks)
+    return b"RIFF" + struct.pack("<I", len(body)) + body
+
+
+def wav_format(kind=3, channels=1, bits=32):
+    frame = bits // 8 * channels
+    return b"fmt ", struct.pack("<HHIIHH", kind, channels, RATE, frame * RATE, frame, bits)
+
+
 def wav(samples, channels=1, frames_promised=None):
     """A WAV file of 32-bit floats."""
     data = array.array("f", samples).tobytes()
     size = len(data) if frames_promised is None else 4 * channels * frames_promised
-    head = struct.pack("<4sIHHIIHH4sI", b"fmt ", 16, 3, channels, RATE, 4 * channels * RATE,
-                       4 * channels, 32, b"data", size)
-    return b"RIFF" + struct.pack("<I", 4 + len(head) + size) + b"WAVE" + head + data
+    return riff(wav_format(channels=channels), (b"data", data, size))
 
 
 class Surfaces(ConsoleTest):
@@ -87,6 +97,17 @@ class Surfaces(ConsoleTest):
         self.refuse("surface", self.folder / "missing.wav", naming="missing.wav",
                     saying="cannot be opened")
         self.refuse("surface", self.folder, naming=self.folder.name, saying="directory")
+
+    def test_recordings_that_lie_about_their_parts_get_one_sentence(self):
+        data = b"data", array.array("f", scrape(-1, 900, 500, 1 << 14)).tobytes()
+        for name, content, saying in (
+                ("loops.wav", riff(wav_format(), data, (b"smpl", b"", 2 ** 32 - 1)), "header says"),
+                # A list of texts that JUCE read on for ever.
+                ("list.wav", riff(wav_format(), data, (b"LIST", b"adtl", 1000)), "header says"),
+                ("bits.wav", riff(wav_format(1, bits=12), data), "12 bits")):
+            path = self.write(name, content)
+            self.refuse("surface", path, "-o", self.folder / "out.json", naming=name,
+                        saying=saying)
 
     def test_bad_options_get_one_sentence(self):
         recording = self.write("good.wav", wav(scrape(-1, 900, 500, 1 << 14)))

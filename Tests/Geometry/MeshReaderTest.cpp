@@ -172,6 +172,8 @@ TEST_CASE("Each fault of a mesh file has one sentence that names the file") {
         {"magic.ply", "plx\n", "does not begin with \"ply\""},
         {"header.ply", "ply\nformat ascii 1.0\n", "header does not end"},
         {"format.ply", "ply\nformat ebcdic 1.0\nend_header\n", "format that PLY does not have"},
+        {"name.ply", "ply\nformat ascii 1.0\nelement ver\x01tex 9999\nproperty int x\nend_header\n",
+         "9999 of element 'ver?tex', more"},
         {"property.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty quad x\nend_header\n",
          "property that cannot be understood"},
         {"count.ply",

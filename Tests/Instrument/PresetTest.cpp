@@ -102,3 +102,14 @@ TEST_CASE("A preset that makes no sense is refused with its fault") {
     refuseMuted(R"({"plate":[)" + many + "]}", "more than 16384");
     checkRefused(std::string(2 << 20, ' '), "too large");
 }
+
+TEST_CASE("A surface nested half a million deep is refused, and does not exhaust the stack") {
+    const auto deep = std::string(500000, '[') + std::string(500000, ']');
+    checkRefused(head + map + R"(,"surface":)" + deep + "}", "not JSON");
+}
+
+TEST_CASE("What a preset says is fit for one line in the sentence that refuses it") {
+    checkRefused(head + R"("keyMap":{"kind":"two\nlines"}})", "'two?lines'");
+    checkRefused(head + map + R"(,"mutedModes":{"two\nlines":7}})", "'two?lines'");
+    checkRefused(head + map + R"(,"mutedModes":{"two\nlines":[-1]}})", "'two?lines'");
+}

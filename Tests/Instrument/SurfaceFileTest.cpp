@@ -73,3 +73,7 @@ TEST_CASE("A bad surface file is refused with one sentence that names the file a
     checkRefused(std::string(100000, ' '), "too large");
     checkRefused(std::string(60000, '['), "not JSON");
 }
+
+TEST_CASE("What a surface says is fit for one line in the sentence that refuses it") {
+    checkRefused(slateWith("two\nlines", 1), "no 'two?lines'");
+}

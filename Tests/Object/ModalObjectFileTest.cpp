@@ -241,3 +241,29 @@ TEST_CASE("No truncation and no flipped byte crashes the reader") {
             REQUIRE(result.error().message.starts_with("damaged.modal: "));
     }
 }
+
+TEST_CASE("A header nested half a million deep is refused, and does not exhaust the stack") {
+    const auto deep = std::string(500000, '[') + std::string(500000, ']');
+    checkRefused(withHeader(R"({"__metadata__":)" + deep + "}", {}), "not a JSON object");
+    checkRefused(withHeader(R"({"shapes":)" + deep + "}", {}), "not a JSON object");
+}
+
+TEST_CASE("What a header says is fit for one line in the sentence that refuses it") {
+    const auto oneLineOnly = [](const std::string& name, const json& entry) {
+        const auto object =
+            readModalObject(changed([&](json& header) { header[name] = entry; }), "evil.modal");
+        REQUIRE_FALSE(object);
+        CHECK(object.error().message.find('\n') == std::string::npos);
+        CHECK(object.error().message.size() < 250);
+    };
+    oneLineOnly("two\nlines", 7);
+    oneLineOnly(std::string(5000, 'x'), 7);
+    oneLineOnly("x", {{"dtype", "F\n64"}, {"shape", {1}}, {"data_offsets", {0, 8}}});
+    for (const char* key : {"body", "format_version"})
+        checkRefused(changed([&](json& header) { header["__metadata__"][key] = "two\nlines"; }),
+                     "two?lines");
+    auto object = syntheticObject({100, 200, 300});
+    object.material.name = "two\nlines";
+    object.material.densityKgPerM3 = -1;
+    checkRefused(encodeModalObject(object), "material 'two?lines': the density");
+}

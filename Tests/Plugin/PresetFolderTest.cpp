@@ -125,6 +125,9 @@ TEST_CASE("Broken files are listed with one sentence that names them, and stay")
     root.getChildFile("huge.json").replaceWithText(juce::String::repeatedString("x", 2 << 20));
     root.getChildFile("later.json")
         .replaceWithText(R"({"format":"idiophone-preset","version":9,"name":"x"})");
+    root.getChildFile("deep.json")
+        .replaceWithText(juce::String::repeatedString("[", 100000) +
+                         juce::String::repeatedString("]", 100000));
     root.getChildFile("folder.json").createDirectory();
     root.getChildFile("notes.txt").create();
     int broken = 0;
@@ -137,7 +140,7 @@ TEST_CASE("Broken files are listed with one sentence that names them, and stay")
             checkRefused(folder.rename(entry.id, "New name"));
         CHECK(folder.fileOf(entry.id).existsAsFile());
     }
-    CHECK(broken == 4);
+    CHECK(broken == 5);
 }
 
 TEST_CASE("A file that changed is read again, and one that is gone is gone") {

@@ -25,6 +25,7 @@ void checkRefused(const std::string& bytes) {
     REQUIRE_FALSE(state);
     CHECK_THAT(state.error().message, StartsWith("The saved state "));
     CHECK(state.error().message.back() == '.');
+    CHECK(state.error().message.find('\n') == std::string::npos);
 }
 
 State randomState(unsigned seed) {
@@ -121,6 +122,9 @@ TEST_CASE("Damaged states are refused with one sentence each") {
     checkRefused("null");
     checkRefused("{\"format\":7}");
     checkRefused(std::string(100000, '['));
+    const auto deep = std::string(500000, '[') + std::string(500000, ']');
+    checkRefused(replaced(good, "\"preset\":{", "\"preset\":" + deep + ",\"was\":{"));
+    checkRefused(replaced(good, "\"tune\":0.0", "\"two\\nlines\":null"));
     checkRefused(replaced(good, "\"version\":1", "\"version\":-1"));
     checkRefused(replaced(good, "\"version\":1", "\"version\":\"1\""));
     checkRefused(replaced(good, "\"version\":1", "\"version\":1e400"));

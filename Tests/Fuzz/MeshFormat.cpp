@@ -1,0 +1,33 @@
+#include "Fuzz/MeshFormat.h"
+
+#include "Geometry/MeshReader.h"
+#include "Geometry/MeshWriter.h"
+
+namespace idiophone::fuzz {
+namespace {
+
+void claimWritable(const Mesh& mesh, const std::string& name) {
+    const auto file = scratchFile({}, name);
+    claim(writeMesh(mesh, file).has_value(), "a mesh can be written");
+    const auto again = readMesh(file);
+    claim(again && again->vertices == mesh.vertices && again->faces == mesh.faces,
+          "a mesh that was written reads back equal");
+}
+
+} // namespace
+
+void examineMesh(std::string_view bytes, const std::string& extension) {
+    const auto mesh = readMesh(scratchFile(bytes, "fuzz" + extension));
+    if (!mesh)
+        return claimSentence(mesh.error());
+    claim(mesh->faceCount() > 0 && mesh->vertices.cols() == 3 && mesh->faces.cols() == 3,
+          "a mesh has faces");
+    claim(mesh->vertices.allFinite() && mesh->vertices.cwiseAbs().maxCoeff() <= 1e6,
+          "vertices lie within 1000 km");
+    claim(mesh->faces.minCoeff() >= 0 && mesh->faces.maxCoeff() < mesh->vertexCount(),
+          "faces have vertices");
+    claimWritable(*mesh, "again.ply");
+    claimWritable(*mesh, "again.obj");
+}
+
+} // namespace idiophone::fuzz

@@ -1,0 +1,6 @@
+// Meshes from STL files, text and binary.
+#include "Fuzz/MeshFormat.h"
+
+void idiophone::fuzz::examine(std::string_view bytes) {
+    examineMesh(bytes, ".stl");
+}

@@ -1,0 +1,57 @@
+# Builds the preset `fuzz` as a part of "all", where there is a clang with libFuzzer, and has CTest run
+# each target: its corpus, then some seconds of new inputs, the same ones every time.
+if(IDIOPHONE_SANITIZE)
+    return() # the targets have sanitizers of their own
+endif()
+
+function(find_libfuzzer found)
+    set(${found} OFF PARENT_SCOPE)
+    include(clang)
+    if(NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR NOT CLANG_C OR NOT CLANG_CXX)
+        return()
+    endif()
+    set(probe "${CMAKE_CURRENT_BINARY_DIR}/libfuzzer_probe")
+    file(WRITE "${probe}.cpp"
+        "extern \"C\" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }\n")
+    execute_process(
+        COMMAND "${CLANG_CXX}" -std=c++20 -fsanitize=fuzzer,address,undefined "${probe}.cpp" -o "${probe}"
+        RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+    if(NOT failed)
+        set(${found} ON PARENT_SCOPE)
+    endif()
+endfunction()
+
+find_libfuzzer(has_libfuzzer)
+if(NOT has_libfuzzer)
+    message(STATUS "No clang with libFuzzer for Linux: the fuzz targets are neither built nor run")
+    return()
+endif()
+
+# Beside the other presets, so that `./dev soak` finds them built.
+set(fuzz_build "${PROJECT_SOURCE_DIR}/build/fuzz")
+add_custom_target(fuzz_targets ALL
+    COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING -S "${PROJECT_SOURCE_DIR}"
+            "-DFETCHCONTENT_SOURCE_DIR_JUCE=${juce_SOURCE_DIR}"
+            "-DFETCHCONTENT_SOURCE_DIR_LIBIGL=${libigl_SOURCE_DIR}"
+            "-DFETCHCONTENT_SOURCE_DIR_TETGEN=${tetgen_SOURCE_DIR}"
+    COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets --parallel 2 -- --quiet
+    COMMENT "Building the fuzz targets"
+    VERBATIM)
+
+foreach(library ${libraries})
+    foreach(target ${targets_of_${library}})
+        file(GLOB seeds CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${target}/*")
+        list(JOIN seeds "," seeds)
+        set(dictionary "${CMAKE_CURRENT_SOURCE_DIR}/dictionaries/${target}.dict")
+        if(EXISTS "${dictionary}")
+            set(dictionary "-dict=${dictionary}")
+        else()
+            set(dictionary)
+        endif()
+        add_test(NAME "Fuzz: ${target}"
+            COMMAND "${fuzz_build}/Tests/Fuzz/fuzz_${target}" -seed=1 -max_total_time=5 -timeout=20
+                    ${dictionary} "-seed_inputs=${seeds}"
+                    "-artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/${target}-")
+        set_tests_properties("Fuzz: ${target}" PROPERTIES TIMEOUT 120)
+    endforeach()
+endforeach()

@@ -1,0 +1,30 @@
+#include "Object/OneLine.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+
+TEST_CASE("What can be shown on a line stays as it is") {
+    CHECK(oneLine("").empty());
+    CHECK(oneLine("Bell, 'ü', 鐘, 🔔") == "Bell, 'ü', 鐘, 🔔");
+    CHECK(inQuotes("bell") == "'bell'");
+}
+
+TEST_CASE("Control characters and bytes that are no UTF-8 become question marks") {
+    CHECK(oneLine(std::string_view("a\nb\tc\0d\x7f", 8)) == "a?b?c?d?");
+    CHECK(oneLine("\xc2\x85") == "??");           // a control character beyond ASCII
+    CHECK(oneLine("\xc3") == "?");                // cut off
+    CHECK(oneLine("\xc3(") == "?(");              // not continued
+    CHECK(oneLine("\xc0\xaf") == "??");           // longer than need be
+    CHECK(oneLine("\xe0\x80\xaf") == "???");      // the same
+    CHECK(oneLine("\xed\xa0\x80") == "???");      // half of a pair
+    CHECK(oneLine("\xf4\x90\x80\x80") == "????"); // beyond Unicode
+    CHECK(oneLine("\xff\xfe") == "??");
+}
+
+TEST_CASE("A long text is cut between characters") {
+    CHECK(oneLine(std::string(100, 'x')) == std::string(100, 'x'));
+    CHECK(oneLine(std::string(101, 'x')) == std::string(100, 'x') + "...");
+    CHECK(oneLine(std::string(99, 'x') + "ü") == std::string(99, 'x') + "...");
+    CHECK(inQuotes(std::string(1000, '\n')) == "'" + std::string(100, '?') + "...'");
+}

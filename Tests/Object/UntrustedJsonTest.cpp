@@ -1,0 +1,31 @@
+#include "Object/UntrustedJson.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+
+namespace {
+
+std::string nested(std::size_t depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+}
+
+} // namespace
+
+TEST_CASE("JSON of the usual depth is parsed as it is") {
+    const auto root = parseUntrusted(R"({"a": [1, {"b": "ü"}], "c": null})");
+    CHECK(root == nlohmann::json{{"a", {1, {{"b", "ü"}}}}, {"c", nullptr}});
+    CHECK(parseUntrusted(nested(64)).is_array());
+    CHECK(parseUntrusted(nested(64)).dump() == nested(64));
+}
+
+TEST_CASE("What is not JSON, or nested beyond reason, is discarded") {
+    CHECK(parseUntrusted("").is_discarded());
+    CHECK(parseUntrusted("{").is_discarded());
+    CHECK(parseUntrusted("[1e999]").is_discarded());
+    CHECK(parseUntrusted("\"\xff\"").is_discarded());
+    CHECK(parseUntrusted(nested(66)).is_discarded());
+    CHECK(parseUntrusted(nested(1000000)).is_discarded());
+    CHECK(parseUntrusted(R"({"a": 1, "b": )" + nested(1000000) + "}").is_discarded());
+    CHECK(parseUntrusted(std::string(1000000, '[')).is_discarded());
+}

@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""Runs what finds faults with time: every fuzz target for SOAK_SECONDS, an hour unless set.
+
+build/soak keeps what there is between calls: log.tsv with a line for each run, the inputs that each
+target has come by, and those that failed. A run is cut into slices, so that a call which ends early
+loses minutes at most. The next call goes on where this one stopped; once every program has had its
+time, it begins another round.
+
+    soak.py [PROGRAM...]    all of them, unless some are named ("preset", "mesh_ply")
+"""
+import datetime
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+KEPT = pathlib.Path(os.environ.get("SOAK_FOLDER", ROOT / "build/soak"))
+BUILT = ROOT / "build/fuzz/Tests/Fuzz"
+SLICE_SECONDS = 300
+
+
+class FuzzTarget:
+    """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`."""
+
+    interrupted = 72  # libFuzzer's exit code
+
+    def __init__(self, program):
+        self.program = program
+        self.name = program.name.removeprefix("fuzz_")
+
+    def run(self, seconds):
+        """(inputs tried, the file of one that failed or that says why nothing ran, or "")."""
+        grown, findings = KEPT / "corpus" / self.name, KEPT / "findings"
+        for folder in (grown, findings):
+            folder.mkdir(parents=True, exist_ok=True)
+        dictionary = ROOT / f"Tests/Fuzz/dictionaries/{self.name}.dict"
+        output = KEPT / f"{self.name}.txt"
+        with output.open("wb") as file:
+            # In a session of its own, so that only this script is told to stop, and passes it on.
+            process = subprocess.Popen(
+                [self.program, f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048",
+                 "-print_final_stats=1", f"-artifact_prefix={findings}/{self.name}-",
+                 *([f"-dict={dictionary}"] if dictionary.exists() else []),
+                 grown, ROOT / f"Tests/Fuzz/corpus/{self.name}"],
+                stdout=file, stderr=file, start_new_session=True)
+            code = wait(process)
+        said = output.read_text(errors="replace")
+        runs = re.search(r"number_of_executed_units: (\d+)", said)
+        written = re.search(r"Test unit written to (.*)", said)
+        finding = "" if code in (0, self.interrupted) else written.group(1) if written else str(output)
+        return int(runs.group(1)) if runs else 0, finding
+
+
+class Stop:
+    """Whether a signal has asked the soak to end, and the program that runs meanwhile."""
+
+    asked = False
+    process = None
+
+    @classmethod
+    def ask(cls, *_):
+        cls.asked = True
+        if cls.process is not None:
+            cls.process.terminate()
+
+
+def wait(process):
+    Stop.process = process
+    if Stop.asked:
+        process.terminate()
+    code = process.wait()
+    Stop.process = None
+    return code
+
+
+class Log:
+    """Lines of time, program, seconds, runs and finding; totals are sums of them."""
+
+    def __init__(self):
+        KEPT.mkdir(parents=True, exist_ok=True)
+        self.file = KEPT / "log.tsv"
+        self.file.touch()
+
+    def add(self, name, seconds, runs, finding):
+        now = datetime.datetime.now().isoformat(timespec="seconds")
+        with self.file.open("a") as file:
+            file.write(f"{now}\t{name}\t{seconds}\t{runs}\t{finding}\n")
+
+    def total(self, name):
+        """(seconds, runs, findings), of which those count whose files are still there."""
+        rows = [row for row in (line.split("\t") for line in self.file.read_text().splitlines())
+                if row[1] == name]
+        findings = sorted({row[4] for row in rows if row[4] and pathlib.Path(row[4]).exists()})
+        return sum(int(row[2]) for row in rows), sum(int(row[3]) for row in rows), findings
+
+    def seconds(self, name):
+        return self.total(name)[0]
+
+
+def soak(program, seconds, log):
+    """Runs the program for so long in slices; what it finds ends that early."""
+    while seconds > 0 and not Stop.asked:
+        slice_seconds = min(seconds, SLICE_SECONDS)
+        begin = datetime.datetime.now()
+        runs, finding = program.run(slice_seconds)
+        took = round((datetime.datetime.now() - begin).total_seconds())
+        # A whole slice counts as such, so that rounds end evenly.
+        log.add(program.name, took if Stop.asked or finding else slice_seconds, runs, finding)
+        if finding:
+            print(f"{program.name}: {finding}", flush=True)
+            return
+        seconds -= slice_seconds
+
+
+def all_programs():
+    """What has a name and can run for some seconds."""
+    return [FuzzTarget(program) for program in sorted(BUILT.glob("fuzz_*"))]
+
+
+def chosen(names):
+    programs = {program.name: program for program in all_programs()}
+    for name in names:
+        if name not in programs:
+            sys.exit(f"soak: there is no program '{name}', but {', '.join(programs) or 'none'}")
+    return [programs[name] for name in names or programs]
+
+
+def main(names):
+    programs = chosen(names)
+    each = int(os.environ.get("SOAK_SECONDS", 3600))
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, Stop.ask)
+
+    log = Log()
+    round_ends = (min(log.seconds(program.name) for program in programs) // each + 1) * each
+    for program in programs:
+        left = round_ends - log.seconds(program.name)
+        if left > 0 and not Stop.asked:
+            print(f"{program.name}: {left} s", flush=True)
+            soak(program, left, log)
+
+    print(f"\n{'program':16}{'hours':>8}{'runs':>14}  findings")
+    totals = {program.name: log.total(program.name) for program in programs}
+    for name, (seconds, runs, findings) in totals.items():
+        print(f"{name:16}{seconds / 3600:8.2f}{runs:14}  {' '.join(findings)}")
+    return 1 if any(findings for _, _, findings in totals.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

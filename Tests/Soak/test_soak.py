@@ -1,0 +1,107 @@
+"""The soak itself, with programs that only say that they were run."""
+import contextlib
+import io
+import os
+import pathlib
+import tempfile
+import unittest
+from unittest import mock
+
+import soak
+
+
+class Program:
+    def __init__(self, name, finding=""):
+        self.name, self.finding, self.seconds = name, finding, []
+
+    def run(self, seconds):
+        self.seconds.append(seconds)
+        return 10 * seconds, self.finding
+
+
+class StoppedProgram(Program):
+    def run(self, seconds):
+        soak.Stop.asked = True
+        return super().run(seconds)
+
+
+class Soak(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for patch in (mock.patch.object(soak, "KEPT", self.folder),
+                      mock.patch.object(soak.signal, "signal")):
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def soak(self, *programs, each, names=()):
+        soak.Stop.asked = False
+        told = io.StringIO()
+        with mock.patch.object(soak, "all_programs", lambda: programs), \
+                mock.patch.dict(os.environ, SOAK_SECONDS=str(each)), \
+                contextlib.redirect_stdout(told):
+            self.code = soak.main(names)
+        return told.getvalue()
+
+    def test_each_program_has_its_time_in_slices_and_then_another_round(self):
+        a, b = Program("a"), Program("b")
+        for _ in range(2):
+            self.soak(a, b, each=700)
+            self.assertEqual(self.code, 0)
+        self.assertEqual(a.seconds, 2 * [300, 300, 100])
+        self.assertEqual(b.seconds, a.seconds)
+        self.assertEqual(soak.Log().total("a"), (1400, 14000, []))
+
+    def test_it_goes_on_where_it_stopped(self):
+        a, stopped, c = Program("a"), StoppedProgram("b"), Program("c")
+        self.soak(a, stopped, c, each=60)
+        self.assertEqual((a.seconds, stopped.seconds, c.seconds), ([60], [60], []))
+        b = Program("b")
+        self.soak(a, b, c, each=60)
+        self.assertEqual((a.seconds, b.seconds, c.seconds), ([60], [60], [60]))
+
+    def test_a_new_program_makes_up_for_what_the_others_have(self):
+        a, b = Program("a"), Program("b")
+        self.soak(a, each=60)
+        self.soak(a, b, each=60)
+        self.assertEqual((a.seconds, b.seconds), ([60], [60]))
+
+    def test_a_finding_ends_its_program_and_no_other(self):
+        crash = self.folder / "a-crash"
+        crash.touch()
+        a, b = Program("a", str(crash)), Program("b")
+        told = self.soak(a, b, each=700)
+        self.assertEqual((a.seconds, b.seconds), ([300], [300, 300, 100]))
+        self.assertIn(f"a: {crash}", told)
+        self.assertEqual(self.code, 1)
+        crash.unlink()  # mended
+        self.soak(b, each=700)
+        self.assertEqual(self.code, 0)
+
+    def test_a_named_program_runs_alone(self):
+        a, b = Program("a"), Program("b")
+        self.soak(a, b, each=60, names=["b"])
+        self.assertEqual((a.seconds, b.seconds), ([], [60]))
+        with self.assertRaisesRegex(SystemExit, "no program 'c', but a, b"):
+            self.soak(a, b, each=60, names=["c"])
+
+    def target(self, script):
+        program = self.folder / "fuzz_x"
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+        return soak.FuzzTarget(program)
+
+    def test_a_fuzz_target_tells_its_runs_and_the_input_that_failed(self):
+        said = "stat::number_of_executed_units: 77"
+        crash = self.folder / "findings/x-crash-1"
+        self.assertEqual(self.target(f"echo {said}").run(1), (77, ""))
+        self.assertEqual(self.target(f"echo {said}; exit 72").run(1), (77, ""))
+        self.assertEqual(
+            self.target(f"echo 'Test unit written to {crash}'; echo {said}; exit 77").run(1),
+            (77, str(crash)))
+        self.assertEqual(self.target("echo no; exit 1").run(1), (0, str(self.folder / "x.txt")))
+
+
+if __name__ == "__main__":
+    unittest.main()
