@@ -1,6 +1,7 @@
 #include "Instrument/ScalaTuning.h"
 
 #include "Object/NumberText.h"
+#include "Object/OneLine.h"
 
 #include <Tunings.h>
 #include <cmath>
@@ -52,11 +53,12 @@ public:
         while (const auto line = next())
             if (line->text.find_first_not_of(" \t") != std::string_view::npos)
                 return *line;
-        throw Fault{file.name + " ends before " + what + "."};
+        throw Fault{oneLine(file.name) + " ends before " + what + "."};
     }
 
     [[noreturn]] void refuse(const Line& line, const std::string& because) const {
-        throw Fault{file.name + ", line " + std::to_string(line.number) + ": " + because + "."};
+        throw Fault{oneLine(file.name) + ", line " + std::to_string(line.number) + ": " + because +
+                    "."};
     }
 
 private:
@@ -99,7 +101,7 @@ Tunings::Scale readScale(const ScalaFile& file) {
         return Tunings::evenTemperament12NoteScale();
     Lines lines(file);
     if (!lines.next())
-        throw Fault{file.name + " is empty."};
+        throw Fault{oneLine(file.name) + " is empty."};
     Tunings::Scale scale;
     scale.count = wholeNumber(lines, "the number of notes", 1, ScalaTuning::mostDegrees);
     for (int degree = 1; degree <= scale.count; ++degree) {
@@ -162,7 +164,7 @@ Tunings::KeyboardMapping readMapping(const ScalaFile& file, int degrees) {
         if (mapping
                 .keys[static_cast<std::size_t>(mapping.tuningConstantNote - mapping.middleNote)] <
             0)
-            throw Fault{file.name + " gives the reference note no degree."};
+            throw Fault{oneLine(file.name) + " gives the reference note no degree."};
     }
     return mapping;
 }
@@ -206,7 +208,7 @@ std::string scaleTitle(const ScalaTuning& tuning) {
     if (first == std::string_view::npos)
         return tuning.scale.name;
     const auto last = description->text.find_last_not_of(" \t");
-    return std::string(description->text.substr(first, last - first + 1));
+    return oneLine(description->text.substr(first, last - first + 1));
 }
 
 } // namespace idiophone

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Runs what finds faults with time: every fuzz target for SOAK_SECONDS, an hour unless set.
+"""Runs what finds faults with time: every fuzz target, and music at random, for SOAK_SECONDS, an hour
+unless set.
 
 build/soak keeps what there is between calls: log.tsv with a line for each run, the inputs that each
 target has come by, and those that failed. A run is cut into slices, so that a call which ends early
 loses minutes at most. The next call goes on where this one stopped; once every program has had its
 time, it begins another round.
 
-    soak.py [PROGRAM...]    all of them, unless some are named ("preset", "mesh_ply")
+    soak.py [PROGRAM...]    all of them, unless some are named ("music", "preset", "mesh_ply")
+
+Of a fuzz target a run is an input, of the music it is an hour of it.
 """
 import datetime
 import os
@@ -19,6 +22,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 KEPT = pathlib.Path(os.environ.get("SOAK_FOLDER", ROOT / "build/soak"))
 BUILT = ROOT / "build/fuzz/Tests/Fuzz"
+MUSIC = ROOT / "build/release/Tests/Soak/soak_music"
 SLICE_SECONDS = 300
 
 
@@ -52,6 +56,23 @@ class FuzzTarget:
         written = re.search(r"Test unit written to (.*)", said)
         finding = "" if code in (0, self.interrupted) else written.group(1) if written else str(output)
         return int(runs.group(1)) if runs else 0, finding
+
+
+class Music:
+    """Hours of music in one processor, after each of which everything must be as it was."""
+
+    name = "music"
+
+    def run(self, seconds):
+        """(hours played, the file that says what went wrong, or "")."""
+        KEPT.mkdir(parents=True, exist_ok=True)
+        hours, output = KEPT / "music.hours", KEPT / "music.txt"
+        before = len(hours.read_text().splitlines()) if hours.exists() else 0
+        with output.open("wb") as file:
+            code = wait(subprocess.Popen([MUSIC, hours, str(seconds)], stdout=file, stderr=file,
+                                         start_new_session=True))
+        played = len(hours.read_text().splitlines()) - before if hours.exists() else 0
+        return played, "" if code == 0 or Stop.asked else str(output)
 
 
 class Stop:
@@ -117,7 +138,8 @@ def soak(program, seconds, log):
 
 def all_programs():
     """What has a name and can run for some seconds."""
-    return [FuzzTarget(program) for program in sorted(BUILT.glob("fuzz_*"))]
+    targets = [FuzzTarget(program) for program in sorted(BUILT.glob("fuzz_*"))]
+    return ([Music()] if MUSIC.exists() else []) + targets
 
 
 def chosen(names):

@@ -1,9 +1,11 @@
 // Plays music at random, faster than real time, in one processor, hour by hour of it; after each
 // hour everything must fall silent, a reference phrase must sound as loud as at first and the
-// process must not have grown. Goes on behind the last hour that the log tells of.
-//   soak_music LOG [HOURS]           24 unless told
+// process must not have grown. Begins no hour after so many seconds; goes on behind the last hour
+// that the log tells of.
+//   soak_music LOG SECONDS
 #include "Soak/RandomSession.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -43,12 +45,17 @@ void checkLevel(double level, double first) {
                                  " dB.");
 }
 
-void soak(const std::string& log, int hours) {
+void soak(const std::string& log, double seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto isOver = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
+               seconds;
+    };
     Processor processor;
     RandomSession session(processor);
     const double first = session.referenceLevel();
     double afterFirstHour = 0;
-    for (int hour = hoursLogged(log) + 1; hour <= hours; ++hour) {
+    for (int hour = hoursLogged(log) + 1; !isOver(); ++hour) {
         const auto notes = session.notesPlayed();
         session.play(hourSeconds, static_cast<std::uint64_t>(hour));
         session.settle();
@@ -61,24 +68,22 @@ void soak(const std::string& log, int hours) {
             throw std::runtime_error("The process has grown from " +
                                      std::to_string(afterFirstHour) + " to " +
                                      std::to_string(resident) + " MiB.");
-        std::ofstream file(log, std::ios::app);
-        file << "hour " << hour << ": " << session.notesPlayed() - notes << " notes, "
-             << std::lround(resident) << " MiB" << std::endl;
-        std::cout << "hour " << hour << " of " << hours << ": " << std::lround(resident) << " MiB"
-                  << std::endl;
+        std::ofstream(log, std::ios::app)
+            << "hour " << hour << ": " << session.notesPlayed() - notes << " notes, "
+            << std::lround(resident) << " MiB" << std::endl;
     }
 }
 
 } // namespace
 
 int main(int count, char** arguments) {
-    if (count < 2 || count > 3) {
-        std::cerr << "soak_music LOG [HOURS]" << std::endl;
+    if (count != 3) {
+        std::cerr << "soak_music LOG SECONDS" << std::endl;
         return 2;
     }
     const juce::ScopedJuceInitialiser_GUI juce;
     try {
-        soak(arguments[1], count == 3 ? std::atoi(arguments[2]) : 24);
+        soak(arguments[1], std::atof(arguments[2]));
     } catch (const std::exception& fault) {
         std::cerr << fault.what() << std::endl;
         return 1;
