@@ -9,12 +9,14 @@ namespace idiophone {
 namespace {
 
 constexpr double longestSeconds = 600;
+constexpr std::int64_t largestFileBytes = std::int64_t{1} << 30;
 constexpr unsigned mostChannels = 64;
 constexpr double lowestRateHz = 1000, highestRateHz = 1e6;
 
-/// JUCE takes the lengths of chunks at their word: it would ask for as much memory, or look for
-/// text beyond the file's end for ever.
-bool chunksLieInside(juce::InputStream& stream) {
+/// Leaves JUCE the format and the samples: the lengths of other chunks it takes at their word, and
+/// in their texts it reads beyond the end. False where a chunk is longer than the file.
+bool hideMetadata(juce::MemoryBlock& file) {
+    juce::MemoryInputStream stream(file, false);
     const auto fileEnd = stream.getTotalLength();
     const auto name = [](const char* text) {
         return static_cast<int>(juce::ByteOrder::littleEndianInt(text));
@@ -33,12 +35,14 @@ bool chunksLieInside(juce::InputStream& stream) {
     end = std::min(end, static_cast<std::uint64_t>(fileEnd));
     for (std::int64_t chunk = 12; static_cast<std::uint64_t>(chunk) < end;) {
         stream.setPosition(chunk);
-        const bool isData = stream.readInt() == name("data");
+        const int id = stream.readInt();
         std::int64_t length = static_cast<std::uint32_t>(stream.readInt());
-        if (is64 && isData && dataLength > 0)
+        if (is64 && id == name("data") && dataLength > 0)
             length = dataLength;
         if (length > fileEnd - stream.getPosition())
             return false;
+        if (id != name("fmt ") && id != name("data") && id != name("ds64"))
+            file.copyFrom("JUNK", static_cast<int>(chunk), 4);
         chunk = stream.getPosition() + length + (length & 1);
     }
     return true;
@@ -72,19 +76,20 @@ Result<MonoRecording> readWav(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file, fault))
         return refuse("it is a directory");
     const auto path = std::filesystem::absolute(file, fault).string();
-    auto stream =
-        std::make_unique<juce::FileInputStream>(juce::File(juce::String::fromUTF8(path.c_str())));
-    if (!stream->openedOk())
+    juce::FileInputStream stream(juce::File(juce::String::fromUTF8(path.c_str())));
+    if (!stream.openedOk())
         return refuse("the file cannot be opened");
-    const auto fileBytes = static_cast<std::uintmax_t>(stream->getTotalLength());
-    if (!chunksLieInside(*stream))
+    if (stream.getTotalLength() > largestFileBytes)
+        return refuse("it is larger than 1 GB");
+    juce::MemoryBlock bytes;
+    stream.readIntoMemoryBlock(bytes);
+    if (!hideMetadata(bytes))
         return refuse("it is shorter than its header says");
-    stream->setPosition(0);
     const std::unique_ptr<juce::AudioFormatReader> reader(
-        juce::WavAudioFormat().createReaderFor(stream.release(), true));
+        juce::WavAudioFormat().createReaderFor(new juce::MemoryInputStream(bytes, false), true));
     if (reader == nullptr)
         return refuse("it is not a WAV file");
-    if (const auto sentence = faultOf(*reader, fileBytes); !sentence.empty())
+    if (const auto sentence = faultOf(*reader, bytes.getSize()); !sentence.empty())
         return refuse(sentence);
 
     const auto channelCount = static_cast<int>(reader->numChannels);

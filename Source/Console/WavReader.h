@@ -13,8 +13,8 @@ struct MonoRecording {
     double sampleRateHz = 0;
 };
 
-/// Up to ten minutes in any format of a WAV file. The error names a file that is missing, no WAV
-/// file, damaged or too long.
+/// Up to ten minutes and 1 GB in any format of a WAV file. The error names a file that is missing,
+/// no WAV file, damaged or too long.
 Result<MonoRecording> readWav(const std::filesystem::path& file);
 
 } // namespace idiophone

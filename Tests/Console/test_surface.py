@@ -98,6 +98,16 @@ class Surfaces(ConsoleTest):
                     saying="cannot be opened")
         self.refuse("surface", self.folder, naming=self.folder.name, saying="directory")
 
+    def test_what_else_a_recording_tells_changes_nothing(self):
+        sound = b"data", array.array("f", scrape(-1, 900, 500, 1 << 14)).tobytes()
+        plain = self.write("a.wav", riff(wav_format(), sound))
+        told = self.write("b.wav", riff(wav_format(), (b"LIST", b"INFOINAM\4\0\0\0rock"),
+                                        (b"axml", b"\xc9<\xc9&"), sound, (b"smpl", b"\0" * 36)))
+        figures = [self.json("surface", file) for file in (plain, told)]
+        for each in figures:
+            each.pop("name")
+        self.assertEqual(*figures)
+
     def test_recordings_that_lie_about_their_parts_get_one_sentence(self):
         data = b"data", array.array("f", scrape(-1, 900, 500, 1 << 14)).tobytes()
         for name, content, saying in (
