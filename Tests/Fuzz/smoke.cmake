@@ -30,10 +30,11 @@ endif()
 # Beside the other presets, so that `./dev soak` finds them built.
 set(fuzz_build "${PROJECT_SOURCE_DIR}/build/fuzz")
 add_custom_target(fuzz_targets ALL
-    COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING -S "${PROJECT_SOURCE_DIR}"
+    COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING --no-warn-unused-cli -S "${PROJECT_SOURCE_DIR}"
             "-DFETCHCONTENT_SOURCE_DIR_JUCE=${juce_SOURCE_DIR}"
             "-DFETCHCONTENT_SOURCE_DIR_LIBIGL=${libigl_SOURCE_DIR}"
             "-DFETCHCONTENT_SOURCE_DIR_TETGEN=${tetgen_SOURCE_DIR}"
+            "-DFETCHCONTENT_SOURCE_DIR_TUNING_LIBRARY=${tuning_library_SOURCE_DIR}"
     COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets --parallel 2 -- --quiet
     COMMENT "Building the fuzz targets"
     VERBATIM)
