@@ -28,7 +28,7 @@ TEST_CASE("Music goes on on one thread while sounds, states and windows change o
     RandomSession session(processor, RandomSession::Changes::parameters);
     std::thread audio([&] {
         try {
-            session.play(20, 2);
+            session.play(120, 2);
         } catch (const std::exception& error) {
             fault = error.what();
         }
