@@ -152,7 +152,7 @@ draw_path
 next_preset 15
 other_look
 
-# A mesh, dropped on the picture.
+# Files, dropped on the picture: a mesh.
 "$console" mesh ring -o "$scratch/ring.obj" >/dev/null
 if "$python" -c 'import Xlib' 2>/dev/null; then
     "$python" Tests/drop_file.py "$window" 400 300 "$scratch/ring.obj"
@@ -161,5 +161,14 @@ if "$python" -c 'import Xlib' 2>/dev/null; then
     sleep 8
     click 400 250
     shot dropped
+
+    # A scale, dropped too.
+    printf '%s\n' 'Quarter-comma meantone' 12 76.049 193.157 310.265 5/4 503.422 579.471 696.578 \
+        25/16 889.735 1006.843 1082.892 2/1 >"$scratch/meantone.scl"
+    "$python" Tests/drop_file.py "$window" 400 300 "$scratch/meantone.scl"
+    sleep 1
+    shot tuning
+    size 800 500
+    shot tuning-small
 fi
 echo "Saved in $out."

@@ -3,9 +3,13 @@
 #include "Editor/Look.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace idiophone {
 namespace {
+
+constexpr int widestTab = 130, leastTabGap = 8;
 
 /// A name, underlined while its page is shown.
 class Tab final : public juce::Button {
@@ -16,10 +20,17 @@ public:
         setClickingTogglesState(false);
     }
 
+    static juce::Font shownFont() { return Look::headingFont(13.5f); }
+
+    int textWidth() const {
+        return juce::roundToInt(
+            std::ceil(juce::GlyphArrangement::getStringWidth(shownFont(), getButtonText())));
+    }
+
     void paintButton(juce::Graphics& g, bool highlighted, bool) override {
         const bool on = getToggleState();
         g.setColour(colourOf(*this, on || highlighted ? LookColour::text : LookColour::dimText));
-        g.setFont(on ? Look::headingFont(13.5f) : Look::textFont());
+        g.setFont(on ? shownFont() : Look::textFont());
         auto area = getLocalBounds();
         const auto line = area.removeFromBottom(4).reduced(8, 1);
         g.drawFittedText(getButtonText(), area, juce::Justification::centred, 1, 0.8f);
@@ -29,6 +40,20 @@ public:
         }
     }
 };
+
+/// Of all tabs the same where the longest name fits, or else by their names.
+std::vector<int> tabWidths(const std::vector<std::unique_ptr<juce::Button>>& tabs, int room) {
+    std::vector<int> widths;
+    for (const auto& tab : tabs)
+        widths.push_back(static_cast<const Tab&>(*tab).textWidth());
+    const int count = static_cast<int>(tabs.size());
+    const int longest = *std::ranges::max_element(widths);
+    const int spare = (room - std::accumulate(widths.begin(), widths.end(), 0)) / count;
+    const bool fits = room / count >= longest + leastTabGap;
+    for (auto& width : widths)
+        width = fits ? std::min(room / count, widestTab) : width + spare;
+    return widths;
+}
 
 } // namespace
 
@@ -82,13 +107,13 @@ void PageDeck::arrange() {
     first = std::clamp(first, 0, pageCount() - shown);
     auto area = getLocalBounds();
     auto strip = area.removeFromTop(tabHeight);
-    const int tabWidth = std::min(strip.getWidth() / pageCount(), 130);
+    const auto widths = tabWidths(tabs, strip.getWidth());
     const int width = (area.getWidth() - (shown - 1) * gap) / shown;
     backs.clear();
     for (int i = 0; i < pageCount(); ++i) {
         const auto index = static_cast<std::size_t>(i);
         const bool visible = i >= first && i < first + shown;
-        tabs[index]->setBounds(strip.removeFromLeft(tabWidth));
+        tabs[index]->setBounds(strip.removeFromLeft(widths[index]));
         tabs[index]->setToggleState(visible, juce::dontSendNotification);
         pages[index]->setVisible(visible);
         if (!visible)
