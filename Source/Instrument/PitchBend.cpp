@@ -13,6 +13,8 @@ constexpr double memberSemitones = 48; // what a configured zone begins with
 enum ControllerNumber {
     dataEntryMsb = 6,
     dataEntryLsb = 38,
+    unregisteredLsb = 98,
+    unregisteredMsb,
     registeredLsb = 100,
     registeredMsb = 101,
     resetControllers = 121
@@ -30,8 +32,10 @@ void PitchBend::setParameters(const ParameterValues& parameters) noexcept {
     commonRange.setParameter(parameters[ParameterId::bendRange]);
     memberRange.setParameter(parameters[ParameterId::mpeBendRange]);
     const bool isOn = parameters[ParameterId::mpe] != 0;
-    if (std::exchange(mpeParameter, isOn) != isOn && !configured)
+    if (std::exchange(mpeParameter, isOn) != isOn) {
+        configured.reset();
         forgetNotes();
+    }
     bendHeldNotes();
 }
 
@@ -94,6 +98,10 @@ void PitchBend::controller(int channel, int number, int value) noexcept {
     case registeredLsb:
         parameterLsb[at(channel)] = small;
         break;
+    case unregisteredLsb:
+    case unregisteredMsb:
+        forgetParameter(channel);
+        break;
     case dataEntryMsb:
         if (isSensitivity)
             giveRange(channel, value, 0);
@@ -105,10 +113,12 @@ void PitchBend::controller(int channel, int number, int value) noexcept {
             giveRange(channel, static_cast<int>(rangeOf(channel).semitones()), value);
         break;
     case resetControllers:
-        if (isMember(channel))
-            memberBends[at(channel)] = 0;
-        else
+        if (!isMember(channel))
             commonBend = 0;
+        for (int each = reachOf(channel).first; each <= reachOf(channel).last; ++each) {
+            memberBends[at(each)] = 0;
+            forgetParameter(each);
+        }
         bendHeldNotes();
         break;
     default:
@@ -136,7 +146,16 @@ void PitchBend::configure(int managerChannel, int members) noexcept {
     forgetNotes();
 }
 
+void PitchBend::forgetParameter(int channel) noexcept {
+    parameterMsb[at(channel)] = parameterLsb[at(channel)] = 127;
+}
+
+void PitchBend::releaseNotes() noexcept {
+    heldBy.fill(none);
+}
+
 void PitchBend::forgetNotes() noexcept {
+    commonBend = 0;
     heldBy.fill(none);
     noteSemitones.fill(0);
     memberBends.fill(0);
@@ -161,7 +180,6 @@ void PitchBend::takeSetupOf(const PitchBend& other) noexcept {
 }
 
 void PitchBend::reset() noexcept {
-    commonBend = 0;
     forgetNotes();
 }
 

@@ -63,8 +63,9 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                std::uint64_t seed,
                const ParameterValues& own)
     : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz, 2),
-      firstStrikeNumber(firstStrike(seed)), strikeCount(firstStrikeNumber),
-      pending(pendingCapacity), lowestModes(lowestModesOf(*playedInstrument)),
+      glide(cellSamples / sampleRateHz), firstStrikeNumber(firstStrike(seed)),
+      strikeCount(firstStrikeNumber), pending(pendingCapacity),
+      lowestModes(lowestModesOf(*playedInstrument)),
       malletScales(malletScalesOf(*playedInstrument)),
       held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
       handScrape(*playedInstrument,
@@ -83,7 +84,8 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
 void Player::process(const StereoSpan& output,
                      std::span<const MidiEvent> events,
                      const ParameterValues& parameters) {
-    current = parameters;
+    glide.setGoal(parameters);
+    current = glide.values();
     bend.setParameters(current);
     const int count = static_cast<int>(output.size());
     std::size_t next = 0;
@@ -247,6 +249,8 @@ SynthesisSettings Player::settingsNow() const {
 }
 
 void Player::beginCell() {
+    glide.advance();
+    current = glide.values();
     const auto settings = settingsNow();
     synth.setSettings(settings);
     slotTuning.apply(bend, synth);
@@ -266,7 +270,7 @@ void Player::prepare(const ParameterValues& parameters) {
 /// Once a cell, on the grid: what matches loudness, which moves when a prediction is complete, and
 /// the motor.
 void Player::updateGain() {
-    loudness.advance(current);
+    loudness.advance(glide.goalValues());
     const auto goal = static_cast<float>(std::pow(10, loudness.gainDb() / 20));
     const float before = cellIndex == 0 ? goal : gainAtCellEnd;
     matchingGain = cellIndex == 0 ? goal : matchingGain + matchingShare * (goal - matchingGain);
@@ -318,6 +322,7 @@ void Player::updateDampers() {
 
 void Player::reset() {
     synth.reset();
+    glide.reset();
     leftCell.fill(0);
     rightCell.fill(0);
     cellPosition = cellSamples;

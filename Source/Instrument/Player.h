@@ -8,6 +8,7 @@
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/LowestModes.h"
 #include "Instrument/Motor.h"
+#include "Instrument/ParameterGlide.h"
 #include "Instrument/PendingStrikes.h"
 #include "Instrument/PitchBend.h"
 #include "Instrument/SilencedModes.h"
@@ -64,7 +65,7 @@ public:
     /// radiation both channels are the same. Events are in order of time; what is stamped beyond
     /// the block's end acts at the next block's start. Strikes act at their sample; parameters and
     /// everything else at the first point of the 64-sample grid at or after their stamp, which for
-    /// parameters is the block's first sample.
+    /// parameters is the block's first sample; from there what sounds while it moves glides.
     void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
                  const ParameterValues& parameters);
@@ -138,6 +139,7 @@ private:
     std::shared_ptr<const Instrument> playedInstrument;
     Synthesiser synth;
     ParameterValues current;
+    ParameterGlide glide;
     alignas(64) std::array<float, cellSamples> leftCell{};
     alignas(64) std::array<float, cellSamples> rightCell{};
     int cellPosition = cellSamples;

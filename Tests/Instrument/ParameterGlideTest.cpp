@@ -1,0 +1,114 @@
+#include "Instrument/ParameterGlide.h"
+
+#include "Instrument/Player.h"
+#include "Support/RenderNotes.h"
+#include "TestInstruments.h"
+
+#include <algorithm>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using enum ParameterId;
+using Catch::Approx;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr double cellSeconds = 64 / rateHz;
+
+ParameterValues with(ParameterId parameter, double value, ParameterValues values = {}) {
+    values.set(parameter, value);
+    return values;
+}
+
+} // namespace
+
+TEST_CASE("The first values hold at once, later ones after a glide that ends exactly") {
+    ParameterGlide glide(cellSeconds);
+    const auto first = with(size, 2, with(malletMass, 50));
+    glide.setGoal(first);
+    CHECK(glide.values() == first);
+    const auto second = with(size, 0.5, with(malletMass, 10));
+    glide.setGoal(second);
+    CHECK(glide.values()[malletMass] == 10); // a blow's alone: at once
+    CHECK(glide.values()[size] == 2);
+    int cells = 0;
+    double before = 2;
+    for (; glide.values() != second && cells < 1000; ++cells) {
+        glide.advance();
+        CHECK(glide.values()[size] < before);
+        before = glide.values()[size];
+    }
+    CHECK(cells * cellSeconds < 0.15);
+    glide.reset();
+    glide.setGoal(first);
+    CHECK(glide.values() == first);
+}
+
+TEST_CASE("A glide is 63 % of its way after ten milliseconds, at any sample rate") {
+    for (const double hertz : {22050.0, 48000.0, 192000.0}) {
+        ParameterGlide glide(64 / hertz);
+        glide.setGoal({});
+        glide.setGoal(with(tune, 1000));
+        const int cells = static_cast<int>(std::lround(0.01 * hertz / 64));
+        for (int cell = 0; cell < cells; ++cell)
+            glide.advance();
+        CHECK(glide.values()[tune] == Approx(1000 * -std::expm1(-cells * 64 / hertz / 0.01)));
+    }
+}
+
+TEST_CASE("The figures of a material that was just chosen do not glide from another one's") {
+    ParameterGlide glide(cellSeconds);
+    glide.setGoal(with(material, 5));
+    const auto custom = with(youngsModulus, 200, with(material, customMaterial));
+    glide.setGoal(custom);
+    CHECK(glide.values() == custom);
+    glide.setGoal(with(youngsModulus, 100, custom));
+    CHECK(glide.values()[youngsModulus] == 200);
+}
+
+TEST_CASE("Tune that a host moves once a block is heard as a slide, not as steps") {
+    // The pitch of a ringing bar, from the phase that it gains in a millisecond.
+    ParameterValues values = with(strikeSpread, 0);
+    Player player(bars(), rateHz);
+    StereoSound sound(48000);
+    constexpr int blockSize = 512;
+    const std::array note{midi(0, 0x90, 69, 100)};
+    for (int start = 0; start < 48000; start += blockSize) {
+        const auto count = static_cast<std::size_t>(std::min(blockSize, 48000 - start));
+        values.set(tune, 1200.0 * start / 48000);
+        player.process({std::span(sound.left).subspan(static_cast<std::size_t>(start), count),
+                        std::span(sound.right).subspan(static_cast<std::size_t>(start), count)},
+                       start == 0 ? std::span<const MidiEvent>(note) : std::span<const MidiEvent>{},
+                       values);
+    }
+    // Heterodyned at the lowest mode and averaged over 5 ms; the other mode lies far above.
+    std::vector<double> cents;
+    std::complex<double> before;
+    for (std::size_t at = 4800; at + 480 < 36000; at += 48) {
+        std::complex<double> sum;
+        for (std::size_t i = 0; i < 240; ++i) {
+            const double hann = 1 - std::cos(2 * std::numbers::pi * static_cast<double>(i) / 240);
+            sum +=
+                hann * static_cast<double>(sound.left[at + i]) *
+                std::polar(1.0, -2 * std::numbers::pi * 600 * static_cast<double>(at + i) / rateHz);
+        }
+        if (at > 4800)
+            cents.push_back(
+                1200 *
+                std::log2((600 + std::arg(sum / before) / (2 * std::numbers::pi * 0.001)) / 440));
+        before = sum;
+    }
+    // A block's step is 12.8 cents; the slide is 1.2 cents a millisecond.
+    double steepest = 0;
+    for (std::size_t i = 1; i < cents.size(); ++i)
+        steepest = std::max(steepest, std::abs(cents[i] - cents[i - 1]));
+    INFO(steepest);
+    CHECK(steepest < 2);
+    CHECK(cents.back() - cents.front() > 500);
+}
