@@ -98,7 +98,7 @@ Result<void> render(const Options& options) {
     const auto preset = findOrReadPreset(options.preset);
     if (!preset)
         return tl::unexpected(preset.error());
-    auto values = preset->parameters;
+    auto values = withSetupOf({}, preset->parameters);
     if (auto done = assignParameters(options.assignments, values); !done)
         return done;
     if (!options.statistics.empty())

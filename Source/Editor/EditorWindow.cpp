@@ -189,8 +189,11 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     if (file.isEmpty())
         return;
     const bool isTuning = view.isTuningFile(file.toStdString());
-    if (isTuning)
-        view.openTuning(file.toStdString());
+    if (isTuning) // a scale and its mapping come together
+        for (const auto& each : files) {
+            if (view.isTuningFile(each.toStdString()))
+                view.openTuning(each.toStdString());
+        }
     else
         view.openFile(file.toStdString());
     deck.show(isTuning ? tuningPage : importPage);

@@ -28,6 +28,8 @@ juce::String originOf(const TuningStatus& status) {
                                           : "Keys as in " + utf8(status.mappingFile);
     case Source::session:
         return "As the session has it (MTS-ESP)";
+    case Source::messages:
+        return "Messages of the MIDI Tuning Standard";
     default:
         return "Open or drop a scale (.scl) or a mapping (.kbm)";
     }

@@ -11,7 +11,8 @@ struct TuningStatus {
     enum class Source {
         equal,  ///< nobody: twelve equal steps
         files,  ///< the user's own, for this instance
-        session ///< a master of the session (MTS-ESP)
+        session, ///< a master of the session (MTS-ESP)
+        messages ///< MIDI's
     };
 
     Source source = Source::equal;

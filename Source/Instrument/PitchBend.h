@@ -13,11 +13,11 @@ namespace idiophone {
 
 /// For the audio thread; neither allocates, locks nor throws. Channels are 0 to 15, notes 0 to 127.
 ///
-/// Zones are as configured by MIDI (RPN 6 on channel 0 or 15) or, where nothing came, one of
-/// fifteen members above channel 0 while the parameter "MPE" is on. Notes of a member channel are
-/// bent by its wheel while they are held, and keep their bend as they ring on, since the channel
-/// may go to another note; all other wheels bend all notes. Ranges are the parameters' until MIDI
-/// gives another one (RPN 0), which holds until the parameter moves.
+/// Zones are as the parameter "MPE" has them, none or one of fifteen members above channel 0, or as
+/// MIDI has configured them since it moved last (RPN 6 on channel 0 or 15). Notes of a member
+/// channel are bent by its wheel while they are held, and keep their bend as they ring on, since
+/// the channel may go to another note; all other wheels bend all notes. Ranges are the parameters'
+/// until MIDI gives another one (RPN 0), which holds until the parameter moves.
 class PitchBend {
 public:
     /// Once before the events of a block.
@@ -25,6 +25,7 @@ public:
 
     void noteOn(int channel, int note) noexcept;
     void noteOff(int channel, int note) noexcept;
+    void releaseNotes() noexcept;                        ///< of all channels
     void wheel(int channel, int low, int high) noexcept; ///< two bytes of 7 bits
     /// Follows RPN 0 and 6, and "reset all controllers".
     void controller(int channel, int number, int value) noexcept;
@@ -73,6 +74,7 @@ private:
     Range& rangeOf(int channel) noexcept { return isMember(channel) ? memberRange : commonRange; }
     void giveRange(int channel, int semitones, int cents) noexcept;
     void bendHeldNotes() noexcept;
+    void forgetParameter(int channel) noexcept;
     void forgetNotes() noexcept;
 
     bool mpeParameter = false;

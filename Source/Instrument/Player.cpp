@@ -311,7 +311,7 @@ void Player::updateDampers() {
         const auto slot = static_cast<std::size_t>(key);
         slotHeld[slot] = true;
         if (pressureDamps)
-            slotPressed[slot] = std::max(slotPressed[slot], keyPressures[note]);
+            slotPressed[slot] = std::max(slotPressed[slot], notePressures[note]);
     }
     for (std::size_t slot = 0; slot < slotHeld.size(); ++slot) {
         const double share = slotHeld[slot] ? slotPressed[slot] * slotPressed[slot] : 1;
@@ -339,7 +339,7 @@ void Player::reset() {
     handScrape.reset();
     playedLast.reset();
     keysDown = {};
-    keyPressures.fill(0);
+    forgetPressures();
     liftPedals();
     bend.reset();
     programChange.reset();

@@ -123,6 +123,8 @@ private:
     void keyUp(int channel, int note);
     void press(int channel, int note, double pressure);
     void press(int channel, double pressure);
+    void setKeyPressure(int channel, std::size_t note, double pressure);
+    void forgetPressures();
     void controller(int channel, int number, int value);
     void catchKeys(bool isDown);
     void liftPedals();
@@ -169,8 +171,9 @@ private:
     double softness = 1; ///< of the soft pedal: times the mallet's speed
     PitchBend bend;
     SlotTuning slotTuning;
-    std::array<float, 128> keyPressures{}; ///< 0 to 1, of keys that are down
-    std::vector<bool> slotTouched;         ///< a hand on its surface holds it
+    std::array<std::array<float, 128>, 16> keyPressures{}; ///< 0 to 1, of each channel's keys
+    std::array<float, 128> notePressures{};                ///< the most of them, of each note
+    std::vector<bool> slotTouched;                         ///< a hand on its surface holds it
     std::vector<bool> slotHeld; ///< that, or some key of it is down or sustained, or it may ring
     std::vector<float> slotPressed; ///< the most that one of its keys presses
     std::vector<bool> slotSilenced; ///< by "all sound off", until the next strike

@@ -49,7 +49,7 @@ void Player::keyDown(int channel, int note, int velocity) {
         return;
     bend.noteOn(channel, note);
     slotTuning.noteOn(note);
-    keyPressures[static_cast<std::size_t>(note)] = 0;
+    setKeyPressure(channel, static_cast<std::size_t>(note), 0);
     keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
     if (!strikes(current))
         held.press(channel, note, softness * velocity / 127.0);
@@ -64,7 +64,7 @@ void Player::keyUp(int channel, int note) {
     if (sustainPedal && down[index])
         keysSustained.set(index);
     down.reset(index);
-    keyPressures[index] = 0;
+    setKeyPressure(channel, index, 0);
     bend.noteOff(channel, note);
     held.release(channel, note);
 }
@@ -73,7 +73,7 @@ void Player::keyUp(int channel, int note) {
 void Player::press(int channel, int note, double pressure) {
     held.setPressure(channel, note, pressure);
     if (keysDown[static_cast<std::size_t>(channel)][static_cast<std::size_t>(note)])
-        keyPressures[static_cast<std::size_t>(note)] = static_cast<float>(pressure);
+        setKeyPressure(channel, static_cast<std::size_t>(note), pressure);
 }
 
 void Player::press(int channel, double pressure) {
@@ -83,8 +83,20 @@ void Player::press(int channel, double pressure) {
         const auto& down = keysDown[static_cast<std::size_t>(each)];
         for (std::size_t note = 0; note < down.size(); ++note)
             if (down[note])
-                keyPressures[note] = static_cast<float>(pressure);
+                setKeyPressure(each, note, pressure);
     }
+}
+
+void Player::setKeyPressure(int channel, std::size_t note, double pressure) {
+    keyPressures[static_cast<std::size_t>(channel)][note] = static_cast<float>(pressure);
+    notePressures[note] = 0;
+    for (const auto& keys : keyPressures)
+        notePressures[note] = std::max(notePressures[note], keys[note]);
+}
+
+void Player::forgetPressures() {
+    keyPressures = {};
+    notePressures = {};
 }
 
 /// Keys that are down when the sostenuto pedal goes down are held until it is up again.
@@ -102,6 +114,7 @@ void Player::takeControllersOf(const Player& former) noexcept {
     takeBendSetupOf(former);
     bend.takeWheelsOf(former.bend);
     sustainPedal = former.sustainPedal;
+    sostenutoPedal = former.sostenutoPedal;
     softness = former.softness;
     held.takeControllersOf(former.held);
     loudness.setSpeedController(former.loudness.speedController());
@@ -151,15 +164,19 @@ void Player::controller(int channel, int number, int value) {
     case allNotesOff:
         liftHands();
         held.releaseAll();
+        bend.releaseNotes();
         keysDown = {};
-        keyPressures.fill(0);
+        forgetPressures();
         keysSustained.reset();
         keysCaught.reset();
         break;
     case resetControllers:
         liftPedals();
-        for (int each = first; each <= last; ++each)
+        for (int each = first; each <= last; ++each) {
             held.resetControllers(each);
+            for (std::size_t note = 0; note < notePressures.size(); ++note)
+                setKeyPressure(each, note, 0);
+        }
         loudness.setSpeedController(HeldContacts::controllerAtRest);
         break;
     default:

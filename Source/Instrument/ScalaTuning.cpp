@@ -4,6 +4,7 @@
 #include "Object/OneLine.h"
 
 #include <Tunings.h>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -30,7 +31,11 @@ struct Line {
 /// The lines of a file that are no comments, whichever way they end.
 class Lines {
 public:
-    explicit Lines(const ScalaFile& source) : file(source), rest(source.text) {}
+    explicit Lines(const ScalaFile& source) : file(source), rest(source.text) {
+        constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
+        if (rest.starts_with(byteOrderMark))
+            rest.remove_prefix(byteOrderMark.size());
+    }
 
     std::optional<Line> next() {
         while (!rest.empty()) {
@@ -48,11 +53,18 @@ public:
         return std::nullopt;
     }
 
-    /// The next line with something on it; `what` says what it should hold.
-    Line expect(const char* what) {
+    /// The next line with something on it.
+    std::optional<Line> nextFilled() {
         while (const auto line = next())
             if (line->text.find_first_not_of(" \t") != std::string_view::npos)
-                return *line;
+                return line;
+        return std::nullopt;
+    }
+
+    /// The same; `what` says what it should hold.
+    Line expect(const char* what) {
+        if (const auto line = nextFilled())
+            return *line;
         throw Fault{oneLine(file.name) + " ends before " + what + "."};
     }
 
@@ -96,6 +108,14 @@ int wholeNumber(Lines& lines, const char* what, int least, int most) {
     return static_cast<int>(*value);
 }
 
+Tunings::Tone toneOf(double cents) {
+    Tunings::Tone tone;
+    tone.type = Tunings::Tone::kToneCents;
+    tone.cents = cents;
+    tone.floatValue = cents / 1200 + 1;
+    return tone;
+}
+
 Tunings::Scale readScale(const ScalaFile& file) {
     if (!file.isGiven())
         return Tunings::evenTemperament12NoteScale();
@@ -113,68 +133,102 @@ Tunings::Scale readScale(const ScalaFile& file) {
             lines.refuse(line, what + " is neither cents nor a ratio");
         if (!(std::abs(*pitch) <= mostCents))
             lines.refuse(line, what + " is more than twenty octaves away");
-        Tunings::Tone tone;
-        tone.type = Tunings::Tone::kToneCents;
-        tone.cents = *pitch;
-        tone.floatValue = *pitch / 1200 + 1;
-        scale.tones.push_back(tone);
+        scale.tones.push_back(toneOf(*pitch));
     }
     return scale;
 }
 
-/// The key that a mapping repeats from is moved by whole repetitions to where the reference note is
-/// in the first of them: the library looks for it there alone.
-void moveToReference(Tunings::KeyboardMapping& mapping) {
-    while (mapping.tuningConstantNote < mapping.middleNote)
-        mapping.middleNote -= mapping.count;
-    while (mapping.tuningConstantNote >= mapping.middleNote + mapping.count)
-        mapping.middleNote += mapping.count;
+/// A mapping, as the library is given it: a scale of the mapped keys' own pitches one after the
+/// other, which repeats by the formal octave, and the reference. The library's own mappings repeat
+/// by the scale's last note, whatever the formal octave is.
+struct Mapping {
+    Tunings::Scale scale;
+    Tunings::KeyboardMapping reference;
+    std::vector<bool> isMapped; ///< of the keys that repeat; empty: all
+};
+
+bool isMapped(const Mapping& mapping, int note) {
+    if (mapping.isMapped.empty())
+        return true;
+    const int count = mapping.scale.count;
+    const int key = ((note - mapping.reference.middleNote) % count + count) % count;
+    return mapping.isMapped[static_cast<std::size_t>(key)];
 }
 
-Tunings::KeyboardMapping readMapping(const ScalaFile& file, int degrees) {
-    Tunings::KeyboardMapping mapping;
+/// Above the scale's first note; degrees beyond the scale go on as it repeats.
+double centsOfDegree(const Tunings::Scale& scale, int degree) {
+    const int rounds = degree / scale.count, rest = degree % scale.count;
+    return rounds * scale.tones.back().cents +
+           (rest == 0 ? 0 : scale.tones[static_cast<std::size_t>(rest - 1)].cents);
+}
+
+/// The degrees of the keys that repeat, −1 where there is none, as for those left out at the end.
+std::vector<int> readDegrees(Lines& lines, int count) {
+    std::vector<int> degrees(static_cast<std::size_t>(count), -1);
+    for (std::size_t key = 0; key < degrees.size(); ++key) {
+        const auto line = lines.nextFilled();
+        if (!line)
+            break;
+        const auto word = firstWord(line->text);
+        if (word == "x" || word == "X")
+            continue;
+        const auto degree = parseInteger(word);
+        if (!degree || *degree < 0 || *degree > ScalaTuning::mostDegrees)
+            lines.refuse(*line, "key " + std::to_string(key + 1) + " of its " +
+                                    std::to_string(count) + " is neither x nor a degree");
+        degrees[key] = static_cast<int>(*degree);
+    }
+    return degrees;
+}
+
+Tunings::Scale
+scaleOfKeys(const Tunings::Scale& scale, const std::vector<int>& degrees, int octaveDegree) {
+    const auto cents = [&](int degree) { return centsOfDegree(scale, std::max(degree, 0)); };
+    Tunings::Scale keys;
+    keys.count = static_cast<int>(degrees.size());
+    for (std::size_t key = 1; key < degrees.size(); ++key)
+        keys.tones.push_back(toneOf(cents(degrees[key]) - cents(degrees[0])));
+    keys.tones.push_back(toneOf(cents(octaveDegree == 0 ? scale.count : octaveDegree)));
+    return keys;
+}
+
+Mapping readMapping(const ScalaFile& file, const Tunings::Scale& scale) {
+    Mapping mapping{.scale = scale, .reference = {}, .isMapped = {}};
     if (!file.isGiven())
         return mapping;
+    auto& reference = mapping.reference;
     Lines lines(file);
-    mapping.count = wholeNumber(lines, "the size of the map", 0, ScalaTuning::mostDegrees);
-    mapping.firstMidi = wholeNumber(lines, "the first note", 0, 127);
-    mapping.lastMidi = wholeNumber(lines, "the last note", 0, 127);
-    mapping.middleNote = wholeNumber(lines, "the middle note", 0, 127);
-    mapping.tuningConstantNote = wholeNumber(lines, "the reference note", 0, 127);
+    const int count = wholeNumber(lines, "the size of the map", 0, ScalaTuning::mostDegrees);
+    reference.firstMidi = wholeNumber(lines, "the first note", 0, 127);
+    reference.lastMidi = wholeNumber(lines, "the last note", 0, 127);
+    reference.middleNote = wholeNumber(lines, "the middle note", 0, 127);
+    reference.tuningConstantNote = wholeNumber(lines, "the reference note", 0, 127);
     const auto frequencyLine = lines.expect("the reference frequency");
     const auto frequency = parseNumber(firstWord(frequencyLine.text));
     if (!frequency || !(*frequency >= lowestHz) || !(*frequency <= highestHz))
         lines.refuse(frequencyLine, "the reference frequency is not one from 1 to 100000 Hz");
-    mapping.tuningFrequency = *frequency;
-    mapping.tuningPitch = *frequency / Tunings::MIDI_0_FREQ;
-    mapping.octaveDegrees = wholeNumber(lines, "the degree of the formal octave", 0, degrees);
-    for (int key = 1; key <= mapping.count; ++key) {
-        const auto what = "key " + std::to_string(key) + " of its " + std::to_string(mapping.count);
-        const auto line = lines.expect(what.c_str());
-        const auto word = firstWord(line.text);
-        const auto degree =
-            word == "x" || word == "X" ? std::optional<std::int64_t>(-1) : parseInteger(word);
-        if (!degree || *degree < -1 || *degree > degrees)
-            lines.refuse(line,
-                         what + " is neither x nor a degree from 0 to " + std::to_string(degrees));
-        mapping.keys.push_back(static_cast<int>(*degree));
-    }
-    if (mapping.count > 0) {
-        moveToReference(mapping);
-        if (mapping
-                .keys[static_cast<std::size_t>(mapping.tuningConstantNote - mapping.middleNote)] <
-            0)
-            throw Fault{oneLine(file.name) + " gives the reference note no degree."};
-    }
+    reference.tuningFrequency = *frequency;
+    reference.tuningPitch = *frequency / Tunings::MIDI_0_FREQ;
+    const int octaveDegree =
+        wholeNumber(lines, "the degree of the formal octave", 0, ScalaTuning::mostDegrees);
+    if (count == 0)
+        return mapping;
+    const auto degrees = readDegrees(lines, count);
+    mapping.scale = scaleOfKeys(scale, degrees, octaveDegree);
+    for (const int degree : degrees)
+        mapping.isMapped.push_back(degree >= 0);
+    if (!isMapped(mapping, reference.tuningConstantNote))
+        throw Fault{oneLine(file.name) + " gives the reference note no degree."};
     return mapping;
 }
 
-KeyTuning pitches(const Tunings::Tuning& tuning) {
+KeyTuning pitches(const Mapping& mapping) {
+    const Tunings::Tuning tuning(mapping.scale, mapping.reference);
     KeyTuning keys;
     for (int note = 0; note < KeyTuning::notes; ++note) {
         const auto index = static_cast<std::size_t>(note);
         const double hertz = tuning.frequencyForMidiNote(note);
-        if (!tuning.isMidiNoteMapped(note) || !(hertz >= lowestHz) || !(hertz <= highestHz)) {
+        if (!isMapped(mapping, note) || !(hertz >= lowestHz) || !(hertz <= highestHz)) {
             keys.unmapped.set(index);
             continue;
         }
@@ -190,8 +244,7 @@ KeyTuning pitches(const Tunings::Tuning& tuning) {
 Result<KeyTuning> keyTuning(const ScalaTuning& tuning) {
     try {
         const auto scale = readScale(tuning.scale);
-        const auto mapping = readMapping(tuning.mapping, scale.count);
-        return pitches(Tunings::Tuning(scale, mapping));
+        return pitches(readMapping(tuning.mapping, scale));
     } catch (const Fault& fault) {
         return failure(fault.sentence);
     }

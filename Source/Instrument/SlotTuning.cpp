@@ -25,11 +25,12 @@ void SlotTuning::noteOn(int note) noexcept {
 
 void SlotTuning::apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept {
     for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-        auto& [note, semitones] = slots[slot];
+        auto& [note, tuned, semitones] = slots[slot];
         if (note < 0)
             continue;
-        const double tuned =
-            keysHaveObjects ? tuning.semitonesFromEqual[static_cast<std::size_t>(note)] : 0;
+        if (const auto index = static_cast<std::size_t>(note);
+            keysHaveObjects && !tuning.unmapped[index])
+            tuned = tuning.semitonesFromEqual[index];
         const double wanted = tuned + bend.ownSemitones(note);
         if (wanted == semitones)
             continue;

@@ -29,6 +29,7 @@ public:
 private:
     struct SlotPitch {
         int note = -1;        ///< whose pitch it has, or −1: none was played
+        double tuned = 0;     ///< by the tuning that last had a pitch for it
         double semitones = 0; ///< as the synthesiser has it
     };
 

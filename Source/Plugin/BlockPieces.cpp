@@ -10,6 +10,10 @@ bool isChannelMessage(const juce::MidiMessageMetadata& metadata) {
            metadata.data[0] < 0xf0;
 }
 
+bool isSystemExclusive(const juce::MidiMessageMetadata& metadata) {
+    return metadata.numBytes >= 1 && metadata.data[0] == 0xf0;
+}
+
 } // namespace
 
 void BlockPieces::begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept {
@@ -32,9 +36,11 @@ int BlockPieces::pieceEnd() const noexcept {
     const int end = std::min(position + maximumSamples, samples);
     auto count = eventCount;
     for (auto later = message; later != lastMessage; ++later) {
+        const int stamp = stampOf(*later);
+        if (isSystemExclusive(*later) && stamp > position && stamp < end)
+            return stamp;
         if (!isChannelMessage(*later))
             continue;
-        const int stamp = stampOf(*later);
         if (stamp >= end)
             break;
         if (count++ == events.size())
@@ -47,12 +53,22 @@ std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
     if (finished)
         return std::nullopt;
     const int start = position;
-    const int end = pieceEnd();
+    int end = pieceEnd();
+    std::span<const juce::uint8> systemExclusive;
     for (; message != lastMessage; ++message) {
         const auto metadata = *message;
+        const int stamp = stampOf(metadata);
+        if (isSystemExclusive(metadata)) {
+            if (stamp >= end && end > start)
+                break;
+            if (eventCount > 0 || !systemExclusive.empty()) {
+                end = start;
+                break;
+            }
+            systemExclusive = {metadata.data, static_cast<std::size_t>(metadata.numBytes)};
+        }
         if (!isChannelMessage(metadata))
             continue;
-        const int stamp = stampOf(metadata);
         if ((stamp >= end && end > start) || eventCount == events.size())
             break;
         append(stamp - start, {metadata.data, static_cast<std::size_t>(metadata.numBytes)});
@@ -63,6 +79,7 @@ std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
         return std::nullopt;
     return Piece{.start = start,
                  .length = end - start,
+                 .systemExclusive = systemExclusive,
                  .events = std::span(events).first(std::exchange(eventCount, 0))};
 }
 

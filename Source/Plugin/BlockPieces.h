@@ -18,16 +18,18 @@ public:
     /// All the strikes that a synthesiser takes at a time: 64 contacts on each of 128 keys.
     static constexpr int maximumEvents = 64 * 128;
 
-    /// Valid until the next `next`. `length` is 0 where more events fall on one sample than fit.
+    /// Valid until the next `next`. `length` is 0 where more events fall on one sample than fit, or
+    /// some of them before a system exclusive message.
     struct Piece {
         int start = 0;
         int length = 0;
-        std::span<const MidiEvent> events; ///< channel messages, offsets from `start`
+        std::span<const juce::uint8> systemExclusive; ///< acts before the rest; empty: none
+        std::span<const MidiEvent> events;            ///< channel messages, offsets from `start`
     };
 
     /// Starts a block; `midi` must live until its last piece. Waiting notes of the queue sound at
-    /// its first sample. System messages and those longer than three bytes are left out. What comes
-    /// in a block without samples is kept for the next.
+    /// its first sample. Other system messages are left out. What comes in a block without samples
+    /// is kept for the next.
     void begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept;
 
     std::optional<Piece> next() noexcept;

@@ -10,9 +10,15 @@ namespace idiophone {
 
 inline constexpr int noController = -1;
 
-/// Whether a controller's number may be learned: not those of bank selection and channel modes.
+/// Whether a controller's number may be assigned: not those of bank selection and channel modes.
 constexpr bool isLearnable(int number) {
     return number > 0 && number < 120 && number != 32;
+}
+
+/// Whether one that moves while a parameter learns is taken for it: not those of which MIDI makes
+/// registered parameters, as controllers send them unasked.
+constexpr bool isMeantToBeLearned(int number) {
+    return isLearnable(number) && number != 6 && number != 38 && (number < 96 || number > 101);
 }
 
 struct ControllerAssignments {

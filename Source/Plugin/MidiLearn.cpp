@@ -27,7 +27,7 @@ void MidiLearn::follow(const juce::MidiBuffer& midi, const HostParameters& param
             continue;
         const int number = message.data[1] & 0x7f;
         values[static_cast<std::size_t>(number)] = static_cast<std::int8_t>(message.data[2] & 0x7f);
-        if (int waiting = learning; waiting != nothing && isLearnable(number) &&
+        if (int waiting = learning; waiting != nothing && isMeantToBeLearned(number) &&
                                     learning.compare_exchange_strong(waiting, nothing))
             numbers[static_cast<std::size_t>(waiting)] = static_cast<std::int8_t>(number);
     }

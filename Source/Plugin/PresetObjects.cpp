@@ -4,9 +4,11 @@
 #include "Instrument/PresetFile.h"
 #include "Plugin/ObjectEmbedding.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string_view>
 
 namespace idiophone {
@@ -43,10 +45,13 @@ juce::String fileStem(const KeyMap& keyMap) {
     return legal.isEmpty() ? "Object" : legal;
 }
 
-Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
+bool holds(const juce::File& file, const Bytes& bytes) {
     juce::MemoryBlock present;
-    if (file.existsAsFile() && file.loadFileAsData(present) &&
-        present.matches(bytes.data(), bytes.size()))
+    return file.loadFileAsData(present) && present.matches(bytes.data(), bytes.size());
+}
+
+Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
+    if (file.existsAsFile() && holds(file, bytes))
         return {};
     if (!file.getParentDirectory().createDirectory().wasOk() ||
         !file.replaceWithData(bytes.data(), bytes.size()))
@@ -60,6 +65,17 @@ KeyMap standInFor(const KeyMap& keyMap) {
             .lowestNote = keyMap.lowestNote,
             .highestNote = keyMap.highestNote,
             .object = "ring"};
+}
+
+/// The first object of its notes that is neither the factory's nor a file.
+std::optional<std::string> firstMissing(const KeyMap& keyMap) {
+    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
+        const auto object = keyMap.objectFor(note);
+        std::error_code fault;
+        if (!factoryObject(object) && !std::filesystem::exists(object, fault))
+            return object;
+    }
+    return std::nullopt;
 }
 
 /// The objects of `found`, by the names of `keyMap`.
@@ -94,35 +110,41 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
     for (const auto& [name, bytes] : files)
         hash = hash * 31 + std::hash<std::string_view>()(asText(bytes));
     const bool isOne = files.size() == 1 && keyMap.objectFor(0) == keyMap.objectFor(1);
+    std::vector<int> notes; // one for each file
+    for (int note = keyMap.lowestNote; note <= (isOne ? keyMap.lowestNote : keyMap.highestNote);
+         ++note)
+        if (files.contains(keyMap.objectFor(note)))
+            notes.push_back(note);
     auto stored = keyMap;
-    stored.object = std::string(presetObjectFolder) + "/" + fileStem(keyMap).toStdString() + "-" +
-                    juce::String::toHexString(static_cast<juce::int64>(hash)).toStdString() +
-                    (isOne ? ".modal" : "/{note}.modal");
-    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
-        const auto bytes = files.find(keyMap.objectFor(note));
-        if (bytes == files.end())
-            continue;
-        const auto name = juce::String::fromUTF8(stored.objectFor(note).c_str());
-        if (auto written = writeOnce(folder.getChildFile(name), bytes->second); !written)
+    const auto bytesOf = [&](int note) -> const Bytes& { return files.at(keyMap.objectFor(note)); };
+    const auto fileOf = [&](int note) {
+        return folder.getChildFile(juce::String::fromUTF8(stored.objectFor(note).c_str()));
+    };
+    // A name that other contents have, damaged or put there by somebody, is left to them.
+    const auto isTaken = [&](int note) {
+        return fileOf(note).exists() && !holds(fileOf(note), bytesOf(note));
+    };
+    do
+        stored.object = std::string(presetObjectFolder) + "/" + fileStem(keyMap).toStdString() +
+                        "-" +
+                        juce::String::toHexString(static_cast<juce::int64>(hash++)).toStdString() +
+                        (isOne ? ".modal" : "/{note}.modal");
+    while (std::ranges::any_of(notes, isTaken));
+    for (const int note : notes)
+        if (auto written = writeOnce(fileOf(note), bytesOf(note)); !written)
             return tl::unexpected(written.error());
-        if (isOne)
-            break;
-    }
     return stored;
 }
 
 Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile) {
-    const auto lowest = keyMap.objectFor(keyMap.lowestNote);
     const auto found = withObjectsBeside(keyMap, presetFile.getFullPathName().toStdString());
-    std::error_code fault;
-    if (found.object == keyMap.object && !factoryObject(lowest) &&
-        !std::filesystem::exists(lowest, fault)) {
+    if (const auto missing = firstMissing(found)) {
         const auto standIn = standInFor(keyMap);
         return Instrument::build(standIn, ObjectLibrary::shared()).transform([&](auto built) {
             return PresetInstrument{.keyMap = standIn,
                                     .instrument = std::move(built),
-                                    .notice = lowest + " is missing; a steel ring plays in its "
-                                                       "place."};
+                                    .notice = *missing + " is missing; a steel ring plays in its "
+                                                         "place."};
         });
     }
     return buildWith(keyMap, found).transform([&](auto built) {

@@ -44,7 +44,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     const ParameterValues& values = parameters.snapshot();
     sound.changeTo(next);
     silencer.silence(sound.player());
-    tuner.tune(midi, sound.player());
+    tuner.tune(sound.player());
     if (auto* player = sound.player())
         player->setTempo(hostTempo());
     hand.playOn(sound.player());
@@ -54,6 +54,10 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         const auto length = static_cast<std::size_t>(piece->length);
         const StereoSpan rendered{std::span(left).first(length), std::span(right).first(length)};
         const auto channels = channelsFrom(buffer, piece->start);
+        if (!piece->systemExclusive.empty()) {
+            tuner.retune(piece->systemExclusive);
+            tuner.tune(sound.player());
+        }
         sound.process(rendered, piece->events, values);
         output.process(rendered.left, rendered.right, channels, values);
         report(channels, piece->length);

@@ -52,6 +52,8 @@ TuningStatus Processor::tuningStatus() const {
     }
     if (tuner.hasMaster())
         return {.source = session, .scale = tuner.masterScaleName(), .mappingFile = {}};
+    if (tuner.isTunedByMessages())
+        return {.source = messages, .scale = "Tuned by MIDI", .mappingFile = {}};
     return {.source = equal, .scale = scaleTitle({}), .mappingFile = {}};
 }
 

@@ -10,7 +10,6 @@ namespace {
 
 constexpr char anyChannel = -1;
 constexpr double farthestSemitones = 128;
-constexpr juce::uint8 systemExclusive = 0xf0;
 
 } // namespace
 
@@ -34,15 +33,19 @@ std::string Tuner::masterScaleName() const {
     return name != nullptr ? name : "";
 }
 
-void Tuner::tune(const juce::MidiBuffer& midi, Player* player) noexcept {
+void Tuner::retune(std::span<const juce::uint8> message) noexcept {
+    // F0, any or real time, any device, MIDI Tuning Standard.
+    const bool isTuning =
+        message.size() > 4 && (message[1] == 0x7e || message[1] == 0x7f) && message[3] == 0x08;
+    if (!isTuning)
+        return;
+    MTS_ParseMIDIDataU(client.get(), message.data(), static_cast<int>(message.size()));
+    tunedByMessages = true;
+}
+
+void Tuner::tune(Player* player) noexcept {
     if (const auto* given = handoff.take())
         own = *given;
-    for (const auto message : midi) {
-        if (message.numBytes > 0 && message.data[0] == systemExclusive) {
-            MTS_ParseMIDIDataU(client.get(), message.data, message.numBytes);
-            wasRetuned = true;
-        }
-    }
     if (player == nullptr)
         return;
     if (!own.isGiven)
@@ -53,7 +56,7 @@ void Tuner::tune(const juce::MidiBuffer& midi, Player* player) noexcept {
 /// A pitch that is no number, or as far away as no key is, is none.
 void Tuner::readSession() noexcept {
     session = {};
-    if (!wasRetuned && !MTS_HasMaster(client.get()))
+    if (!tunedByMessages && !MTS_HasMaster(client.get()))
         return;
     for (int note = 0; note < KeyTuning::notes; ++note) {
         const auto index = static_cast<std::size_t>(note);

@@ -5,9 +5,11 @@
 #include "Instrument/KeyTuning.h"
 #include "Plugin/LatestValue.h"
 
+#include <atomic>
 #include <juce_audio_basics/juce_audio_basics.h>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 struct MTSClient;
@@ -30,9 +32,14 @@ public:
     /// [any thread but the audio thread] The master's scale, which may have no name.
     std::string masterScaleName() const;
 
-    /// [audio thread] Once a callback: takes in messages of the MIDI Tuning Standard and gives the
-    /// tuning that holds to the player, if there is one. Neither allocates, locks nor throws.
-    void tune(const juce::MidiBuffer& midi, Player* player) noexcept;
+    /// [any thread] Whether messages of the MIDI Tuning Standard have tuned keys.
+    bool isTunedByMessages() const noexcept { return tunedByMessages; }
+
+    /// [audio thread] Once a callback, and after `retune`: gives the tuning that holds to the
+    /// player, if there is one. Neither allocates, locks nor throws, as the next one.
+    void tune(Player* player) noexcept;
+    /// [audio thread] Takes in a system exclusive message, whatever it is.
+    void retune(std::span<const juce::uint8> message) noexcept;
 
 private:
     struct Own {
@@ -47,11 +54,11 @@ private:
 
     std::unique_ptr<MTSClient, Deregister> client;
     LatestValue<Own> handoff{Own{}}; ///< message side to audio thread
+    std::atomic<bool> tunedByMessages{false};
 
     // The audio thread's.
     Own own;
     KeyTuning session;
-    bool wasRetuned = false; ///< by a message
 };
 
 } // namespace idiophone

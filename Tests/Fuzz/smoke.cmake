@@ -31,6 +31,7 @@ endif()
 set(fuzz_build "${PROJECT_SOURCE_DIR}/build/fuzz")
 add_custom_target(fuzz_targets ALL
     COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING --no-warn-unused-cli -S "${PROJECT_SOURCE_DIR}"
+            "-DIDIOPHONE_DEBIAN_SOURCES=${IDIOPHONE_DEBIAN_SOURCES}"
             "-DFETCHCONTENT_SOURCE_DIR_JUCE=${juce_SOURCE_DIR}"
             "-DFETCHCONTENT_SOURCE_DIR_LIBIGL=${libigl_SOURCE_DIR}"
             "-DFETCHCONTENT_SOURCE_DIR_TETGEN=${tetgen_SOURCE_DIR}"

@@ -75,7 +75,7 @@ TEST_CASE("The figures of a material that was just chosen do not glide from anot
 TEST_CASE("Tune that a host moves once a block is heard as a slide, not as steps") {
     // The pitch of a ringing bar, from the phase that it gains in a millisecond.
     ParameterValues values = with(strikeSpread, 0);
-    Player player(bars(), rateHz);
+    Player player(keysOn(syntheticObject({440}), KeyMapKind::scaled, 60, 72), rateHz);
     StereoSound sound(48000);
     constexpr int blockSize = 512;
     const std::array note{midi(0, 0x90, 69, 100)};
@@ -87,7 +87,7 @@ TEST_CASE("Tune that a host moves once a block is heard as a slide, not as steps
                        start == 0 ? std::span<const MidiEvent>(note) : std::span<const MidiEvent>{},
                        values);
     }
-    // Heterodyned at the lowest mode and averaged over 5 ms; the other mode lies far above.
+    // Heterodyned, and averaged over 5 ms.
     std::vector<double> cents;
     std::complex<double> before;
     for (std::size_t at = 4800; at + 480 < 36000; at += 48) {
@@ -104,11 +104,11 @@ TEST_CASE("Tune that a host moves once a block is heard as a slide, not as steps
                 std::log2((600 + std::arg(sum / before) / (2 * std::numbers::pi * 0.001)) / 440));
         before = sum;
     }
-    // A block's step is 12.8 cents; the slide is 1.2 cents a millisecond.
+    // A block's step is 12.8 cents. At once it would read 7.7, where a steady slide reads up to 3.
     double steepest = 0;
     for (std::size_t i = 1; i < cents.size(); ++i)
         steepest = std::max(steepest, std::abs(cents[i] - cents[i - 1]));
     INFO(steepest);
-    CHECK(steepest < 2);
+    CHECK(steepest < 4.5);
     CHECK(cents.back() - cents.front() > 500);
 }

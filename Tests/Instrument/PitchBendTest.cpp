@@ -118,6 +118,43 @@ TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
     CHECK(bend.commonSemitones() == 3);
 }
 
+TEST_CASE("What is switched on finds all wheels at rest, and the parameter has the last word") {
+    auto bend = bendWith(false);
+    bend.wheel(7, 0, 96);
+    CHECK(bend.commonSemitones() == Approx(1).margin(0.01));
+    ParameterValues values;
+    values.set(ParameterId::mpe, 1);
+    bend.setParameters(values);
+    CHECK(bend.commonSemitones() == 0);
+    CHECK(bend.reachOf(0).last == 15);
+    giveRegistered(bend, 0, 6, 0);
+    CHECK(bend.reachOf(0).last == 0);
+    values.set(ParameterId::mpe, 0);
+    bend.setParameters(values);
+    values.set(ParameterId::mpe, 1);
+    bend.setParameters(values);
+    CHECK(bend.reachOf(0).last == 15);
+}
+
+TEST_CASE("Data for a parameter that is not registered are nobody's bend range") {
+    auto bend = bendWith(false);
+    giveRegistered(bend, 0, 0, 12);
+    bend.controller(0, 99, 1);
+    bend.controller(0, 98, 8);
+    bend.controller(0, 6, 64);
+    bend.wheel(0, 127, up);
+    CHECK(bend.commonSemitones() == 12);
+}
+
+TEST_CASE("Notes that all end at once keep their bends") {
+    auto bend = bendWith(true);
+    bend.noteOn(1, 60);
+    bend.wheel(1, 127, up);
+    bend.releaseNotes();
+    bend.wheel(1, 0, rest);
+    CHECK(bend.ownSemitones(60) == 48);
+}
+
 TEST_CASE("Reset controllers brings a channel's wheel back; a reset keeps zones and ranges") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 6, 15);

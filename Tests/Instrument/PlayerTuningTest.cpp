@@ -86,6 +86,16 @@ TEST_CASE("A key without a pitch is silent, and its pedal too") {
     CHECK(peak(render(player, {midi(0, 0x90, 70, 127)}, 4800, 256)) > 0);
 }
 
+TEST_CASE("What rings keeps its pitch when its key loses it") {
+    Player player(bars(), sampleRateHz);
+    player.setTuning(tuningWith(69, -0.31));
+    render(player, {midi(0, 0x90, 69, 100)}, 4800, 256);
+    KeyTuning without;
+    without.unmapped.set(69);
+    player.setTuning(without);
+    CHECK(std::abs(cents(soundingHz(render(player, {}, 24000, 256), 430), 440) + 31) < 0.5);
+}
+
 TEST_CASE("Keys that share an object keep its pitch in any tuning") {
     KeyTuning tuning;
     tuning.semitonesFromEqual.fill(0.7);
@@ -134,6 +144,29 @@ TEST_CASE("Pressure damps what a key has struck while the key is down") {
     CHECK(render(lifted, {midi(0, 0x90, 69, 100), midi(100, 0x80, 69, 0), midi(200, 0xd0, 127, 0)},
                  4800, 256, values) ==
           render(never, {midi(0, 0x90, 69, 100), midi(100, 0x80, 69, 0)}, 4800, 256, values));
+}
+
+TEST_CASE("Pressure ends with its own key, or with reset controllers") {
+    ParameterValues values;
+    values.set(ParameterId::releaseTime, 0.05);
+    const auto level = [&](std::vector<MidiEvent> events) {
+        Player player(bars(), sampleRateHz);
+        events.insert(events.begin(), midi(0, 0x90, 69, 100));
+        events.push_back(midi(64, 0xd0, 127, 0));
+        const auto sound = render(player, events, 9600, 256, values);
+        return rms(std::span(sound).subspan(9000));
+    };
+    const double damped = level({});
+    Player player(bars(), sampleRateHz);
+    const auto reset =
+        render(player, {midi(0, 0x90, 69, 100), midi(64, 0xd0, 127, 0), midi(128, 0xb0, 121, 0)},
+               9600, 256, values);
+    CHECK(rms(std::span(reset).subspan(9000)) > 100 * damped);
+    Player stray(bars(), sampleRateHz);
+    const auto other =
+        render(stray, {midi(0, 0x90, 69, 100), midi(64, 0xd0, 127, 0), midi(128, 0x85, 69, 0)},
+               9600, 256, values);
+    CHECK(rms(std::span(other).subspan(9000)) <= 2 * damped);
 }
 
 TEST_CASE("Polyphonic pressure damps its own key, and with MPE a channel's its own") {

@@ -118,6 +118,41 @@ TEST_CASE("The reference note may lie beyond the mapping's first repetition, on 
         CHECK(hertz(tuning, note) == Approx(440 * std::exp2((note - reference) / 7.0)));
 }
 
+TEST_CASE("A mapping repeats by its formal octave, which need not be the scale's last note") {
+    // Twenty-four notes over two octaves; seven of the lower octave on seven keys.
+    std::string two = "Two octaves\n24\n";
+    for (int step = 1; step <= 24; ++step)
+        two += std::to_string(100 * step) + ".\n";
+    const auto white = mapped(two, "7\n0\n127\n60\n60\n261.6255653\n12\n0\n2\n4\n5\n7\n9\n11\n");
+    CHECK(hertz(white, 62) == Approx(middleCHz * std::exp2(4 / 12.0)));
+    CHECK(hertz(white, 67) == Approx(2 * middleCHz));
+    CHECK(hertz(white, 72) == Approx(middleCHz * std::exp2(21 / 12.0)));
+    CHECK(hertz(white, 53) == Approx(middleCHz / 2));
+    // Every second key of a scale of twelve over two of its octaves.
+    const auto wide =
+        mapped(equalSteps(12), "12\n0\n127\n60\n69\n440\n24\n0\n2\n4\n6\n8\n10\n12\n14\n"
+                               "16\n18\n20\n22\n");
+    CHECK(hertz(wide, 69) == Approx(440));
+    CHECK(hertz(wide, 70) == Approx(440 * std::exp2(2 / 12.0)));
+    CHECK(hertz(wide, 81) == Approx(1760));
+    // Twelve of nineteen steps, where no formal octave is named: the scale's own.
+    const auto nineteen =
+        mapped(equalSteps(19),
+               "12\n0\n127\n60\n60\n261.6255653\n0\n0\n1\n3\n5\n6\n8\n9\n11\n12\n14\n16\n17\n");
+    CHECK(hertz(nineteen, 67) == Approx(middleCHz * std::exp2(11 / 19.0)));
+    CHECK(hertz(nineteen, 72) == Approx(2 * middleCHz));
+}
+
+TEST_CASE("Keys left out at a mapping's end have no pitch, and a byte order mark is none of it") {
+    const auto tuning =
+        mapped("\xef\xbb\xbf! a.scl\nFifths\n1\n3/2\n", "3\n0\n127\n60\n60\n300\n1\n0\n");
+    CHECK(hertz(tuning, 60) == Approx(300));
+    CHECK(hertz(tuning, 63) == Approx(450));
+    CHECK(keyTuning(tuning)->unmapped[61]);
+    CHECK(keyTuning(tuning)->unmapped[62]);
+    CHECK(scaleTitle(tuning) == "Fifths");
+}
+
 TEST_CASE("Lines end in any way, and what stands behind a number is ignored") {
     const auto plain = scaled("Fifths\n2\n3/2\n2/1\n");
     for (const std::string text : {"Fifths\r\n2\r\n3/2\r\n2/1\r\n", "Fifths\r2\r3/2\r2/1",
@@ -161,9 +196,9 @@ TEST_CASE("What is wrong with a file is one sentence with its name and line") {
     checkRefused(mapped(just, "0\n0\n127\n60\n69\n0\n0\n"), "line 6: the reference frequency");
     checkRefused(mapped(just, "0\n0\n127\n60\n69\n-440\n0\n"), "line 6");
     checkRefused(mapped(just, "0\n0\n127\n60\n200\n440\n0\n"), "line 5: the reference note");
-    checkRefused(mapped(just, "0\n0\n127\n60\n69\n440\n13\n"), "line 7: the degree of the formal");
-    checkRefused(mapped(just, "1\n0\n127\n60\n69\n440\n12\n13\n"), "degree from 0 to 12");
-    checkRefused(mapped(just, "2\n0\n127\n60\n69\n440\n12\n0\n"), "ends before key 2 of its 2");
+    checkRefused(mapped(just, "0\n0\n127\n60\n69\n440\n-1\n"), "line 7: the degree of the formal");
+    checkRefused(mapped(just, "1\n0\n127\n60\n69\n440\n12\ny\n"), "neither x nor a degree");
+    checkRefused(mapped(just, "1\n0\n127\n60\n69\n440\n12\n9999\n"), "line 8: key 1 of its 1");
     checkRefused(mapped(just, "2\n0\n127\n60\n61\n440\n12\n0\nx\n"), "reference note no degree");
 }
 

@@ -139,9 +139,12 @@ TEST_CASE("A damaged object is an error that names it; a missing one is replaced
     const auto damaged = buildPresetInstrument(stored, preset);
     REQUIRE_FALSE(damaged);
     CHECK_THAT(damaged.error().message, ContainsSubstring(object.getFileName().toStdString()));
-    // Saving it again mends it.
-    CHECK(writePresetObjects(played.keyMap, *played.instrument, folder).value() == stored);
-    CHECK(buildPresetInstrument(stored, preset));
+    // Saving it again leaves the file to whoever changed it.
+    const auto again = writePresetObjects(played.keyMap, *played.instrument, folder).value();
+    CHECK(again != stored);
+    CHECK(object.loadFileAsString() == "no object");
+    CHECK(sameObjects(*buildPresetInstrument(again, preset)->instrument, *played.instrument));
+    CHECK(writePresetObjects(played.keyMap, *played.instrument, folder).value() == again);
     object.deleteFile();
     const auto missing = buildPresetInstrument(stored, preset);
     REQUIRE(missing);
@@ -162,4 +165,25 @@ TEST_CASE("Objects of hostile names are written below the folder and nowhere els
         CHECK(folder.getChildFile(juce::String(stored->object)).isAChildOf(folder));
         CHECK(objectFiles(folder) == 1);
     }
+}
+
+TEST_CASE("One bar that is missing among many is named, and a ring plays") {
+    const auto folder = freshFolder();
+    const KeyMap map{.kind = KeyMapKind::bars,
+                     .lowestNote = 60,
+                     .highestNote = 64,
+                     .object = "Objects/Set/{note}.modal"};
+    const auto bar = bowl("bowl.obj", 300).instrument->slots().front().object;
+    const auto bytes = encodeModalObject(*bar);
+    REQUIRE(folder.getChildFile("Objects/Set").createDirectory().wasOk());
+    for (int note = map.lowestNote; note <= map.highestNote; ++note)
+        folder.getChildFile(juce::String(map.objectFor(note)))
+            .replaceWithData(bytes.data(), bytes.size());
+    const auto preset = folder.getChildFile("x.json");
+    CHECK(buildPresetInstrument(map, preset)->notice.empty());
+    folder.getChildFile(juce::String(map.objectFor(62))).deleteFile();
+    const auto built = buildPresetInstrument(map, preset);
+    REQUIRE(built);
+    CHECK_THAT(built->notice, ContainsSubstring("62.modal is missing"));
+    CHECK(built->instrument->key(62).slot >= 0);
 }

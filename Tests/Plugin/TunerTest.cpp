@@ -135,6 +135,47 @@ TEST_CASE("A state whose tuning cannot be read changes nothing") {
     CHECK_THAT(instance.processor.takeStatus().sentence, ContainsSubstring("old.scl"));
 }
 
+TEST_CASE("Messages tune at their sample, whatever the blocks") {
+    juce::MidiBuffer midi;
+    const auto up = singleNoteTuning(struckNote, 70, 8192),
+               back = singleNoteTuning(struckNote, 69, 0);
+    midi.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{100}), 100);
+    midi.addEvent(up, 3000);
+    midi.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{90}), 3000);
+    midi.addEvent(back, 3000);
+    midi.addEvent(up, 9001);
+    midi.addEvent(juce::MidiMessage::controllerEvent(1, 64, 127), 9001);
+    const auto played = [&](int blockSize) {
+        Prepared instance;
+        return render(instance.processor, 20000, blockSize, midi);
+    };
+    const auto expected = played(64);
+    for (const int blockSize : {1, 777, 4096, 20000})
+        CHECK(played(blockSize) == expected);
+    Prepared instance;
+    const auto plain = [&] {
+        juce::MidiBuffer notes;
+        notes.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{100}), 100);
+        notes.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{90}), 3000);
+        return render(instance.processor, 20000, 512, notes);
+    }();
+    CHECK(std::equal(plain.begin(), plain.begin() + 9001, expected.begin()));
+    CHECK_FALSE(std::equal(plain.begin() + 9100, plain.end(), expected.begin() + 9100));
+}
+
+TEST_CASE("A message that is none of the tuning standard tunes nothing") {
+    Prepared instance;
+    juce::MidiBuffer midi;
+    const juce::uint8 reset[] = {0x7e, 0x7f, 0x09, 0x01};
+    midi.addEvent(juce::MidiMessage::createSysExMessage(reset, sizeof reset), 0);
+    render(instance.processor, 512, 512, midi);
+    CHECK(instance.processor.tuningStatus().source == TuningStatus::Source::equal);
+    midi.clear();
+    midi.addEvent(singleNoteTuning(60, 61, 0), 0);
+    render(instance.processor, 512, 512, midi);
+    CHECK(instance.processor.tuningStatus().source == TuningStatus::Source::messages);
+}
+
 TEST_CASE("Messages of the MIDI Tuning Standard tune keys, unless the instance has a tuning") {
     Prepared instance;
     auto& processor = instance.processor;

@@ -23,13 +23,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 KEPT = pathlib.Path(os.environ.get("SOAK_FOLDER", ROOT / "build/soak"))
 BUILT = ROOT / "build/fuzz/Tests/Fuzz"
 MUSIC = ROOT / "build/release/Tests/Soak/soak_music"
-SLICE_SECONDS = 300
-
 
 class FuzzTarget:
     """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`."""
 
     interrupted = 72  # libFuzzer's exit code
+    slice_seconds = 300
 
     def __init__(self, program):
         self.program = program
@@ -54,7 +53,9 @@ class FuzzTarget:
         said = output.read_text(errors="replace")
         runs = re.search(r"number_of_executed_units: (\d+)", said)
         written = re.search(r"Test unit written to (.*)", said)
-        finding = "" if code in (0, self.interrupted) else written.group(1) if written else str(output)
+        finding = ""
+        if code not in (0, self.interrupted):
+            finding = written.group(1) if written else keep(output)
         return int(runs.group(1)) if runs else 0, finding
 
 
@@ -62,6 +63,7 @@ class Music:
     """Hours of music in one processor, after each of which everything must be as it was."""
 
     name = "music"
+    slice_seconds = 24 * 3600  # a long session in one process is what is tried
 
     def run(self, seconds):
         """(hours played, the file that says what went wrong, or "")."""
@@ -72,7 +74,15 @@ class Music:
             code = wait(subprocess.Popen([MUSIC, hours, str(seconds)], stdout=file, stderr=file,
                                          start_new_session=True))
         played = len(hours.read_text().splitlines()) - before if hours.exists() else 0
-        return played, "" if code == 0 or Stop.asked else str(output)
+        return played, "" if code == 0 or Stop.asked else keep(output)
+
+
+def keep(output):
+    """The output of a program that failed, where the next run does not write over it."""
+    now = datetime.datetime.now().strftime("%Y%m%d-%H%M%S")
+    kept = KEPT / "findings" / f"{output.stem}-{now}.txt"
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    return str(output.replace(kept))
 
 
 class Stop:
@@ -124,7 +134,7 @@ class Log:
 def soak(program, seconds, log):
     """Runs the program for so long in slices; what it finds ends that early."""
     while seconds > 0 and not Stop.asked:
-        slice_seconds = min(seconds, SLICE_SECONDS)
+        slice_seconds = min(seconds, program.slice_seconds)
         begin = datetime.datetime.now()
         runs, finding = program.run(slice_seconds)
         took = round((datetime.datetime.now() - begin).total_seconds())

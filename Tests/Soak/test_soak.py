@@ -13,6 +13,7 @@ import soak
 class Program:
     def __init__(self, name, finding=""):
         self.name, self.finding, self.seconds = name, finding, []
+        self.slice_seconds = 300
 
     def run(self, seconds):
         self.seconds.append(seconds)
