@@ -169,6 +169,49 @@ TEST_CASE("No parameter at either end makes the callback allocate, lock or call 
     CHECK(host.loudestSample > 0.001f);
 }
 
+TEST_CASE("No parameter at either end does so in any factory preset") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(256);
+    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
+        host.processor.setCurrentProgram(program);
+        const auto [lowest, highest] = host.processor.keyRange();
+        juce::MidiBuffer music;
+        for (int i = 0; i < 6; ++i) {
+            const int note = lowest + (highest - lowest) * i / 5;
+            music.addEvent(juce::MidiMessage::noteOn(i + 1, note, juce::uint8{100}), 40 * i);
+            music.addEvent(juce::MidiMessage::channelPressureChange(i + 1, 20 * i), 40 * i + 3);
+            music.addEvent(juce::MidiMessage::pitchWheel(i + 1, 3000 * i), 40 * i + 5);
+        }
+        for (auto* parameter : host.processor.getParameters()) {
+            host.what = host.processor.getProgramName(program).toStdString() + ", " +
+                        parameter->getName(100).toStdString();
+            const float own = parameter->getValue();
+            for (const float end : {0.0f, 1.0f}) {
+                parameter->setValue(end);
+                host.block(music, 256);
+                host.block({}, 256);
+            }
+            parameter->setValue(own);
+        }
+    }
+    CHECK(host.loudestSample > 0.001f);
+}
+
+TEST_CASE("A system exclusive message is taken in as any other") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(256);
+    restore(host.processor, testState());
+    juce::MidiBuffer midi = testMusic(256, 40);
+    const juce::uint8 tuning[] = {0x7f, 0x7f, 0x08, 0x02, 0, 1, lowestTestNote, 61, 64, 0};
+    for (int stamp = 0; stamp < 256; stamp += 50)
+        midi.addEvent(juce::MidiMessage::createSysExMessage(tuning, sizeof tuning), stamp);
+    host.what = "retuned";
+    for (int block = 0; block < 10; ++block)
+        host.block(midi, 256);
+}
+
 TEST_CASE("Watched, muted and scraped by hand, the callback neither allocates, locks nor calls") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
