@@ -101,7 +101,21 @@ class Soak(unittest.TestCase):
         self.assertEqual(
             self.target(f"echo 'Test unit written to {crash}'; echo {said}; exit 77").run(1),
             (77, str(crash)))
-        self.assertEqual(self.target("echo no; exit 1").run(1), (0, str(self.folder / "x.txt")))
+        runs, said = self.target("echo no; exit 1").run(1)
+        self.assertEqual(runs, 0)
+        self.assertEqual(pathlib.Path(said).parent, self.folder / "findings")
+        self.assertEqual(pathlib.Path(said).read_text(), "no\n")
+
+    def test_music_tells_its_hours_and_keeps_what_went_wrong(self):
+        program = self.folder / "soak_music"
+        program.write_text('#!/bin/sh\necho "hour 1" >> "$1"\necho "hour 2" >> "$1"\n'
+                           '[ "$2" = 5 ] || { echo "It has grown."; exit 1; }\n')
+        program.chmod(0o755)
+        with mock.patch.object(soak, "MUSIC", program):
+            self.assertEqual(soak.Music().run(5), (2, ""))
+            hours, said = soak.Music().run(6)
+        self.assertEqual(hours, 2)
+        self.assertEqual(pathlib.Path(said).read_text(), "It has grown.\n")
 
 
 if __name__ == "__main__":
