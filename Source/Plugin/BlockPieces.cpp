@@ -75,7 +75,7 @@ std::optional<BlockPieces::Piece> BlockPieces::next() noexcept {
     }
     position = end;
     finished = end >= samples && message == lastMessage;
-    if (finished && samples == 0)
+    if (finished && samples == 0 && systemExclusive.empty())
         return std::nullopt;
     return Piece{.start = start,
                  .length = end - start,

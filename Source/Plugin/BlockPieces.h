@@ -29,7 +29,7 @@ public:
 
     /// Starts a block; `midi` must live until its last piece. Waiting notes of the queue sound at
     /// its first sample. Other system messages are left out. What comes in a block without samples
-    /// is kept for the next.
+    /// is kept for the next, unless a system exclusive message comes with it.
     void begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept;
 
     std::optional<Piece> next() noexcept;

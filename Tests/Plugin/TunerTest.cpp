@@ -163,6 +163,17 @@ TEST_CASE("Messages tune at their sample, whatever the blocks") {
     CHECK_FALSE(std::equal(plain.begin() + 9100, plain.end(), expected.begin() + 9100));
 }
 
+TEST_CASE("A message in a block without samples tunes what comes after") {
+    Prepared instance;
+    juce::MidiBuffer midi;
+    midi.addEvent(singleNoteTuning(struckNote, 70, 8192), 0);
+    midi.addEvent(singleNoteTuning(60, 61, 0), 0);
+    juce::AudioBuffer<float> nothing(2, 0);
+    instance.processor.processBlock(nothing, midi);
+    const double hertz = 440 * std::exp2(1.5 / 12);
+    CHECK(std::abs(cents(struckHz(instance.processor, hertz), hertz)) < 0.5);
+}
+
 TEST_CASE("A message that is none of the tuning standard tunes nothing") {
     Prepared instance;
     juce::MidiBuffer midi;
