@@ -1,7 +1,9 @@
 // One page of the deck below or beside the instrument's picture.
 #pragma once
 
+#include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <utility>
 
 namespace idiophone {
 
@@ -26,6 +28,21 @@ public:
     /// Each frame of the sound as it is now, which the window takes from the processor once for
     /// all; while the page can be seen.
     virtual void showSound(const SoundFrame&) {}
+
+protected:
+    /// A button that acts, whereupon the page shows what holds then.
+    void addButton(juce::TextButton& button,
+                   const juce::String& title,
+                   const juce::String& tooltip,
+                   std::function<void()> action) {
+        button.setTitle(title);
+        button.setTooltip(tooltip);
+        button.onClick = [this, act = std::move(action)] {
+            act();
+            refresh();
+        };
+        addAndMakeVisible(button);
+    }
 };
 
 } // namespace idiophone

@@ -33,11 +33,18 @@ void setTextOf(juce::Label& label, const juce::String& text) {
 } // namespace
 
 ImportPage::ImportPage(ProcessorView& processor)
-    : DeckPage("Object"), view(processor), form(processor) {
-    addButton(open, "Open a file",
-              "Open a mesh (OBJ, PLY, STL, OFF) or a modal object; dropping it on the window does "
-              "the same",
-              [this] { chooseFile(); });
+    : DeckPage("Object"), view(processor),
+      open("Open...",
+           "Open a mesh or a modal object",
+           "Open a mesh (OBJ, PLY, STL, OFF) or a modal object; dropping it on the window does the "
+           "same",
+           "*.obj;*.ply;*.stl;*.off;*.modal",
+           [this](const std::string& path) {
+               view.openFile(path);
+               refresh();
+           }),
+      form(processor) {
+    addAndMakeVisible(open);
     addButton(cancel, "Cancel the analysis", "Stop; what plays now stays",
               [this] { view.cancelImport(); });
     addButton(again, "Analyse anew", "Make the object that plays anew with these settings",
@@ -69,31 +76,6 @@ ImportPage::ImportPage(ProcessorView& processor)
     lookAndFeelChanged();
     showKeys();
     showStatus();
-}
-
-void ImportPage::addButton(juce::TextButton& button,
-                           const juce::String& title,
-                           const juce::String& tooltip,
-                           std::function<void()> action) {
-    button.setTitle(title);
-    button.setTooltip(tooltip);
-    button.onClick = [this, act = std::move(action)] {
-        act();
-        refresh();
-    };
-    addAndMakeVisible(button);
-}
-
-void ImportPage::chooseFile() {
-    chooser = std::make_unique<juce::FileChooser>("Open a mesh or a modal object", juce::File(),
-                                                  "*.obj;*.ply;*.stl;*.off;*.modal");
-    chooser->launchAsync(juce::FileBrowserComponent::openMode |
-                             juce::FileBrowserComponent::canSelectFiles,
-                         [this](const juce::FileChooser& done) {
-                             if (const auto chosen = done.getResult(); chosen != juce::File())
-                                 view.openFile(chosen.getFullPathName().toStdString());
-                             refresh();
-                         });
 }
 
 void ImportPage::refresh() {

@@ -3,10 +3,9 @@
 #pragma once
 
 #include "Editor/DeckPage.h"
+#include "Editor/FileButton.h"
 #include "Editor/ImportForm.h"
 #include "Editor/ProcessorView.h"
-
-#include <memory>
 
 namespace idiophone {
 
@@ -21,24 +20,19 @@ public:
     void lookAndFeelChanged() override;
 
 private:
-    void addButton(juce::TextButton& button,
-                   const juce::String& title,
-                   const juce::String& tooltip,
-                   std::function<void()> action);
-    void chooseFile();
     void showKeys();
     void showStatus();
     juce::String words() const;
 
     ProcessorView& view;
     ImportStatus shown;
-    juce::TextButton open{"Open..."}, cancel{"Cancel"}, again{"Analyse anew"};
+    FileButton open;
+    juce::TextButton cancel{"Cancel"}, again{"Analyse anew"};
     juce::TextButton scaled{"To their pitches"}, zones{"Along a path"};
     juce::Label file, step, keys;
     ImportForm form;
     juce::TextEditor report;
     juce::Rectangle<int> bar;
-    std::unique_ptr<juce::FileChooser> chooser;
 };
 
 } // namespace idiophone

@@ -11,8 +11,10 @@ namespace {
 
 constexpr int widestTab = 130, leastTabGap = 8;
 
+} // namespace
+
 /// A name, underlined while its page is shown.
-class Tab final : public juce::Button {
+class PageDeck::Tab final : public juce::Button {
 public:
     explicit Tab(const juce::String& title) : Button(title) {
         setTitle(title + " page");
@@ -41,21 +43,20 @@ public:
     }
 };
 
+PageDeck::~PageDeck() = default;
+
 /// Of all tabs the same where the longest name fits, or else by their names.
-std::vector<int> tabWidths(const std::vector<std::unique_ptr<juce::Button>>& tabs, int room) {
+std::vector<int> PageDeck::tabWidths(int room) const {
     std::vector<int> widths;
     for (const auto& tab : tabs)
-        widths.push_back(static_cast<const Tab&>(*tab).textWidth());
-    const int count = static_cast<int>(tabs.size());
+        widths.push_back(tab->textWidth());
     const int longest = *std::ranges::max_element(widths);
-    const int spare = (room - std::accumulate(widths.begin(), widths.end(), 0)) / count;
-    const bool fits = room / count >= longest + leastTabGap;
+    const int spare = (room - std::accumulate(widths.begin(), widths.end(), 0)) / pageCount();
+    const bool fits = room / pageCount() >= longest + leastTabGap;
     for (auto& width : widths)
-        width = fits ? std::min(room / count, widestTab) : width + spare;
+        width = fits ? std::min(room / pageCount(), widestTab) : width + spare;
     return widths;
 }
-
-} // namespace
 
 PageDeck::PageDeck() {
     setTitle("Pages");
@@ -107,7 +108,7 @@ void PageDeck::arrange() {
     first = std::clamp(first, 0, pageCount() - shown);
     auto area = getLocalBounds();
     auto strip = area.removeFromTop(tabHeight);
-    const auto widths = tabWidths(tabs, strip.getWidth());
+    const auto widths = tabWidths(strip.getWidth());
     const int width = (area.getWidth() - (shown - 1) * gap) / shown;
     backs.clear();
     for (int i = 0; i < pageCount(); ++i) {

@@ -14,6 +14,7 @@ public:
     static constexpr int leastHeight = tabHeight + DeckPage::leastHeight;
 
     PageDeck();
+    ~PageDeck() override;
 
     /// Behind those there are.
     void add(std::unique_ptr<DeckPage> page);
@@ -34,10 +35,13 @@ public:
     void resized() override;
 
 private:
+    class Tab;
+
     void arrange();
+    std::vector<int> tabWidths(int room) const;
 
     std::vector<std::unique_ptr<DeckPage>> pages;
-    std::vector<std::unique_ptr<juce::Button>> tabs;
+    std::vector<std::unique_ptr<Tab>> tabs;
     std::vector<juce::Rectangle<int>> backs;
     int first = 0, shown = 1;
 };

@@ -38,11 +38,18 @@ juce::String originOf(const TuningStatus& status) {
 } // namespace
 
 TuningPage::TuningPage(ProcessorView& processor)
-    : DeckPage("Tuning"), view(processor), columns(groups(), processor) {
-    addButton(open, "Open a tuning",
-              "Open a Scala scale (.scl) or a keyboard mapping (.kbm); dropping it on the window "
-              "does the same",
-              [this] { chooseFile(); });
+    : DeckPage("Tuning"), view(processor),
+      open("Open...",
+           "Open a scale or a keyboard mapping",
+           "Open a Scala scale (.scl) or a keyboard mapping (.kbm); dropping it on the window does "
+           "the same",
+           "*.scl;*.kbm",
+           [this](const std::string& path) {
+               view.openTuning(path);
+               refresh();
+           }),
+      columns(groups(), processor) {
+    addAndMakeVisible(open);
     addButton(forget, "Forget the tuning",
               "Forget scale and mapping: keys are as the session tunes them, or equally tempered",
               [this] { view.forgetTuning(); });
@@ -59,31 +66,6 @@ TuningPage::TuningPage(ProcessorView& processor)
     shown = view.tuningStatus();
     lookAndFeelChanged();
     showTuning();
-}
-
-void TuningPage::addButton(juce::TextButton& button,
-                           const juce::String& title,
-                           const juce::String& tooltip,
-                           std::function<void()> action) {
-    button.setTitle(title);
-    button.setTooltip(tooltip);
-    button.onClick = [this, act = std::move(action)] {
-        act();
-        refresh();
-    };
-    addAndMakeVisible(button);
-}
-
-void TuningPage::chooseFile() {
-    chooser = std::make_unique<juce::FileChooser>("Open a scale or a keyboard mapping",
-                                                  juce::File(), "*.scl;*.kbm");
-    chooser->launchAsync(juce::FileBrowserComponent::openMode |
-                             juce::FileBrowserComponent::canSelectFiles,
-                         [this](const juce::FileChooser& done) {
-                             if (const auto chosen = done.getResult(); chosen != juce::File())
-                                 view.openTuning(chosen.getFullPathName().toStdString());
-                             refresh();
-                         });
 }
 
 void TuningPage::refresh() {

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "Editor/DeckPage.h"
+#include "Editor/FileButton.h"
 #include "Editor/ParameterColumns.h"
-
-#include <memory>
 
 namespace idiophone {
 
@@ -18,19 +17,14 @@ public:
     void lookAndFeelChanged() override;
 
 private:
-    void addButton(juce::TextButton& button,
-                   const juce::String& title,
-                   const juce::String& tooltip,
-                   std::function<void()> action);
-    void chooseFile();
     void showTuning();
 
     ProcessorView& view;
     TuningStatus shown;
     juce::Label scale, origin;
-    juce::TextButton open{"Open..."}, forget{"Forget"};
+    FileButton open;
+    juce::TextButton forget{"Forget"};
     ParameterColumns columns;
-    std::unique_ptr<juce::FileChooser> chooser;
 };
 
 } // namespace idiophone

@@ -1,14 +1,12 @@
 // What a long session in a host brings that validators do not try: crowds of notes and of
-// instances, values that are no numbers, windows opened again and again, a tempo that changes.
+// instances, values that are no numbers, a tempo that changes.
 #include "Plugin/TestSound.h"
 
-#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <memory>
-#include <thread>
 #include <unistd.h>
 
 using namespace idiophone;
@@ -128,34 +126,6 @@ TEST_CASE("No sample is ever so small that it costs a host time") {
     CHECK(subnormal == 0);
     CHECK(loudest(sound) > 0);
     CHECK(sound.back() == 0);
-}
-
-TEST_CASE("The window opens and closes a hundred times while the sound goes on") {
-    Processor processor;
-    restore(processor, testState());
-    processor.prepareToPlay(rateHz, blockSize);
-    std::atomic<bool> stop{false};
-    std::atomic<int> blocks{0};
-    bool finite = true;
-    std::thread audio([&] {
-        const auto music = testMusic(blockSize, 131);
-        while (!stop) {
-            finite = finite && allFinite(render(processor, blockSize, blockSize, music));
-            ++blocks;
-        }
-    });
-    for (int time = 0; time < 100; ++time) {
-        const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditorIfNeeded());
-        REQUIRE(window != nullptr);
-        window->setSize(800 + time, 500 + time);
-        juce::Timer::callPendingTimersSynchronously();
-        CHECK(processor.getActiveEditor() == window.get());
-    }
-    CHECK(processor.getActiveEditor() == nullptr);
-    stop = true;
-    audio.join();
-    CHECK(finite);
-    CHECK(blocks > 100);
 }
 
 TEST_CASE("Two hundred instances play in one process and share what they can") {

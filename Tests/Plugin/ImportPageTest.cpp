@@ -171,8 +171,8 @@ TEST_CASE("Files that can be read are taken by the window, wherever they are dro
 TEST_CASE("A page that nothing happens on repaints nothing, and no text of its buttons is cut") {
     Page p;
     p.page.setLookAndFeel(&p.look);
-    for (const auto* title : {"Open a file", "Analyse anew", "Keys scaled to their pitches",
-                              "Keys along a strike path"}) {
+    for (const auto* title : {"Open a mesh or a modal object", "Analyse anew",
+                              "Keys scaled to their pitches", "Keys along a strike path"}) {
         auto& button = part<juce::TextButton>(p.page, title);
         INFO(title);
         CHECK(juce::GlyphArrangement::getStringWidth(Look::textFont(), button.getButtonText()) +

@@ -1,0 +1,24 @@
+// A window without a screen, and time for its timers.
+#pragma once
+
+#include "Plugin/Processor.h"
+
+#include <functional>
+#include <memory>
+
+namespace idiophone::test {
+
+inline std::unique_ptr<juce::AudioProcessorEditor> open(Processor& processor) {
+    return std::unique_ptr<juce::AudioProcessorEditor>(processor.createEditor());
+}
+
+/// Lets the timers of the window and the processor run until it holds; a while at most.
+inline bool holdsSoon(const std::function<bool()>& condition) {
+    for (int i = 0; i < 500 && !condition(); ++i) {
+        juce::Thread::sleep(10);
+        juce::Timer::callPendingTimersSynchronously();
+    }
+    return condition();
+}
+
+} // namespace idiophone::test
