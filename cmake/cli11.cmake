@@ -1,10 +1,33 @@
-# CLI11 2.1: the console's command line.
-if(TARGET CLI11::CLI11)
+# CLI11 2.4.1: the console's command line. Compiled once: as headers alone, its code is made anew in
+# every command's file, which took most of the console's build.
+if(TARGET idiophone_cli11)
     return()
 endif()
-FetchContent_Declare(CLI11
-    GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git
-    GIT_TAG v2.1.2
-    GIT_SHALLOW ON
-    FIND_PACKAGE_ARGS 2.1)
-FetchContent_MakeAvailable(CLI11)
+idiophone_debian_binary(cli11 PACKAGE libcli11-dev VERSION 2.4.1+ds-2 SUITE trixie)
+if(cli11)
+    set(cli11_headers "${cli11}/usr/include")
+else()
+    FetchContent_Declare(cli11
+        GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git
+        GIT_TAG v2.4.1
+        GIT_SHALLOW ON)
+    FetchContent_GetProperties(cli11)
+    if(NOT cli11_POPULATED)
+        FetchContent_Populate(cli11) # its own build knows headers with or without their code, not both
+    endif()
+    set(cli11_headers "${cli11_SOURCE_DIR}/include")
+endif()
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/cli11.cpp" @ONLY CONTENT
+"#include <CLI/impl/App_inl.hpp>
+#include <CLI/impl/Argv_inl.hpp>
+#include <CLI/impl/Config_inl.hpp>
+#include <CLI/impl/Encoding_inl.hpp>
+#include <CLI/impl/Formatter_inl.hpp>
+#include <CLI/impl/Option_inl.hpp>
+#include <CLI/impl/Split_inl.hpp>
+#include <CLI/impl/StringTools_inl.hpp>
+#include <CLI/impl/Validators_inl.hpp>
+")
+add_library(idiophone_cli11 STATIC "${PROJECT_BINARY_DIR}/cli11.cpp")
+target_compile_definitions(idiophone_cli11 PUBLIC CLI11_COMPILE)
+target_include_directories(idiophone_cli11 SYSTEM PUBLIC "${cli11_headers}")
