@@ -2,6 +2,9 @@
 
 #include "Analysis/FactoryBars.h"
 #include "Analysis/FactoryShapes.h"
+#include "Analysis/FactoryStage.h"
+
+#include <algorithm>
 
 namespace idiophone {
 
@@ -12,6 +15,8 @@ std::vector<std::string> factoryObjectNames() {
             names.push_back(instrument.barName(note));
     for (auto& name : factoryShapeNames())
         names.push_back(std::move(name));
+    for (auto& name : factoryStageNames())
+        names.push_back(std::move(name));
     return names;
 }
 
@@ -21,7 +26,9 @@ Result<ModalObject> makeFactoryObject(const std::string& name, const AnalysisCon
             if (instrument.barName(note) == name)
                 return tuneBar(instrument.barAt(note, noteFrequencyHz(note)), control)
                     .map([](TunedBar tuned) { return std::move(tuned.object); });
-    return makeFactoryShape(name, control);
+    const auto staged = factoryStageNames();
+    return std::ranges::find(staged, name) == staged.end() ? makeFactoryShape(name, control)
+                                                           : makeFactoryStage(name, control);
 }
 
 } // namespace idiophone

@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// Those of FactoryBars and FactoryShapes.
+/// Those of FactoryBars, FactoryShapes and FactoryStage.
 std::vector<std::string> factoryObjectNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

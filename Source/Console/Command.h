@@ -17,6 +17,7 @@ void addAnalyse(CLI::App& program, Action& chosen);
 void addInfo(CLI::App& program, Action& chosen);
 void addStrike(CLI::App& program, Action& chosen);
 void addRender(CLI::App& program, Action& chosen);
+void addScene(CLI::App& program, Action& chosen);
 void addMesh(CLI::App& program, Action& chosen);
 void addFactory(CLI::App& program, Action& chosen);
 void addTune(CLI::App& program, Action& chosen);

@@ -140,14 +140,8 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
         const auto cell = player.next(tally);
         const auto wanted =
             static_cast<std::size_t>(std::min<std::int64_t>(cellSamples, end - position));
-        const auto blockSize = static_cast<std::size_t>(format.blockSize);
-        for (std::size_t done = 0; done < wanted; done += blockSize) {
-            const auto count = std::min(blockSize, wanted - done);
-            if (auto added =
-                    recording.add(cell[0].subspan(done, count), cell[1].subspan(done, count));
-                !added)
-                return tl::unexpected(added.error());
-        }
+        if (auto added = recording.addAll(cell[0].first(wanted), cell[1].first(wanted)); !added)
+            return tl::unexpected(added.error());
         if (interrupted)
             return failure(std::string(interruptedMessage));
         if (!format.seconds && player.finished())

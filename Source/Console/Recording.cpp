@@ -76,6 +76,16 @@ Result<void> Recording::add(std::span<const float> left, std::span<const float> 
     return {};
 }
 
+Result<void> Recording::addAll(std::span<const float> left, std::span<const float> right) {
+    const auto blockSize = static_cast<std::size_t>(format.blockSize);
+    for (std::size_t done = 0; done < left.size(); done += blockSize) {
+        const auto count = std::min(blockSize, left.size() - done);
+        if (auto added = add(left.subspan(done, count), right.subspan(done, count)); !added)
+            return added;
+    }
+    return {};
+}
+
 Result<void> Recording::writeSilence(std::int64_t samples) {
     std::fill(interleaved.begin(), interleaved.end(), 0.0f);
     const float* channels[] = {interleaved.data(), interleaved.data()};

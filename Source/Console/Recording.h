@@ -38,6 +38,9 @@ public:
     /// Appends a block of at most the block size, both channels of one length.
     Result<void> add(std::span<const float> left, std::span<const float> right);
 
+    /// Appends samples of any number, block by block.
+    Result<void> addAll(std::span<const float> left, std::span<const float> right);
+
     /// Ends the file at its last sound, but not before `leastSamples`: what was added beyond is
     /// silence, and how much of it there is depends on the block size.
     Result<void> finish(std::int64_t leastSamples);

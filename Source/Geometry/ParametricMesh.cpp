@@ -362,6 +362,27 @@ Mesh hoopMesh(double radiusMetres, double heightMetres, int around, int rows) {
     return builder.mesh();
 }
 
+Mesh tubeMesh(double outerRadiusMetres, double innerRadiusMetres, double lengthMetres, int around) {
+    // The circles of the section, in the order in which the wall goes round it.
+    const std::array<std::pair<double, double>, 4> section{
+        {{outerRadiusMetres, -lengthMetres / 2},
+         {outerRadiusMetres, lengthMetres / 2},
+         {innerRadiusMetres, lengthMetres / 2},
+         {innerRadiusMetres, -lengthMetres / 2}}};
+    MeshBuilder builder;
+    for (const auto& [radius, z] : section)
+        for (int i = 0; i < around; ++i)
+            builder.add(radius * std::cos(2 * pi * i / around),
+                        radius * std::sin(2 * pi * i / around), z);
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < around; ++i) {
+            const int next = (i + 1) % around, low = j * around, high = (j + 1) % 4 * around;
+            builder.face(low + i, low + next, high + i);
+            builder.face(low + next, high + next, high + i);
+        }
+    return builder.mesh();
+}
+
 Mesh hollowSphereMesh(double radiusMetres, double thicknessMetres, int level) {
     const Mesh unit = icosphereMesh(1, level);
     const auto count = unit.vertexCount();

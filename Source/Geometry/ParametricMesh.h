@@ -49,6 +49,10 @@ Mesh torusMesh(double radiusMetres, double sectionRadiusMetres, int sections, in
 /// An open cylinder (a hoop) about the z axis, `around` even, triangles in shifted rows.
 Mesh hoopMesh(double radiusMetres, double heightMetres, int around, int rows);
 
+/// The closed surface of a thick tube about the z axis: four circles of `around` vertices, centred
+/// at the origin.
+Mesh tubeMesh(double outerRadiusMetres, double innerRadiusMetres, double lengthMetres, int around);
+
 /// Two closed surfaces with a solid wall between: a hollow sphere of this mean radius.
 Mesh hollowSphereMesh(double radiusMetres, double thicknessMetres, int level);
 

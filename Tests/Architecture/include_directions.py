@@ -25,7 +25,8 @@ ROOMS = {
     "Synth": ("Object", "hwy/"),
     "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
     "Instrument": ("Synth Geometry Object Parameters", "nlohmann/ Tunings.h"),
-    "Scene": ("Synth Geometry Object", "bullet/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
+    "Scene": ("Instrument Synth Geometry Object Parameters",
+              "Eigen/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
     "Output": ("Parameters", "juce_dsp/"),
     "Editor": ("Parameters Object Geometry", "juce_ GL/ X11/"),
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
@@ -35,7 +36,7 @@ ROOMS = {
 }
 
 # Headers that the build generates, each for the one room that embeds them.
-GENERATED = {"FactoryFiles.h": "Instrument"}
+GENERATED = {"FactoryFiles.h": "Instrument", "SceneFiles.h": "Scene"}
 
 HEADER_ENDINGS = {".h", ".hpp"}
 SOURCE_ENDINGS = HEADER_ENDINGS | {".cpp", ".cc", ".mm"}

@@ -152,7 +152,7 @@ TEST_CASE("A dropped mesh plays, preview and all, while every sample stays finit
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
     const int before = processor.instrumentNumber();
     processor.openFile(mesh);
-    const int mostTicks = 20000; // some minutes: a bound for what never ends
+    const int mostTicks = 100000; // a quarter of an hour: a bound for what never ends
     for (int i = 0; i < mostTicks && processor.importStatus().isWorking(); ++i) {
         juce::Thread::sleep(10);
         juce::Timer::callPendingTimersSynchronously();

@@ -1,7 +1,8 @@
 #include "Plugin/RealTimeTrap.h"
 
-#if defined(__linux__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) &&                  \
-    !defined(__SANITIZE_THREAD__)
+#include "Support/Sanitizers.h"
+
+#if defined(__linux__) && defined(__GLIBC__) && !IDIOPHONE_SANITIZED
 
 #include <cerrno>
 #include <csignal>

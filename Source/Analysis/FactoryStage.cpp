@@ -1,0 +1,151 @@
+#include "Analysis/FactoryStage.h"
+
+#include "Analysis/ModalAnalysis.h"
+#include "Geometry/LatheMesh.h"
+#include "Geometry/ParametricMesh.h"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string_view>
+
+namespace idiophone {
+namespace {
+
+std::vector<int> someVertices(const Mesh& mesh, std::size_t count) {
+    std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
+    std::iota(all.begin(), all.end(), 0);
+    return spreadVertices(mesh, all, count);
+}
+
+/// As hollow as a curtain ring.
+Result<ModalObject> makeSmallRing(const AnalysisControl& control) {
+    return analyse(torusMesh(0.05, 0.006, 20, 10),
+                   {.name = "small-ring",
+                    .source = "generated hollow steel ring, radius 50 mm, round section of 12 mm, "
+                              "200 vertices as in Raghuvanshi & Lin 2006",
+                    .material = *findMaterial("Steel"),
+                    .method = AnalysisMethod::twoLayer,
+                    .thicknessMetres = 0.001,
+                    .maxFrequencyHz = 22000},
+                   control);
+}
+
+Result<ModalObject> makeLongTable(const AnalysisControl& control) {
+    const Mesh mesh = sheetMesh(1.2, 0.8, 600);
+    return analyse(mesh,
+                   {.name = "long-table",
+                    .source = "generated wooden table top, 1200 x 800 x 20 mm, about 600 vertices "
+                              "as in Raghuvanshi & Lin 2006",
+                    .material = *findMaterial("Wood"),
+                    .method = AnalysisMethod::twoLayer,
+                    .thicknessMetres = 0.020,
+                    .maxFrequencyHz = 10000,
+                    .shapeVertices = someVertices(mesh, 200)},
+                   control);
+}
+
+Result<ModalObject> makeCylinder(const AnalysisControl& control) {
+    return analyse(tubeMesh(0.030, 0.026, 0.120, 32),
+                   {.name = "cylinder",
+                    .source =
+                        "generated steel tube, 60 x 4 x 120 mm, 128 vertices, 32 around, as in "
+                        "Raghuvanshi & Lin 2006",
+                    .material = *findMaterial("Steel"),
+                    .method = AnalysisMethod::tetrahedra,
+                    .maxFrequencyHz = 22000},
+                   control);
+}
+
+Result<ModalObject> makeFloor(const AnalysisControl& control) {
+    const Mesh mesh = sheetMesh(1.6, 1.6, 2500);
+    return analyse(mesh,
+                   {.name = "floor",
+                    .source = "generated wooden floor panel, 1600 x 1600 x 28 mm",
+                    .material = *findMaterial("Wood"),
+                    .method = AnalysisMethod::twoLayer,
+                    .thicknessMetres = 0.028,
+                    .maxFrequencyHz = 5000,
+                    .shapeVertices = someVertices(mesh, 120)},
+                   control);
+}
+
+Result<ModalObject> makeDie(const AnalysisControl& control) {
+    return analyse(boxMesh(Eigen::Vector3d::Constant(0.019), Eigen::Vector3i::Constant(4)),
+                   {.name = "die",
+                    .source = "generated die, 19 mm",
+                    .material = *findMaterial("ABS"),
+                    .method = AnalysisMethod::tetrahedra,
+                    .maxFrequencyHz = 44000},
+                   control);
+}
+
+Result<ModalObject> makePebble(const AnalysisControl& control) {
+    Mesh mesh = icosphereMesh(1, 3);
+    for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i) {
+        const Eigen::RowVector3d unit = mesh.vertices.row(i);
+        // Three shallow waves: worn, but not round.
+        const double bump = 1 + 0.05 * std::sin(2.1 * unit.x() + 0.7) * std::cos(2.7 * unit.y()) +
+                            0.03 * std::sin(3.3 * unit.z() + 1.1 * unit.x());
+        mesh.vertices.row(i) = bump * unit.cwiseProduct(Eigen::RowVector3d(0.026, 0.021, 0.014));
+    }
+    return analyse(mesh,
+                   {.name = "pebble",
+                    .source = "generated granite pebble, about 52 x 42 x 28 mm",
+                    .material = *findMaterial("Granite"),
+                    .method = AnalysisMethod::tetrahedra,
+                    .maxFrequencyHz = 44000,
+                    .shapeVertices = someVertices(mesh, 160)},
+                   control);
+}
+
+/// Ribs across, on a sheet that is bent along: what rolls on it goes to and fro.
+Result<ModalObject> makeWashboard(const AnalysisControl& control) {
+    constexpr double ribMetres = 0.016, ribHeightMetres = 0.0006, bendRadiusMetres = 1.5;
+    Mesh mesh = sheetMesh(0.40, 0.12, 2600);
+    for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i) {
+        const double x = mesh.vertices(i, 0);
+        mesh.vertices(i, 2) = x * x / (2 * bendRadiusMetres) +
+                              ribHeightMetres * std::cos(2 * std::numbers::pi * x / ribMetres);
+    }
+    return analyse(mesh,
+                   {.name = "washboard",
+                    .source = "generated ribbed steel sheet, 400 x 120 x 1.5 mm, ribs of 1.2 mm "
+                              "every 16 mm, bent to 1.5 m",
+                    .material = *findMaterial("Steel"),
+                    .method = AnalysisMethod::twoLayer,
+                    .thicknessMetres = 0.0015,
+                    .maxFrequencyHz = 10000,
+                    .shapeVertices = someVertices(mesh, 200)},
+                   control);
+}
+
+struct Stage {
+    std::string_view name;
+    Result<ModalObject> (*make)(const AnalysisControl&);
+};
+constexpr Stage stages[] = {{"small-ring", makeSmallRing},
+                            {"long-table", makeLongTable},
+                            {"cylinder", makeCylinder},
+                            {"floor", makeFloor},
+                            {"die", makeDie},
+                            {"pebble", makePebble},
+                            {"washboard", makeWashboard}};
+
+} // namespace
+
+std::vector<std::string> factoryStageNames() {
+    std::vector<std::string> names;
+    for (const auto& stage : stages)
+        names.emplace_back(stage.name);
+    return names;
+}
+
+Result<ModalObject> makeFactoryStage(const std::string& name, const AnalysisControl& control) {
+    for (const auto& stage : stages)
+        if (stage.name == name)
+            return stage.make(control);
+    return failure("there is no factory object '" + name + "'");
+}
+
+} // namespace idiophone

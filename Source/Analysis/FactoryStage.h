@@ -1,0 +1,19 @@
+// What falls, rolls and is fallen upon in the factory's scenes: rings, dice, a cylinder, a table,
+// from generated meshes. docs/scenes.md has their measures.
+#pragma once
+
+#include "Analysis/AnalysisControl.h"
+#include "Object/ModalObject.h"
+
+#include <string>
+#include <vector>
+
+namespace idiophone {
+
+/// "small-ring", "long-table", "cylinder", "floor", "die", "pebble" and "washboard".
+std::vector<std::string> factoryStageNames();
+
+/// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.
+Result<ModalObject> makeFactoryStage(const std::string& name, const AnalysisControl& control = {});
+
+} // namespace idiophone

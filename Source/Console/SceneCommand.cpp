@@ -1,0 +1,175 @@
+#include "Console/Command.h"
+#include "Console/OutputCheck.h"
+#include "Console/ParameterAssignments.h"
+#include "Console/SceneRender.h"
+#include "Object/TextFile.h"
+#include "Scene/FactoryScenes.h"
+#include "Scene/SceneFile.h"
+
+#include <iostream>
+
+namespace idiophone {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Options {
+    std::string scene;
+    std::filesystem::path midi;
+    std::vector<std::string> assignments;
+    RecordingFormat format;
+    std::filesystem::path statistics;
+    std::filesystem::path impulses;
+    bool json = false;
+};
+
+Result<Scene> findOrReadScene(const std::string& nameOrFile) {
+    if (const auto* factory = findFactoryScene(nameOrFile))
+        return *factory;
+    if (!std::filesystem::exists(nameOrFile))
+        return failure("'" + nameOrFile + "' is neither a file nor one of the scenes " +
+                       factoryScenesInWords());
+    return readSceneFile(nameOrFile);
+}
+
+ordered_json framesOf(const SceneTally& tally, std::int64_t SceneFrame::*figure) {
+    auto frames = ordered_json::array();
+    for (const auto& frame : tally.frames)
+        frames.push_back(frame.*figure);
+    return frames;
+}
+
+std::int64_t sumOf(const SceneTally& tally, std::int64_t SceneFrame::*figure) {
+    std::int64_t sum = 0;
+    for (const auto& frame : tally.frames)
+        sum += frame.*figure;
+    return sum;
+}
+
+std::int64_t mostOf(const SceneTally& tally, std::int64_t SceneFrame::*figure) {
+    std::int64_t most = 0;
+    for (const auto& frame : tally.frames)
+        most = std::max(most, frame.*figure);
+    return most;
+}
+
+ordered_json describe(const SceneTally& tally, const Recording& recording) {
+    auto report = recording.statistics();
+    const double seconds = report["seconds"];
+    const auto frameCount = static_cast<double>(tally.frames.size());
+    report["bodies_most"] = mostOf(tally, &SceneFrame::bodies);
+    report["impacts"] = sumOf(tally, &SceneFrame::impacts);
+    report["impacts_left_out"] = tally.blowsLeftOut;
+    report["notes_left_out"] = tally.notesLeftOut;
+    report["audio_frames_per_second"] = frameCount / tally.soundSeconds;
+    report["motion_frames_per_second"] = frameCount / tally.motionSeconds;
+    report["cpu_share_sound"] = seconds > 0 ? ordered_json(tally.soundSeconds / seconds) : nullptr;
+    report["cpu_share_motion"] =
+        seconds > 0 ? ordered_json(tally.motionSeconds / seconds) : nullptr;
+    report["frame_seconds"] = sceneFrameSeconds;
+    report["bodies"] = framesOf(tally, &SceneFrame::bodies);
+    report["impacts_of_frame"] = framesOf(tally, &SceneFrame::impacts);
+    report["modes_mixed"] = framesOf(tally, &SceneFrame::modesMixed);
+    report["modes_dropped"] = framesOf(tally, &SceneFrame::modesDropped);
+    return report;
+}
+
+/// The blows as docs/impulses.md has them.
+std::string impulseLines(const SceneCast& cast, const std::vector<SceneBlow>& blows) {
+    std::string lines;
+    for (const auto& blow : blows) {
+        const auto& model = *cast.roles()[blow.role].kind.model;
+        ordered_json line{{"time", blow.seconds},
+                          {"object", model.object->name},
+                          {"body", blow.slot},
+                          {"point", std::vector(blow.pointMetres.begin(), blow.pointMetres.end())},
+                          {"impulse", blow.strike.impulseNewtonSeconds},
+                          {"contact_time", blow.strike.durationSeconds}};
+        if (model.sizeRatio != 1)
+            line["size"] = model.sizeRatio;
+        lines += line.dump() + "\n";
+    }
+    return lines;
+}
+
+Result<void> report(const SceneTally& tally, const Recording& recording, const Options& options) {
+    const auto statistics = describe(tally, recording);
+    if (!options.statistics.empty())
+        if (auto done = writeTextFile(options.statistics, statistics.dump() + "\n"); !done)
+            return done;
+    if (options.json)
+        std::cout << statistics.dump() << std::endl;
+    else
+        std::cout << options.format.file.string() << ": " << recording.summary() << ", "
+                  << mostOf(tally, &SceneFrame::bodies) << " bodies, "
+                  << sumOf(tally, &SceneFrame::impacts) << " impacts, at most "
+                  << mostOf(tally, &SceneFrame::modesMixed) << " modes at a time" << std::endl;
+    if (tally.notesLeftOut > 0)
+        std::cerr << "warning: " << options.midi.string() << ": " << tally.notesLeftOut
+                  << " of its notes hit nothing" << std::endl;
+    if (tally.blowsLeftOut > 0)
+        std::cerr << "warning: " << tally.blowsLeftOut
+                  << " impacts were left out, because their bodies were in 64 contacts already"
+                  << std::endl;
+    return {};
+}
+
+Result<void> perform(const Options& options) {
+    auto scene = findOrReadScene(options.scene);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    auto values = scene->parameters;
+    if (auto done = assignParameters(options.assignments, values); !done)
+        return done;
+    if (!options.midi.empty() && !scene->noteDrop)
+        return failure("'" + scene->name + "' has no 'notes': nothing is dropped for a song");
+    std::vector<SongEvent> song;
+    if (!options.midi.empty()) {
+        auto read = readMidiSong(options.midi);
+        if (!read)
+            return tl::unexpected(read.error());
+        song = std::move(*read);
+    }
+    if (!options.statistics.empty())
+        if (auto writable = checkWritable(options.statistics); !writable)
+            return writable;
+    if (!options.impulses.empty())
+        if (auto writable = checkWritable(options.impulses); !writable)
+            return writable;
+    const auto cast = SceneCast::make(std::move(*scene), ObjectLibrary::shared());
+    if (!cast)
+        return tl::unexpected(cast.error());
+    auto recording = Recording::start(options.format, values);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    const auto tally = renderScene(*cast, song, values, options.format, **recording);
+    if (!tally)
+        return tl::unexpected(tally.error());
+    if (!options.impulses.empty())
+        if (auto done = writeTextFile(options.impulses, impulseLines(**cast, tally->blows)); !done)
+            return done;
+    return report(*tally, **recording, options);
+}
+
+} // namespace
+
+void addScene(CLI::App& program, Action& chosen) {
+    auto* command =
+        program.add_subcommand("scene", "Performs a scene of rigid bodies to a WAV file");
+    auto options = std::make_shared<Options>();
+    command->add_option("scene", options->scene, "A factory scene's name or a scene file")
+        ->required();
+    command->add_option("--midi", options->midi,
+                        "A Standard MIDI File whose notes drop what the scene drops");
+    addRecordingOptions(*command, options->format);
+    addParameterAssignments(*command, options->assignments);
+    command->add_option("--stats", options->statistics,
+                        "A JSON file for figures of the performance, frame by frame");
+    command->add_option("--impulses", options->impulses,
+                        "A file for the impacts, which `render --impulses` plays");
+    command->add_flag("--json", options->json, "Says the figures as JSON");
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return perform(*options); }; });
+}
+
+} // namespace idiophone

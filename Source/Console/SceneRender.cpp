@@ -1,0 +1,115 @@
+#include "Console/SceneRender.h"
+
+#include "Console/Interrupt.h"
+#include "Console/ProgressLine.h"
+#include "Console/SongRender.h"
+#include "Instrument/SettingsOfParameters.h"
+#include "Scene/SceneSound.h"
+
+#include <chrono>
+#include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
+
+namespace idiophone {
+namespace {
+
+std::vector<SceneNote> notesOf(std::span<const SongEvent> song) {
+    std::vector<SceneNote> notes;
+    for (const auto& event : song)
+        if (event.isNoteOn())
+            notes.push_back({event.seconds, event.bytes[1], event.bytes[2]});
+    return notes;
+}
+
+/// Motion and sound of a scene, a cell at a time.
+class ScenePerformance {
+public:
+    ScenePerformance(const std::shared_ptr<const SceneCast>& cast,
+                     std::span<const SongEvent> song,
+                     const ParameterValues& parameters,
+                     double sampleRateHz)
+        : motion(cast, notesOf(song)),
+          sound(*cast, motion.slots(), sampleRateHz, cast->scene().seed) {
+        sound.setSettings(synthesisSettings(parameters));
+        tally.notesLeftOut = motion.figures().notesLeftOut;
+    }
+
+    /// The next cell; it is there until the one after.
+    CellOutput next() {
+        const CellOutput cell(left, right);
+        const auto start = std::chrono::steady_clock::now();
+        motion.advanceTo(sound.nextCellEndSeconds());
+        const auto moved = std::chrono::steady_clock::now();
+        sound.beginCell(cell);
+        while (const auto blow = motion.takeBlow(sound.cellEndSeconds())) {
+            if (sound.strike(*blow, cell))
+                tally.blows.push_back(*blow);
+            else
+                ++tally.blowsLeftOut;
+        }
+        sound.touch(motion.touches(), cell);
+        const auto sounded = std::chrono::steady_clock::now();
+        tally.motionSeconds += std::chrono::duration<double>(moved - start).count();
+        tally.soundSeconds += std::chrono::duration<double>(sounded - moved).count();
+        count();
+        return cell;
+    }
+
+    bool finished() const { return motion.finished() && sound.silent(); }
+    SceneTally tally;
+
+private:
+    void count() {
+        const auto frame = static_cast<std::size_t>(sound.cellStartSeconds() / sceneFrameSeconds);
+        tally.frames.resize(frame + 1);
+        auto& now = tally.frames.back();
+        now.bodies = motion.figures().bodies;
+        now.impacts += motion.figures().impacts - impactsBefore;
+        impactsBefore = motion.figures().impacts;
+        now.modesMixed = now.modesDropped = 0;
+        for (const auto& slot : sound.synthesiser().status()) {
+            now.modesMixed += slot.modesMixed;
+            now.modesDropped += std::max(slot.modesRinging - slot.modesMixed, 0);
+        }
+    }
+
+    SceneMotion motion;
+    SceneSound sound;
+    alignas(64) std::array<float, cellSamples> left{}, right{};
+    std::int64_t impactsBefore = 0;
+};
+
+} // namespace
+
+Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
+                               std::span<const SongEvent> song,
+                               const ParameterValues& parameters,
+                               const RecordingFormat& format,
+                               Recording& recording) {
+    const juce::ScopedNoDenormals asInTheAudioCallback;
+    const auto& interrupted = interruptRequested();
+    const double rate = format.sampleRateHz;
+    const double lastSeconds =
+        std::max(cast->scene().seconds, song.empty() ? 0 : song.back().seconds);
+    const std::int64_t end =
+        std::llround((format.seconds ? *format.seconds : lastSeconds + longestTailSeconds) * rate);
+    ScenePerformance performance(cast, song, parameters, rate);
+    ProgressLine progress(cast->scene().name);
+    for (std::int64_t position = 0; position < end; position += cellSamples) {
+        const auto cell = performance.next();
+        const auto wanted =
+            static_cast<std::size_t>(std::min<std::int64_t>(cellSamples, end - position));
+        if (auto added = recording.addAll(cell[0].first(wanted), cell[1].first(wanted)); !added)
+            return tl::unexpected(added.error());
+        if (interrupted)
+            return failure(std::string(interruptedMessage));
+        if (!format.seconds && performance.finished())
+            break;
+        progress.show(static_cast<double>(position) / static_cast<double>(end), "");
+    }
+    if (auto done = recording.finish(format.seconds ? end : 1); !done)
+        return tl::unexpected(done.error());
+    return std::move(performance.tally);
+}
+
+} // namespace idiophone

@@ -1,0 +1,12 @@
+// Meshes made smooth: what rolls over a coarse mesh would feel its edges.
+#pragma once
+
+#include "Geometry/Mesh.h"
+
+namespace idiophone {
+
+/// The mesh subdivided so many times after Loop (1987), by libigl: every face becomes four each
+/// time, on the way to a surface whose tangents turn without a step. The mesh is a manifold.
+Mesh subdivided(const Mesh& mesh, int times);
+
+} // namespace idiophone

@@ -1,0 +1,95 @@
+#include "Scene/BodyModel.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+/// Right-handed, its columns the axes of ascending inertia.
+Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& inertia, Eigen::Vector3d& moments) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
+    moments = solver.eigenvalues();
+    Eigen::Matrix3d axes = solver.eigenvectors();
+    if (axes.determinant() < 0)
+        axes.col(2) = -axes.col(2);
+    return axes;
+}
+
+Eigen::AlignedBox3d box(const std::vector<Eigen::Vector3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const auto& point : points)
+        box.extend(point);
+    return box;
+}
+
+/// Of something flat: rounder than anything that falls on it.
+constexpr double flatRadiusMetres = 1000;
+
+/// As round as it is where it is most likely to be touched. What stands is flat; edges and corners
+/// of what falls are rounded by a tenth of its smallest measure.
+double ownContactRadius(const BodyModel& model, const Eigen::Vector3d& sizes) {
+    if (model.form == BodyForm::sphere)
+        return sizes.mean() / 2;
+    if (model.form == BodyForm::cylinder)
+        return sizes.head<2>().maxCoeff() / 2;
+    return model.isFixed ? flatRadiusMetres : sizes.minCoeff() / 10;
+}
+
+} // namespace
+
+Result<std::shared_ptr<const BodyModel>> makeBodyModel(const BodyTemplate& kind,
+                                                       std::shared_ptr<const ModalObject> object) {
+    const auto& own = *object;
+    const double s = kind.sizeRatio;
+    const auto& material = own.material;
+    BodyModel model{.object = object,
+                    .form = kind.form,
+                    .isFixed = kind.isFixed,
+                    .sizeRatio = s,
+                    .massKg = own.mass.massKg * s * s * s,
+                    .inertiaKgM2 = Eigen::Vector3d::Zero(),
+                    .meshFromBody = Eigen::Isometry3d::Identity(),
+                    .friction = kind.friction.value_or(material.friction),
+                    .restitution = kind.restitution.value_or(material.restitution),
+                    .rollingFrictionMetres = kind.rollingFrictionMetres,
+                    .compliancePerPa = (1 - material.poissonRatio * material.poissonRatio) /
+                                       material.youngsModulusPa};
+    if (!kind.isFixed) {
+        const Eigen::Matrix3d inertia =
+            Eigen::Map<const Eigen::Matrix3d>(own.mass.inertiaKgM2.data()) * std::pow(s, 5);
+        model.meshFromBody.linear() = principalAxes(inertia, model.inertiaKgM2);
+        model.meshFromBody.translation() =
+            s * Eigen::Map<const Eigen::Vector3d>(own.mass.centreMetres.data());
+        if (!(model.massKg > 0) || !(model.inertiaKgM2.minCoeff() > 0))
+            return failure("'" + kind.name + "' cannot move: its object '" + own.name +
+                           "' has no mass");
+    }
+    const Eigen::Vector3d sizes = box(outerVertices(model)).sizes();
+    if (!(sizes.minCoeff() > 0) && kind.form != BodyForm::surface && kind.form != BodyForm::ground)
+        return failure("'" + kind.name + "' is as flat as a sheet: its object '" + own.name +
+                       "' has no thickness");
+    model.contactRadiusMetres =
+        kind.contactRadiusMetres > 0 ? kind.contactRadiusMetres : ownContactRadius(model, sizes);
+    return std::make_shared<const BodyModel>(std::move(model));
+}
+
+std::vector<Eigen::Vector3d> outerVertices(const BodyModel& model) {
+    const auto& object = *model.object;
+    const double half = object.body == BodyKind::shell ? object.thicknessMetres / 2 : 0;
+    const auto normals = vertexNormals(object);
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t k = 0; k < object.vertices.size(); k += 3) {
+        const Eigen::Vector3d vertex =
+            Eigen::Map<const Eigen::Vector3f>(&object.vertices[k]).cast<double>();
+        const Eigen::Vector3d out =
+            half * Eigen::Map<const Eigen::Vector3f>(&normals[k]).cast<double>();
+        points.emplace_back(model.sizeRatio * (vertex + out));
+        if (half > 0)
+            points.emplace_back(model.sizeRatio * (vertex - out));
+    }
+    return points;
+}
+
+} // namespace idiophone

@@ -1,0 +1,39 @@
+// What rigid motion needs of a kind of body: its mass about its own axes, and how hard and how
+// round it is where others touch it.
+#pragma once
+
+#include "Object/ModalObject.h"
+#include "Scene/Scene.h"
+
+#include <Eigen/Geometry>
+#include <memory>
+
+namespace idiophone {
+
+/// Immutable; shared by all bodies of a kind. Mesh coordinates are the object's own, in metres, as
+/// large as the body is; body coordinates have its centre of mass as their origin and its principal
+/// axes of inertia. Of fixed bodies both are the same.
+struct BodyModel {
+    std::shared_ptr<const ModalObject> object; ///< not null
+    BodyForm form = BodyForm::hull;
+    bool isFixed = false;
+    double sizeRatio = 1;
+    double massKg = 0;
+    Eigen::Vector3d inertiaKgM2; ///< about the body's axes
+    Eigen::Isometry3d meshFromBody;
+    double friction = 0;
+    double restitution = 0;
+    double rollingFrictionMetres = 0;
+    double contactRadiusMetres = 0;
+    double compliancePerPa = 0; ///< (1 − ν²)/E
+};
+
+/// The error names the kind and why it cannot move: an object without mass, or one so flat that the
+/// form has no inside.
+Result<std::shared_ptr<const BodyModel>> makeBodyModel(const BodyTemplate& kind,
+                                                       std::shared_ptr<const ModalObject> object);
+
+/// The vertices of the surface in mesh coordinates; of a shell those of both sides.
+std::vector<Eigen::Vector3d> outerVertices(const BodyModel& model);
+
+} // namespace idiophone

@@ -1,0 +1,201 @@
+#include "Scene/CollisionShape.h"
+
+#include "Geometry/ObjectMesh.h"
+#include "Geometry/Subdivision.h"
+#include "Scene/BulletMath.h"
+
+#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
+#include <LinearMath/btConvexHullComputer.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+constexpr double roundestSection = 1.25; // of a ring: width to height, or the other way round
+constexpr int capsules = 16;
+constexpr int sectors = 20; // of a ring
+constexpr int mostHullVertices = 96;
+constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision makes four of one
+constexpr double marginShare = 0.01;            // of a shape's smallest measure
+constexpr double mostMarginMetres = 5e-4;
+
+Eigen::AlignedBox3d boxOf(const std::vector<Eigen::Vector3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const auto& point : points)
+        box.extend(point);
+    return box;
+}
+
+/// All where there are few, or else those that lie farthest in each of some directions, which are
+/// spread over the sphere along a spiral.
+std::vector<btVector3> fewer(const btAlignedObjectArray<btVector3>& corners) {
+    std::vector<btVector3> kept;
+    if (corners.size() <= mostHullVertices) {
+        for (int k = 0; k < corners.size(); ++k)
+            kept.push_back(corners[k]);
+        return kept;
+    }
+    const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+    for (int direction = 0; direction < mostHullVertices; ++direction) {
+        const double z = 1 - (2 * direction + 1.0) / mostHullVertices;
+        const double radius = std::sqrt(1 - z * z);
+        const btVector3 way(radius * std::cos(turn * direction),
+                            radius * std::sin(turn * direction), z);
+        int farthest = 0;
+        for (int k = 1; k < corners.size(); ++k)
+            if (corners[k].dot(way) > corners[farthest].dot(way))
+                farthest = k;
+        if (std::ranges::find(kept, corners[farthest]) == kept.end())
+            kept.push_back(corners[farthest]);
+    }
+    return kept;
+}
+
+double angleOf(const Eigen::RowVector3d& point) {
+    const double angle = std::atan2(point.y(), point.x()) / (2 * std::numbers::pi);
+    return angle < 0 ? angle + 1 : angle;
+}
+
+} // namespace
+
+template <class Shape, class... Arguments>
+Shape* CollisionShape::own(Arguments&&... arguments) {
+    auto made = std::make_unique<Shape>(std::forward<Arguments>(arguments)...);
+    auto* shape = made.get();
+    shapes.push_back(std::move(made));
+    return shape;
+}
+
+CollisionShape::CollisionShape(const BodyModel& model) {
+    btCollisionShape* inMesh = nullptr;
+    switch (model.form) {
+    case BodyForm::hull:
+        inMesh = hull(outerVertices(model));
+        break;
+    case BodyForm::ring:
+        inMesh = ring(model);
+        break;
+    case BodyForm::sphere:
+    case BodyForm::cylinder:
+        inMesh = round(model);
+        break;
+    case BodyForm::surface:
+        inMesh = surface(model);
+        break;
+    case BodyForm::ground:
+        inMesh = ground(model);
+        break;
+    }
+    root = inMesh;
+    if (!model.isFixed) {
+        auto* placed = own<btCompoundShape>();
+        placed->addChildShape(toBullet(Eigen::Isometry3d(model.meshFromBody.inverse())), inMesh);
+        root = placed;
+    }
+}
+
+/// As large as the points with Bullet's margin, by which it lies inside them.
+btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& points) {
+    const double margin =
+        std::min(mostMarginMetres, marginShare * boxOf(points).sizes().minCoeff());
+    btConvexHullComputer computer;
+    computer.compute(points.front().data(), sizeof(Eigen::Vector3d),
+                     static_cast<int>(points.size()), margin, 0);
+    auto* shape = own<btConvexHullShape>();
+    for (const auto& corner : fewer(computer.vertices))
+        shape->addPoint(corner, false);
+    shape->recalcLocalAabb();
+    shape->setMargin(margin);
+    return shape;
+}
+
+/// A round section is a chain of capsules, which cost a fraction of what hulls do.
+btCollisionShape* CollisionShape::ring(const BodyModel& model) {
+    const auto outer = outerVertices(model);
+    Eigen::AlignedBox2d section; // of distance from the axis and height
+    for (const auto& vertex : outer)
+        section.extend(Eigen::Vector2d(vertex.head<2>().norm(), vertex.z()));
+    const Eigen::Vector2d half = section.sizes() / 2, middle = section.center();
+    if (half.maxCoeff() > roundestSection * half.minCoeff())
+        return sectorHulls(model, outer);
+
+    auto* compound = own<btCompoundShape>();
+    const double turn = 2 * std::numbers::pi / capsules;
+    // As long as the circle is, so that the polygon lies half inside it.
+    const double chord = turn * middle.x();
+    auto* capsule = own<btCapsuleShape>(half.mean(), chord);
+    for (int k = 0; k < capsules; ++k) { // Bullet's capsules lie along y
+        const double angle = turn * k;
+        const double radius = chord / 2 / std::tan(turn / 2);
+        compound->addChildShape(
+            btTransform(btQuaternion(btVector3(0, 0, 1), angle),
+                        btVector3(radius * std::cos(angle), radius * std::sin(angle), middle.y())),
+            capsule);
+    }
+    return compound;
+}
+
+btCollisionShape* CollisionShape::sectorHulls(const BodyModel& model,
+                                              const std::vector<Eigen::Vector3d>& outer) {
+    const Mesh mesh = objectMesh(*model.object);
+    const std::size_t sides = outer.size() / static_cast<std::size_t>(mesh.vertexCount());
+    std::vector<std::vector<Eigen::Vector3d>> points(sectors);
+    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face) {
+        Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+        for (int corner = 0; corner < 3; ++corner)
+            middle += mesh.vertices.row(mesh.faces(face, corner)) / 3;
+        const int sector = std::min(static_cast<int>(sectors * angleOf(middle)), sectors - 1);
+        for (int corner = 0; corner < 3; ++corner)
+            for (std::size_t side = 0; side < sides; ++side)
+                points[static_cast<std::size_t>(sector)].push_back(
+                    outer[static_cast<std::size_t>(mesh.faces(face, corner)) * sides + side]);
+    }
+    auto* compound = own<btCompoundShape>();
+    for (const auto& sector : points)
+        if (sector.size() >= 6)
+            compound->addChildShape(btTransform::getIdentity(), hull(sector));
+    return compound;
+}
+
+btCollisionShape* CollisionShape::round(const BodyModel& model) {
+    const auto box = boxOf(outerVertices(model));
+    const Eigen::Vector3d half = box.sizes() / 2;
+    btConvexShape* shape = nullptr;
+    if (model.form == BodyForm::sphere) {
+        shape = own<btSphereShape>(half.mean());
+    } else {
+        const double radius = half.head<2>().maxCoeff();
+        shape = own<btCylinderShapeZ>(btVector3(radius, radius, half.z()));
+        shape->setMargin(std::min(mostMarginMetres, marginShare * half.minCoeff()));
+    }
+    auto* centred = own<btCompoundShape>();
+    centred->addChildShape(btTransform(btQuaternion::getIdentity(), toBullet(box.center())), shape);
+    return centred;
+}
+
+btCollisionShape* CollisionShape::ground(const BodyModel& model) {
+    return own<btStaticPlaneShape>(btVector3(0, 0, 1), boxOf(outerVertices(model)).max().z());
+}
+
+btCollisionShape* CollisionShape::surface(const BodyModel& model) {
+    Mesh mesh = objectMesh(*model.object);
+    while (4 * mesh.faceCount() <= mostSmoothFaces)
+        mesh = subdivided(mesh, 1);
+    auto& triangles = *meshes.emplace_back(std::make_unique<btTriangleMesh>());
+    const auto corner = [&](Eigen::Index face, int k) {
+        return toBullet(model.sizeRatio * mesh.vertices.row(mesh.faces(face, k)).transpose());
+    };
+    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
+        triangles.addTriangle(corner(face, 0), corner(face, 1), corner(face, 2));
+    auto* shape = own<btBvhTriangleMeshShape>(&triangles, true);
+    const bool isShell = model.object->body == BodyKind::shell;
+    shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
+                             : mostMarginMetres);
+    auto& map = *edges.emplace_back(std::make_unique<btTriangleInfoMap>());
+    btGenerateInternalEdgeInfo(shape, &map);
+    return shape;
+}
+
+} // namespace idiophone

@@ -1,0 +1,148 @@
+#include "Scene/ContactReader.h"
+
+#include "Instrument/Mallet.h"
+#include "Scene/BulletMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace idiophone {
+namespace {
+
+/// Slower approaches belong to a contact that lasts: 5 mm/s is a fall of 1.3 µm. So do those that
+/// two steps of gravity make.
+constexpr double slowestBlowMetresPerSecond = 0.005;
+constexpr double stepsOfRest = 2;
+/// A blow that is passed on through bodies in contact changes their speed by this many steps of
+/// gravity at least; the weight of what rests on them does not.
+constexpr double stepsOfGravity = 20;
+
+bool moves(const btRigidBody& body) {
+    return !body.isStaticObject() && body.isActive();
+}
+
+} // namespace
+
+/// A point of contact that pressed in this step, from the second body's surface to the first's.
+struct ContactReader::Point {
+    const BodyInStep *first, *second;
+    std::size_t firstNumber, secondNumber;
+    Eigen::Vector3d place;   ///< in the world
+    Eigen::Vector3d normal;  ///< unit, from the second to the first
+    Eigen::Vector3d impulse; ///< on the first
+    double normalImpulse;
+    double approach;    ///< m/s, before the step
+    double depthMetres; ///< by which they overlapped when it began
+    double effectiveMassKg;
+
+    double speedChange() const { return normalImpulse / effectiveMassKg; }
+};
+
+ContactReader::ContactReader(double step, double gravityMetresPerSecond2)
+    : stepSeconds(step), restingSpeed(gravityMetresPerSecond2 * step),
+      slowestBlow(std::max(slowestBlowMetresPerSecond, stepsOfRest * restingSpeed)) {}
+
+void ContactReader::begin(double seconds) {
+    startSeconds = seconds;
+    blows.clear();
+    lasting.clear();
+}
+
+void ContactReader::read(const btPersistentManifold& manifold, std::span<const BodyInStep> bodies) {
+    const auto firstNumber = static_cast<std::size_t>(manifold.getBody0()->getUserIndex());
+    const auto secondNumber = static_cast<std::size_t>(manifold.getBody1()->getUserIndex());
+    const auto &first = bodies[firstNumber], &second = bodies[secondNumber];
+    if (!moves(*first.rigid) && !moves(*second.rigid))
+        return; // what it says is of the step in which they fell asleep
+
+    double pressing = 0; // N s
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero(), normalSum = Eigen::Vector3d::Zero();
+    for (int k = 0; k < manifold.getNumContacts(); ++k) {
+        const auto& contact = manifold.getContactPoint(k);
+        // The solver takes on what overlaps; of other points the impulse is an old one.
+        if (contact.getDistance() > 0 || !(contact.getAppliedImpulse() > 0))
+            continue;
+        Point point{.first = &first,
+                    .second = &second,
+                    .firstNumber = firstNumber,
+                    .secondNumber = secondNumber,
+                    .place = toEigen(contact.getPositionWorldOnB()),
+                    .normal = toEigen(contact.m_normalWorldOnB),
+                    .impulse = {},
+                    .normalImpulse = contact.getAppliedImpulse(),
+                    .approach = 0,
+                    .depthMetres = -contact.getDistance(),
+                    .effectiveMassKg = 0};
+        const auto place = contact.getPositionWorldOnB();
+        point.effectiveMassKg =
+            1 / (first.rigid->computeImpulseDenominator(place, contact.m_normalWorldOnB) +
+                 second.rigid->computeImpulseDenominator(place, contact.m_normalWorldOnB));
+        point.impulse = point.normalImpulse * point.normal +
+                        contact.m_appliedImpulseLateral1 * toEigen(contact.m_lateralFrictionDir1) +
+                        contact.m_appliedImpulseLateral2 * toEigen(contact.m_lateralFrictionDir2);
+        point.approach =
+            point.normal.dot(second.velocityAt(point.place) - first.velocityAt(point.place));
+        if (point.approach > slowestBlow || point.speedChange() > stepsOfGravity * restingSpeed) {
+            addImpact(point);
+            continue;
+        }
+        pressing += point.normalImpulse;
+        middle += point.normalImpulse * point.place;
+        normalSum += point.normalImpulse * point.normal;
+    }
+    if (!(pressing > 0))
+        return;
+    middle /= pressing;
+    const Eigen::Vector3d normal = normalSum.normalized();
+    const Eigen::Vector3d apart = first.velocityAt(middle) - second.velocityAt(middle);
+    const Eigen::Vector3d turning = first.spin - second.spin;
+    const double radius =
+        1 / (1 / first.model->contactRadiusMetres + 1 / second.model->contactRadiusMetres);
+    Touch touch{.bodies = {firstNumber, secondNumber},
+                .pointMetres = {first.worldFromMesh.inverse() * middle,
+                                second.worldFromMesh.inverse() * middle},
+                .inward = {first.worldFromMesh.linear().transpose() * normal,
+                           second.worldFromMesh.linear().transpose() * -normal},
+                .forceNewtons = pressing / stepSeconds,
+                .slideMetresPerSecond = (apart - apart.dot(normal) * normal).norm(),
+                .rollMetresPerSecond = radius * (turning - turning.dot(normal) * normal).norm()};
+    if (firstNumber > secondNumber) {
+        std::swap(touch.bodies[0], touch.bodies[1]);
+        std::swap(touch.pointMetres[0], touch.pointMetres[1]);
+        std::swap(touch.inward[0], touch.inward[1]);
+    }
+    lasting.push_back(touch);
+}
+
+void ContactReader::addImpact(const Point& point) {
+    const auto &first = *point.first->model, &second = *point.second->model;
+    const double speed = std::max(point.approach, point.speedChange());
+    const double radius = 1 / (1 / first.contactRadiusMetres + 1 / second.contactRadiusMetres);
+    const double modulus = 1 / (first.compliancePerPa + second.compliancePerPa);
+    // Since they met they have come closer by the depth.
+    const double sinceSeconds =
+        point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
+    Impact impact{
+        .seconds = std::max(startSeconds - sinceSeconds, 0.0),
+        .body = point.firstNumber,
+        .other = point.secondNumber,
+        .pointMetres = point.first->worldFromMesh.inverse() * point.place,
+        .impulseNewtonSeconds = point.first->worldFromMesh.linear().transpose() * point.impulse,
+        .contactSeconds = hertzContactSeconds(point.effectiveMassKg, radius, modulus, speed),
+        .speedMetresPerSecond = speed};
+    blows.push_back(impact);
+    std::swap(impact.body, impact.other);
+    impact.pointMetres = point.second->worldFromMesh.inverse() * point.place;
+    impact.impulseNewtonSeconds = point.second->worldFromMesh.linear().transpose() * -point.impulse;
+    blows.push_back(impact);
+}
+
+void ContactReader::finish() {
+    std::ranges::stable_sort(blows, {}, [](const Impact& impact) {
+        return std::tuple(impact.seconds, impact.body, impact.other);
+    });
+    std::ranges::stable_sort(lasting, {}, &Touch::bodies);
+}
+
+} // namespace idiophone

@@ -1,0 +1,48 @@
+// JSON with the way to it, so that what is wrong with a value names its place in the file.
+#pragma once
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace idiophone {
+
+/// A value and where it stands ("bodies[2].velocity"). What is asked for and is not there throws
+/// Fault, for the reader of a whole file to catch.
+class JsonPlace {
+public:
+    struct Fault {
+        std::string sentence; ///< "bodies[2].velocity is not a list of three numbers"
+    };
+
+    /// `placed` outlives the place; the way is empty for the whole file.
+    explicit JsonPlace(const nlohmann::json& placed, std::string way = {})
+        : value(placed), path(std::move(way)) {}
+
+    [[noreturn]] void fail(const std::string& predicate) const;
+
+    /// An object with these members and no others.
+    void allow(std::initializer_list<std::string_view> members) const;
+    bool has(const char* key) const { return value.contains(key); }
+    JsonPlace at(const char* key) const; ///< of an object
+
+    std::vector<JsonPlace> list(std::size_t most) const;
+    double number(double lowest, double highest) const;
+    int integer(int lowest, int highest) const;
+    bool truth() const;
+    std::string text() const; ///< not empty
+    Eigen::Vector3d vector(double reach) const;
+    const nlohmann::json& json() const { return value; }
+
+private:
+    std::string name() const { return path.empty() ? "it" : path; }
+
+    const nlohmann::json& value;
+    std::string path;
+};
+
+} // namespace idiophone

@@ -1,0 +1,196 @@
+#include "Scene/RigidWorld.h"
+
+#include "Scene/BulletMath.h"
+#include "Scene/CollisionShape.h"
+#include "Scene/ContactReader.h"
+
+#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
+#include <cmath>
+#include <deque>
+
+namespace idiophone {
+namespace {
+
+constexpr double slowestReboundMetresPerSecond = 0.02; // slower falls stay where they are
+constexpr double sleepMetresPerSecond = 0.003, sleepRadiansPerSecond = 0.03;
+constexpr int solverIterations = 30;
+/// What rests keeps this overlap, or it would touch in every other step only.
+constexpr double restingOverlapMetres = 2e-5;
+
+/// Bullet asks for this of every new contact: what rolls is braked by both bodies' rolling
+/// friction, and does not feel the edges inside a mesh.
+bool adjustContact(btManifoldPoint& point,
+                   const btCollisionObjectWrapper* first,
+                   int firstPart,
+                   int firstIndex,
+                   const btCollisionObjectWrapper* second,
+                   int secondPart,
+                   int secondIndex) {
+    const auto of = [](const btCollisionObjectWrapper* wrapper) {
+        return static_cast<const BodyModel*>(wrapper->getCollisionObject()->getUserPointer());
+    };
+    if (of(first) == nullptr || of(second) == nullptr)
+        return false;
+    point.m_combinedRollingFriction =
+        of(first)->rollingFrictionMetres + of(second)->rollingFrictionMetres;
+    if (first->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE)
+        btAdjustInternalEdgeContacts(point, first, second, firstPart, firstIndex);
+    else if (second->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE)
+        btAdjustInternalEdgeContacts(point, second, first, secondPart, secondIndex);
+    return true;
+}
+
+} // namespace
+
+struct RigidWorld::Implementation {
+    Implementation(std::vector<Kind> allKinds, double stepsPerSecond, double gravity)
+        : kinds(std::move(allKinds)), stepSeconds(1 / stepsPerSecond), dispatcher(&configuration),
+          world(&dispatcher, &broadphase, &solver, &configuration), reader(stepSeconds, gravity) {
+        for (const auto& kind : kinds)
+            shapes.emplace_back(*kind.model);
+        world.setGravity(btVector3(0, 0, -gravity));
+        auto& solving = world.getSolverInfo();
+        solving.m_numIterations = solverIterations;
+        solving.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+        solving.m_splitImpulse = 1;
+        solving.m_splitImpulsePenetrationThreshold = 0; // overlap is mended without any speed
+        solving.m_linearSlop = restingOverlapMetres;
+        solving.m_restitutionVelocityThreshold = slowestReboundMetresPerSecond;
+        gContactAddedCallback = adjustContact;
+    }
+
+    ~Implementation() {
+        for (auto& body : bodies)
+            if (body.rigid != nullptr)
+                world.removeRigidBody(body.rigid.get());
+    }
+
+    struct Body {
+        std::size_t kind = 0;
+        std::unique_ptr<btRigidBody> rigid; ///< none when it was removed
+    };
+
+    Body& at(std::size_t body) { return bodies[body]; }
+
+    std::vector<Kind> kinds;
+    double stepSeconds;
+    std::int64_t stepsDone = 0;
+    std::deque<CollisionShape> shapes; ///< of the kinds
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher;
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world;
+    std::vector<Body> bodies;
+    std::vector<BodyInStep> inStep; ///< as many
+    ContactReader reader;
+};
+
+RigidWorld::RigidWorld(std::vector<Kind> kinds,
+                       double stepsPerSecond,
+                       double gravityMetresPerSecond2)
+    : implementation(std::make_unique<Implementation>(
+          std::move(kinds), stepsPerSecond, gravityMetresPerSecond2)) {}
+
+RigidWorld::~RigidWorld() = default;
+
+std::size_t RigidWorld::add(std::size_t kind, const BodyMotion& motion) {
+    auto& all = *implementation;
+    const auto& model = *all.kinds[kind].model;
+    const btVector3 inertia = model.isFixed ? btVector3(0, 0, 0) : toBullet(model.inertiaKgM2);
+    btRigidBody::btRigidBodyConstructionInfo info(model.isFixed ? 0 : model.massKg, nullptr,
+                                                  all.shapes[kind].shape(), inertia);
+    // Bullet multiplies those of both bodies.
+    info.m_friction = std::sqrt(model.friction);
+    info.m_restitution = std::sqrt(model.restitution);
+    info.m_startWorldTransform = toBullet(Eigen::Isometry3d(motion.pose * model.meshFromBody));
+    info.m_linearSleepingThreshold = sleepMetresPerSecond;
+    info.m_angularSleepingThreshold = sleepRadiansPerSecond;
+    auto rigid = std::make_unique<btRigidBody>(info);
+    // Only what overlaps is solved: a contact ahead would brake the fall and spoil the rebound.
+    rigid->setContactProcessingThreshold(0);
+    rigid->setLinearVelocity(toBullet(motion.velocity));
+    rigid->setAngularVelocity(toBullet(motion.spin));
+    rigid->setUserIndex(static_cast<int>(all.bodies.size()));
+    rigid->setUserPointer(const_cast<BodyModel*>(&model)); // read only, by adjustContact
+    rigid->setCollisionFlags(rigid->getCollisionFlags() |
+                             btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    all.world.addRigidBody(rigid.get(), all.kinds[kind].group, all.kinds[kind].collidesWith);
+    all.bodies.push_back({kind, std::move(rigid)});
+    all.inStep.push_back({.model = &model, .rigid = all.bodies.back().rigid.get()});
+    return all.bodies.size() - 1;
+}
+
+void RigidWorld::remove(std::size_t body) {
+    auto& rigid = implementation->at(body).rigid;
+    if (rigid == nullptr)
+        return;
+    implementation->world.removeRigidBody(rigid.get());
+    rigid.reset();
+}
+
+bool RigidWorld::has(std::size_t body) const {
+    return body < implementation->bodies.size() && implementation->at(body).rigid != nullptr;
+}
+
+std::size_t RigidWorld::kindOf(std::size_t body) const {
+    return implementation->at(body).kind;
+}
+
+BodyMotion RigidWorld::motion(std::size_t body) const {
+    const auto& rigid = *implementation->at(body).rigid;
+    const auto& model = *implementation->kinds[implementation->at(body).kind].model;
+    return {.pose = toEigen(rigid.getWorldTransform()) * model.meshFromBody.inverse(),
+            .velocity = toEigen(rigid.getLinearVelocity()),
+            .spin = toEigen(rigid.getAngularVelocity())};
+}
+
+void RigidWorld::setVelocity(std::size_t body,
+                             const Eigen::Vector3d& velocity,
+                             const Eigen::Vector3d& spin) {
+    auto& rigid = *implementation->at(body).rigid;
+    rigid.setLinearVelocity(toBullet(velocity));
+    rigid.setAngularVelocity(toBullet(spin));
+    rigid.activate(true);
+}
+
+void RigidWorld::step() {
+    auto& all = *implementation;
+    for (std::size_t body = 0; body < all.bodies.size(); ++body)
+        if (all.bodies[body].rigid != nullptr) {
+            const auto before = motion(body);
+            auto& now = all.inStep[body];
+            now.worldFromMesh = before.pose;
+            now.centre = toEigen(all.bodies[body].rigid->getCenterOfMassPosition());
+            now.velocity = before.velocity;
+            now.spin = before.spin;
+        }
+    all.reader.begin(seconds());
+    all.world.stepSimulation(all.stepSeconds, 0);
+    for (int k = 0; k < all.dispatcher.getNumManifolds(); ++k)
+        all.reader.read(*all.dispatcher.getManifoldByIndexInternal(k), all.inStep);
+    all.reader.finish();
+    ++all.stepsDone;
+}
+
+double RigidWorld::seconds() const {
+    return static_cast<double>(implementation->stepsDone) * implementation->stepSeconds;
+}
+
+double RigidWorld::stepSeconds() const {
+    return implementation->stepSeconds;
+}
+
+std::span<const Impact> RigidWorld::impacts() const {
+    return implementation->reader.impacts();
+}
+
+std::span<const Touch> RigidWorld::touches() const {
+    return implementation->reader.touches();
+}
+
+const BodyModel& RigidWorld::model(std::size_t kind) const {
+    return *implementation->kinds[kind].model;
+}
+
+} // namespace idiophone

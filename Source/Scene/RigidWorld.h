@@ -1,0 +1,58 @@
+// Rigid bodies that fall, collide, slide and roll, and what is to be heard of it. On Bullet.
+#pragma once
+
+#include "Scene/BodyModel.h"
+#include "Scene/Contact.h"
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+struct BodyMotion {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< from mesh coordinates to the world
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();     ///< m/s, of the centre of mass
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();         ///< rad/s
+};
+
+/// The same calls give the same bits on one machine. One thread at a time; not for the audio
+/// thread.
+class RigidWorld {
+public:
+    struct Kind {
+        std::shared_ptr<const BodyModel> model;
+        int group = 1;         ///< one bit of 30
+        int collidesWith = ~0; ///< bits of groups, of which those must collide with this one too
+    };
+
+    RigidWorld(std::vector<Kind> kinds, double stepsPerSecond, double gravityMetresPerSecond2);
+    ~RigidWorld();
+
+    /// A body that is there from the next step on; bodies are numbered from 0, and a number is not
+    /// given again.
+    std::size_t add(std::size_t kind, const BodyMotion& motion);
+    void remove(std::size_t body);
+    bool has(std::size_t body) const;
+    std::size_t kindOf(std::size_t body) const; ///< also of one that was removed
+    BodyMotion motion(std::size_t body) const;  ///< of one that is there
+    void
+    setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
+
+    /// One step on. What it reports is over by then: no later step reports an impact before
+    /// `seconds()` less a step.
+    void step();
+    double seconds() const;
+    double stepSeconds() const;
+    std::span<const Impact> impacts() const; ///< of the last step, in order of time
+    std::span<const Touch> touches() const;  ///< of the last step, in order of bodies
+
+    const BodyModel& model(std::size_t kind) const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+};
+
+} // namespace idiophone

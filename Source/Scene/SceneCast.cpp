@@ -1,0 +1,158 @@
+#include "Scene/SceneCast.h"
+
+#include "Geometry/ParametricMesh.h"
+#include "Instrument/FactoryContent.h"
+#include "Instrument/Instrument.h"
+#include "Instrument/PresetFile.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+/// Of a surface of which nothing is said, as rough as its material.
+Surface plainSurface(const Material& material) {
+    return {.name = material.name, .roughness = material.roughness};
+}
+
+/// Bit k stands for kind k, the last one for the bars.
+constexpr int keyboardGroup = 1 << 29;
+
+int collidingGroups(const std::vector<BodyTemplate>& kinds, std::size_t kind) {
+    const auto passes = [&](std::size_t one, std::size_t other) {
+        return std::ranges::find(kinds[one].passes, other) != kinds[one].passes.end();
+    };
+    int groups = keyboardGroup;
+    for (std::size_t other = 0; other < kinds.size(); ++other)
+        if (!passes(kind, other) && !passes(other, kind))
+            groups |= 1 << other;
+    return groups;
+}
+
+Result<Preset> presetNamed(const std::string& nameOrFile) {
+    if (const auto* factory = findFactoryPreset(nameOrFile))
+        return *factory;
+    return readPresetFile(nameOrFile).map([&](Preset preset) {
+        preset.keyMap = withObjectsBeside(preset.keyMap, nameOrFile);
+        return preset;
+    });
+}
+
+/// As an object without modes.
+Result<std::shared_ptr<const ModalObject>> ballOf(const SilentBall& ball) {
+    auto object = std::make_shared<ModalObject>();
+    object->name = "ball";
+    object->material = *findMaterial(ball.material);
+    const double r = ball.radiusMetres;
+    const double mass = 4.0 / 3 * std::numbers::pi * r * r * r * object->material.densityKgPerM3;
+    const double inertia = 0.4 * mass * r * r;
+    object->mass = {.massKg = mass, .inertiaKgM2 = {inertia, 0, 0, 0, inertia, 0, 0, 0, inertia}};
+    const Mesh mesh = icosphereMesh(r, 2);
+    for (Eigen::Index k = 0; k < mesh.vertexCount(); ++k)
+        for (int axis = 0; axis < 3; ++axis)
+            object->vertices.push_back(static_cast<float>(mesh.vertices(k, axis)));
+    for (Eigen::Index k = 0; k < mesh.faceCount(); ++k)
+        for (int corner = 0; corner < 3; ++corner)
+            object->faces.push_back(mesh.faces(k, corner));
+    return object;
+}
+
+Eigen::Vector3d metresOf(const StrikePoint& point, const ModalObject& object) {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < mostShapeRows; ++k) {
+        if (point.weights[k] == 0)
+            continue;
+        const auto vertex = static_cast<std::size_t>(
+            object.shapeVertices[static_cast<std::size_t>(point.shapeRows[k])]);
+        place += static_cast<double>(point.weights[k]) *
+                 Eigen::Map<const Eigen::Vector3f>(&object.vertices[3 * vertex]).cast<double>();
+    }
+    return place;
+}
+
+double topMetres(const ModalObject& object) {
+    float top = object.vertices[2];
+    for (std::size_t k = 2; k < object.vertices.size(); k += 3)
+        top = std::max(top, object.vertices[k]);
+    return static_cast<double>(top);
+}
+
+} // namespace
+
+Result<std::shared_ptr<const SceneCast>> SceneCast::make(Scene scene, ObjectLibrary& library) {
+    const std::shared_ptr<SceneCast> cast(new SceneCast(std::move(scene)));
+    return cast->castKinds(library).and_then([&] { return cast->castKeyboard(library); }).map([&] {
+        return std::shared_ptr<const SceneCast>(cast);
+    });
+}
+
+Result<void> SceneCast::addRole(const BodyTemplate& kind,
+                                const std::shared_ptr<const ModalObject>& object,
+                                int group,
+                                int collidesWith) {
+    return makeBodyModel(kind, object).map([&](const std::shared_ptr<const BodyModel>& model) {
+        allRoles.push_back(
+            {.kind = {.model = model, .group = group, .collidesWith = collidesWith},
+             .surface = kind.ball ? nullptr : std::make_shared<ObjectSurface>(*object),
+             .sound = kind.surface.value_or(plainSurface(object->material))});
+    });
+}
+
+Result<void> SceneCast::castKinds(ObjectLibrary& library) {
+    for (std::size_t k = 0; k < played.kinds.size(); ++k) {
+        const auto& kind = played.kinds[k];
+        const auto object = kind.ball ? ballOf(*kind.ball) : library.find(kind.object);
+        if (!object)
+            return tl::unexpected(object.error());
+        if (auto done = addRole(kind, *object, 1 << k, collidingGroups(played.kinds, k)); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
+    if (!played.keyboard) {
+        if (played.noteDrop)
+            targets.fill(played.noteDrop->positionMetres);
+        return {};
+    }
+    const auto& stage = *played.keyboard;
+    const auto preset = presetNamed(stage.preset);
+    if (!preset)
+        return tl::unexpected(preset.error());
+    if (preset->keyMap.kind != KeyMapKind::bars)
+        return failure("the keyboard's preset '" + preset->name + "' has no bars");
+    const auto built = Instrument::build(preset->keyMap, library);
+    if (!built)
+        return tl::unexpected(built.error());
+    const auto& instrument = **built;
+    const double middle = (preset->keyMap.lowestNote + preset->keyMap.highestNote) / 2.0;
+    for (int note = preset->keyMap.lowestNote; note <= preset->keyMap.highestNote; ++note) {
+        const auto& key = instrument.key(note);
+        if (key.slot < 0)
+            continue;
+        const auto& object = instrument.slots()[static_cast<std::size_t>(key.slot)].object;
+        BodyTemplate bar;
+        bar.name = bar.object = object->name;
+        bar.isFixed = true;
+        if (auto done = addRole(bar, object, keyboardGroup, ~0); !done)
+            return done;
+        const Eigen::Isometry3d pose =
+            Eigen::Translation3d(
+                stage.positionMetres +
+                Eigen::Vector3d((note - middle) * stage.spacingMetres, 0, -topMetres(*object))) *
+            Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
+        bars.push_back({.role = allRoles.size() - 1, .motion = {.pose = pose}});
+        const auto place = instrument.strip(key).between(key.along, 0).point;
+        targets[static_cast<std::size_t>(note)] = pose * metresOf(place, *object);
+    }
+    return {};
+}
+
+SynthesiserSlot SceneCast::slotOf(std::size_t role) const {
+    const auto& model = *allRoles[role].kind.model;
+    return {.object = model.object, .sizeRatio = model.sizeRatio};
+}
+
+} // namespace idiophone

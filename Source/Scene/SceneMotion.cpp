@@ -1,0 +1,251 @@
+#include "Scene/SceneMotion.h"
+
+#include "Scene/SceneRandom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+constexpr double ringingSeconds = 2;  // after which the slot of what was taken away is free
+constexpr double lowestMetres = -100; // what falls deeper is gone
+constexpr std::uint32_t firstNote = 1u << 24, firstKick = 1u << 25; // numbers of chances
+
+std::vector<RigidWorld::Kind> kindsOf(const SceneCast& cast) {
+    std::vector<RigidWorld::Kind> kinds;
+    for (const auto& role : cast.roles())
+        kinds.push_back(role.kind);
+    return kinds;
+}
+
+Eigen::Vector3d radiansPerSecond(const Eigen::Vector3d& turnsPerSecond) {
+    return 2 * std::numbers::pi * turnsPerSecond;
+}
+
+Eigen::Quaterniond turned(const Eigen::Vector3d& degrees) {
+    const double angle = degrees.norm();
+    return angle > 0 ? Eigen::Quaterniond(
+                           Eigen::AngleAxisd(angle * std::numbers::pi / 180, degrees / angle))
+                     : Eigen::Quaterniond::Identity();
+}
+
+/// With the centre of mass at a place, or what stands with the origin of its mesh.
+Eigen::Isometry3d
+posed(const BodyModel& model, const Eigen::Vector3d& place, const Eigen::Quaterniond& turn) {
+    return Eigen::Translation3d(place) * turn *
+           Eigen::Translation3d(-model.meshFromBody.translation());
+}
+
+} // namespace
+
+SceneMotion::SceneMotion(std::shared_ptr<const SceneCast> playedCast, std::vector<SceneNote> notes)
+    : cast(std::move(playedCast)), scene(cast->scene()),
+      rigid(kindsOf(*cast), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
+      kicks(scene.kicks), tracker(cast, rigid.stepSeconds()), overSeconds(scene.seconds) {
+    standKeyboard();
+    planReleases();
+    planNotes(std::move(notes));
+    std::ranges::stable_sort(coming, {}, &Coming::seconds);
+    std::ranges::stable_sort(kicks, {}, &Kick::seconds);
+    if (!coming.empty())
+        leadSeconds = std::ceil(std::max(0.0, -coming.front().seconds) / rigid.stepSeconds()) *
+                      rigid.stepSeconds();
+}
+
+void SceneMotion::standKeyboard() {
+    for (const auto& bar : cast->keyboard()) {
+        slotOfBody.push_back(newSlot(bar.role));
+        roleOfBody.push_back(bar.role);
+        rigid.add(bar.role, bar.motion);
+        ++counted.bodies;
+    }
+}
+
+std::size_t SceneMotion::newSlot(std::size_t role) {
+    if (!cast->roles()[role].isHeard())
+        return noSlot;
+    allSlots.push_back(cast->slotOf(role));
+    return allSlots.size() - 1;
+}
+
+void SceneMotion::planReleases() {
+    std::uint32_t number = 0;
+    for (const auto& release : scene.releases)
+        for (int k = 0; k < release.count; ++k, ++number) {
+            SceneRandom chance(scene.seed, number);
+            const auto place = chance.draw(release.positionMetres);
+            const auto turn = release.isTurnedAtRandom ? chance.turn()
+                                                       : turned(chance.draw(release.turnedDegrees));
+            const double share = release.count > 1 ? k / (release.count - 1.0) : 0;
+            coming.push_back(
+                {.seconds = release.seconds + share * release.overSeconds,
+                 .role = release.kind,
+                 .slot = newSlot(release.kind),
+                 .motion = {.pose = posed(*cast->roles()[release.kind].kind.model, place, turn),
+                            .velocity = chance.draw(release.velocityMetresPerSecond),
+                            .spin = radiansPerSecond(chance.draw(release.spinTurnsPerSecond))},
+                 .lastsUntil = std::numeric_limits<double>::infinity()});
+        }
+}
+
+void SceneMotion::planNotes(std::vector<SceneNote> notes) {
+    if (!scene.noteDrop)
+        return;
+    const auto& drop = *scene.noteDrop;
+    std::ranges::stable_sort(notes, {}, &SceneNote::seconds);
+    struct Taken {
+        std::size_t slot;
+        double until;
+    };
+    std::vector<Taken> taken;
+    std::uint32_t number = firstNote;
+    for (const auto& note : notes) {
+        if (!cast->target(note.note)) {
+            ++counted.notesLeftOut;
+            continue;
+        }
+        double fallSeconds = 0;
+        const auto motion = falling(note, number++, fallSeconds);
+        const double begins = note.seconds - fallSeconds;
+        const double ends = note.seconds + drop.lifeSeconds;
+        auto free = std::ranges::find_if(
+            taken, [&](const Taken& one) { return one.until + ringingSeconds < begins; });
+        if (free == taken.end())
+            free = taken.insert(taken.end(), {.slot = newSlot(drop.kind), .until = 0});
+        free->until = ends;
+        coming.push_back({.seconds = begins,
+                          .role = drop.kind,
+                          .slot = free->slot,
+                          .motion = motion,
+                          .lastsUntil = ends});
+        overSeconds = std::max(overSeconds, ends);
+    }
+}
+
+/// From rest, turned somehow, so high that its lowest point meets the target at a speed that grows
+/// evenly with the velocity.
+BodyMotion SceneMotion::falling(const SceneNote& note, std::uint32_t number, double& fallSeconds) {
+    const auto& drop = *scene.noteDrop;
+    const double gravity = std::max(scene.gravityMetresPerSecond2, 1e-3);
+    const double slowest = std::sqrt(2 * gravity * drop.softestMetres);
+    const double fastest = std::sqrt(2 * gravity * drop.hardestMetres);
+    const double speed = slowest + (fastest - slowest) * (note.velocity - 1) / 126.0;
+    fallSeconds = speed / gravity;
+
+    SceneRandom chance(scene.seed, number);
+    const auto turn = chance.turn();
+    auto place = *cast->target(note.note);
+    for (int axis = 0; axis < 2; ++axis)
+        place(axis) += drop.reachMetres(axis) * chance.spread();
+    place.z() += speed * fallSeconds / 2 - lowestPoint(drop.kind, turn);
+    return {.pose = posed(*cast->roles()[drop.kind].kind.model, place, turn)};
+}
+
+/// Of a body whose centre of mass is at 0, negative.
+double SceneMotion::lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const {
+    const auto& model = *cast->roles()[role].kind.model;
+    const auto pose = posed(model, Eigen::Vector3d::Zero(), turn);
+    double lowest = 0;
+    for (const auto& vertex : outerVertices(model))
+        lowest = std::min(lowest, (pose * vertex).z());
+    return lowest;
+}
+
+// A step that begins at t reports blows since t less a step.
+void SceneMotion::advanceTo(double seconds) {
+    while (rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
+        step();
+}
+
+void SceneMotion::step() {
+    const double now = rigid.seconds() - leadSeconds;
+    takeAway(now);
+    letIn(now);
+    kick(now);
+    rigid.step();
+    for (const auto& impact : rigid.impacts())
+        tell(impact);
+    tracker.follow(rigid.touches(), roleOfBody, slotOfBody);
+}
+
+/// What was to come between two steps is as far on its way by now. Half a step of gravity ahead
+/// makes the fall exact at every step.
+void SceneMotion::letIn(double now) {
+    for (; nextComing < coming.size() && coming[nextComing].seconds <= now; ++nextComing) {
+        const auto& next = coming[nextComing];
+        auto motion = next.motion;
+        const double late = now - next.seconds;
+        const Eigen::Vector3d gravity(0, 0, -scene.gravityMetresPerSecond2);
+        if (!cast->roles()[next.role].kind.model->isFixed) {
+            motion.pose.pretranslate(late * motion.velocity + late * late / 2 * gravity);
+            motion.velocity += (late - rigid.stepSeconds() / 2) * gravity;
+        }
+        const auto body = rigid.add(next.role, motion);
+        slotOfBody.push_back(next.slot);
+        roleOfBody.push_back(next.role);
+        present.push_back({.body = body, .lastsUntil = next.lastsUntil});
+        ++counted.bodies;
+    }
+}
+
+void SceneMotion::kick(double now) {
+    for (; nextKick < kicks.size() && kicks[nextKick].seconds <= now; ++nextKick) {
+        const auto& kick = kicks[nextKick];
+        for (const auto& [body, ignored] : present) {
+            if (roleOfBody[body] != kick.kind)
+                continue;
+            SceneRandom chance(scene.seed,
+                               firstKick + static_cast<std::uint32_t>(nextKick << 14 | body));
+            const auto velocity = chance.draw(kick.velocityMetresPerSecond);
+            rigid.setVelocity(body, velocity,
+                              radiansPerSecond(chance.draw(kick.spinTurnsPerSecond)));
+        }
+    }
+}
+
+void SceneMotion::takeAway(double now) {
+    std::erase_if(present, [&](const Present& one) {
+        const bool stays =
+            now < one.lastsUntil && rigid.motion(one.body).pose.translation().z() > lowestMetres;
+        if (!stays) {
+            rigid.remove(one.body);
+            --counted.bodies;
+        }
+        return !stays;
+    });
+}
+
+void SceneMotion::tell(const Impact& impact) {
+    ++counted.impacts;
+    if (slotOfBody[impact.body] == noSlot)
+        return;
+    const auto& role = cast->roles()[roleOfBody[impact.body]];
+    const Eigen::Vector3d own = impact.pointMetres / role.kind.model->sizeRatio;
+    SceneBlow blow{.seconds = impact.seconds - leadSeconds,
+                   .slot = slotOfBody[impact.body],
+                   .role = roleOfBody[impact.body],
+                   .strike = {.point = role.surface->nearest({own.x(), own.y(), own.z()}),
+                              .durationSeconds = impact.contactSeconds},
+                   .pointMetres = own};
+    for (int axis = 0; axis < 3; ++axis)
+        blow.strike.impulseNewtonSeconds[static_cast<std::size_t>(axis)] =
+            static_cast<float>(impact.impulseNewtonSeconds(axis));
+    const auto after = std::ranges::upper_bound(blows, blow.seconds, {}, &SceneBlow::seconds);
+    blows.insert(after, blow);
+}
+
+std::optional<SceneBlow> SceneMotion::takeBlow(double beforeSeconds) {
+    if (blows.empty() || !(blows.front().seconds < beforeSeconds))
+        return std::nullopt;
+    const auto blow = blows.front();
+    blows.pop_front();
+    return blow;
+}
+
+bool SceneMotion::finished() const {
+    return rigid.seconds() - leadSeconds > overSeconds;
+}
+
+} // namespace idiophone

@@ -1,0 +1,106 @@
+// A performance of a scene: bodies come, are thrown and go as its file and the notes say, and what
+// they strike is told for the synthesiser.
+#pragma once
+
+#include "Scene/SceneCast.h"
+#include "Scene/TouchTracker.h"
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace idiophone {
+
+struct SceneNote {
+    double seconds = 0; ///< ≥ 0
+    int note = 0;       ///< MIDI, 0 to 127
+    int velocity = 0;   ///< 1 to 127
+};
+
+/// Of what has no modes.
+inline constexpr std::size_t noSlot = ~std::size_t{0};
+
+/// A blow on one slot, ready to be struck.
+struct SceneBlow {
+    double seconds = 0;
+    std::size_t slot = 0;
+    std::size_t role = 0; ///< of what is struck
+    Strike strike;
+    Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero(); ///< on the object, not scaled
+};
+
+/// One thread at a time; not for the audio thread. The same cast and notes give the same bits.
+class SceneMotion {
+public:
+    /// Notes in any order; those without a target are left out. What falls for the first notes
+    /// begins before 0.
+    SceneMotion(std::shared_ptr<const SceneCast> cast, std::vector<SceneNote> notes = {});
+
+    /// What sounds, for the synthesiser to be made of. Bodies that were taken away leave their
+    /// slots to others.
+    const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
+
+    /// Steps until everything before a time is known.
+    void advanceTo(double seconds);
+    /// The next blow before a time, in order of time, or none.
+    std::optional<SceneBlow> takeBlow(double beforeSeconds);
+    /// What slides and rolls, as of the last step.
+    std::span<const TouchState, TouchTracker::voiceCount> touches() const {
+        return tracker.states();
+    }
+
+    /// Nothing more will happen: the scene's time is over and every note has fallen.
+    bool finished() const;
+
+    struct Figures {
+        std::int64_t bodies = 0; ///< there now, with those that stand
+        std::int64_t impacts = 0;
+        std::int64_t notesLeftOut = 0; ///< without a target
+    };
+    const Figures& figures() const { return counted; }
+    const RigidWorld& world() const { return rigid; }
+
+private:
+    struct Coming {
+        double seconds = 0;
+        std::size_t role = 0;
+        std::size_t slot = 0;
+        BodyMotion motion; ///< at that time
+        double lastsUntil = 0;
+    };
+
+    void standKeyboard();
+    std::size_t newSlot(std::size_t role);
+    void planReleases();
+    void planNotes(std::vector<SceneNote> notes);
+    BodyMotion falling(const SceneNote& note, std::uint32_t number, double& fallSeconds);
+    double lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const;
+    void step();
+    void letIn(double now);
+    void kick(double now);
+    void takeAway(double now);
+    void tell(const Impact& impact);
+
+    std::shared_ptr<const SceneCast> cast;
+    const Scene& scene;
+    RigidWorld rigid;
+    double leadSeconds = 0; ///< of the world's time before 0
+    std::vector<SynthesiserSlot> allSlots;
+    std::vector<Coming> coming; ///< in order of time
+    std::size_t nextComing = 0;
+    std::vector<Kick> kicks; ///< in order of time
+    std::size_t nextKick = 0;
+    struct Present {
+        std::size_t body;
+        double lastsUntil;
+    };
+    std::vector<Present> present;
+    std::vector<std::size_t> slotOfBody, roleOfBody; ///< by body
+    std::deque<SceneBlow> blows;                     ///< in order of time
+    TouchTracker tracker;
+    double overSeconds = 0;
+    Figures counted;
+};
+
+} // namespace idiophone

@@ -1,0 +1,13 @@
+// Whether a sanitizer watches this build: it keeps memory of its own, and traps no allocation.
+#pragma once
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define IDIOPHONE_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define IDIOPHONE_SANITIZED 1
+#endif
+#endif
+#ifndef IDIOPHONE_SANITIZED
+#define IDIOPHONE_SANITIZED 0
+#endif
