@@ -46,14 +46,16 @@ Result<ModalObject> makeLongTable(const AnalysisControl& control) {
 }
 
 Result<ModalObject> makeCylinder(const AnalysisControl& control) {
-    return analyse(tubeMesh(0.030, 0.026, 0.120, 32),
+    const Mesh mesh = tubeMesh(0.030, 0.026, 0.120, 32);
+    return analyse(mesh,
                    {.name = "cylinder",
                     .source =
                         "generated steel tube, 60 x 4 x 120 mm, 128 vertices, 32 around, as in "
                         "Raghuvanshi & Lin 2006",
                     .material = *findMaterial("Steel"),
                     .method = AnalysisMethod::tetrahedra,
-                    .maxFrequencyHz = 22000},
+                    .maxFrequencyHz = 22000,
+                    .shapeVertices = someVertices(mesh, 128)},
                    control);
 }
 

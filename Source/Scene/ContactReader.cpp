@@ -117,7 +117,7 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
 
 void ContactReader::addImpact(const Point& point) {
     const auto &first = *point.first->model, &second = *point.second->model;
-    const double speed = std::max(point.approach, point.speedChange());
+    const double speed = point.approach > slowestBlow ? point.approach : point.speedChange();
     const double radius = 1 / (1 / first.contactRadiusMetres + 1 / second.contactRadiusMetres);
     const double modulus = 1 / (first.compliancePerPa + second.compliancePerPa);
     // Since they met they have come closer by the depth.

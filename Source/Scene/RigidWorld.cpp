@@ -14,8 +14,8 @@ namespace {
 constexpr double slowestReboundMetresPerSecond = 0.02; // slower falls stay where they are
 constexpr double sleepMetresPerSecond = 0.003, sleepRadiansPerSecond = 0.03;
 constexpr int solverIterations = 30;
-/// What rests keeps this overlap, or it would touch in every other step only.
-constexpr double restingOverlapMetres = 2e-5;
+/// What rests keeps an overlap of so many steps' fall, or it would touch in every other step only.
+constexpr double restingStepsOfFall = 2;
 
 /// Bullet asks for this of every new contact: what rolls is braked by both bodies' rolling
 /// friction, and does not feel the edges inside a mesh.
@@ -54,7 +54,7 @@ struct RigidWorld::Implementation {
         solving.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
         solving.m_splitImpulse = 1;
         solving.m_splitImpulsePenetrationThreshold = 0; // overlap is mended without any speed
-        solving.m_linearSlop = restingOverlapMetres;
+        solving.m_linearSlop = restingStepsOfFall * gravity * stepSeconds * stepSeconds;
         solving.m_restitutionVelocityThreshold = slowestReboundMetresPerSecond;
         gContactAddedCallback = adjustContact;
     }

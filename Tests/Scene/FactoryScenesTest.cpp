@@ -1,0 +1,41 @@
+// The scenes that ship.
+#include "Scene/FactoryScenes.h"
+
+#include "Scene/SceneFile.h"
+#include "Scene/SceneMotion.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <filesystem>
+#include <set>
+
+using namespace idiophone;
+
+TEST_CASE("Every scene of the folder is in the program, under a name of its own") {
+    std::set<std::string> names;
+    std::size_t files = 0;
+    for (const auto& file : std::filesystem::directory_iterator(
+             std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources" / "Scenes")) {
+        INFO(file.path().filename().string());
+        const auto scene = readSceneFile(file.path());
+        REQUIRE(scene);
+        CHECK(names.insert(scene->name).second);
+        CHECK_FALSE(scene->description.empty());
+        CHECK(findFactoryScene(scene->name) != nullptr);
+        ++files;
+    }
+    CHECK(factoryScenes().size() == files);
+    CHECK(findFactoryScene("dice on a XYLOPHONE") == &factoryScenes().front());
+    CHECK(findFactoryScene("nothing") == nullptr);
+}
+
+TEST_CASE("Every factory scene is cast, and its first second moves") {
+    for (const auto& scene : factoryScenes()) {
+        INFO(scene.name);
+        const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
+        REQUIRE(cast);
+        SceneMotion motion(*cast, {{0.2, 72, 100}});
+        motion.advanceTo(1);
+        CHECK(motion.takeBlow(1));
+        CHECK(motion.figures().bodies > 1);
+    }
+}

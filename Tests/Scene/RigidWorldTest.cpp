@@ -1,0 +1,158 @@
+// Known answers of mechanics: falls, rebounds, weights, rolls.
+#include "Scene/TestBodies.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double stepsPerSecond = 2000;
+
+/// Of one body above the ground.
+std::vector<Impact> impactsOf(RigidWorld& world, double seconds, std::size_t body) {
+    std::vector<Impact> all;
+    while (world.seconds() < seconds) {
+        world.step();
+        for (const auto& impact : world.impacts())
+            if (impact.body == body)
+                all.push_back(impact);
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("A ball meets the ground when and as hard as it must, again and again") {
+    const double radius = 0.01, height = 0.3, restitution = 0.6;
+    RigidWorld world(
+        {groundKind({.restitution = restitution}), ballKind(radius, {.restitution = restitution})},
+        4 * stepsPerSecond, gravity); // a rebound loses what falling does within a step
+    world.add(0, at({0, 0, 0}));
+    const auto ball = world.add(1, at({0.1, 0.2, radius + height}));
+    const auto impacts = impactsOf(world, 2, ball);
+    REQUIRE(impacts.size() > 3);
+
+    const double mass = world.model(1).massKg;
+    double time = std::sqrt(2 * height / gravity), speed = gravity * time;
+    for (std::size_t k = 0; k < 4; ++k) {
+        INFO(k);
+        CHECK_THAT(impacts[k].seconds, WithinAbs(time, 2e-3));
+        CHECK_THAT(impacts[k].speedMetresPerSecond, WithinRel(speed, 0.02));
+        CHECK_THAT(impacts[k].impulseNewtonSeconds.z(),
+                   WithinRel(mass * speed * (1 + restitution), 0.02));
+        CHECK_THAT(impacts[k].impulseNewtonSeconds.head<2>().norm(), WithinAbs(0, 1e-9));
+        CHECK_THAT((impacts[k].pointMetres - Eigen::Vector3d(0, 0, -radius)).norm(),
+                   WithinAbs(0, 1e-3));
+        speed *= restitution;
+        time += 2 * speed / gravity;
+    }
+}
+
+TEST_CASE("The contact lasts as long as Hertz says, and both sides feel the opposite") {
+    const double radius = 0.01, height = 0.05;
+    RigidWorld world({groundKind(), ballKind(radius)}, stepsPerSecond, gravity);
+    const auto ground = world.add(0, at({0, 0, 0}));
+    world.add(1, at({0, 0, radius + height}));
+    while (world.impacts().empty())
+        world.step();
+    REQUIRE(world.impacts().size() == 2);
+    const auto &one = world.impacts()[0], &other = world.impacts()[1];
+    CHECK(one.body == ground);
+    CHECK(one.seconds == other.seconds);
+    CHECK((one.impulseNewtonSeconds + other.impulseNewtonSeconds).norm() < 1e-12);
+
+    // T = 2.87 (m²/(R E*² v))^(1/5) of a steel ball on something heavy of steel.
+    const auto& steel = *findMaterial("Steel");
+    const double modulus =
+        steel.youngsModulusPa / (2 * (1 - steel.poissonRatio * steel.poissonRatio));
+    const double mass = world.model(1).massKg, speed = std::sqrt(2 * gravity * height);
+    const double hertz = 2.87 * std::pow(mass * mass / (radius * modulus * modulus * speed), 0.2);
+    CHECK_THAT(one.contactSeconds, WithinRel(hertz, 0.01));
+}
+
+TEST_CASE("What rests is silent and presses with its weight") {
+    RigidWorld world({groundKind(), cubeKind(0.02)}, stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto cube = world.add(1, at({0, 0, 0.03}));
+    impactsOf(world, 1, cube);
+    world.setVelocity(cube, {0, 0, 0}, {0, 0, 0}); // awake
+    double impulse = 0;
+    int impacts = 0;
+    const double from = world.seconds();
+    while (world.seconds() < from + 0.2) {
+        world.step();
+        impacts += static_cast<int>(world.impacts().size());
+        for (const auto& touch : world.touches())
+            impulse += touch.forceNewtons * world.stepSeconds();
+    }
+    CHECK(impacts == 0);
+    CHECK_THAT(impulse, WithinRel(0.2 * world.model(1).massKg * gravity, 0.02));
+}
+
+TEST_CASE("A ball that slides comes to roll at 5/7 of its speed, and rolls on in silence") {
+    const double radius = 0.02, speed = 1;
+    RigidWorld world({groundKind({.friction = 0.3, .restitution = 0}),
+                      ballKind(radius, {.friction = 0.3, .restitution = 0})},
+                     stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto ball = world.add(1, at({0, 0, radius}, {speed, 0, 0}));
+    impactsOf(world, 0.02, ball);
+    REQUIRE(world.touches().size() == 1);
+    // What slips loses 7/2 μ g: it slides for 0.1 s.
+    CHECK_THAT(world.touches()[0].slideMetresPerSecond,
+               WithinAbs(speed - 3.5 * 0.3 * gravity * 0.02, 0.01));
+    impactsOf(world, 0.3, ball);
+    CHECK_THAT(world.motion(ball).velocity.x(), WithinRel(5.0 / 7 * speed, 0.01));
+    CHECK(impactsOf(world, 0.6, ball).empty());
+    REQUIRE(world.touches().size() == 1);
+    CHECK_THAT(world.touches()[0].rollMetresPerSecond, WithinRel(5.0 / 7 * speed, 0.02));
+    CHECK(world.touches()[0].slideMetresPerSecond < 0.01);
+}
+
+TEST_CASE("Kinds of groups that do not collide pass through each other") {
+    auto ground = groundKind(), ghost = ballKind(0.01);
+    ghost.collidesWith = 2;
+    RigidWorld world({ground, ghost}, stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto ball = world.add(1, at({0, 0, 0.05}));
+    CHECK(impactsOf(world, 0.5, ball).empty());
+    CHECK(world.motion(ball).pose.translation().z() < -0.5);
+}
+
+TEST_CASE("The same bodies fall in the same way, bit for bit") {
+    const auto fall = [] {
+        RigidWorld world({groundKind(), cubeKind(0.02), ballKind(0.01)}, stepsPerSecond, gravity);
+        world.add(0, at({0, 0, 0}));
+        for (int k = 0; k < 8; ++k)
+            world.add(1 + static_cast<std::size_t>(k % 2),
+                      at({0.005 * k, 0.004 * (k % 3), 0.05 + 0.03 * k}, {0, 0.1, 0}, {3, 2, 1}));
+        std::vector<double> heard;
+        while (world.seconds() < 1) {
+            world.step();
+            for (const auto& impact : world.impacts())
+                heard.insert(heard.end(), {impact.seconds, impact.impulseNewtonSeconds.x(),
+                                           impact.pointMetres.y()});
+        }
+        return heard;
+    };
+    const auto first = fall();
+    CHECK(first.size() > 30);
+    CHECK(fall() == first);
+}
+
+TEST_CASE("Bodies that were taken away are gone, and their numbers with them") {
+    RigidWorld world({groundKind(), ballKind(0.01)}, stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto first = world.add(1, at({0, 0, 0.05}));
+    world.remove(first);
+    CHECK_FALSE(world.has(first));
+    const auto second = world.add(1, at({0, 0, 0.05}));
+    CHECK(second != first);
+    CHECK(world.has(second));
+    CHECK_FALSE(impactsOf(world, 0.3, second).empty());
+}

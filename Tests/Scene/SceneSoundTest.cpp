@@ -1,0 +1,79 @@
+// What is heard of a scene.
+#include "Scene/SceneSound.h"
+#include "Scene/FactoryScenes.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+using namespace idiophone;
+
+namespace {
+
+constexpr double rateHz = 48000;
+
+/// A scene's sound, mono, and how many blows found no room.
+struct Performance {
+    std::vector<float> samples;
+    int leftOut = 0;
+    double touched = 0; ///< the most newtons of anything that slid or rolled
+};
+
+Performance perform(const char* name, double seconds) {
+    const auto cast = SceneCast::make(*findFactoryScene(name), ObjectLibrary::shared()).value();
+    SceneMotion motion(cast);
+    SceneSound sound(*cast, motion.slots(), rateHz);
+    Performance result;
+    alignas(64) std::array<float, cellSamples> left, right;
+    const CellOutput cell(left, right);
+    while (sound.cellEndSeconds() < seconds) {
+        motion.advanceTo(sound.nextCellEndSeconds());
+        sound.beginCell(cell);
+        while (const auto blow = motion.takeBlow(sound.cellEndSeconds()))
+            result.leftOut += sound.strike(*blow, cell) ? 0 : 1;
+        sound.touch(motion.touches(), cell);
+        for (const auto& state : motion.touches())
+            result.touched = std::max(result.touched, state.forceNewtons);
+        result.samples.insert(result.samples.end(), left.begin(), left.end());
+    }
+    return result;
+}
+
+bool isFinite(const std::vector<float>& samples) {
+    return std::ranges::all_of(samples, [](float x) { return std::isfinite(x); });
+}
+
+double rms(const std::vector<float>& samples, double fromSeconds, double toSeconds) {
+    double sum = 0;
+    const auto from = static_cast<std::size_t>(fromSeconds * rateHz);
+    const auto to = std::min(static_cast<std::size_t>(toSeconds * rateHz), samples.size());
+    for (std::size_t i = from; i < to; ++i)
+        sum += static_cast<double>(samples[i]) * static_cast<double>(samples[i]);
+    return std::sqrt(sum / static_cast<double>(to - from));
+}
+
+} // namespace
+
+TEST_CASE("A scene sounds from its first blow on, at its sample, and the same each time") {
+    const auto cast =
+        SceneCast::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
+    SceneMotion motion(cast);
+    motion.advanceTo(1);
+    const auto first = motion.takeBlow(1);
+    REQUIRE(first);
+
+    const auto once = perform("Pebble in a wok", 1);
+    CHECK(isFinite(once.samples));
+    CHECK(once.leftOut == 0);
+    const auto heard = std::ranges::find_if(once.samples, [](float x) { return x != 0; });
+    const double samples = static_cast<double>(heard - once.samples.begin());
+    CHECK(std::abs(samples - first->seconds * rateHz) < 3);
+    CHECK(perform("Pebble in a wok", 1).samples == once.samples);
+}
+
+TEST_CASE("A ball that rolls over ribs is heard while it rolls") {
+    const auto played = perform("Ball on a washboard", 3);
+    CHECK(isFinite(played.samples));
+    CHECK(played.touched > 0.05); // of its weight of 1.1 N
+    CHECK(rms(played.samples, 1, 3) > 0);
+}

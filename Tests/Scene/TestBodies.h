@@ -1,0 +1,74 @@
+// Bodies of known mass and form.
+#pragma once
+
+#include "Geometry/ParametricMesh.h"
+#include "Scene/RigidWorld.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace idiophone::test {
+
+inline constexpr double gravity = 9.81;
+
+inline std::shared_ptr<ModalObject> objectOf(const Mesh& mesh, const char* material) {
+    auto object = std::make_shared<ModalObject>();
+    object->name = "body";
+    object->material = *findMaterial(material);
+    for (Eigen::Index k = 0; k < mesh.vertexCount(); ++k)
+        for (int axis = 0; axis < 3; ++axis)
+            object->vertices.push_back(static_cast<float>(mesh.vertices(k, axis)));
+    for (Eigen::Index k = 0; k < mesh.faceCount(); ++k)
+        for (int corner = 0; corner < 3; ++corner)
+            object->faces.push_back(mesh.faces(k, corner));
+    return object;
+}
+
+struct Contactful {
+    double friction = 0.5, restitution = 0.5, rollingFriction = 0;
+};
+
+inline RigidWorld::Kind
+kindOf(const std::shared_ptr<ModalObject>& object, BodyForm form, bool isFixed, Contactful with) {
+    BodyTemplate kind;
+    kind.name = "body";
+    kind.form = form;
+    kind.isFixed = isFixed;
+    kind.friction = with.friction;
+    kind.restitution = with.restitution;
+    kind.rollingFrictionMetres = with.rollingFriction;
+    return {.model = makeBodyModel(kind, object).value()};
+}
+
+/// A steel ball.
+inline RigidWorld::Kind ballKind(double radiusMetres, Contactful with = {}) {
+    auto object = objectOf(icosphereMesh(radiusMetres, 3), "Steel");
+    const double mass = 4.0 / 3 * std::numbers::pi * std::pow(radiusMetres, 3) * 7850;
+    const double inertia = 0.4 * mass * radiusMetres * radiusMetres;
+    object->mass = {.massKg = mass, .inertiaKgM2 = {inertia, 0, 0, 0, inertia, 0, 0, 0, inertia}};
+    return kindOf(object, BodyForm::sphere, false, with);
+}
+
+/// A steel cube.
+inline RigidWorld::Kind cubeKind(double sideMetres, Contactful with = {}) {
+    auto object = objectOf(
+        boxMesh(Eigen::Vector3d::Constant(sideMetres), Eigen::Vector3i::Constant(2)), "Steel");
+    const double mass = std::pow(sideMetres, 3) * 7850;
+    const double inertia = mass * sideMetres * sideMetres / 6;
+    object->mass = {.massKg = mass, .inertiaKgM2 = {inertia, 0, 0, 0, inertia, 0, 0, 0, inertia}};
+    return kindOf(object, BodyForm::hull, false, with);
+}
+
+/// Steel below z = 0.
+inline RigidWorld::Kind groundKind(Contactful with = {}) {
+    return kindOf(objectOf(sheetMesh(1, 1, 50), "Steel"), BodyForm::ground, true, with);
+}
+
+inline BodyMotion at(const Eigen::Vector3d& place,
+                     const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero(),
+                     const Eigen::Vector3d& spin = Eigen::Vector3d::Zero()) {
+    return {
+        .pose = Eigen::Isometry3d(Eigen::Translation3d(place)), .velocity = velocity, .spin = spin};
+}
+
+} // namespace idiophone::test
