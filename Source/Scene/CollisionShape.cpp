@@ -108,6 +108,8 @@ btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& point
         shape->addPoint(corner, false);
     shape->recalcLocalAabb();
     shape->setMargin(margin);
+    if (computer.vertices.size() <= mostHullVertices)
+        shape->initializePolyhedralFeatures(); // what has faces meets others with the whole of one
     return shape;
 }
 

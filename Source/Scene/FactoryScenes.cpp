@@ -1,6 +1,6 @@
 #include "Scene/FactoryScenes.h"
 
-#include "Scene/SceneFile.h"
+#include "Scene/SceneText.h"
 #include "SceneFiles.h"
 
 #include <algorithm>

@@ -1,19 +1,12 @@
-// Scenes as JSON text; docs/scenes.md specifies it.
+// Scenes from files.
 #pragma once
 
 #include "Object/Result.h"
 #include "Scene/Scene.h"
 
 #include <filesystem>
-#include <string_view>
 
 namespace idiophone {
-
-inline constexpr int sceneFormatVersion = 1;
-
-/// Parses a scene; `file` stands for it in errors, which name the place in the file. Objects and
-/// presets are named, not looked for.
-Result<Scene> parseScene(std::string_view text, std::string_view file);
 
 /// The scene of a file. Objects and presets that it names by a path are seen from its folder.
 Result<Scene> readSceneFile(const std::filesystem::path& file);

@@ -1,7 +1,6 @@
 // Performances: songs as falling dice, slots, chance.
 #include "Scene/SceneMotion.h"
 #include "Scene/FactoryScenes.h"
-#include "Scene/SceneFile.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,7 +1,5 @@
 // Scene files: what they may say, and what is said of bad ones.
-#include "Scene/SceneFile.h"
-
-#include "Scene/FactoryScenes.h"
+#include "Scene/SceneText.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <string>

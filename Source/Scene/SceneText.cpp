@@ -1,0 +1,297 @@
+#include "Scene/SceneText.h"
+
+#include "Instrument/SurfaceFile.h"
+#include "Object/Material.h"
+#include "Object/OneLine.h"
+#include "Object/UntrustedJson.h"
+#include "Scene/JsonPlace.h"
+
+#include <algorithm>
+#include <array>
+
+namespace idiophone {
+namespace {
+
+// Generous bounds, within which single precision and the rigid bodies stay well.
+constexpr double farthestMetres = 1000;
+constexpr double fastestMetresPerSecond = 100;
+constexpr double fastestTurnsPerSecond = 100;
+constexpr double longestSeconds = 3600;
+constexpr int mostBodies = 10000;
+constexpr std::size_t mostKinds = 24; // a bit each in SceneCast
+constexpr std::size_t mostEntries = 10000;
+
+constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
+    {"hull", BodyForm::hull},
+    {"ring", BodyForm::ring},
+    {"sphere", BodyForm::sphere},
+    {"cylinder", BodyForm::cylinder},
+    {"surface", BodyForm::surface},
+    {"ground", BodyForm::ground},
+}};
+
+BodyForm parseForm(const JsonPlace& place) {
+    const auto name = place.text();
+    for (const auto& [known, form] : formNames)
+        if (name == known)
+            return form;
+    place.fail("is " + inQuotes(name) +
+               " and none of hull, ring, sphere, cylinder, surface and ground");
+}
+
+std::size_t parseKindName(const JsonPlace& place, const std::vector<BodyTemplate>& kinds) {
+    const auto name = place.text();
+    const auto found = std::ranges::find(kinds, name, &BodyTemplate::name);
+    if (found == kinds.end())
+        place.fail("is " + inQuotes(name) + ", which is none of the kinds");
+    return static_cast<std::size_t>(found - kinds.begin());
+}
+
+Surface parseSurfaceAt(const JsonPlace& place) {
+    auto surface = parseSurface(place.json().dump(), "surface");
+    if (!surface)
+        place.fail("is no surface: " + surface.error().message);
+    return std::move(*surface);
+}
+
+SilentBall parseBall(const JsonPlace& place) {
+    place.allow({"radius", "material"});
+    SilentBall ball{.radiusMetres = place.at("radius").number(1e-4, 10),
+                    .material = place.at("material").text()};
+    if (findMaterial(ball.material) == nullptr)
+        place.at("material").fail("is " + inQuotes(ball.material) + ", which is no material");
+    return ball;
+}
+
+BodyTemplate parseKind(const JsonPlace& place) {
+    place.allow({"name", "object", "ball", "form", "fixed", "size", "friction", "restitution",
+                 "rolling_friction", "contact_radius", "surface", "passes"});
+    BodyTemplate kind;
+    kind.name = place.at("name").text();
+    if (place.has("ball") == place.has("object"))
+        place.fail("needs either 'object' or 'ball'");
+    if (place.has("object"))
+        kind.object = place.at("object").text();
+    else
+        kind.ball = parseBall(place.at("ball"));
+    if (kind.ball)
+        kind.form = BodyForm::sphere;
+    if (place.has("form"))
+        kind.form = parseForm(place.at("form"));
+    if (place.has("fixed"))
+        kind.isFixed = place.at("fixed").truth();
+    if (place.has("size"))
+        kind.sizeRatio = place.at("size").number(0.001, 1000);
+    if (place.has("friction"))
+        kind.friction = place.at("friction").number(0, 10);
+    if (place.has("restitution"))
+        kind.restitution = place.at("restitution").number(0, 1);
+    if (place.has("rolling_friction"))
+        kind.rollingFrictionMetres = place.at("rolling_friction").number(0, 1);
+    if (place.has("contact_radius"))
+        kind.contactRadiusMetres = place.at("contact_radius").number(1e-5, farthestMetres);
+    if (place.has("surface"))
+        kind.surface = parseSurfaceAt(place.at("surface"));
+    if (!kind.isFixed && (kind.form == BodyForm::surface || kind.form == BodyForm::ground))
+        place.at("form").fail("is for fixed bodies only");
+    return kind;
+}
+
+/// In a second pass, for kinds may be named before they are described.
+void parsePasses(const JsonPlace& place,
+                 BodyTemplate& kind,
+                 const std::vector<BodyTemplate>& kinds) {
+    if (!place.has("passes"))
+        return;
+    for (const auto& name : place.at("passes").list(mostKinds))
+        kind.passes.push_back(parseKindName(name, kinds));
+}
+
+Scattered parseScattered(const JsonPlace& place, const char* key, double reach) {
+    Scattered quantity;
+    if (place.has(key))
+        quantity.mean = place.at(key).vector(reach);
+    const std::string scatter = std::string(key) + "_scatter";
+    if (place.has(scatter.c_str()))
+        quantity.reach = place.at(scatter.c_str()).vector(reach).cwiseAbs();
+    return quantity;
+}
+
+Release parseRelease(const JsonPlace& place, const std::vector<BodyTemplate>& kinds) {
+    place.allow({"kind", "count", "time", "over", "at", "at_scatter", "turned", "turned_scatter",
+                 "turned_at_random", "velocity", "velocity_scatter", "spin", "spin_scatter"});
+    Release release;
+    release.kind = parseKindName(place.at("kind"), kinds);
+    if (place.has("count"))
+        release.count = place.at("count").integer(1, mostBodies);
+    if (place.has("time"))
+        release.seconds = place.at("time").number(0, longestSeconds);
+    if (place.has("over"))
+        release.overSeconds = place.at("over").number(0, longestSeconds);
+    release.positionMetres = parseScattered(place, "at", farthestMetres);
+    release.turnedDegrees = parseScattered(place, "turned", 360);
+    if (place.has("turned_at_random"))
+        release.isTurnedAtRandom = place.at("turned_at_random").truth();
+    release.velocityMetresPerSecond = parseScattered(place, "velocity", fastestMetresPerSecond);
+    release.spinTurnsPerSecond = parseScattered(place, "spin", fastestTurnsPerSecond);
+    return release;
+}
+
+Kick parseKick(const JsonPlace& place, const std::vector<BodyTemplate>& kinds) {
+    place.allow({"kind", "time", "velocity", "velocity_scatter", "spin", "spin_scatter"});
+    Kick kick;
+    kick.kind = parseKindName(place.at("kind"), kinds);
+    if (kinds[kick.kind].isFixed)
+        place.at("kind").fail("is fixed and cannot be thrown");
+    kick.seconds = place.at("time").number(0, longestSeconds);
+    kick.velocityMetresPerSecond = parseScattered(place, "velocity", fastestMetresPerSecond);
+    kick.spinTurnsPerSecond = parseScattered(place, "spin", fastestTurnsPerSecond);
+    return kick;
+}
+
+KeyboardStage parseKeyboard(const JsonPlace& place) {
+    place.allow({"preset", "spacing", "at"});
+    KeyboardStage stage;
+    stage.preset = place.at("preset").text();
+    if (place.has("spacing"))
+        stage.spacingMetres = place.at("spacing").number(0.001, 10);
+    if (place.has("at"))
+        stage.positionMetres = place.at("at").vector(farthestMetres);
+    return stage;
+}
+
+NoteDrop parseNoteDrop(const JsonPlace& place, const std::vector<BodyTemplate>& kinds) {
+    place.allow({"kind", "heights", "scatter", "life", "at"});
+    NoteDrop drop;
+    drop.kind = parseKindName(place.at("kind"), kinds);
+    if (kinds[drop.kind].isFixed)
+        place.at("kind").fail("is fixed and cannot be dropped");
+    if (place.has("heights")) {
+        const auto heights = place.at("heights").list(2);
+        if (heights.size() != 2)
+            place.at("heights").fail(
+                "is not a list of two heights, of the softest and the hardest");
+        drop.softestMetres = heights[0].number(0.001, 100);
+        drop.hardestMetres = heights[1].number(0.001, 100);
+    }
+    if (place.has("scatter"))
+        drop.reachMetres = place.at("scatter").vector(10).cwiseAbs().head<2>();
+    if (place.has("life"))
+        drop.lifeSeconds = place.at("life").number(0.01, 60);
+    if (place.has("at"))
+        drop.positionMetres = place.at("at").vector(farthestMetres);
+    return drop;
+}
+
+Listener parseListener(const JsonPlace& place) {
+    place.allow({"at", "towards"});
+    Listener listener;
+    if (place.has("at"))
+        listener.positionMetres = place.at("at").vector(farthestMetres);
+    if (place.has("towards"))
+        listener.towardsMetres = place.at("towards").vector(farthestMetres);
+    if ((listener.towardsMetres - listener.positionMetres).norm() < 1e-6)
+        place.fail("is at the place it looks towards");
+    return listener;
+}
+
+ParameterValues parseParameters(const JsonPlace& place) {
+    if (!place.json().is_object())
+        place.fail("is not a JSON object");
+    ParameterValues values;
+    for (const auto& [id, value] : place.json().items()) {
+        const auto* info = findParameter(id);
+        if (info == nullptr)
+            place.fail("has no " + inQuotes(id));
+        const auto parsed = value.is_string()   ? parseParameter(*info, value.get<std::string>())
+                            : value.is_number() ? std::optional(value.get<double>())
+                                                : std::nullopt;
+        if (!parsed)
+            place.at(id.c_str()).fail("is a value that it cannot take");
+        values.set(info->parameter, *parsed);
+    }
+    return values;
+}
+
+void parseTimes(const JsonPlace& root, Scene& scene) {
+    if (root.has("seconds"))
+        scene.seconds = root.at("seconds").number(0.001, longestSeconds);
+    if (root.has("seed"))
+        scene.seed = static_cast<std::uint32_t>(root.at("seed").integer(0, 1'000'000'000));
+    if (root.has("steps_per_second"))
+        scene.stepsPerSecond = root.at("steps_per_second").number(1000, 20000);
+    if (root.has("gravity"))
+        scene.gravityMetresPerSecond2 = root.at("gravity").number(0, 100);
+}
+
+void parseKinds(const JsonPlace& root, Scene& scene) {
+    const auto places = root.at("kinds").list(mostKinds);
+    for (const auto& place : places) {
+        scene.kinds.push_back(parseKind(place));
+        const auto& name = scene.kinds.back().name;
+        if (std::ranges::count(scene.kinds, name, &BodyTemplate::name) > 1)
+            place.at("name").fail("is " + inQuotes(name) + " like that of another kind");
+    }
+    for (std::size_t k = 0; k < places.size(); ++k)
+        parsePasses(places[k], scene.kinds[k], scene.kinds);
+}
+
+Scene parse(const JsonPlace& root) {
+    if (!root.json().is_object() || !root.has("format") ||
+        root.json()["format"] != "idiophone-scene")
+        root.fail("is not an Idiophone scene");
+    if (root.at("version").integer(1, 1'000'000'000) > sceneFormatVersion)
+        root.fail("was made by a newer Idiophone");
+    root.allow({"format", "version", "name", "description", "seconds", "seed", "steps_per_second",
+                "gravity", "kinds", "bodies", "kicks", "keyboard", "notes", "listener",
+                "parameters"});
+    Scene scene;
+    scene.name = root.at("name").text();
+    if (root.has("description"))
+        scene.description = root.at("description").text();
+    parseTimes(root, scene);
+    if (root.has("kinds"))
+        parseKinds(root, scene);
+    if (root.has("bodies"))
+        for (const auto& place : root.at("bodies").list(mostEntries))
+            scene.releases.push_back(parseRelease(place, scene.kinds));
+    int count = 0;
+    for (const auto& release : scene.releases)
+        count += release.count;
+    if (count > mostBodies)
+        root.at("bodies").fail("are more than " + std::to_string(mostBodies));
+    if (root.has("kicks"))
+        for (const auto& place : root.at("kicks").list(mostEntries))
+            scene.kicks.push_back(parseKick(place, scene.kinds));
+    if (root.has("keyboard"))
+        scene.keyboard = parseKeyboard(root.at("keyboard"));
+    if (root.has("notes"))
+        scene.noteDrop = parseNoteDrop(root.at("notes"), scene.kinds);
+    if (root.has("listener"))
+        scene.listener = parseListener(root.at("listener"));
+    if (root.has("parameters"))
+        scene.parameters = parseParameters(root.at("parameters"));
+    if (scene.releases.empty() && !scene.noteDrop)
+        root.fail("has nothing that moves: neither 'bodies' nor 'notes'");
+    return scene;
+}
+
+} // namespace
+
+Result<Scene> parseScene(std::string_view text, std::string_view file) {
+    const auto refuse = [&](const std::string& sentence) {
+        return failure(std::string(file) + ": " + sentence);
+    };
+    try {
+        const auto root = parseUntrusted(text);
+        if (root.is_discarded())
+            return refuse("it is not JSON" + placeOfJsonFault(text));
+        return parse(JsonPlace(root));
+    } catch (const JsonPlace::Fault& fault) {
+        return refuse(fault.sentence);
+    } catch (const nlohmann::json::exception&) {
+        return refuse("it is damaged");
+    }
+}
+
+} // namespace idiophone
