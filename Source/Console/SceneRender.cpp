@@ -40,14 +40,15 @@ public:
         const auto start = std::chrono::steady_clock::now();
         motion.advanceTo(sound.nextCellEndSeconds());
         const auto moved = std::chrono::steady_clock::now();
-        sound.beginCell(cell);
+        sound.beginCell();
         while (const auto blow = motion.takeBlow(sound.cellEndSeconds())) {
-            if (sound.strike(*blow, cell))
+            if (sound.strike(*blow))
                 tally.blows.push_back(*blow);
             else
                 ++tally.blowsLeftOut;
         }
-        sound.touch(motion.touches(), cell);
+        sound.touch(motion.touches());
+        sound.finishCell(motion.places(), cell);
         const auto sounded = std::chrono::steady_clock::now();
         tally.motionSeconds += std::chrono::duration<double>(moved - start).count();
         tally.soundSeconds += std::chrono::duration<double>(sounded - moved).count();

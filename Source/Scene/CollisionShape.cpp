@@ -16,7 +16,7 @@ namespace {
 constexpr double roundestSection = 1.25; // of a ring: width to height, or the other way round
 constexpr int capsules = 16;
 constexpr int sectors = 20; // of a ring
-constexpr int mostHullVertices = 96;
+constexpr int mostHullVertices = 72;
 constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision makes four of one
 constexpr double marginShare = 0.01;            // of a shape's smallest measure
 constexpr double mostMarginMetres = 5e-4;

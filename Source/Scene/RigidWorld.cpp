@@ -145,6 +145,10 @@ BodyMotion RigidWorld::motion(std::size_t body) const {
             .spin = toEigen(rigid.getAngularVelocity())};
 }
 
+Eigen::Vector3d RigidWorld::centre(std::size_t body) const {
+    return toEigen(implementation->at(body).rigid->getCenterOfMassPosition());
+}
+
 void RigidWorld::setVelocity(std::size_t body,
                              const Eigen::Vector3d& velocity,
                              const Eigen::Vector3d& spin) {
@@ -161,7 +165,7 @@ void RigidWorld::step() {
             const auto before = motion(body);
             auto& now = all.inStep[body];
             now.worldFromMesh = before.pose;
-            now.centre = toEigen(all.bodies[body].rigid->getCenterOfMassPosition());
+            now.centre = centre(body);
             now.velocity = before.velocity;
             now.spin = before.spin;
         }

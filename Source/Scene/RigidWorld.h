@@ -35,8 +35,9 @@ public:
     std::size_t add(std::size_t kind, const BodyMotion& motion);
     void remove(std::size_t body);
     bool has(std::size_t body) const;
-    std::size_t kindOf(std::size_t body) const; ///< also of one that was removed
-    BodyMotion motion(std::size_t body) const;  ///< of one that is there
+    std::size_t kindOf(std::size_t body) const;     ///< also of one that was removed
+    BodyMotion motion(std::size_t body) const;      ///< of one that is there
+    Eigen::Vector3d centre(std::size_t body) const; ///< of mass, likewise
     void
     setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
 

@@ -58,7 +58,9 @@ void SceneMotion::standKeyboard() {
     for (const auto& bar : cast->keyboard()) {
         slotOfBody.push_back(newSlot(bar.role));
         roleOfBody.push_back(bar.role);
-        rigid.add(bar.role, bar.motion);
+        const auto body = rigid.add(bar.role, bar.motion);
+        if (slotOfBody.back() != noSlot)
+            slotPlaces[slotOfBody.back()] = rigid.centre(body);
         ++counted.bodies;
     }
 }
@@ -67,6 +69,7 @@ std::size_t SceneMotion::newSlot(std::size_t role) {
     if (!cast->roles()[role].isHeard())
         return noSlot;
     allSlots.push_back(cast->slotOf(role));
+    slotPlaces.push_back(Eigen::Vector3d::Zero());
     return allSlots.size() - 1;
 }
 
@@ -157,6 +160,13 @@ double SceneMotion::lowestPoint(std::size_t role, const Eigen::Quaterniond& turn
 void SceneMotion::advanceTo(double seconds) {
     while (rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
         step();
+    follow();
+}
+
+void SceneMotion::follow() {
+    for (const auto& one : present)
+        if (const auto slot = slotOfBody[one.body]; slot != noSlot)
+            slotPlaces[slot] = rigid.centre(one.body);
 }
 
 void SceneMotion::step() {

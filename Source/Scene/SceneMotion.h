@@ -50,6 +50,9 @@ public:
         return tracker.states();
     }
 
+    /// Where each slot's body is, or was last.
+    std::span<const Eigen::Vector3d> places() const { return slotPlaces; }
+
     /// Nothing more will happen: the scene's time is over and every note has fallen.
     bool finished() const;
 
@@ -81,6 +84,7 @@ private:
     void kick(double now);
     void takeAway(double now);
     void tell(const Impact& impact);
+    void follow();
 
     std::shared_ptr<const SceneCast> cast;
     const Scene& scene;
@@ -98,6 +102,7 @@ private:
     std::vector<Present> present;
     std::vector<std::size_t> slotOfBody, roleOfBody; ///< by body
     std::deque<SceneBlow> blows;                     ///< in order of time
+    std::vector<Eigen::Vector3d> slotPlaces;
     TouchTracker tracker;
     double overSeconds = 0;
     Figures counted;

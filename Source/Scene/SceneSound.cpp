@@ -3,6 +3,7 @@
 #include "Instrument/SharedSurfaceProfile.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace idiophone {
 
@@ -10,8 +11,13 @@ SceneSound::SceneSound(const SceneCast& cast,
                        std::vector<SynthesiserSlot> slots,
                        double sampleRateHz,
                        std::uint64_t seed)
-    : synth(std::move(slots), sampleRateHz, 2), cellSeconds(cellSamples / sampleRateHz),
-      startSeconds(-cellSeconds) {
+    : synth(std::move(slots), sampleRateHz, 1), head(cast.scene().listener),
+      samples(synth.slotCount() * cellSamples),
+      sources(synth.slotCount(), PlacedSource(sampleRateHz)),
+      cellSeconds(cellSamples / sampleRateHz), startSeconds(-cellSeconds) {
+    for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
+        cells.emplace_back(
+            std::span<float, cellSamples>(&samples[slot * cellSamples], cellSamples));
     std::vector<Surface> surfaces;
     for (const auto& role : cast.roles()) {
         auto known = std::ranges::find(surfaces, role.sound);
@@ -30,19 +36,21 @@ SceneSound::SceneSound(const SceneCast& cast,
     }
 }
 
-void SceneSound::beginCell(const CellOutput& cell) {
+void SceneSound::beginCell() noexcept {
     startSeconds = static_cast<double>(cellsBegun++) * cellSeconds;
-    synth.beginCell(cell);
+    synth.beginCell(cells);
 }
 
-bool SceneSound::strike(const SceneBlow& blow, const CellOutput& cell) {
+bool SceneSound::strike(const SceneBlow& blow) noexcept {
+    if (blow.slot >= cells.size())
+        return false;
     const double sample = (blow.seconds - startSeconds) * synth.sampleRateHz();
     return synth.strike(blow.slot, blow.strike,
-                        std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0)), cell);
+                        std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0)),
+                        cells[blow.slot]);
 }
 
-void SceneSound::touch(std::span<const TouchState, TouchTracker::voiceCount> states,
-                       const CellOutput& cell) {
+void SceneSound::touch(std::span<const TouchState, TouchTracker::voiceCount> states) noexcept {
     for (std::size_t k = 0; k < voices.size(); ++k) {
         auto& voice = voices[k];
         const auto& state = states[k];
@@ -50,21 +58,33 @@ void SceneSound::touch(std::span<const TouchState, TouchTracker::voiceCount> sta
         if (!press(voice, state, newtons))
             continue;
         for (std::size_t side = 0; side < 2; ++side)
-            if (state.slots[side] < synth.slotCount())
-                synth.applyForce(state.slots[side],
+            if (const auto slot = state.slots[side]; slot < cells.size())
+                synth.applyForce(slot,
                                  {.contact = k,
                                   .start = {.points = {voice.last.points[side], {}}},
                                   .end = {.points = {state.points[side], {}}},
                                   .newtons = newtons},
-                                 cell);
+                                 cells[slot]);
         voice.last = state;
+    }
+}
+
+void SceneSound::finishCell(std::span<const Eigen::Vector3d> places,
+                            const CellOutput& ears) noexcept {
+    for (std::size_t ear = 0; ear < 2; ++ear)
+        std::fill_n(ears[ear].data(), cellSamples, 0.0f);
+    for (std::size_t slot = 0; slot < cells.size(); ++slot) {
+        const auto cell = cells[slot][0];
+        const bool sounds = std::ranges::any_of(cell, [](float x) { return x != 0; });
+        if (sounds || !sources[slot].silent())
+            sources[slot].add(cell, head.path(places[slot]), ears);
     }
 }
 
 /// The force of a voice in this cell, if it has any.
 bool SceneSound::press(Voice& voice,
                        const TouchState& state,
-                       std::span<float, cellSamples> newtons) {
+                       std::span<float, cellSamples> newtons) noexcept {
     if (state.pair == 0)
         return false;
     if (state.pair != voice.last.pair) {
@@ -84,7 +104,7 @@ bool SceneSound::press(Voice& voice,
 }
 
 bool SceneSound::silent() const {
-    return synth.silent();
+    return synth.silent() && std::ranges::all_of(sources, &PlacedSource::silent);
 }
 
 } // namespace idiophone

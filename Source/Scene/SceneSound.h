@@ -2,7 +2,10 @@
 // continuous forces, on the synthesiser's grid.
 #pragma once
 
+#include "Scene/HeadModel.h"
+#include "Scene/PlacedSource.h"
 #include "Scene/SceneMotion.h"
+#include "Synth/AlignedVector.h"
 #include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
 
@@ -25,12 +28,13 @@ public:
     void setSettings(const SynthesisSettings& settings) { synth.setSettings(settings); }
 
     /// Begins the next cell, with what rings.
-    void beginCell(const CellOutput& cell);
+    void beginCell() noexcept;
     /// A blow within it. False where too many contacts are under way on its slot.
-    bool strike(const SceneBlow& blow, const CellOutput& cell);
+    bool strike(const SceneBlow& blow) noexcept;
     /// What slides and rolls until its end.
-    void touch(std::span<const TouchState, TouchTracker::voiceCount> states,
-               const CellOutput& cell);
+    void touch(std::span<const TouchState, TouchTracker::voiceCount> states) noexcept;
+    /// What the listener hears of it, with each slot at its place in metres by then.
+    void finishCell(std::span<const Eigen::Vector3d> places, const CellOutput& ears) noexcept;
 
     double cellStartSeconds() const { return startSeconds; }
     double cellEndSeconds() const { return startSeconds + cellSeconds; }
@@ -46,9 +50,14 @@ private:
         bool sounds = false;
     };
 
-    bool press(Voice& voice, const TouchState& state, std::span<float, cellSamples> newtons);
+    bool
+    press(Voice& voice, const TouchState& state, std::span<float, cellSamples> newtons) noexcept;
 
     Synthesiser synth;
+    HeadModel head;
+    AlignedVector<float> samples;      ///< [slots, 64]
+    std::vector<CellOutput> cells;     ///< in them
+    std::vector<PlacedSource> sources; ///< of the slots
     double cellSeconds;
     double startSeconds;
     std::int64_t cellsBegun = 0;

@@ -30,6 +30,11 @@ bool valid(const LiveMaterial& material) {
            notNegative(material.damping.lossFactor);
 }
 
+void clear(const CellOutput& cell) {
+    for (std::size_t c = 0; c < cell.channels(); ++c)
+        std::fill_n(cell[c].data(), cellSamples, 0.0f);
+}
+
 /// Every figure that is out of its range keeps what it was.
 SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& previous) {
     const auto keepUnless = [](bool good, double& value, double before) {
@@ -131,9 +136,19 @@ void Synthesiser::setSilencedModes(std::size_t slot,
 }
 
 void Synthesiser::beginCell(const CellOutput& cell) noexcept {
+    clear(cell);
+    mixInto([&cell](std::size_t) -> const CellOutput& { return cell; });
+}
+
+void Synthesiser::beginCell(std::span<const CellOutput> cellsOfSlots) noexcept {
+    for (const CellOutput& cell : cellsOfSlots)
+        clear(cell);
+    mixInto([cellsOfSlots](std::size_t slot) -> const CellOutput& { return cellsOfSlots[slot]; });
+}
+
+template <class CellOf>
+void Synthesiser::mixInto(CellOf cellOf) noexcept {
     auto& all = *implementation;
-    for (std::size_t c = 0; c < cell.channels(); ++c)
-        std::fill_n(cell[c].data(), cellSamples, 0.0f);
     all.listSounding();
     all.mixedNow = 0;
     shareModeBudget(all.demands, all.settings.modeBudget, all.settings.qualitySlope, all.ranking,
@@ -141,7 +156,7 @@ void Synthesiser::beginCell(const CellOutput& cell) noexcept {
     for (std::size_t k = 0; k < all.sounding.size(); ++k) {
         const auto slot = static_cast<std::size_t>(all.sounding[k]);
         all.slotShares[slot] = all.shares[k];
-        all.objects[slot].mix(all.shares[k], cell);
+        all.objects[slot].mix(all.shares[k], cellOf(slot));
         all.mixedNow += all.objects[slot].modesMixedNow();
     }
     all.report();

@@ -52,6 +52,8 @@ public:
 
     /// Advances by one cell and writes what rings into `cell`.
     void beginCell(const CellOutput& cell) noexcept;
+    /// The same with a cell for each slot, for listeners to whom they are in different places.
+    void beginCell(std::span<const CellOutput> cellsOfSlots) noexcept;
 
     /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the cell begun last and
     /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, within
@@ -97,6 +99,10 @@ public:
 
 private:
     struct Implementation;
+
+    template <class CellOf>
+    void mixInto(CellOf cellOf) noexcept;
+
     std::unique_ptr<Implementation> implementation;
 };
 

@@ -1,0 +1,61 @@
+#include "Scene/HeadModel.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double headRadiusMetres = 0.0875, speedOfSound = 343;
+constexpr double headSeconds = headRadiusMetres / speedOfSound;
+constexpr double earDegrees = 100; // from straight ahead: a little behind the middle
+constexpr double leastHighGain = 0.1, darkestDegrees = 150;
+constexpr double airDecibelsAMetre = 0.16;
+
+/// Around the sphere on its far side (Woodworth); 0 where the sound comes straight at the ear.
+double delaySeconds(double incidence) {
+    const double arrival = incidence < pi / 2 ? -std::cos(incidence) : incidence - pi / 2;
+    return headSeconds * (1 + arrival);
+}
+
+double highFrequencyGain(double incidence) {
+    return 1 + leastHighGain / 2 +
+           (1 - leastHighGain / 2) * std::cos(incidence * 180 / darkestDegrees);
+}
+
+} // namespace
+
+double headCornerHz() {
+    return 1 / headSeconds / (2 * pi);
+}
+
+HeadModel::HeadModel(const Listener& listener) : position(listener.positionMetres) {
+    Eigen::Vector3d ahead = listener.towardsMetres - listener.positionMetres;
+    ahead.z() = 0;
+    if (ahead.norm() < 1e-9) // it looks straight up or down
+        ahead = Eigen::Vector3d::UnitY();
+    ahead.normalize();
+    for (std::size_t ear = 0; ear < 2; ++ear) {
+        const double turn = (ear == 0 ? 1 : -1) * earDegrees * pi / 180;
+        ears[ear] = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * ahead;
+    }
+}
+
+HeardPath HeadModel::path(const Eigen::Vector3d& placeMetres) const {
+    const Eigen::Vector3d way = placeMetres - position;
+    const double metres = std::max(way.norm(), nearestMetres);
+    HeardPath path{
+        .ears = {}, .gain = 1 / metres, .airGain = std::pow(10, -airDecibelsAMetre * metres / 20)};
+    for (std::size_t ear = 0; ear < 2; ++ear) {
+        const double incidence = std::acos(std::clamp(way.dot(ears[ear]) / metres, -1.0, 1.0));
+        path.ears[ear] = {.delaySeconds = delaySeconds(incidence),
+                          .highFrequencyGain = highFrequencyGain(incidence)};
+    }
+    return path;
+}
+
+} // namespace idiophone
