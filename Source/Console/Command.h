@@ -26,6 +26,6 @@ void addToneMap(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
 void addBench(CLI::App& program, Action& chosen);
 void addMaterials(CLI::App& program, Action& chosen);
-void addLists(CLI::App& program, Action& chosen); ///< presets, parameters
+void addLists(CLI::App& program, Action& chosen); ///< presets, parameters, scenes
 
 } // namespace idiophone

@@ -82,6 +82,8 @@ void parseMember(const std::string& key, const json& value, Impulse& impulse) {
         impulse.impulseNewtonSeconds = vector(value, "'impulse'", largestImpulse);
     else if (key == "contact_time")
         impulse.contactSeconds = number(value, "'contact_time'", 0, longestContactSeconds);
+    else if (key == "size")
+        impulse.sizeRatio = number(value, "'size'", 0.001, 1000);
     else
         throw Fault{"an impulse has no " + inQuotes(key)};
 }

@@ -21,6 +21,7 @@ struct Impulse {
     std::array<double, 3> pointMetres{}; ///< in the object's coordinates
     std::array<double, 3> impulseNewtonSeconds{};
     double contactSeconds = 0; ///< 0: an ideal impulse
+    double sizeRatio = 1;      ///< the object scaled; the point is on it as it is
 };
 
 /// The file's impulses in order of time, those of one time in the file's order. The error has one

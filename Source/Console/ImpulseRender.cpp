@@ -55,7 +55,9 @@ Result<Scene> arrange(std::span<const Impulse> impulses, const std::filesystem::
         const auto [body, isNew] =
             slotOfBody.try_emplace({impulse.object, impulse.body}, scene.slots.size());
         if (isNew)
-            scene.slots.push_back({.object = object, .sizeRatio = 1});
+            scene.slots.push_back({.object = object, .sizeRatio = impulse.sizeRatio});
+        else if (scene.slots[body->second].sizeRatio != impulse.sizeRatio)
+            return failure(place + "its 'size' is another one than before of the same body");
 
         const auto& surface = surfaces.at(impulse.object);
         const auto point = impulse.vertex ? surface.atVertex(*impulse.vertex)

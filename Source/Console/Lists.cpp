@@ -2,6 +2,7 @@
 #include "Console/JsonText.h"
 #include "Instrument/FactoryContent.h"
 #include "Parameters/ParameterTable.h"
+#include "Scene/FactoryScenes.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -103,12 +104,28 @@ void addList(CLI::App& program,
     });
 }
 
+ordered_json describeScenes() {
+    ordered_json list = ordered_json::array();
+    for (const auto& scene : factoryScenes())
+        list.push_back({{"name", scene.name},
+                        {"description", scene.description},
+                        {"seconds", scene.seconds},
+                        {"takes_midi", scene.noteDrop.has_value()}});
+    return list;
+}
+
+void printScenes() {
+    for (const auto& scene : factoryScenes())
+        std::cout << column(scene.name, 22) << scene.description << '\n';
+}
+
 } // namespace
 
 void addLists(CLI::App& program, Action& chosen) {
     addList(program, chosen, "presets", "Lists the factory presets", describePresets, printPresets);
     addList(program, chosen, "parameters", "Lists the parameters that --set takes",
             describeParameters, printParameters);
+    addList(program, chosen, "scenes", "Lists the factory scenes", describeScenes, printScenes);
 }
 
 } // namespace idiophone

@@ -21,8 +21,9 @@ int run(int argc, char** argv) {
     CLI::App program("Idiophone: triangle meshes become playable modal objects", "idiophone");
     program.set_version_flag("--version", "Idiophone " IDIOPHONE_VERSION);
     Action chosen;
-    for (const auto add : {addAnalyse, addInfo, addStrike, addRender, addScene, addMesh, addFactory, addTune,
-                           addFit, addToneMap, addBench, addSurface, addMaterials, addLists})
+    for (const auto add :
+         {addAnalyse, addInfo, addStrike, addRender, addScene, addMesh, addFactory, addTune, addFit,
+          addToneMap, addBench, addSurface, addMaterials, addLists})
         add(program, chosen);
     try {
         program.parse(argc, argv);
