@@ -42,7 +42,7 @@ class Scenes(ConsoleTest):
         self.assertEqual(self.perform(file)[1].left, self.perform(file, name="again.wav")[1].left)
 
     def test_what_is_out_of_budget_is_counted(self):
-        report, _ = self.perform(self.scene(), "--set", "mode_budget=16")
+        report, _ = self.perform(self.scene(), "--set", "budget=16")
         self.assertGreater(max(report["modes_dropped"]), 0)
 
     def test_impacts_are_written_as_impulses_that_render(self):
