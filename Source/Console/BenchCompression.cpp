@@ -38,7 +38,9 @@ LevelError levelError(const std::shared_ptr<const ModalObject>& object) {
             .weights = {1, 0, 0},
             .normal = {normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]}};
         const Strike strike = strikeInto(point, 0.01, 0);
-        const double error = std::abs(levelDb(object, strike, 1) - levelDb(object, strike, 0));
+        const double grouped = levelDb(object, strike, 1), single = levelDb(object, strike, 0);
+        // Both are −∞ where every mode is beyond the band, as a pebble's are.
+        const double error = grouped == single ? 0 : std::abs(grouped - single);
         found.meanDb += error / placesStruck;
         found.largestDb = std::max(found.largestDb, error);
     }
