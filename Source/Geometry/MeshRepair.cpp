@@ -49,8 +49,11 @@ void dropUnusable(RepairedMesh& repaired) {
 }
 
 void joinTJunctions(RepairedMesh& repaired, double weldTolerance) {
-    // An edge may run through vertices that only a first round puts on the boundary.
-    for (int round = 0; round < 3; ++round) {
+    // An edge may run through vertices that only the rounds before, and the faces that they drop,
+    // put on the boundary. A mesh that keeps at it is a tangle and stays as it is.
+    constexpr int mostRounds = 100;
+    const auto most = 1000 + 2 * repaired.mesh.faceCount();
+    for (int round = 0; round < mostRounds && repaired.report.joinedVertices <= most; ++round) {
         // The tolerance is a share of what is left, as another repair would take it.
         const double toleranceMetres = 10 * weldTolerance * boundingDiagonalMetres(repaired.mesh);
         const int joined = splitTJunctions(repaired.mesh, toleranceMetres);

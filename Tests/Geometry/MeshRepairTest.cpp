@@ -200,6 +200,21 @@ TEST_CASE("A vertex near an edge is joined within ten weld tolerances and left b
     CHECK(repairMesh(mesh)->report.joinedVertices == 0);
 }
 
+TEST_CASE("T-junctions are joined until there are none, however many rounds that takes") {
+    Mesh mesh{Eigen::MatrixXd(16, 3), Eigen::MatrixXi(23, 3)};
+    mesh.vertices << 13, 15, 3, 13, 8, 6, 5, 0, 0, 0, 8, 14.25, 0, 0, 8, 0, 0, 4, 1e-7, 0, 1e-7, 0,
+        0, 8, 0, 8, 0, 0, 0, 9, 0, 0, 0, 13, 0, 0, 0, 0, 0, 0, 0, 6, 0, 0, 11.5, 11, 0, 0;
+    mesh.faces << 0, 1, 2, 3, 2, 3, 3, 3, 4, 5, 4, 6, 5, 5, 6, 0, 1, 4, 4, 0, 0, 0, 1, 1, 4, 9, 3,
+        3, 3, 4, 5, 4, 6, 14, 5, 6, 0, 1, 4, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 10, 11, 10, 12, 11, 11,
+        12, 13, 13, 12, 14, 13, 13, 14, 15, 14, 1, 15, 15, 1;
+    const auto repaired = repairMesh(mesh);
+    REQUIRE(repaired);
+    const auto again = repairMesh(repaired->mesh);
+    REQUIRE(again);
+    INFO(again->report.text());
+    CHECK_FALSE(again->report.changedAnything());
+}
+
 TEST_CASE("A cap, a face with its apex on its longest side, is replaced without a gap") {
     Mesh mesh{Eigen::MatrixXd(5, 3), Eigen::MatrixXi(4, 3)};
     mesh.vertices << 0, 0, 0, 1, 0, 0, 0.5, 0, 0, 0.5, -1, 0, 0.5, 1, 0;
