@@ -1,49 +1,32 @@
 #include "Geometry/MeshCleaning.h"
 
+#include "Geometry/VertexTree.h"
+
+#include <CGAL/Fuzzy_sphere.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <igl/remove_duplicate_vertices.h>
-#include <numeric>
+#include <iterator>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
-/// Numbers the classes of equal vertices in order of their first member.
-std::vector<int> numberedInOrder(const std::vector<int>& classOfVertex, int& count) {
-    std::vector<int> numberOfClass(classOfVertex.size(), -1), result;
-    result.reserve(classOfVertex.size());
-    count = 0;
-    for (const int c : classOfVertex) {
-        if (numberOfClass[c] < 0)
-            numberOfClass[c] = count++;
-        result.push_back(numberOfClass[c]);
+/// For each vertex the first that is in exactly the same place.
+std::vector<int> firstInPlace(const Eigen::MatrixXd& vertices) {
+    std::vector<std::pair<std::array<double, 3>, int>> places;
+    places.reserve(static_cast<std::size_t>(vertices.rows()));
+    for (int vertex = 0; vertex < vertices.rows(); ++vertex)
+        places.push_back({{vertices(vertex, 0), vertices(vertex, 1), vertices(vertex, 2)}, vertex});
+    std::ranges::sort(places);
+    std::vector<int> result(places.size());
+    int first = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (i == 0 || places[i].first != places[i - 1].first)
+            first = places[i].second;
+        result[places[i].second] = first;
     }
     return result;
-}
-
-/// For each vertex the number of the vertex that it is welded into.
-std::vector<int> weldClasses(const Eigen::MatrixXd& vertices, double cellMetres, int& count) {
-    std::vector<int> classes(static_cast<std::size_t>(vertices.rows()));
-    std::iota(classes.begin(), classes.end(), 0);
-    count = static_cast<int>(classes.size());
-    // libigl rounds to a grid: two vertices on either side of a cell's border stay two. A second
-    // pass on a grid shifted by half a cell joins those.
-    Eigen::MatrixXd current = vertices;
-    for (const double shift : {0.0, 0.5}) {
-        const Eigen::MatrixXd shifted = current.array() + shift * cellMetres;
-        Eigen::MatrixXd unique;
-        Eigen::VectorXi representative, classOf;
-        igl::remove_duplicate_vertices(shifted, cellMetres / 10, unique, representative, classOf);
-        const auto numbers = numberedInOrder({classOf.begin(), classOf.end()}, count);
-        for (int& c : classes)
-            c = numbers[c];
-        Eigen::MatrixXd next(count, 3);
-        for (Eigen::Index i = current.rows() - 1; i >= 0; --i)
-            next.row(numbers[i]) = current.row(i); // the first member is written last, and stays
-        current = std::move(next);
-    }
-    return classes;
 }
 
 bool isDegenerate(const Mesh& mesh, const Eigen::RowVector3i& face) {
@@ -65,16 +48,36 @@ void keepRows(Eigen::MatrixXi& faces, const std::vector<char>& keep) {
 
 } // namespace
 
-std::vector<int> weldVertices(Mesh& mesh, double cellMetres) {
+std::vector<int> weldVertices(Mesh& mesh, double toleranceMetres) {
+    // CGAL's tree degenerates into a list where many points are in one place.
+    const auto first = firstInPlace(mesh.vertices);
+    VertexTree tree;
+    for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+        if (first[vertex] == vertex)
+            tree.insert(numberedPoint(mesh.vertices, vertex));
+    tree.build();
+    std::vector<int> newNumber(mesh.vertexCount(), -1);
+    std::vector<NumberedPoint> near;
     int count = 0;
-    const auto classes = weldClasses(mesh.vertices, cellMetres, count);
-    int next = 0;
-    for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
-        if (classes[vertex] == next) // the first member of its class
-            mesh.vertices.row(next++) = mesh.vertices.row(vertex).eval();
+    // By distances and not by cells of a grid, whose borders part vertices however near they are.
+    for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+        if (first[vertex] != vertex)
+            newNumber[vertex] = newNumber[first[vertex]];
+        if (newNumber[vertex] >= 0)
+            continue;
+        near.clear();
+        tree.search(std::back_inserter(near),
+                    CGAL::Fuzzy_sphere<VertexTreeTraits>(numberedPoint(mesh.vertices, vertex).first,
+                                                         toleranceMetres));
+        newNumber[vertex] = count;
+        for (const auto& [point, other] : near)
+            if (newNumber[other] < 0)
+                newNumber[other] = count;
+        mesh.vertices.row(count++) = mesh.vertices.row(vertex).eval();
+    }
     mesh.vertices.conservativeResize(count, Eigen::NoChange);
-    mesh.faces = mesh.faces.unaryExpr([&](int vertex) { return classes[vertex]; }).eval();
-    return classes;
+    mesh.faces = mesh.faces.unaryExpr([&](int vertex) { return newNumber[vertex]; }).eval();
+    return newNumber;
 }
 
 int dropDegenerateFaces(Mesh& mesh) {

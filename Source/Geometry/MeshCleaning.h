@@ -8,9 +8,9 @@
 
 namespace idiophone {
 
-/// Makes vertices that share a cell of a grid one; the first of them stays where it is. Returns for
-/// each old vertex its new number.
-std::vector<int> weldVertices(Mesh& mesh, double cellMetres);
+/// Makes vertices one that are within the tolerance of the first of them, which stays where it is.
+/// Those that are left are farther apart than that. Returns for each old vertex its new number.
+std::vector<int> weldVertices(Mesh& mesh, double toleranceMetres);
 
 /// Drops faces with two corners in one vertex or no area (the height at most 1e-10 of the longest
 /// side). Returns how many.

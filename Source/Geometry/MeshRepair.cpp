@@ -31,25 +31,37 @@ std::optional<std::string> faultOf(const Mesh& mesh) {
     return std::nullopt;
 }
 
-void dropUnusableFaces(Mesh& mesh, RepairReport& report) {
-    report.degenerateFaces += dropDegenerateFaces(mesh);
-    report.duplicateFaces += dropDuplicateFaces(mesh);
-}
-
-void joinTJunctions(Mesh& mesh, double toleranceMetres, RepairReport& report) {
-    // An edge may run through vertices that only a first round puts on the boundary.
-    for (int round = 0; round < 3; ++round) {
-        const int joined = splitTJunctions(mesh, toleranceMetres);
-        if (joined == 0)
-            return;
-        report.joinedVertices += joined;
-        dropUnusableFaces(mesh, report);
-    }
-}
-
 void renumber(std::vector<int>& vertexOfInput, const std::vector<int>& newNumber) {
     for (int& vertex : vertexOfInput)
         vertex = vertex < 0 ? -1 : newNumber[vertex];
+}
+
+void dropUnusedVertices(RepairedMesh& repaired) {
+    const auto before = repaired.mesh.vertexCount();
+    renumber(repaired.vertexOfInput, dropUnreferencedVertices(repaired.mesh));
+    repaired.report.unreferencedVertices += static_cast<int>(before - repaired.mesh.vertexCount());
+}
+
+void dropUnusable(RepairedMesh& repaired) {
+    repaired.report.degenerateFaces += dropDegenerateFaces(repaired.mesh);
+    repaired.report.duplicateFaces += dropDuplicateFaces(repaired.mesh);
+    dropUnusedVertices(repaired);
+}
+
+void joinTJunctions(RepairedMesh& repaired, double weldTolerance) {
+    // An edge may run through vertices that only the rounds before, and the faces that they drop,
+    // put on the boundary. A mesh that keeps at it is a tangle and stays as it is.
+    constexpr int mostRounds = 100;
+    const auto most = 1000 + 2 * repaired.mesh.faceCount();
+    for (int round = 0; round < mostRounds && repaired.report.joinedVertices <= most; ++round) {
+        // The tolerance is a share of what is left, as another repair would take it.
+        const double toleranceMetres = 10 * weldTolerance * boundingDiagonalMetres(repaired.mesh);
+        const int joined = splitTJunctions(repaired.mesh, toleranceMetres);
+        if (joined == 0)
+            return;
+        repaired.report.joinedVertices += joined;
+        dropUnusable(repaired);
+    }
 }
 
 void orientAndCut(Mesh& mesh, bool cut, RepairReport& report) {
@@ -115,19 +127,17 @@ Result<RepairedMesh> repairMesh(const Mesh& input, const RepairSettings& setting
         return failure(std::move(*fault));
     RepairedMesh result{.mesh = input, .report = {}, .vertexOfInput = {}};
     auto& [mesh, report, vertexOfInput] = result;
-    const double cellMetres =
-        std::max(settings.weldTolerance, 1e-12) * boundingDiagonalMetres(input);
-    vertexOfInput = weldVertices(mesh, cellMetres);
+    const double weldTolerance = std::max(settings.weldTolerance, 1e-12);
+    vertexOfInput = weldVertices(mesh, weldTolerance * boundingDiagonalMetres(input));
     report.weldedVertices = static_cast<int>(input.vertexCount() - mesh.vertexCount());
-    dropUnusableFaces(mesh, report);
-    joinTJunctions(mesh, 10 * cellMetres, report);
+    dropUnusable(result);
+    joinTJunctions(result, weldTolerance);
     if (mesh.faceCount() == 0)
         return failure("The mesh has no face with an area.");
-    if (settings.largestComponentOnly)
+    if (settings.largestComponentOnly) {
         report.droppedComponents = keepLargestComponent(mesh);
-    const auto before = mesh.vertexCount();
-    renumber(vertexOfInput, dropUnreferencedVertices(mesh));
-    report.unreferencedVertices = static_cast<int>(before - mesh.vertexCount());
+        dropUnusedVertices(result);
+    }
     orientAndCut(mesh, settings.cutIntoManifold, report);
     report.components = connectedComponents(mesh).count;
     return result;

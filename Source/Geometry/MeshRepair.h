@@ -52,11 +52,11 @@ struct RepairedMesh {
 /// no face is degenerate or a duplicate, and every vertex has a face. Faces agree across every edge
 /// of exactly two faces (but for one-sided ones), and closed surfaces look outward, those inside
 /// another into the hollow. A vertex on the edge of a single face, nearer than ten times the weld
-/// tolerance, is put into that edge; not in soups of more than 200,000 such edges. With
-/// `cutIntoManifold` every edge has one or two faces, which run along it in opposite directions,
-/// and the faces at every vertex form one fan. Fails, in one sentence, when indices or values are
-/// invalid, no face is left, or the mesh is larger than 10⁹ m or smaller than 10⁻⁹ m. n log n for n
-/// faces.
+/// tolerance (of the diagonal of what has faces), is put into that edge; not in soups of more than
+/// 200,000 such edges. With `cutIntoManifold` every edge has one or two faces, which run along it
+/// in opposite directions, and the faces at every vertex form one fan. Fails, in one sentence, when
+/// indices or values are invalid, no face is left, or the mesh is larger than 10⁹ m or smaller than
+/// 10⁻⁹ m. n log n for n faces.
 Result<RepairedMesh> repairMesh(const Mesh& mesh, const RepairSettings& settings = {});
 
 } // namespace idiophone

@@ -1,12 +1,8 @@
 #include "Geometry/TJunctions.h"
 
 #include "Geometry/EdgeSplit.h"
+#include "Geometry/VertexTree.h"
 
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -16,13 +12,6 @@
 
 namespace idiophone {
 namespace {
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using NumberedPoint = std::pair<Kernel::Point_3, int>;
-using SearchTraits = CGAL::Search_traits_adapter<NumberedPoint,
-                                                 CGAL::First_of_pair_property_map<NumberedPoint>,
-                                                 CGAL::Search_traits_3<Kernel>>;
-using PointTree = CGAL::Kd_tree<SearchTraits>;
 
 struct BoundaryEdge {
     int face = 0, corner = 0; ///< from this corner to the next
@@ -55,7 +44,7 @@ std::vector<BoundaryEdge> boundaryEdgesOf(const Mesh& mesh) {
 /// The points within a distance of a segment, as CGAL's tree asks for them.
 class Tube {
 public:
-    using D = SearchTraits::Dimension;
+    using D = VertexTreeTraits::Dimension;
     Tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius)
         : from_(from), direction_(to - from), radius_(radius) {}
 
@@ -90,7 +79,7 @@ private:
     double radius_;
 };
 
-void plantBoundaryVertices(PointTree& tree,
+void plantBoundaryVertices(VertexTree& tree,
                            const Mesh& mesh,
                            const std::vector<BoundaryEdge>& edges) {
     std::vector<char> isBoundary(mesh.vertexCount(), 0);
@@ -99,15 +88,13 @@ void plantBoundaryVertices(PointTree& tree,
             isBoundary[mesh.faces(edge.face, (edge.corner + end) % 3)] = 1;
     for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
         if (isBoundary[vertex])
-            tree.insert(
-                {{mesh.vertices(vertex, 0), mesh.vertices(vertex, 1), mesh.vertices(vertex, 2)},
-                 vertex});
+            tree.insert(numberedPoint(mesh.vertices, vertex));
     tree.build();
 }
 
 /// The vertices on the edge, from its beginning to its end.
 std::vector<int> verticesOn(const Mesh& mesh,
-                            const PointTree& tree,
+                            const VertexTree& tree,
                             const BoundaryEdge& edge,
                             double toleranceMetres) {
     const int a = mesh.faces(edge.face, edge.corner),
@@ -144,7 +131,7 @@ int splitTJunctions(Mesh& mesh, double toleranceMetres) {
     const auto edges = boundaryEdgesOf(mesh);
     if (edges.empty() || edges.size() > mostOpenEdges)
         return 0;
-    PointTree tree;
+    VertexTree tree;
     plantBoundaryVertices(tree, mesh, edges);
     std::unordered_map<int, EdgeInsertions> insertions;
     const std::size_t most = 2 * edges.size() + 1000;

@@ -40,6 +40,74 @@ TEST_CASE("A soup of triangles is welded into the closed surface that it depicts
         REQUIRE((vertex >= 0 && vertex < sphere.vertexCount()));
 }
 
+TEST_CASE("Vertices nearer than the weld tolerance become one wherever they lie") {
+    const auto sphere = icosphereMesh(0.1, 3);
+    auto soup = soupOf(sphere);
+    const double toleranceMetres = 1e-7 * boundingDiagonalMetres(sphere);
+    std::mt19937 random(6);
+    for (double& coordinate : soup.vertices.reshaped()) // no two farther apart than 0.87 of it
+        coordinate += 0.25 * toleranceMetres * (static_cast<double>(random() % 2001) / 1000 - 1);
+    const auto repaired = repairMesh(soup);
+    REQUIRE(repaired);
+    CHECK(repaired->mesh.vertexCount() == sphere.vertexCount());
+    CHECK(isClosed(uniqueEdges(repaired->mesh)));
+}
+
+TEST_CASE("A fan of half a million separate triangles is welded at its hub") {
+    constexpr int triangles = 500000;
+    Mesh fan{Eigen::MatrixXd::Zero(3 * triangles, 3), Eigen::MatrixXi(triangles, 3)};
+    const auto rim = [](int i) {
+        const double angle = 3.0 * i / triangles; // an open fan
+        return Eigen::RowVector3d(std::cos(angle), std::sin(angle), 0);
+    };
+    for (int i = 0; i < triangles; ++i) {
+        fan.vertices.row(3 * i + 1) = rim(i);
+        fan.vertices.row(3 * i + 2) = rim(i + 1);
+        fan.faces.row(i) << 3 * i, 3 * i + 1, 3 * i + 2;
+    }
+    const auto repaired = repairMesh(fan);
+    REQUIRE(repaired);
+    CHECK(repaired->mesh.vertexCount() == triangles + 2);
+    CHECK(repaired->report.boundaryEdges == triangles + 2);
+}
+
+TEST_CASE("Vertices farther apart than the weld tolerance stay two") {
+    Mesh mesh{Eigen::MatrixXd(4, 3), Eigen::MatrixXi(2, 3)};
+    mesh.vertices << 0, 0, 0, 3, 4, 0, 3, 0, 0, 3, 0, 5.1e-7;
+    mesh.faces << 0, 1, 2, 1, 0, 3;
+    CHECK(repairMesh(mesh)->report.weldedVertices == 0);
+    mesh.vertices(3, 2) = 4.9e-7;
+    CHECK(repairMesh(mesh)->report.weldedVertices == 1);
+}
+
+TEST_CASE("A second repair finds nothing where the first dropped what reached farthest") {
+    Mesh mesh;
+    SECTION("two vertices nearly in one, as corners of a face") {
+        mesh.vertices.resize(6, 3);
+        mesh.vertices.row(0) << 1, 1.0000002, 1;
+        mesh.vertices.row(1) << 4, 1.0000001, 1.0000001;
+        mesh.vertices.row(2) << 1.0000001, 1.0000001, 1.0000001;
+        mesh.vertices.row(3) << 1.0000001, 3, 1.0000001;
+        mesh.vertices.row(4) << 1, 1, 1.0000001;
+        mesh.vertices.row(5) << 4, 1.5, 1;
+        mesh.faces.resize(3, 3);
+        mesh.faces << 2, 1, 0, 4, 2, 3, 1, 5, 2;
+    }
+    SECTION("a vertex on an edge, nearly at its end, and a vertex of no face") {
+        mesh.vertices.resize(5, 3);
+        mesh.vertices << 0, 0, 0, 0.25, 0, 0, 0, 0.25, 0, 6e-7, 0, 0, 0, 0, 1;
+        mesh.faces.resize(2, 3);
+        mesh.faces << 0, 1, 2, 0, 3, 2;
+    }
+    const auto repaired = repairMesh(mesh);
+    REQUIRE(repaired);
+    CHECK(boundingDiagonalMetres(repaired->mesh) < 0.9 * boundingDiagonalMetres(mesh));
+    const auto again = repairMesh(repaired->mesh);
+    REQUIRE(again);
+    INFO(again->report.text());
+    CHECK_FALSE(again->report.changedAnything());
+}
+
 TEST_CASE("Degenerate and duplicate faces and unreferenced vertices are dropped and counted") {
     auto mesh = icosphereMesh(1, 1);
     const auto faces = mesh.faceCount(), vertices = mesh.vertexCount();
@@ -130,6 +198,21 @@ TEST_CASE("A vertex near an edge is joined within ten weld tolerances and left b
     CHECK(repairMesh(mesh)->report.boundaryEdges == 6);
     mesh.vertices(3, 1) = -5e-6;
     CHECK(repairMesh(mesh)->report.joinedVertices == 0);
+}
+
+TEST_CASE("T-junctions are joined until there are none, however many rounds that takes") {
+    Mesh mesh{Eigen::MatrixXd(16, 3), Eigen::MatrixXi(23, 3)};
+    mesh.vertices << 13, 15, 3, 13, 8, 6, 5, 0, 0, 0, 8, 14.25, 0, 0, 8, 0, 0, 4, 1e-7, 0, 1e-7, 0,
+        0, 8, 0, 8, 0, 0, 0, 9, 0, 0, 0, 13, 0, 0, 0, 0, 0, 0, 0, 6, 0, 0, 11.5, 11, 0, 0;
+    mesh.faces << 0, 1, 2, 3, 2, 3, 3, 3, 4, 5, 4, 6, 5, 5, 6, 0, 1, 4, 4, 0, 0, 0, 1, 1, 4, 9, 3,
+        3, 3, 4, 5, 4, 6, 14, 5, 6, 0, 1, 4, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 10, 11, 10, 12, 11, 11,
+        12, 13, 13, 12, 14, 13, 13, 14, 15, 14, 1, 15, 15, 1;
+    const auto repaired = repairMesh(mesh);
+    REQUIRE(repaired);
+    const auto again = repairMesh(repaired->mesh);
+    REQUIRE(again);
+    INFO(again->report.text());
+    CHECK_FALSE(again->report.changedAnything());
 }
 
 TEST_CASE("A cap, a face with its apex on its longest side, is replaced without a gap") {
