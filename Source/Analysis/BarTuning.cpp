@@ -3,6 +3,7 @@
 #include "Analysis/BodyModel.h"
 #include "Analysis/Eigensolver.h"
 #include "Analysis/QuadraticTetrahedra.h"
+#include "Geometry/ObjectMesh.h"
 
 #include <algorithm>
 #include <array>
@@ -98,13 +99,7 @@ bool correct(const PartialTargets& targets,
 
 /// The object with the outline for its mesh; its shapes are those of the vertices on top.
 Result<ModalObject> withOutline(ModalObject object, const BarOutline& outline) {
-    object.vertices.clear();
-    for (const auto& vertex : outline.mesh.vertices.rowwise())
-        for (const double coordinate : vertex)
-            object.vertices.push_back(static_cast<float>(coordinate));
-    object.faces.clear();
-    for (const auto& face : outline.mesh.faces.rowwise())
-        object.faces.insert(object.faces.end(), face.begin(), face.end());
+    setMesh(object, outline.mesh);
     for (std::size_t k = 0; k < object.shapeVertices.size(); ++k)
         object.shapeVertices[k] = static_cast<std::int32_t>(k);
     return validated(std::move(object));

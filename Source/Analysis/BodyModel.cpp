@@ -4,6 +4,7 @@
 #include "Analysis/Radiation.h"
 #include "Analysis/RigidBody.h"
 #include "Analysis/TwoLayerShell.h"
+#include "Geometry/ObjectMesh.h"
 
 #include <algorithm>
 #include <chrono>
@@ -74,14 +75,6 @@ void storeModes(const Eigen::VectorXd& eigenvalues,
     object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
 }
 
-void storeMesh(const Mesh& mesh, ModalObject& object) {
-    for (const auto& vertex : mesh.vertices.rowwise())
-        for (const double coordinate : vertex)
-            object.vertices.push_back(static_cast<float>(coordinate));
-    for (const auto& face : mesh.faces.rowwise())
-        object.faces.insert(object.faces.end(), face.begin(), face.end());
-}
-
 std::vector<int> allVertices(const Mesh& mesh) {
     std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
     std::iota(all.begin(), all.end(), 0);
@@ -124,7 +117,7 @@ solveBody(const BodyModel& body, const SolveSettings& settings, const AnalysisCo
                object);
     if (body.model.rowsPerVertex == rowsOfTwoLayers)
         object.bending = bendingParts(body, modes->eigenvalues, modes->shapes);
-    storeMesh(body.surface, object);
+    setMesh(object, body.surface);
     object.mass = massPropertiesOf(body.model, body.pointsMetres);
     control.report(0.99, "Computing radiation");
     auto radiation = radiationOf({.mesh = body.surface,

@@ -1,9 +1,12 @@
 #include "Analysis/MeasuredObject.h"
 
+#include "Geometry/ObjectMesh.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace idiophone {
 namespace {
@@ -125,14 +128,9 @@ massOf(const Mesh& mesh, const Material& material, const MeasuredObjectSettings&
 }
 
 void setGeometry(const Mesh& mesh, ModalObject& object) {
-    for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
-        for (Index axis = 0; axis < 3; ++axis)
-            object.vertices.push_back(static_cast<float>(mesh.vertices(vertex, axis)));
-        object.shapeVertices.push_back(static_cast<std::int32_t>(vertex));
-    }
-    for (Index face = 0; face < mesh.faceCount(); ++face)
-        for (Index corner = 0; corner < 3; ++corner)
-            object.faces.push_back(mesh.faces(face, corner));
+    setMesh(object, mesh);
+    object.shapeVertices.resize(object.vertexCount());
+    std::iota(object.shapeVertices.begin(), object.shapeVertices.end(), 0);
 }
 
 /// Along the normals, as what strikes push along them.

@@ -8,6 +8,9 @@ namespace idiophone {
 
 Mesh objectMesh(const ModalObject& object);
 
+/// Gives the object this mesh, in single precision, instead of its own.
+void setMesh(ModalObject& object, const Mesh& mesh);
+
 /// [3F×3] unit normals of the corners of all faces, three rows a face: the area-weighted mean over
 /// the faces around the corner that turn from its own by less than the crease angle, so that edges
 /// stay sharp. Zero where the face has no area.

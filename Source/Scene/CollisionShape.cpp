@@ -21,13 +21,6 @@ constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision makes four o
 constexpr double marginShare = 0.01;            // of a shape's smallest measure
 constexpr double mostMarginMetres = 5e-4;
 
-Eigen::AlignedBox3d boxOf(const std::vector<Eigen::Vector3d>& points) {
-    Eigen::AlignedBox3d box;
-    for (const auto& point : points)
-        box.extend(point);
-    return box;
-}
-
 /// All where there are few, or else those that lie farthest in each of some directions, which are
 /// spread over the sphere along a spiral.
 std::vector<btVector3> fewer(const btAlignedObjectArray<btVector3>& corners) {
@@ -68,7 +61,7 @@ Shape* CollisionShape::own(Arguments&&... arguments) {
     return shape;
 }
 
-CollisionShape::CollisionShape(const BodyModel& model) {
+CollisionShape::CollisionShape(const RigidBodyModel& model) {
     btCollisionShape* inMesh = nullptr;
     switch (model.form) {
     case BodyForm::hull:
@@ -99,7 +92,7 @@ CollisionShape::CollisionShape(const BodyModel& model) {
 /// As large as the points with Bullet's margin, by which it lies inside them.
 btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& points) {
     const double margin =
-        std::min(mostMarginMetres, marginShare * boxOf(points).sizes().minCoeff());
+        std::min(mostMarginMetres, marginShare * boundingBox(points).sizes().minCoeff());
     btConvexHullComputer computer;
     computer.compute(points.front().data(), sizeof(Eigen::Vector3d),
                      static_cast<int>(points.size()), margin, 0);
@@ -114,7 +107,7 @@ btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& point
 }
 
 /// A round section is a chain of capsules, which cost a fraction of what hulls do.
-btCollisionShape* CollisionShape::ring(const BodyModel& model) {
+btCollisionShape* CollisionShape::ring(const RigidBodyModel& model) {
     const auto outer = outerVertices(model);
     Eigen::AlignedBox2d section; // of distance from the axis and height
     for (const auto& vertex : outer)
@@ -139,7 +132,7 @@ btCollisionShape* CollisionShape::ring(const BodyModel& model) {
     return compound;
 }
 
-btCollisionShape* CollisionShape::sectorHulls(const BodyModel& model,
+btCollisionShape* CollisionShape::sectorHulls(const RigidBodyModel& model,
                                               const std::vector<Eigen::Vector3d>& outer) {
     const Mesh mesh = objectMesh(*model.object);
     const std::size_t sides = outer.size() / static_cast<std::size_t>(mesh.vertexCount());
@@ -161,8 +154,8 @@ btCollisionShape* CollisionShape::sectorHulls(const BodyModel& model,
     return compound;
 }
 
-btCollisionShape* CollisionShape::round(const BodyModel& model) {
-    const auto box = boxOf(outerVertices(model));
+btCollisionShape* CollisionShape::round(const RigidBodyModel& model) {
+    const auto box = boundingBox(outerVertices(model));
     const Eigen::Vector3d half = box.sizes() / 2;
     btConvexShape* shape = nullptr;
     if (model.form == BodyForm::sphere) {
@@ -177,11 +170,11 @@ btCollisionShape* CollisionShape::round(const BodyModel& model) {
     return centred;
 }
 
-btCollisionShape* CollisionShape::ground(const BodyModel& model) {
-    return own<btStaticPlaneShape>(btVector3(0, 0, 1), boxOf(outerVertices(model)).max().z());
+btCollisionShape* CollisionShape::ground(const RigidBodyModel& model) {
+    return own<btStaticPlaneShape>(btVector3(0, 0, 1), boundingBox(outerVertices(model)).max().z());
 }
 
-btCollisionShape* CollisionShape::surface(const BodyModel& model) {
+btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     Mesh mesh = objectMesh(*model.object);
     while (4 * mesh.faceCount() <= mostSmoothFaces)
         mesh = subdivided(mesh, 1);

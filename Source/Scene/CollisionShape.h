@@ -1,7 +1,7 @@
 // Bodies as Bullet sees them.
 #pragma once
 
-#include "Scene/BodyModel.h"
+#include "Scene/RigidBodyModel.h"
 
 #include <btBulletDynamicsCommon.h>
 #include <memory>
@@ -13,7 +13,7 @@ namespace idiophone {
 /// it.
 class CollisionShape {
 public:
-    explicit CollisionShape(const BodyModel& model);
+    explicit CollisionShape(const RigidBodyModel& model);
 
     btCollisionShape* shape() const { return root; }
 
@@ -21,12 +21,12 @@ private:
     template <class Shape, class... Arguments>
     Shape* own(Arguments&&... arguments);
     btCollisionShape* hull(const std::vector<Eigen::Vector3d>& points);
-    btCollisionShape* ring(const BodyModel& model);
-    btCollisionShape* sectorHulls(const BodyModel& model,
+    btCollisionShape* ring(const RigidBodyModel& model);
+    btCollisionShape* sectorHulls(const RigidBodyModel& model,
                                   const std::vector<Eigen::Vector3d>& outer);
-    btCollisionShape* round(const BodyModel& model);
-    btCollisionShape* ground(const BodyModel& model);
-    btCollisionShape* surface(const BodyModel& model);
+    btCollisionShape* round(const RigidBodyModel& model);
+    btCollisionShape* ground(const RigidBodyModel& model);
+    btCollisionShape* surface(const RigidBodyModel& model);
 
     std::vector<std::unique_ptr<btTriangleMesh>> meshes;
     std::vector<std::unique_ptr<btTriangleInfoMap>> edges;

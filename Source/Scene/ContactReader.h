@@ -1,8 +1,8 @@
 // From what Bullet's solver did in a step to blows and lasting contacts.
 #pragma once
 
-#include "Scene/BodyModel.h"
 #include "Scene/Contact.h"
+#include "Scene/RigidBodyModel.h"
 
 #include <Eigen/Geometry>
 #include <btBulletDynamicsCommon.h>
@@ -13,7 +13,7 @@ namespace idiophone {
 
 /// A body as it was when the step began.
 struct BodyInStep {
-    const BodyModel* model = nullptr;
+    const RigidBodyModel* model = nullptr;
     const btRigidBody* rigid = nullptr;
     Eigen::Isometry3d worldFromMesh = Eigen::Isometry3d::Identity();
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of mass

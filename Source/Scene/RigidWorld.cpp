@@ -27,7 +27,7 @@ bool adjustContact(btManifoldPoint& point,
                    int secondPart,
                    int secondIndex) {
     const auto of = [](const btCollisionObjectWrapper* wrapper) {
-        return static_cast<const BodyModel*>(wrapper->getCollisionObject()->getUserPointer());
+        return static_cast<const RigidBodyModel*>(wrapper->getCollisionObject()->getUserPointer());
     };
     if (of(first) == nullptr || of(second) == nullptr)
         return false;
@@ -56,7 +56,8 @@ struct RigidWorld::Implementation {
         solving.m_splitImpulsePenetrationThreshold = 0; // overlap is mended without any speed
         solving.m_linearSlop = restingStepsOfFall * gravity * stepSeconds * stepSeconds;
         solving.m_restitutionVelocityThreshold = slowestReboundMetresPerSecond;
-        gContactAddedCallback = adjustContact;
+        // Bullet has one for the process; several worlds may begin at once.
+        [[maybe_unused]] static const auto isSet = gContactAddedCallback = adjustContact;
     }
 
     ~Implementation() {
@@ -112,7 +113,7 @@ std::size_t RigidWorld::add(std::size_t kind, const BodyMotion& motion) {
     rigid->setLinearVelocity(toBullet(motion.velocity));
     rigid->setAngularVelocity(toBullet(motion.spin));
     rigid->setUserIndex(static_cast<int>(all.bodies.size()));
-    rigid->setUserPointer(const_cast<BodyModel*>(&model)); // read only, by adjustContact
+    rigid->setUserPointer(const_cast<RigidBodyModel*>(&model)); // read only, by adjustContact
     rigid->setCollisionFlags(rigid->getCollisionFlags() |
                              btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
     all.world.addRigidBody(rigid.get(), all.kinds[kind].group, all.kinds[kind].collidesWith);
@@ -131,10 +132,6 @@ void RigidWorld::remove(std::size_t body) {
 
 bool RigidWorld::has(std::size_t body) const {
     return body < implementation->bodies.size() && implementation->at(body).rigid != nullptr;
-}
-
-std::size_t RigidWorld::kindOf(std::size_t body) const {
-    return implementation->at(body).kind;
 }
 
 BodyMotion RigidWorld::motion(std::size_t body) const {
@@ -193,7 +190,7 @@ std::span<const Touch> RigidWorld::touches() const {
     return implementation->reader.touches();
 }
 
-const BodyModel& RigidWorld::model(std::size_t kind) const {
+const RigidBodyModel& RigidWorld::model(std::size_t kind) const {
     return *implementation->kinds[kind].model;
 }
 

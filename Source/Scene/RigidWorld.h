@@ -1,8 +1,8 @@
 // Rigid bodies that fall, collide, slide and roll, and what is to be heard of it. On Bullet.
 #pragma once
 
-#include "Scene/BodyModel.h"
 #include "Scene/Contact.h"
+#include "Scene/RigidBodyModel.h"
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -22,7 +22,7 @@ struct BodyMotion {
 class RigidWorld {
 public:
     struct Kind {
-        std::shared_ptr<const BodyModel> model;
+        std::shared_ptr<const RigidBodyModel> model;
         int group = 1;         ///< one bit of 30
         int collidesWith = ~0; ///< bits of groups, of which those must collide with this one too
     };
@@ -35,7 +35,6 @@ public:
     std::size_t add(std::size_t kind, const BodyMotion& motion);
     void remove(std::size_t body);
     bool has(std::size_t body) const;
-    std::size_t kindOf(std::size_t body) const;     ///< also of one that was removed
     BodyMotion motion(std::size_t body) const;      ///< of one that is there
     Eigen::Vector3d centre(std::size_t body) const; ///< of mass, likewise
     void
@@ -49,7 +48,7 @@ public:
     std::span<const Impact> impacts() const; ///< of the last step, in order of time
     std::span<const Touch> touches() const;  ///< of the last step, in order of bodies
 
-    const BodyModel& model(std::size_t kind) const;
+    const RigidBodyModel& model(std::size_t kind) const;
 
 private:
     struct Implementation;

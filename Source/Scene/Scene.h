@@ -102,7 +102,7 @@ struct Listener {
 struct Scene {
     std::string name;
     std::string description;
-    double seconds = 10; ///< of motion; the sound goes on until it is silent
+    double seconds = 10; ///< it lasts at least; then until it is silent
     std::uint32_t seed = 1;
     double stepsPerSecond = 2000; ///< of the rigid bodies, 1000 to 20000
     double gravityMetresPerSecond2 = 9.81;

@@ -1,5 +1,6 @@
 #include "Scene/SceneCast.h"
 
+#include "Geometry/ObjectMesh.h"
 #include "Geometry/ParametricMesh.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
@@ -48,13 +49,7 @@ Result<std::shared_ptr<const ModalObject>> ballOf(const SilentBall& ball) {
     const double mass = 4.0 / 3 * std::numbers::pi * r * r * r * object->material.densityKgPerM3;
     const double inertia = 0.4 * mass * r * r;
     object->mass = {.massKg = mass, .inertiaKgM2 = {inertia, 0, 0, 0, inertia, 0, 0, 0, inertia}};
-    const Mesh mesh = icosphereMesh(r, 2);
-    for (Eigen::Index k = 0; k < mesh.vertexCount(); ++k)
-        for (int axis = 0; axis < 3; ++axis)
-            object->vertices.push_back(static_cast<float>(mesh.vertices(k, axis)));
-    for (Eigen::Index k = 0; k < mesh.faceCount(); ++k)
-        for (int corner = 0; corner < 3; ++corner)
-            object->faces.push_back(mesh.faces(k, corner));
+    setMesh(*object, icosphereMesh(r, 2));
     return object;
 }
 
@@ -91,12 +86,13 @@ Result<void> SceneCast::addRole(const BodyTemplate& kind,
                                 const std::shared_ptr<const ModalObject>& object,
                                 int group,
                                 int collidesWith) {
-    return makeBodyModel(kind, object).map([&](const std::shared_ptr<const BodyModel>& model) {
-        allRoles.push_back(
-            {.kind = {.model = model, .group = group, .collidesWith = collidesWith},
-             .surface = kind.ball ? nullptr : std::make_shared<ObjectSurface>(*object),
-             .sound = kind.surface.value_or(plainSurface(object->material))});
-    });
+    return makeRigidBodyModel(kind, object)
+        .map([&](const std::shared_ptr<const RigidBodyModel>& model) {
+            allRoles.push_back(
+                {.kind = {.model = model, .group = group, .collidesWith = collidesWith},
+                 .surface = kind.ball ? nullptr : std::make_shared<ObjectSurface>(*object),
+                 .sound = kind.surface.value_or(plainSurface(object->material))});
+        });
 }
 
 Result<void> SceneCast::castKinds(ObjectLibrary& library) {

@@ -3,7 +3,7 @@
 
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/ObjectSurface.h"
-#include "Scene/BodyModel.h"
+#include "Scene/RigidBodyModel.h"
 #include "Scene/RigidWorld.h"
 #include "Scene/Scene.h"
 #include "Synth/Synthesiser.h"

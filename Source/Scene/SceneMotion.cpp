@@ -33,7 +33,7 @@ Eigen::Quaterniond turned(const Eigen::Vector3d& degrees) {
 
 /// With the centre of mass at a place, or what stands with the origin of its mesh.
 Eigen::Isometry3d
-posed(const BodyModel& model, const Eigen::Vector3d& place, const Eigen::Quaterniond& turn) {
+posed(const RigidBodyModel& model, const Eigen::Vector3d& place, const Eigen::Quaterniond& turn) {
     return Eigen::Translation3d(place) * turn *
            Eigen::Translation3d(-model.meshFromBody.translation());
 }
@@ -217,8 +217,7 @@ void SceneMotion::kick(double now) {
 
 void SceneMotion::takeAway(double now) {
     std::erase_if(present, [&](const Present& one) {
-        const bool stays =
-            now < one.lastsUntil && rigid.motion(one.body).pose.translation().z() > lowestMetres;
+        const bool stays = now < one.lastsUntil && rigid.centre(one.body).z() > lowestMetres;
         if (!stays) {
             rigid.remove(one.body);
             --counted.bodies;

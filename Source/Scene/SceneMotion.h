@@ -62,7 +62,6 @@ public:
         std::int64_t notesLeftOut = 0; ///< without a target
     };
     const Figures& figures() const { return counted; }
-    const RigidWorld& world() const { return rigid; }
 
 private:
     struct Coming {

@@ -47,7 +47,6 @@ private:
         std::vector<ContactForce> slides, rolls; ///< one for each surface
         TouchState last;
         std::size_t surface = 0;
-        bool sounds = false;
     };
 
     bool

@@ -42,9 +42,9 @@ TEST_CASE("A ball meets the ground when and as hard as it must, again and again"
     for (std::size_t k = 0; k < 4; ++k) {
         INFO(k);
         CHECK_THAT(impacts[k].seconds, WithinAbs(time, 2e-3));
-        CHECK_THAT(impacts[k].speedMetresPerSecond, WithinRel(speed, 0.02));
+        CHECK_THAT(impacts[k].speedMetresPerSecond, WithinRel(speed, 0.01));
         CHECK_THAT(impacts[k].impulseNewtonSeconds.z(),
-                   WithinRel(mass * speed * (1 + restitution), 0.02));
+                   WithinRel(mass * speed * (1 + restitution), 0.01));
         CHECK_THAT(impacts[k].impulseNewtonSeconds.head<2>().norm(), WithinAbs(0, 1e-9));
         CHECK_THAT((impacts[k].pointMetres - Eigen::Vector3d(0, 0, -radius)).norm(),
                    WithinAbs(0, 1e-3));

@@ -1,6 +1,7 @@
 // Bodies of known mass and form.
 #pragma once
 
+#include "Geometry/ObjectMesh.h"
 #include "Geometry/ParametricMesh.h"
 #include "Scene/RigidWorld.h"
 
@@ -15,12 +16,7 @@ inline std::shared_ptr<ModalObject> objectOf(const Mesh& mesh, const char* mater
     auto object = std::make_shared<ModalObject>();
     object->name = "body";
     object->material = *findMaterial(material);
-    for (Eigen::Index k = 0; k < mesh.vertexCount(); ++k)
-        for (int axis = 0; axis < 3; ++axis)
-            object->vertices.push_back(static_cast<float>(mesh.vertices(k, axis)));
-    for (Eigen::Index k = 0; k < mesh.faceCount(); ++k)
-        for (int corner = 0; corner < 3; ++corner)
-            object->faces.push_back(mesh.faces(k, corner));
+    setMesh(*object, mesh);
     return object;
 }
 
@@ -37,7 +33,7 @@ kindOf(const std::shared_ptr<ModalObject>& object, BodyForm form, bool isFixed, 
     kind.friction = with.friction;
     kind.restitution = with.restitution;
     kind.rollingFrictionMetres = with.rollingFriction;
-    return {.model = makeBodyModel(kind, object).value()};
+    return {.model = makeRigidBodyModel(kind, object).value()};
 }
 
 /// A steel ball.

@@ -13,7 +13,7 @@ namespace idiophone {
 /// Immutable; shared by all bodies of a kind. Mesh coordinates are the object's own, in metres, as
 /// large as the body is; body coordinates have its centre of mass as their origin and its principal
 /// axes of inertia. Of fixed bodies both are the same.
-struct BodyModel {
+struct RigidBodyModel {
     std::shared_ptr<const ModalObject> object; ///< not null
     BodyForm form = BodyForm::hull;
     bool isFixed = false;
@@ -30,10 +30,13 @@ struct BodyModel {
 
 /// The error names the kind and why it cannot move: an object without mass, or one so flat that the
 /// form has no inside.
-Result<std::shared_ptr<const BodyModel>> makeBodyModel(const BodyTemplate& kind,
-                                                       std::shared_ptr<const ModalObject> object);
+Result<std::shared_ptr<const RigidBodyModel>>
+makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object);
 
 /// The vertices of the surface in mesh coordinates; of a shell those of both sides.
-std::vector<Eigen::Vector3d> outerVertices(const BodyModel& model);
+std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model);
+
+/// Around all of them.
+Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points);
 
 } // namespace idiophone

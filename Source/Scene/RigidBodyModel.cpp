@@ -1,4 +1,4 @@
-#include "Scene/BodyModel.h"
+#include "Scene/RigidBodyModel.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -17,19 +17,12 @@ Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& inertia, Eigen::Vector3d& m
     return axes;
 }
 
-Eigen::AlignedBox3d box(const std::vector<Eigen::Vector3d>& points) {
-    Eigen::AlignedBox3d box;
-    for (const auto& point : points)
-        box.extend(point);
-    return box;
-}
-
 /// Of something flat: rounder than anything that falls on it.
 constexpr double flatRadiusMetres = 1000;
 
 /// As round as it is where it is most likely to be touched. What stands is flat; edges and corners
 /// of what falls are rounded by a tenth of its smallest measure.
-double ownContactRadius(const BodyModel& model, const Eigen::Vector3d& sizes) {
+double ownContactRadius(const RigidBodyModel& model, const Eigen::Vector3d& sizes) {
     if (model.form == BodyForm::sphere)
         return sizes.mean() / 2;
     if (model.form == BodyForm::cylinder)
@@ -39,23 +32,23 @@ double ownContactRadius(const BodyModel& model, const Eigen::Vector3d& sizes) {
 
 } // namespace
 
-Result<std::shared_ptr<const BodyModel>> makeBodyModel(const BodyTemplate& kind,
-                                                       std::shared_ptr<const ModalObject> object) {
+Result<std::shared_ptr<const RigidBodyModel>>
+makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object) {
     const auto& own = *object;
     const double s = kind.sizeRatio;
     const auto& material = own.material;
-    BodyModel model{.object = object,
-                    .form = kind.form,
-                    .isFixed = kind.isFixed,
-                    .sizeRatio = s,
-                    .massKg = own.mass.massKg * s * s * s,
-                    .inertiaKgM2 = Eigen::Vector3d::Zero(),
-                    .meshFromBody = Eigen::Isometry3d::Identity(),
-                    .friction = kind.friction.value_or(material.friction),
-                    .restitution = kind.restitution.value_or(material.restitution),
-                    .rollingFrictionMetres = kind.rollingFrictionMetres,
-                    .compliancePerPa = (1 - material.poissonRatio * material.poissonRatio) /
-                                       material.youngsModulusPa};
+    RigidBodyModel model{.object = object,
+                         .form = kind.form,
+                         .isFixed = kind.isFixed,
+                         .sizeRatio = s,
+                         .massKg = own.mass.massKg * s * s * s,
+                         .inertiaKgM2 = Eigen::Vector3d::Zero(),
+                         .meshFromBody = Eigen::Isometry3d::Identity(),
+                         .friction = kind.friction.value_or(material.friction),
+                         .restitution = kind.restitution.value_or(material.restitution),
+                         .rollingFrictionMetres = kind.rollingFrictionMetres,
+                         .compliancePerPa = (1 - material.poissonRatio * material.poissonRatio) /
+                                            material.youngsModulusPa};
     if (!kind.isFixed) {
         const Eigen::Matrix3d inertia =
             Eigen::Map<const Eigen::Matrix3d>(own.mass.inertiaKgM2.data()) * std::pow(s, 5);
@@ -66,16 +59,16 @@ Result<std::shared_ptr<const BodyModel>> makeBodyModel(const BodyTemplate& kind,
             return failure("'" + kind.name + "' cannot move: its object '" + own.name +
                            "' has no mass");
     }
-    const Eigen::Vector3d sizes = box(outerVertices(model)).sizes();
+    const Eigen::Vector3d sizes = boundingBox(outerVertices(model)).sizes();
     if (!(sizes.minCoeff() > 0) && kind.form != BodyForm::surface && kind.form != BodyForm::ground)
         return failure("'" + kind.name + "' is as flat as a sheet: its object '" + own.name +
                        "' has no thickness");
     model.contactRadiusMetres =
         kind.contactRadiusMetres > 0 ? kind.contactRadiusMetres : ownContactRadius(model, sizes);
-    return std::make_shared<const BodyModel>(std::move(model));
+    return std::make_shared<const RigidBodyModel>(std::move(model));
 }
 
-std::vector<Eigen::Vector3d> outerVertices(const BodyModel& model) {
+std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model) {
     const auto& object = *model.object;
     const double half = object.body == BodyKind::shell ? object.thicknessMetres / 2 : 0;
     const auto normals = vertexNormals(object);
@@ -90,6 +83,13 @@ std::vector<Eigen::Vector3d> outerVertices(const BodyModel& model) {
             points.emplace_back(model.sizeRatio * (vertex - out));
     }
     return points;
+}
+
+Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const auto& point : points)
+        box.extend(point);
+    return box;
 }
 
 } // namespace idiophone
