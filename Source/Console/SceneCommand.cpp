@@ -32,21 +32,21 @@ Result<Scene> findOrReadScene(const std::string& nameOrFile) {
     return readSceneFile(nameOrFile);
 }
 
-ordered_json framesOf(const SceneTally& tally, std::int64_t SceneFrame::*figure) {
+ordered_json framesOf(const SceneTally& tally, std::int64_t FrameFigures::*figure) {
     auto frames = ordered_json::array();
     for (const auto& frame : tally.frames)
         frames.push_back(frame.*figure);
     return frames;
 }
 
-std::int64_t sumOf(const SceneTally& tally, std::int64_t SceneFrame::*figure) {
+std::int64_t sumOf(const SceneTally& tally, std::int64_t FrameFigures::*figure) {
     std::int64_t sum = 0;
     for (const auto& frame : tally.frames)
         sum += frame.*figure;
     return sum;
 }
 
-std::int64_t mostOf(const SceneTally& tally, std::int64_t SceneFrame::*figure) {
+std::int64_t mostOf(const SceneTally& tally, std::int64_t FrameFigures::*figure) {
     std::int64_t most = 0;
     for (const auto& frame : tally.frames)
         most = std::max(most, frame.*figure);
@@ -57,8 +57,8 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
     auto report = recording.statistics();
     const double seconds = report["seconds"];
     const auto frameCount = static_cast<double>(tally.frames.size());
-    report["bodies_most"] = mostOf(tally, &SceneFrame::bodies);
-    report["impacts"] = sumOf(tally, &SceneFrame::impacts);
+    report["bodies_most"] = mostOf(tally, &FrameFigures::bodies);
+    report["impacts"] = sumOf(tally, &FrameFigures::impacts);
     report["impacts_left_out"] = tally.blowsLeftOut;
     report["notes_left_out"] = tally.notesLeftOut;
     report["audio_frames_per_second"] = frameCount / tally.soundSeconds;
@@ -67,10 +67,10 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
     report["cpu_share_motion"] =
         seconds > 0 ? ordered_json(tally.motionSeconds / seconds) : nullptr;
     report["frame_seconds"] = sceneFrameSeconds;
-    report["bodies"] = framesOf(tally, &SceneFrame::bodies);
-    report["impacts_of_frame"] = framesOf(tally, &SceneFrame::impacts);
-    report["modes_mixed"] = framesOf(tally, &SceneFrame::modesMixed);
-    report["modes_dropped"] = framesOf(tally, &SceneFrame::modesDropped);
+    report["bodies"] = framesOf(tally, &FrameFigures::bodies);
+    report["impacts_of_frame"] = framesOf(tally, &FrameFigures::impacts);
+    report["modes_mixed"] = framesOf(tally, &FrameFigures::modesMixed);
+    report["modes_dropped"] = framesOf(tally, &FrameFigures::modesDropped);
     return report;
 }
 
@@ -101,9 +101,9 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
         std::cout << statistics.dump() << std::endl;
     else
         std::cout << options.format.file.string() << ": " << recording.summary() << ", "
-                  << mostOf(tally, &SceneFrame::bodies) << " bodies, "
-                  << sumOf(tally, &SceneFrame::impacts) << " impacts, at most "
-                  << mostOf(tally, &SceneFrame::modesMixed) << " modes at a time" << std::endl;
+                  << mostOf(tally, &FrameFigures::bodies) << " bodies, "
+                  << sumOf(tally, &FrameFigures::impacts) << " impacts, at most "
+                  << mostOf(tally, &FrameFigures::modesMixed) << " modes at a time" << std::endl;
     if (tally.notesLeftOut > 0)
         std::cerr << "warning: " << options.midi.string() << ": " << tally.notesLeftOut
                   << " of its notes hit nothing" << std::endl;

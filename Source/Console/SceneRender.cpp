@@ -74,7 +74,7 @@ private:
         }
     }
 
-    SceneMotion motion;
+    SceneRun motion;
     SceneSound sound;
     alignas(64) std::array<float, cellSamples> left{}, right{};
     std::int64_t impactsBefore = 0;

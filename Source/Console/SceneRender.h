@@ -3,7 +3,7 @@
 
 #include "Console/MidiSong.h"
 #include "Console/Recording.h"
-#include "Scene/SceneMotion.h"
+#include "Scene/SceneRun.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,7 +14,7 @@
 namespace idiophone {
 
 /// Of a hundredth of a second, in which the paper moves its bodies once.
-struct SceneFrame {
+struct FrameFigures {
     std::int64_t bodies = 0;
     std::int64_t impacts = 0;      ///< sides of blows
     std::int64_t modesMixed = 0;   ///< at its last cell
@@ -22,7 +22,7 @@ struct SceneFrame {
 };
 
 struct SceneTally {
-    std::vector<SceneFrame> frames;
+    std::vector<FrameFigures> frames;
     std::vector<SceneBlow> blows;  ///< those that were struck, in order of time
     std::int64_t notesLeftOut = 0; ///< that hit nothing
     std::int64_t blowsLeftOut = 0; ///< on slots with too many contacts under way

@@ -4,7 +4,7 @@
 
 #include "Scene/HeadModel.h"
 #include "Scene/PlacedSource.h"
-#include "Scene/SceneMotion.h"
+#include "Scene/SceneRun.h"
 #include "Synth/AlignedVector.h"
 #include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"

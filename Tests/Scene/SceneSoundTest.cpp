@@ -21,7 +21,7 @@ struct Performance {
 
 Performance perform(const char* name, double seconds) {
     const auto cast = SceneCast::make(*findFactoryScene(name), ObjectLibrary::shared()).value();
-    SceneMotion motion(cast);
+    SceneRun motion(cast);
     SceneSound sound(*cast, motion.slots(), rateHz);
     Performance result;
     alignas(64) std::array<float, cellSamples> left, right;
@@ -58,7 +58,7 @@ double rms(const std::vector<float>& samples, double fromSeconds, double toSecon
 TEST_CASE("A scene sounds from its first blow on, at its sample, and the same each time") {
     const auto cast =
         SceneCast::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
-    SceneMotion motion(cast);
+    SceneRun motion(cast);
     motion.advanceTo(1);
     const auto first = motion.takeBlow(1);
     REQUIRE(first);

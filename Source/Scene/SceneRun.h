@@ -31,11 +31,11 @@ struct SceneBlow {
 };
 
 /// One thread at a time; not for the audio thread. The same cast and notes give the same bits.
-class SceneMotion {
+class SceneRun {
 public:
     /// Notes in any order; those without a target are left out. What falls for the first notes
     /// begins before 0.
-    SceneMotion(std::shared_ptr<const SceneCast> cast, std::vector<SceneNote> notes = {});
+    SceneRun(std::shared_ptr<const SceneCast> cast, std::vector<SceneNote> notes = {});
 
     /// What sounds, for the synthesiser to be made of. Bodies that were taken away leave their
     /// slots to others.

@@ -1,5 +1,5 @@
 // Performances: songs as falling dice, slots, chance.
-#include "Scene/SceneMotion.h"
+#include "Scene/SceneRun.h"
 #include "Scene/FactoryScenes.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -24,7 +24,7 @@ std::shared_ptr<const SceneCast> factoryCast(const char* name) {
     return castOf(*scene);
 }
 
-std::vector<SceneBlow> blowsUntil(SceneMotion& motion, double seconds) {
+std::vector<SceneBlow> blowsUntil(SceneRun& motion, double seconds) {
     motion.advanceTo(seconds);
     std::vector<SceneBlow> blows;
     while (const auto blow = motion.takeBlow(seconds))
@@ -49,7 +49,7 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     for (const int note : {72, 76, 79})
         notes.push_back({5, note, 1});
     const auto cast = factoryCast("Dice on a xylophone");
-    SceneMotion motion(cast, notes);
+    SceneRun motion(cast, notes);
     motion.advanceTo(5.5);
     CHECK_FALSE(motion.finished());
     const auto blows = blowsUntil(motion, 6.5);
@@ -72,7 +72,7 @@ TEST_CASE("A die falls from so high that its blow grows with the velocity") {
     const auto cast = factoryCast("Dice on a xylophone");
     double before = 0;
     for (const int velocity : {1, 32, 64, 96, 127}) {
-        SceneMotion motion(cast, {{0.5, 72, velocity}});
+        SceneRun motion(cast, {{0.5, 72, velocity}});
         const auto blows = blowsUntil(motion, 0.51);
         REQUIRE_FALSE(blows.empty());
         INFO(velocity);
@@ -82,14 +82,13 @@ TEST_CASE("A die falls from so high that its blow grows with the velocity") {
 }
 
 TEST_CASE("Notes beyond the keyboard are left out and counted") {
-    SceneMotion motion(factoryCast("Dice on a xylophone"),
-                       {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}});
+    SceneRun motion(factoryCast("Dice on a xylophone"), {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}});
     CHECK(motion.figures().notesLeftOut == 2);
 }
 
 TEST_CASE("Blows come in order of time, whatever the steps in which they are asked for") {
     const auto cast = factoryCast("Shells in a room");
-    SceneMotion whole(cast), bits(cast);
+    SceneRun whole(cast), bits(cast);
     const auto expected = blowsUntil(whole, 2);
     std::vector<SceneBlow> found;
     for (double until = 0.00133; until < 2; until += 0.00133)
@@ -111,9 +110,9 @@ TEST_CASE("Blows come in order of time, whatever the steps in which they are ask
 
 TEST_CASE("Another seed is another performance") {
     auto scene = *findFactoryScene("Shells in a room");
-    SceneMotion one(castOf(scene));
+    SceneRun one(castOf(scene));
     scene.seed += 1;
-    SceneMotion other(castOf(scene));
+    SceneRun other(castOf(scene));
     const auto first = blowsUntil(one, 1), second = blowsUntil(other, 1);
     REQUIRE_FALSE(first.empty());
     REQUIRE_FALSE(second.empty());
@@ -123,7 +122,7 @@ TEST_CASE("Another seed is another performance") {
 TEST_CASE("Bodies that are thrown again move again") {
     const auto cast = factoryCast("Shells in a room");
     const double kick = cast->scene().kicks.front().seconds;
-    SceneMotion motion(cast);
+    SceneRun motion(cast);
     blowsUntil(motion, kick - 0.5);
     CHECK(blowsUntil(motion, kick).size() < 30);
     CHECK(blowsUntil(motion, kick + 1).size() > 100);

@@ -1,4 +1,4 @@
-#include "Scene/SceneMotion.h"
+#include "Scene/SceneRun.h"
 
 #include "Scene/SceneRandom.h"
 
@@ -40,7 +40,7 @@ posed(const RigidBodyModel& model, const Eigen::Vector3d& place, const Eigen::Qu
 
 } // namespace
 
-SceneMotion::SceneMotion(std::shared_ptr<const SceneCast> playedCast, std::vector<SceneNote> notes)
+SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, std::vector<SceneNote> notes)
     : cast(std::move(playedCast)), scene(cast->scene()),
       rigid(kindsOf(*cast), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
       kicks(scene.kicks), tracker(cast, rigid.stepSeconds()), overSeconds(scene.seconds) {
@@ -54,7 +54,7 @@ SceneMotion::SceneMotion(std::shared_ptr<const SceneCast> playedCast, std::vecto
                       rigid.stepSeconds();
 }
 
-void SceneMotion::standKeyboard() {
+void SceneRun::standKeyboard() {
     for (const auto& bar : cast->keyboard()) {
         slotOfBody.push_back(newSlot(bar.role));
         roleOfBody.push_back(bar.role);
@@ -65,7 +65,7 @@ void SceneMotion::standKeyboard() {
     }
 }
 
-std::size_t SceneMotion::newSlot(std::size_t role) {
+std::size_t SceneRun::newSlot(std::size_t role) {
     if (!cast->roles()[role].isHeard())
         return noSlot;
     allSlots.push_back(cast->slotOf(role));
@@ -73,7 +73,7 @@ std::size_t SceneMotion::newSlot(std::size_t role) {
     return allSlots.size() - 1;
 }
 
-void SceneMotion::planReleases() {
+void SceneRun::planReleases() {
     std::uint32_t number = 0;
     for (const auto& release : scene.releases)
         for (int k = 0; k < release.count; ++k, ++number) {
@@ -93,7 +93,7 @@ void SceneMotion::planReleases() {
         }
 }
 
-void SceneMotion::planNotes(std::vector<SceneNote> notes) {
+void SceneRun::planNotes(std::vector<SceneNote> notes) {
     if (!scene.noteDrop)
         return;
     const auto& drop = *scene.noteDrop;
@@ -129,7 +129,7 @@ void SceneMotion::planNotes(std::vector<SceneNote> notes) {
 
 /// From rest, turned somehow, so high that its lowest point meets the target at a speed that grows
 /// evenly with the velocity.
-BodyMotion SceneMotion::falling(const SceneNote& note, std::uint32_t number, double& fallSeconds) {
+BodyMotion SceneRun::falling(const SceneNote& note, std::uint32_t number, double& fallSeconds) {
     const auto& drop = *scene.noteDrop;
     const double gravity = std::max(scene.gravityMetresPerSecond2, 1e-3);
     const double slowest = std::sqrt(2 * gravity * drop.softestMetres);
@@ -147,7 +147,7 @@ BodyMotion SceneMotion::falling(const SceneNote& note, std::uint32_t number, dou
 }
 
 /// Of a body whose centre of mass is at 0, negative.
-double SceneMotion::lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const {
+double SceneRun::lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const {
     const auto& model = *cast->roles()[role].kind.model;
     const auto pose = posed(model, Eigen::Vector3d::Zero(), turn);
     double lowest = 0;
@@ -157,19 +157,19 @@ double SceneMotion::lowestPoint(std::size_t role, const Eigen::Quaterniond& turn
 }
 
 // A step that begins at t reports blows since t less a step.
-void SceneMotion::advanceTo(double seconds) {
+void SceneRun::advanceTo(double seconds) {
     while (rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
         step();
     follow();
 }
 
-void SceneMotion::follow() {
+void SceneRun::follow() {
     for (const auto& one : present)
         if (const auto slot = slotOfBody[one.body]; slot != noSlot)
             slotPlaces[slot] = rigid.centre(one.body);
 }
 
-void SceneMotion::step() {
+void SceneRun::step() {
     const double now = rigid.seconds() - leadSeconds;
     takeAway(now);
     letIn(now);
@@ -182,7 +182,7 @@ void SceneMotion::step() {
 
 /// What was to come between two steps is as far on its way by now. Half a step of gravity ahead
 /// makes the fall exact at every step.
-void SceneMotion::letIn(double now) {
+void SceneRun::letIn(double now) {
     for (; nextComing < coming.size() && coming[nextComing].seconds <= now; ++nextComing) {
         const auto& next = coming[nextComing];
         auto motion = next.motion;
@@ -200,7 +200,7 @@ void SceneMotion::letIn(double now) {
     }
 }
 
-void SceneMotion::kick(double now) {
+void SceneRun::kick(double now) {
     for (; nextKick < kicks.size() && kicks[nextKick].seconds <= now; ++nextKick) {
         const auto& kick = kicks[nextKick];
         for (const auto& [body, ignored] : present) {
@@ -215,7 +215,7 @@ void SceneMotion::kick(double now) {
     }
 }
 
-void SceneMotion::takeAway(double now) {
+void SceneRun::takeAway(double now) {
     std::erase_if(present, [&](const Present& one) {
         const bool stays = now < one.lastsUntil && rigid.centre(one.body).z() > lowestMetres;
         if (!stays) {
@@ -226,7 +226,7 @@ void SceneMotion::takeAway(double now) {
     });
 }
 
-void SceneMotion::tell(const Impact& impact) {
+void SceneRun::tell(const Impact& impact) {
     ++counted.impacts;
     if (slotOfBody[impact.body] == noSlot)
         return;
@@ -245,7 +245,7 @@ void SceneMotion::tell(const Impact& impact) {
     blows.insert(after, blow);
 }
 
-std::optional<SceneBlow> SceneMotion::takeBlow(double beforeSeconds) {
+std::optional<SceneBlow> SceneRun::takeBlow(double beforeSeconds) {
     if (blows.empty() || !(blows.front().seconds < beforeSeconds))
         return std::nullopt;
     const auto blow = blows.front();
@@ -253,7 +253,7 @@ std::optional<SceneBlow> SceneMotion::takeBlow(double beforeSeconds) {
     return blow;
 }
 
-bool SceneMotion::finished() const {
+bool SceneRun::finished() const {
     return rigid.seconds() - leadSeconds > overSeconds;
 }
 
