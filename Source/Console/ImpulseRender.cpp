@@ -1,8 +1,7 @@
 #include "Console/ImpulseRender.h"
 
 #include "Console/ImpulseFile.h"
-#include "Console/Interrupt.h"
-#include "Console/ProgressLine.h"
+#include "Console/RenderLoop.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/ObjectSurface.h"
@@ -13,7 +12,6 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <juce_audio_basics/juce_audio_basics.h>
 #include <map>
 
 namespace idiophone {
@@ -85,7 +83,7 @@ public:
     }
 
     /// Advances by a cell and returns it; it is there until the next.
-    CellOutput next(RenderTally& tally) {
+    StereoSpan next(RenderTally& tally) {
         const CellOutput cell(left, right);
         const auto start = std::chrono::steady_clock::now();
         synth.beginCell(cell);
@@ -101,7 +99,7 @@ public:
         tally.renderSeconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         tally.count(synth.modesMixed());
-        return cell;
+        return {left, right};
     }
 
     bool finished() const { return due == contacts.size() && synth.silent(); }
@@ -129,28 +127,20 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
     if (!scene)
         return tl::unexpected(scene.error());
 
-    const juce::ScopedNoDenormals asInTheAudioCallback;
-    const auto& interrupted = interruptRequested();
-    const double rate = format.sampleRateHz;
-    const auto lastContact = static_cast<std::int64_t>(scene->contacts.back().seconds * rate);
-    const std::int64_t end = format.seconds ? std::llround(*format.seconds * rate)
-                                            : lastContact + std::llround(longestTailSeconds * rate);
     RenderTally tally;
-    CellPlayer player(*scene, synthesisSettings(parameters), rate);
-    ProgressLine progress(file.filename().string());
-    for (std::int64_t position = 0; position < end; position += cellSamples) {
-        const auto cell = player.next(tally);
-        const auto wanted =
-            static_cast<std::size_t>(std::min<std::int64_t>(cellSamples, end - position));
-        if (auto added = recording.addAll(cell[0].first(wanted), cell[1].first(wanted)); !added)
-            return tl::unexpected(added.error());
-        if (interrupted)
-            return failure(std::string(interruptedMessage));
-        if (!format.seconds && player.finished())
-            break;
-        progress.show(static_cast<double>(position) / static_cast<double>(end), "");
-    }
-    if (auto done = recording.finish(format.seconds ? end : lastContact + 1); !done)
+    CellPlayer player(*scene, synthesisSettings(parameters), format.sampleRateHz);
+    if (auto done =
+            renderTo(recording, format,
+                     {.name = file.filename().string(),
+                      .lastSample = static_cast<std::int64_t>(scene->contacts.back().seconds *
+                                                              format.sampleRateHz),
+                      .pieceSamples = cellSamples,
+                      .render =
+                          [&](std::int64_t count) {
+                              return player.next(tally).subspan(0, static_cast<std::size_t>(count));
+                          },
+                      .finished = [&] { return player.finished(); }});
+        !done)
         return tl::unexpected(done.error());
     if (player.droppedCount() > 0)
         std::cerr << "warning: " << file.string() << ": " << player.droppedCount()

@@ -1,14 +1,11 @@
 #include "Console/SceneRender.h"
 
-#include "Console/Interrupt.h"
-#include "Console/ProgressLine.h"
-#include "Console/SongRender.h"
+#include "Console/RenderLoop.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Scene/SceneSound.h"
 
 #include <chrono>
 #include <cmath>
-#include <juce_audio_basics/juce_audio_basics.h>
 
 namespace idiophone {
 namespace {
@@ -35,7 +32,7 @@ public:
     }
 
     /// The next cell; it is there until the one after.
-    CellOutput next() {
+    StereoSpan next() {
         const CellOutput cell(left, right);
         const auto start = std::chrono::steady_clock::now();
         motion.advanceTo(sound.nextCellEndSeconds());
@@ -53,7 +50,7 @@ public:
         tally.motionSeconds += std::chrono::duration<double>(moved - start).count();
         tally.soundSeconds += std::chrono::duration<double>(sounded - moved).count();
         count();
-        return cell;
+        return {left, right};
     }
 
     bool finished() const { return motion.finished() && sound.silent(); }
@@ -87,28 +84,21 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
                                const ParameterValues& parameters,
                                const RecordingFormat& format,
                                Recording& recording) {
-    const juce::ScopedNoDenormals asInTheAudioCallback;
-    const auto& interrupted = interruptRequested();
     const double rate = format.sampleRateHz;
     const double lastSeconds =
         std::max(cast->scene().seconds, song.empty() ? 0 : song.back().seconds);
-    const std::int64_t end =
-        std::llround((format.seconds ? *format.seconds : lastSeconds + longestTailSeconds) * rate);
     ScenePerformance performance(cast, song, parameters, rate);
-    ProgressLine progress(cast->scene().name);
-    for (std::int64_t position = 0; position < end; position += cellSamples) {
-        const auto cell = performance.next();
-        const auto wanted =
-            static_cast<std::size_t>(std::min<std::int64_t>(cellSamples, end - position));
-        if (auto added = recording.addAll(cell[0].first(wanted), cell[1].first(wanted)); !added)
-            return tl::unexpected(added.error());
-        if (interrupted)
-            return failure(std::string(interruptedMessage));
-        if (!format.seconds && performance.finished())
-            break;
-        progress.show(static_cast<double>(position) / static_cast<double>(end), "");
-    }
-    if (auto done = recording.finish(format.seconds ? end : 1); !done)
+    if (auto done =
+            renderTo(recording, format,
+                     {.name = cast->scene().name,
+                      .lastSample = std::llround(std::ceil(lastSeconds * rate)) - 1,
+                      .pieceSamples = cellSamples,
+                      .render =
+                          [&](std::int64_t count) {
+                              return performance.next().subspan(0, static_cast<std::size_t>(count));
+                          },
+                      .finished = [&] { return performance.finished(); }});
+        !done)
         return tl::unexpected(done.error());
     return std::move(performance.tally);
 }

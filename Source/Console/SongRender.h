@@ -20,9 +20,6 @@ struct RenderTally {
     void count(std::int64_t modesMixed);
 };
 
-/// How long rendering goes on after the last event where no length is given.
-inline constexpr double longestTailSeconds = 30;
-
 /// Renders up to the length of the format, or else to silence after the last event. Every event
 /// acts at round(seconds × rate). `task` is what the progress line says; Ctrl-C ends in an error.
 Result<RenderTally> renderSong(Player& player,

@@ -1,9 +1,9 @@
 #include "Instrument/FactoryContent.h"
 
 #include "FactoryFiles.h"
+#include "Object/SameName.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -48,13 +48,9 @@ std::span<const Preset> factoryPresets() {
 }
 
 const Preset* findFactoryPreset(std::string_view name) {
-    const auto sameLetter = [](unsigned char a, unsigned char b) {
-        return std::tolower(a) == std::tolower(b);
-    };
     const auto presets = factoryPresets();
-    const auto found = std::ranges::find_if(presets, [&](const Preset& preset) {
-        return std::ranges::equal(preset.name, name, sameLetter);
-    });
+    const auto found = std::ranges::find_if(
+        presets, [&](const Preset& preset) { return sameName(preset.name, name); });
     return found == presets.end() ? nullptr : &*found;
 }
 

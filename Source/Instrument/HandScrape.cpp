@@ -2,6 +2,7 @@
 
 #include "Instrument/GainRamp.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Instrument/StrikePlace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +36,7 @@ HandScrape::HandScrape(const Instrument& played,
 }
 
 SurfacePath::Point HandScrape::metresOf(const SurfaceTouch& touch) const noexcept {
-    const auto& object = *instrument.slots()[touch.slot].object;
-    SurfacePath::Point metres{};
-    for (std::size_t k = 0; k < mostShapeRows; ++k) {
-        const auto row = static_cast<std::size_t>(touch.point.shapeRows[k]);
-        const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            metres[axis] += static_cast<double>(touch.point.weights[k]) *
-                            static_cast<double>(object.vertices[3 * vertex + axis]);
-    }
-    return metres;
+    return strikePlaceMetres(*instrument.slots()[touch.slot].object, touch.point);
 }
 
 void HandScrape::touch(const SurfaceTouch& touch) noexcept {

@@ -1,9 +1,9 @@
 #include "Object/EmbeddedMaterials.h"
 #include "Object/Material.h"
 #include "Object/MaterialFile.h"
+#include "Object/SameName.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <vector>
 
@@ -25,11 +25,6 @@ const std::vector<Material>& library() {
 
 // Read before anything runs: the audio thread must not be the first to ask.
 [[maybe_unused]] const auto& readAtStart = library();
-
-bool sameName(std::string_view a, std::string_view b) {
-    return std::ranges::equal(
-        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
 
 } // namespace
 

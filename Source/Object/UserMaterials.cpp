@@ -1,7 +1,7 @@
 #include "Object/MaterialFile.h"
+#include "Object/SameName.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
 namespace idiophone {
@@ -58,11 +58,8 @@ fs::path userMaterialFolder() {
 Result<Material> findAnyMaterial(std::string_view name) {
     if (const auto* known = findMaterial(name))
         return *known;
-    const auto sameLetter = [](unsigned char a, unsigned char b) {
-        return std::tolower(a) == std::tolower(b);
-    };
     for (auto& material : readMaterialFolder(userMaterialFolder()).materials)
-        if (std::ranges::equal(material.name, name, sameLetter))
+        if (sameName(material.name, name))
             return std::move(material);
     return failure("There is no material '" + std::string(name) + "'.");
 }

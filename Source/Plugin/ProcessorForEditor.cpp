@@ -3,29 +3,13 @@
 #include "Plugin/Processor.h"
 
 #include "Instrument/SettingsOfParameters.h"
+#include "Instrument/StrikePlace.h"
 #include "Object/MaterialFile.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace idiophone {
-namespace {
-
-std::array<double, 3> metresOf(const ModalObject& object, const StrikePoint& point) {
-    std::array<double, 3> place{};
-    for (std::size_t k = 0; k < point.weights.size(); ++k) {
-        if (point.weights[k] == 0)
-            continue;
-        const auto row = static_cast<std::size_t>(point.shapeRows[k]);
-        const auto vertex = static_cast<std::size_t>(object.shapeVertices[row]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            place[axis] += double(point.weights[k]) * double(object.vertices[3 * vertex + axis]);
-    }
-    return place;
-}
-
-} // namespace
-
 juce::AudioProcessorEditor* Processor::createEditor() {
     for (std::size_t i = 0; i < openGestures.size(); ++i)
         if (std::exchange(openGestures[i], 0) > 0)
@@ -188,7 +172,7 @@ std::vector<std::array<double, 3>> Processor::struckPlaces(std::size_t index) co
             continue;
         const auto& strip = playing->strip(key);
         for (int along = 0; along < strip.alongCount; ++along)
-            places.push_back(metresOf(
+            places.push_back(strikePlaceMetres(
                 object,
                 strip.at(static_cast<double>(along) / std::max(strip.alongCount - 1, 1), 0)));
         break; // the keys of one object share its path

@@ -1,10 +1,10 @@
 #include "Scene/FactoryScenes.h"
 
+#include "Object/SameName.h"
 #include "Scene/SceneText.h"
 #include "SceneFiles.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <vector>
 
@@ -39,13 +39,9 @@ std::span<const Scene> factoryScenes() {
 }
 
 const Scene* findFactoryScene(std::string_view name) {
-    const auto sameLetter = [](unsigned char a, unsigned char b) {
-        return std::tolower(a) == std::tolower(b);
-    };
     const auto scenes = factoryScenes();
-    const auto found = std::ranges::find_if(scenes, [&](const Scene& scene) {
-        return std::ranges::equal(scene.name, name, sameLetter);
-    });
+    const auto found = std::ranges::find_if(
+        scenes, [&](const Scene& scene) { return sameName(scene.name, name); });
     return found == scenes.end() ? nullptr : &*found;
 }
 

@@ -5,6 +5,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/PresetFile.h"
+#include "Instrument/StrikePlace.h"
 
 #include <algorithm>
 #include <numbers>
@@ -51,19 +52,6 @@ Result<std::shared_ptr<const ModalObject>> ballOf(const SilentBall& ball) {
     object->mass = {.massKg = mass, .inertiaKgM2 = {inertia, 0, 0, 0, inertia, 0, 0, 0, inertia}};
     setMesh(*object, icosphereMesh(r, 2));
     return object;
-}
-
-Eigen::Vector3d metresOf(const StrikePoint& point, const ModalObject& object) {
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < mostShapeRows; ++k) {
-        if (point.weights[k] == 0)
-            continue;
-        const auto vertex = static_cast<std::size_t>(
-            object.shapeVertices[static_cast<std::size_t>(point.shapeRows[k])]);
-        place += static_cast<double>(point.weights[k]) *
-                 Eigen::Map<const Eigen::Vector3f>(&object.vertices[3 * vertex]).cast<double>();
-    }
-    return place;
 }
 
 double topMetres(const ModalObject& object) {
@@ -141,7 +129,8 @@ Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
             Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
         bars.push_back({.role = allRoles.size() - 1, .motion = {.pose = pose}});
         const auto place = instrument.strip(key).between(key.along, 0).point;
-        targets[static_cast<std::size_t>(note)] = pose * metresOf(place, *object);
+        targets[static_cast<std::size_t>(note)] =
+            pose * Eigen::Vector3d(strikePlaceMetres(*object, place).data());
     }
     return {};
 }

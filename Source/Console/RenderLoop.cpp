@@ -1,0 +1,39 @@
+#include "Console/RenderLoop.h"
+
+#include "Console/Interrupt.h"
+#include "Console/ProgressLine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
+
+namespace idiophone {
+namespace {
+
+constexpr double longestTailSeconds = 30;
+
+} // namespace
+
+Result<void> renderTo(Recording& recording, const RecordingFormat& format, const RenderTask& task) {
+    const juce::ScopedNoDenormals asInTheAudioCallback;
+    const auto& interrupted = interruptRequested();
+    const double rate = format.sampleRateHz;
+    const std::int64_t end = format.seconds
+                                 ? std::llround(*format.seconds * rate)
+                                 : task.lastSample + std::llround(longestTailSeconds * rate);
+    ProgressLine progress(task.name);
+    for (std::int64_t position = 0; position < end; position += task.pieceSamples) {
+        const auto count = std::min(task.pieceSamples, end - position);
+        const auto piece = task.render(count);
+        if (auto done = recording.addAll(piece.left, piece.right); !done)
+            return done;
+        if (interrupted)
+            return failure(std::string(interruptedMessage));
+        if (!format.seconds && position + count > task.lastSample && task.finished())
+            break;
+        progress.show(static_cast<double>(position) / static_cast<double>(end), "");
+    }
+    return recording.finish(format.seconds ? end : task.lastSample + 1);
+}
+
+} // namespace idiophone
