@@ -148,6 +148,32 @@ def rings(figures):
             f"{figures['slowest_tenth_over_mean']:.2f}.")
 
 
+def scale(figures):
+    crowds = figures["crowds"]
+    bodies = [crowd["bodies"] for crowd in crowds]
+    budget = figures["mode_budget"]
+    figure, (modes, cost) = plt.subplots(1, 2)
+    for key, name in (("unscaled", "no budget"), ("scaled", f"budget {budget:.0f}")):
+        modes.loglog(bodies, [c[key]["modes_mixed_mean"] for c in crowds], "o-", label=name)
+        cost.loglog(bodies, [1e6 * c[key]["frame_seconds_mean"] for c in crowds], "o-",
+                    label=name)
+    modes.set_ylabel("modes mixed")
+    cost.set_ylabel("µs a frame of 10 ms")
+    for axes in modes, cost:
+        axes.set_xlabel("sounding bodies")
+        axes.legend(fontsize=7)
+    save(figure, "scale")
+    rows = [(c["bodies"], f"{c['unscaled']['modes_mixed_mean']:.0f}",
+             f"{c['scaled']['modes_mixed_mean']:.0f}", c["scaled"]["modes_mixed_most"],
+             digits(1e6 * c["unscaled"]["frame_seconds_mean"]),
+             digits(1e6 * c["scaled"]["frame_seconds_mean"]),
+             digits(1e6 * c["scaled"]["frame_seconds_worst"]),
+             "" if c["heap_bytes"] is None else digits(c["heap_bytes"] / 1e6))
+            for c in crowds]
+    return table(("bodies", "modes mixed", f"with a budget of {budget:.0f}", "at most",
+                  "µs a frame", "with the budget", "at worst", "memory, MB"), rows)
+
+
 def xylophone(figures):
     return table(("strikes", "s", "share of one core", "dearest cell / its length", "modes mixed",
                   "at most"),
@@ -204,7 +230,7 @@ def main():
         text, "machine", f"Measured on: {machine}SIMD target {build['simd_target']}, compiler "
                          f"{build['compiler']}.")
     text = replace_between_markers(text, "goals", goals(document))
-    for draw in kernel, callback, force, memory, tau, rings, xylophone, compression:
+    for draw in kernel, callback, force, memory, tau, rings, scale, xylophone, compression:
         if draw.__name__ in document["benchmarks"]:
             text = replace_between_markers(text, draw.__name__,
                                            draw(document["benchmarks"][draw.__name__]))

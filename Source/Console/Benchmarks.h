@@ -50,6 +50,8 @@ Result<BenchSection> benchMemory(const BenchContent&);
 Result<BenchSection> benchTau(const BenchContent&);
 /// A hundred rings on a table (the paper's Figure 8).
 Result<BenchSection> benchRings(const BenchContent&);
+/// Modes mixed, cost and memory with 10, 100 and 1000 sounding bodies.
+Result<BenchSection> benchScale(const BenchContent&);
 /// A song as a share of one core.
 Result<BenchSection> benchXylophone(const BenchContent&);
 /// Modes and level before and after compression.

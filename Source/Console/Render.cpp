@@ -6,6 +6,7 @@
 #include "Console/SongRender.h"
 #include "Instrument/ScalaTuning.h"
 #include "Object/TextFile.h"
+#include "Scene/SceneStage.h"
 
 #include <iostream>
 
@@ -72,7 +73,7 @@ Result<RenderTally> playSong(const Preset& preset,
                              const ParameterValues& values,
                              const Options& options,
                              Recording& to) {
-    auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared());
+    auto instrument = buildInstrument(preset.keyMap, ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
     const auto tuning = readTuning(options);

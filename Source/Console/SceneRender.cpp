@@ -25,7 +25,7 @@ public:
                      std::span<const SongEvent> song,
                      const ParameterValues& parameters,
                      double sampleRateHz)
-        : motion(cast, notesOf(song)),
+        : motion(cast, {.notes = notesOf(song)}),
           sound(*cast, motion.slots(), sampleRateHz, cast->scene().seed) {
         sound.setSettings(synthesisSettings(parameters));
         tally.notesLeftOut = motion.figures().notesLeftOut;

@@ -69,10 +69,11 @@ void HandScrape::lift() noexcept {
 void HandScrape::sound(const ParameterValues& parameters,
                        const std::vector<double>& malletScales,
                        Synthesiser& synthesiser,
-                       const CellOutput& cell) noexcept {
+                       std::span<const CellOutput> cellsOfSlots) noexcept {
     for (Contact& contact : contacts)
         if (contact.isActive)
-            soundOne(contact, parameters, malletScales[contact.slot], synthesiser, cell);
+            soundOne(contact, parameters, malletScales[contact.slot], synthesiser,
+                     cellsOfSlots[contact.slot]);
 }
 
 void HandScrape::soundOne(Contact& contact,

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace idiophone {
@@ -51,7 +52,7 @@ public:
     void sound(const ParameterValues& parameters,
                const std::vector<double>& malletScales,
                Synthesiser& synthesiser,
-               const CellOutput& cell) noexcept;
+               std::span<const CellOutput> cellsOfSlots) noexcept;
 
     std::optional<std::size_t> heldSlot() const noexcept; ///< that it touches
     bool silent() const noexcept; ///< it touches nothing, and nothing of it fades out

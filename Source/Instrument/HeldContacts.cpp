@@ -140,13 +140,14 @@ void HeldContacts::resetControllers(int channel) noexcept {
 void HeldContacts::sound(const ParameterValues& parameters,
                          const SynthesisSettings& settings,
                          Synthesiser& synthesiser,
-                         const CellOutput& cell) noexcept {
+                         std::span<const CellOutput> cellsOfSlots) noexcept {
     if (strikes(parameters))
         releaseAll();
     for (auto& contact : contacts)
         if (contact.isActive()) {
             chooseKind(contact, parameters, settings, synthesiser);
-            soundOne(contact, parameters, synthesiser, cell);
+            soundOne(contact, parameters, synthesiser,
+                     cellsOfSlots[static_cast<std::size_t>(instrument.key(contact.note).slot)]);
         }
 }
 

@@ -62,13 +62,14 @@ public:
     /// As before any of the channel moved: held keys press as they were struck.
     void resetControllers(int channel) noexcept;
 
-    /// Applies a cell of every contact's force to the cell begun last, under the settings and the
+    /// Applies a cell of every contact's force to the cell begun last, each slot's in its own
+    /// output, under the settings and the
     /// slots' frequency ratios of that cell. While the parameters ask for strikes, every contact
     /// counts as released.
     void sound(const ParameterValues& parameters,
                const SynthesisSettings& settings,
                Synthesiser& synthesiser,
-               const CellOutput& cell) noexcept;
+               std::span<const CellOutput> cellsOfSlots) noexcept;
 
     bool silent() const noexcept; ///< no contact, not even one that fades out
     void reset() noexcept;        ///< as constructed

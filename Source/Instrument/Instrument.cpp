@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 namespace idiophone {
 namespace {
@@ -25,12 +27,48 @@ Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap
     if (keyMap.lowestNote < 0 || keyMap.highestNote > 127 ||
         keyMap.lowestNote > keyMap.highestNote || keyMap.strikePath.empty())
         return failure("the key map's notes are not between 0 and 127, or it has no strike path");
+    if (keyMap.kind == KeyMapKind::scene)
+        return failure("a scene is not built of keys");
     auto instrument = std::shared_ptr<Instrument>(new Instrument(keyMap));
     const auto built = keyMap.kind == KeyMapKind::bars ? instrument->buildBars(library)
                                                        : instrument->buildSingleObject(library);
     if (!built)
         return tl::unexpected(built.error());
     return instrument;
+}
+
+std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
+                                                      std::vector<SynthesiserSlot> slots,
+                                                      const std::array<int, 128>& slotOfKey,
+                                                      std::shared_ptr<const Stage> stage) {
+    auto instrument = std::shared_ptr<Instrument>(new Instrument(std::move(keyMap)));
+    instrument->synthesiserSlots = std::move(slots);
+    instrument->ownStage = std::move(stage);
+    std::map<int, int> stripOfSlot;
+    for (std::size_t note = 0; note < slotOfKey.size(); ++note) {
+        const int slot = slotOfKey[note];
+        if (slot < 0)
+            continue;
+        const auto [strip, isNew] =
+            stripOfSlot.try_emplace(slot, static_cast<int>(instrument->strips.size()));
+        if (isNew)
+            instrument->strips.push_back(
+                strikeStrip(*instrument->synthesiserSlots[static_cast<std::size_t>(slot)].object,
+                            instrument->map));
+        instrument->keys[note] = {.slot = slot,
+                                  .strip = strip->second,
+                                  .along = instrument->map.strikeAt,
+                                  .malletScale = 1};
+    }
+    return instrument;
+}
+
+bool Instrument::keysHaveObjects() const {
+    if (map.kind == KeyMapKind::zones)
+        return false;
+    std::set<int> played;
+    return std::ranges::all_of(
+        keys, [&](const Key& key) { return key.slot < 0 || played.insert(key.slot).second; });
 }
 
 Result<void> Instrument::buildBars(ObjectLibrary& library) {

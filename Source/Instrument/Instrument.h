@@ -4,6 +4,7 @@
 
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/Preset.h"
+#include "Instrument/Stage.h"
 #include "Instrument/StrikeStrip.h"
 #include "Synth/Synthesiser.h"
 
@@ -27,12 +28,24 @@ public:
     static Result<std::shared_ptr<const Instrument>> build(const KeyMap& keyMap,
                                                            ObjectLibrary& library);
 
+    /// Of a key map of kind `scene`: keys set bodies in motion on a stage, which has a slot for
+    /// each object. `slotOfKey` is what a note is shown and held by, −1 where it does nothing.
+    static std::shared_ptr<const Instrument> onStage(KeyMap keyMap,
+                                                     std::vector<SynthesiserSlot> slots,
+                                                     const std::array<int, 128>& slotOfKey,
+                                                     std::shared_ptr<const Stage> stage);
+
     const KeyMap& keyMap() const { return map; }
     std::span<const SynthesiserSlot> slots() const { return synthesiserSlots; }
     const Key& key(int midiNote) const { return keys[static_cast<std::size_t>(midiNote & 127)]; }
     const StrikeStrip& strip(const Key& key) const {
         return strips[static_cast<std::size_t>(key.strip)];
     }
+
+    /// What its notes set in motion instead of mallets, or null.
+    const std::shared_ptr<const Stage>& stage() const { return ownStage; }
+    /// No two keys play one object.
+    bool keysHaveObjects() const;
 
 private:
     explicit Instrument(KeyMap keyMap) : map(std::move(keyMap)) {}
@@ -44,6 +57,7 @@ private:
     std::vector<SynthesiserSlot> synthesiserSlots;
     std::vector<StrikeStrip> strips;
     std::array<Key, 128> keys;
+    std::shared_ptr<const Stage> ownStage;
 };
 
 } // namespace idiophone

@@ -60,7 +60,8 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                const Surface& surface,
                std::uint64_t seed,
                const ParameterValues& own)
-    : playedInstrument(std::move(instrument)), synth(copySlots(*playedInstrument), sampleRateHz, 2),
+    : playedInstrument(std::move(instrument)),
+      synth(copySlots(*playedInstrument), sampleRateHz, playedInstrument->stage() ? 1 : 2),
       glide(cellSamples / sampleRateHz), firstStrikeNumber(firstStrike(seed)),
       strikeCount(firstStrikeNumber), pending(pendingCapacity),
       lowestModes(lowestModesOf(*playedInstrument)),
@@ -75,6 +76,14 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       slotHeld(playedInstrument->slots().size(), false),
       slotPressed(playedInstrument->slots().size(), 0),
       slotSilenced(playedInstrument->slots().size(), false) {
+    if (playedInstrument->stage()) {
+        performance = playedInstrument->stage()->perform(sampleRateHz, seed);
+        slotSamples.resize(synth.slotCount() * cellSamples);
+        for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
+            slotCells.emplace_back(
+                std::span<float, cellSamples>(&slotSamples[slot * cellSamples], cellSamples));
+    } else
+        slotCells.assign(synth.slotCount(), cell());
     late.reserve(lateCapacity);
     surfaceStrikes.reserve(surfaceCapacity);
 }
@@ -100,7 +109,8 @@ void Player::process(const StereoSpan& output,
         int until = std::min(count, position + cellSamples - cellPosition);
         if (next < events.size())
             until = std::min(until, events[next].sampleOffset);
-        strikePendingBefore(cellPosition + until - position);
+        if (!performance)
+            strikePendingBefore(cellPosition + until - position);
         copyOut(output, position, until - position);
         cellPosition += until - position;
         position = until;
@@ -161,12 +171,33 @@ void Player::beginCell() {
     synth.setSettings(settings);
     slotTuning.apply(bend, synth);
     updateDampers();
-    synth.beginCell(cell());
-    held.sound(current, settings, synth, cell());
-    handScrape.sound(current, malletScales, synth, cell());
+    if (performance)
+        synth.beginCell(slotCells);
+    else
+        synth.beginCell(cell());
+    held.sound(current, settings, synth, slotCells);
+    handScrape.sound(current, malletScales, synth, slotCells);
     ++cellIndex;
+    if (performance)
+        playStage();
     updateGain();
     cellPosition = 0;
+}
+
+/// The ears take in whole cells, so that everything in it must be known when it begins.
+void Player::playStage() {
+    performance->sound(cellIndex, synth, slotCells);
+    strikePendingBefore(cellSamples);
+    performance->hear(slotCells, cell());
+}
+
+void Player::setOffline(bool isOffline) noexcept {
+    if (performance)
+        performance->setOffline(isOffline);
+}
+
+std::int64_t Player::lateBlows() const noexcept {
+    return performance ? performance->lateBlows() : 0;
 }
 
 void Player::prepare(const ParameterValues& parameters) {
@@ -203,7 +234,7 @@ void Player::updateDampers() {
     slotHeld = slotTouched;
     if (const auto slot = handScrape.heldSlot())
         slotHeld[*slot] = true;
-    if (current[letRing] != 0)
+    if (current[letRing] != 0 || performance)
         slotHeld.assign(slotHeld.size(), true);
     auto keys = keysSustained | keysCaught;
     for (const auto& down : keysDown)
@@ -228,6 +259,8 @@ void Player::updateDampers() {
 
 void Player::reset() {
     synth.reset();
+    if (performance)
+        performance->reset();
     glide.reset();
     leftCell.fill(0);
     rightCell.fill(0);
@@ -257,8 +290,9 @@ bool Player::silent() const {
         return std::all_of(samples.begin() + cellPosition, samples.end(),
                            [](float x) { return x == 0; });
     };
-    return synth.silent() && pending.empty() && late.empty() && surfaceStrikes.empty() &&
-           held.silent() && handScrape.silent() && played(leftCell) && played(rightCell);
+    return synth.silent() && (!performance || performance->silent()) && pending.empty() &&
+           late.empty() && surfaceStrikes.empty() && held.silent() && handScrape.silent() &&
+           played(leftCell) && played(rightCell);
 }
 
 std::optional<int> Player::takeProgramChange() {

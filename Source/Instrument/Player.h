@@ -15,6 +15,7 @@
 #include "Instrument/SlotTuning.h"
 #include "Instrument/StereoSpan.h"
 #include "Parameters/ParameterTable.h"
+#include "Synth/AlignedVector.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -55,6 +56,8 @@ public:
            const Surface& surface = {},
            std::uint64_t seed = 1,
            const ParameterValues& own = {});
+    Player(const Player&) = delete;
+    Player& operator=(const Player&) = delete;
 
     /// Has the gain that matches the loudness of these values from the first cell on, whatever it
     /// costs: off the audio thread, between construction or `reset` and the first block. What is
@@ -65,7 +68,9 @@ public:
     /// radiation both channels are the same. Events are in order of time; what is stamped beyond
     /// the block's end acts at the next block's start. Strikes act at their sample; parameters and
     /// everything else at the first point of the 64-sample grid at or after their stamp, which for
-    /// parameters is the block's first sample; from there what sounds while it moves glides.
+    /// parameters is the block's first sample; from there what sounds while it moves glides. On a
+    /// stage notes set bodies in motion at their sample, and blows by hand act at the next grid
+    /// point.
     void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
                  const ParameterValues& parameters);
@@ -94,6 +99,11 @@ public:
     void takeControllersOf(const Player& former) noexcept;
     /// Of these only MPE's zones and the bend ranges.
     void takeBendSetupOf(const Player& former) noexcept;
+
+    /// On a stage: whether `process` may wait for what its bodies do.
+    void setOffline(bool isOffline) noexcept;
+    /// Blows of a stage's bodies that became known too late to act at their time.
+    std::int64_t lateBlows() const noexcept;
 
     /// The host's, from the next cell on; 0 where it tells none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
@@ -137,6 +147,8 @@ private:
     void updateGain();
     void copyOut(const StereoSpan& output, int position, int count) const;
     CellOutput cell() { return {leftCell, rightCell}; }
+    void playStage();
+    double nextStrikeSample() const;
 
     std::shared_ptr<const Instrument> playedInstrument;
     Synthesiser synth;
@@ -144,6 +156,9 @@ private:
     ParameterGlide glide;
     alignas(64) std::array<float, cellSamples> leftCell{};
     alignas(64) std::array<float, cellSamples> rightCell{};
+    std::unique_ptr<StagePerformance> performance; ///< of an instrument on a stage
+    AlignedVector<float> slotSamples;              ///< [slots, 64] on a stage
+    std::vector<CellOutput> slotCells; ///< where each slot sounds: in those, or all in the one cell
     int cellPosition = cellSamples;
     std::int64_t cellIndex = -1; ///< of the cell begun last
     std::uint32_t firstStrikeNumber;

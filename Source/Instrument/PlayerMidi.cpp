@@ -51,7 +51,7 @@ void Player::keyDown(int channel, int note, int velocity) {
     slotTuning.noteOn(note);
     setKeyPressure(channel, static_cast<std::size_t>(note), 0);
     keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
-    if (!strikes(current))
+    if (!strikes(current) && !performance)
         held.press(channel, note, softness * velocity / 127.0);
     const auto slot = static_cast<std::size_t>(playedInstrument->key(note).slot);
     slotSilenced[slot] = false;
@@ -157,6 +157,8 @@ void Player::controller(int channel, int number, int value) {
         break;
     case allSoundOff:
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
+        if (performance)
+            performance->stop();
         pending.clear();
         late.clear();
         surfaceStrikes.clear();

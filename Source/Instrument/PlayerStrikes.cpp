@@ -3,6 +3,7 @@
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,12 +14,17 @@ namespace idiophone {
 using enum ParameterId;
 
 void Player::strikeFor(const MidiEvent& event) {
-    if (!event.isNoteOn() || !strikes(current))
+    if (!event.isNoteOn() || (!strikes(current) && !performance))
         return;
     const int velocity = event.bytes[2] & 0x7f;
     const auto& key = playedInstrument->key(event.bytes[1]);
     if (!slotTuning.sounds(event.bytes[1] & 0x7f))
         return;
+    if (performance) {
+        const int softened = std::max(1, static_cast<int>(std::lround(softness * velocity)));
+        performance->cue(event.bytes[1] & 0x7f, softened, cellIndex, cellPosition);
+        return;
+    }
     const auto number = strikeCount++;
     auto place = strikePlace(key.along, current, number);
     place.along = held.placeMoved(event.bytes[0] & 0x0f, place.along);
@@ -58,7 +64,13 @@ void Player::strikeAt(std::size_t slot,
         return;
     }
     for (const auto& contact : train)
-        schedule(slot, cellPosition + contact.delaySeconds * synth.sampleRateHz(), contact.strike);
+        schedule(slot, nextStrikeSample() + contact.delaySeconds * synth.sampleRateHz(),
+                 contact.strike);
+}
+
+/// The first sample of the cell begun last, or beyond it, at which a blow is still heard.
+double Player::nextStrikeSample() const {
+    return performance ? cellSamples : cellPosition;
 }
 
 /// `sample` counts from the start of the cell begun last.
@@ -86,13 +98,13 @@ void Player::strikePendingBefore(double sampleInCell) {
 /// need no room: as its values at a quarter, the half and three quarters of its time, which have
 /// its spectrum up to 2/T and are too bright above.
 void Player::strikeNow(std::size_t slot, const Strike& strike, double sampleInCell) {
-    if (synth.strike(slot, strike, sampleInCell, cell()))
+    if (synth.strike(slot, strike, sampleInCell, slotCells[slot]))
         return;
     auto impulse = strike;
     impulse.durationSeconds = 0;
     constexpr std::array shares{0.25f, 0.5f, 0.25f};
     if (pending.room() < shares.size()) {
-        synth.strike(slot, impulse, sampleInCell, cell());
+        synth.strike(slot, impulse, sampleInCell, slotCells[slot]);
         return;
     }
     for (std::size_t k = 0; k < shares.size(); ++k) {

@@ -44,17 +44,18 @@ double number(const json& object, const char* key, double lowest, double highest
     return result;
 }
 
-constexpr std::array<std::pair<KeyMapKind, const char*>, 3> kindNames{{
+constexpr std::array<std::pair<KeyMapKind, const char*>, 4> kindNames{{
     {KeyMapKind::bars, "bars"},
     {KeyMapKind::zones, "zones"},
     {KeyMapKind::scaled, "scaled"},
+    {KeyMapKind::scene, "scene"},
 }};
 
 KeyMapKind parseKind(const std::string& name) {
     for (const auto& [kind, kindName] : kindNames)
         if (name == kindName)
             return kind;
-    throw Fault{"its key map " + inQuotes(name) + " is none of bars, zones and scaled"};
+    throw Fault{"its key map " + inQuotes(name) + " is none of bars, zones, scaled and scene"};
 }
 
 const char* kindName(KeyMapKind wanted) {

@@ -18,7 +18,8 @@ namespace idiophone {
 enum class KeyMapKind {
     bars,  ///< one object a key
     zones, ///< one object; the strike moves along a path over it as the keys go up
-    scaled ///< one object, resized for each key to its pitch
+    scaled, ///< one object, resized for each key to its pitch
+    scene   ///< a scene of rigid bodies, which keys set in motion (Scene/SceneStage.h)
 };
 
 /// How MIDI notes find objects and strike points.
@@ -27,7 +28,7 @@ struct KeyMap {
     int lowestNote = 0;    ///< 0 to 127
     int highestNote = 127; ///< lowestNote to 127
     /// The modal object: a factory object's name ("plate") or a file's path; for `bars`, `{note}`
-    /// in it stands for the MIDI note.
+    /// in it stands for the MIDI note. For `scene` the factory scene's name or its file's path.
     std::string object;
     /// Where keys strike: a path over the object, from its lowest key's end to its highest's, in
     /// units of the object's bounding box (−1 to 1 along x, y and z). Each place is the

@@ -26,6 +26,8 @@ std::string modeSetKey(const Instrument& instrument, std::size_t slot) {
             if (const int played = instrument.key(note).slot;
                 played >= 0 && slots[static_cast<std::size_t>(played)].object == slots[slot].object)
                 return std::to_string(note);
+    if (map.kind == KeyMapKind::scene)
+        return slots[slot].object->name;
     return "all";
 }
 

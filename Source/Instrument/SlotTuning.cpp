@@ -6,7 +6,7 @@
 namespace idiophone {
 
 SlotTuning::SlotTuning(const Instrument& playedInstrument)
-    : instrument(playedInstrument), keysHaveObjects(instrument.keyMap().kind != KeyMapKind::zones),
+    : instrument(playedInstrument), keysHaveObjects(instrument.keysHaveObjects()),
       slots(instrument.slots().size()) {
     if (keysHaveObjects)
         for (int note = 0; note < KeyTuning::notes; ++note)

@@ -3,6 +3,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Object/HalfFloat.h"
 #include "Object/ModalObjectFile.h"
+#include "Scene/SceneStage.h"
 
 #include <algorithm>
 #include <mutex>
@@ -31,6 +32,8 @@ std::vector<EmbeddedObject> foreignObjects(const Instrument& instrument) {
     std::vector<EmbeddedObject> objects;
     std::set<std::string> known;
     const auto& map = instrument.keyMap();
+    if (map.kind == KeyMapKind::scene)
+        return objects; // it names its objects itself
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         const int slot = instrument.key(note).slot;
         const auto name = map.objectFor(note);
@@ -56,7 +59,7 @@ buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects
             return tl::unexpected(object.error());
         kept.push_back(library.add(embedded.name, std::move(*object)));
     }
-    return Instrument::build(keyMap, library);
+    return buildInstrument(keyMap, library);
 }
 
 Result<std::shared_ptr<const Instrument>>
@@ -64,17 +67,19 @@ buildSingleObject(const KeyMap& keyMap, const std::shared_ptr<const ModalObject>
     const std::scoped_lock lock(libraryMutex());
     auto& library = ObjectLibrary::shared();
     library.add(keyMap.object, object);
-    return Instrument::build(keyMap, library);
+    return buildInstrument(keyMap, library);
 }
 
 Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const KeyMap& keyMap) {
+    if (keyMap.kind == KeyMapKind::scene)
+        return buildInstrument(keyMap, ObjectLibrary::shared());
     const std::scoped_lock lock(libraryMutex());
     auto& library = ObjectLibrary::shared();
     const auto& map = from.keyMap();
     for (int note = map.lowestNote; note <= map.highestNote; ++note)
         if (const int slot = from.key(note).slot; slot >= 0)
             library.add(map.objectFor(note), from.slots()[static_cast<std::size_t>(slot)].object);
-    return Instrument::build(keyMap, library);
+    return buildInstrument(keyMap, library);
 }
 
 } // namespace idiophone

@@ -3,6 +3,8 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/PresetFile.h"
 #include "Plugin/ObjectEmbedding.h"
+#include "Scene/FactoryScenes.h"
+#include "Scene/SceneStage.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -67,8 +69,14 @@ KeyMap standInFor(const KeyMap& keyMap) {
             .object = "ring"};
 }
 
-/// The first object of its notes that is neither the factory's nor a file.
+/// The first object of its notes, or its scene, that is neither the factory's nor a file.
 std::optional<std::string> firstMissing(const KeyMap& keyMap) {
+    if (keyMap.kind == KeyMapKind::scene) {
+        std::error_code fault;
+        const bool isThere = findFactoryScene(keyMap.object) != nullptr ||
+                             std::filesystem::exists(keyMap.object, fault);
+        return isThere ? std::nullopt : std::optional(keyMap.object);
+    }
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
         const auto object = keyMap.objectFor(note);
         std::error_code fault;
@@ -81,7 +89,7 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap) {
 /// The objects of `found`, by the names of `keyMap`.
 Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const KeyMap& found) {
     if (found.object == keyMap.object)
-        return Instrument::build(keyMap, ObjectLibrary::shared());
+        return buildInstrument(keyMap, ObjectLibrary::shared());
     // A library of its own, where the names mean these objects; the objects are shared all the
     // same.
     ObjectLibrary own;
@@ -96,7 +104,7 @@ Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const 
         own.add(name, *object);
         kept.emplace(name, std::move(*object));
     }
-    return Instrument::build(keyMap, own);
+    return buildInstrument(keyMap, own);
 }
 
 } // namespace
@@ -140,17 +148,20 @@ Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce:
     const auto found = withObjectsBeside(keyMap, presetFile.getFullPathName().toStdString());
     if (const auto missing = firstMissing(found)) {
         const auto standIn = standInFor(keyMap);
-        return Instrument::build(standIn, ObjectLibrary::shared()).transform([&](auto built) {
+        return buildInstrument(standIn, ObjectLibrary::shared()).transform([&](auto built) {
             return PresetInstrument{.keyMap = standIn,
                                     .instrument = std::move(built),
                                     .notice = *missing + " is missing; a steel ring plays in its "
                                                          "place."};
         });
     }
-    return buildWith(keyMap, found).transform([&](auto built) {
-        return PresetInstrument{
-            .keyMap = keyMap, .instrument = std::move(built), .notice = std::string()};
-    });
+    const bool isScene = keyMap.kind == KeyMapKind::scene;
+    const auto& played = isScene ? found : keyMap;
+    return (isScene ? buildInstrument(found, ObjectLibrary::shared()) : buildWith(keyMap, found))
+        .transform([&](auto built) {
+            return PresetInstrument{
+                .keyMap = played, .instrument = std::move(built), .notice = std::string()};
+        });
 }
 
 } // namespace idiophone

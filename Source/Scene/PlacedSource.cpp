@@ -39,6 +39,16 @@ PlacedSource::PlacedSource(double sampleRateHz)
     line.resize(lineSize + cellSamples + points);
 }
 
+void PlacedSource::reset() noexcept {
+    std::ranges::fill(line, 0.0f);
+    position = 0;
+    quietSamples = lineSize;
+    isPlaced = false;
+    airPole = air = 0;
+    ears = {};
+    memories = {};
+}
+
 /// The shadow by the bilinear transform.
 PlacedSource::Ear PlacedSource::earOf(const EarPath& path, double gain) const noexcept {
     const double warped = warping(rateHz), alpha = path.highFrequencyGain;

@@ -21,6 +21,8 @@ public:
              const HeardPath& path,
              const CellOutput& ears) noexcept;
 
+    void reset() noexcept; ///< as constructed
+
     /// Nothing of what was added is still on its way.
     bool silent() const noexcept { return quietSamples >= lineSize; }
 

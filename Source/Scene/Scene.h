@@ -6,6 +6,7 @@
 #include "Synth/Surface.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -94,6 +95,13 @@ struct NoteDrop {
     Eigen::Vector3d positionMetres{0, 0, 0}; ///< where it hits, where there is no keyboard
 };
 
+/// What a key of the plugin does with bodies that do not come from `NoteDrop`: all of them begin
+/// anew, from softest to hardest.
+struct KeyThrow {
+    std::array<double, 2> raisedMetres{0, 0.3}; ///< how much higher than they are placed
+    std::array<double, 2> speedRatios{1, 1};    ///< times the speeds they are given
+};
+
 struct Listener {
     Eigen::Vector3d positionMetres{0, -1.5, 1.5};
     Eigen::Vector3d towardsMetres{0, 0, 0.5};
@@ -111,6 +119,7 @@ struct Scene {
     std::vector<Kick> kicks;
     std::optional<KeyboardStage> keyboard;
     std::optional<NoteDrop> noteDrop;
+    KeyThrow keyThrow;
     Listener listener;
     ParameterValues parameters;
 };

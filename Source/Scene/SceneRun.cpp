@@ -40,13 +40,15 @@ posed(const RigidBodyModel& model, const Eigen::Vector3d& place, const Eigen::Qu
 
 } // namespace
 
-SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, std::vector<SceneNote> notes)
-    : cast(std::move(playedCast)), scene(cast->scene()),
+SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, SceneCall wanted)
+    : cast(std::move(playedCast)), scene(cast->scene()), call(std::move(wanted)),
+      seed(call.seed.value_or(scene.seed)),
       rigid(kindsOf(*cast), scene.stepsPerSecond, scene.gravityMetresPerSecond2),
-      kicks(scene.kicks), tracker(cast, rigid.stepSeconds()), overSeconds(scene.seconds) {
+      kicks(scene.kicks), tracker(cast, rigid.stepSeconds()),
+      overSeconds(call.seconds.value_or(scene.seconds)) {
     standKeyboard();
     planReleases();
-    planNotes(std::move(notes));
+    planNotes();
     std::ranges::stable_sort(coming, {}, &Coming::seconds);
     std::ranges::stable_sort(kicks, {}, &Kick::seconds);
     if (!coming.empty())
@@ -69,6 +71,7 @@ std::size_t SceneRun::newSlot(std::size_t role) {
     if (!cast->roles()[role].isHeard())
         return noSlot;
     allSlots.push_back(cast->slotOf(role));
+    roleOfSlot.push_back(role);
     slotPlaces.push_back(Eigen::Vector3d::Zero());
     return allSlots.size() - 1;
 }
@@ -77,8 +80,11 @@ void SceneRun::planReleases() {
     std::uint32_t number = 0;
     for (const auto& release : scene.releases)
         for (int k = 0; k < release.count; ++k, ++number) {
-            SceneRandom chance(scene.seed, number);
-            const auto place = chance.draw(release.positionMetres);
+            SceneRandom chance(seed, number);
+            const auto& model = *cast->roles()[release.kind].kind.model;
+            const double moves = model.isFixed ? 0 : 1;
+            const Eigen::Vector3d place = chance.draw(release.positionMetres) +
+                                          moves * call.raisedMetres * Eigen::Vector3d::UnitZ();
             const auto turn = release.isTurnedAtRandom ? chance.turn()
                                                        : turned(chance.draw(release.turnedDegrees));
             const double share = release.count > 1 ? k / (release.count - 1.0) : 0;
@@ -86,17 +92,20 @@ void SceneRun::planReleases() {
                 {.seconds = release.seconds + share * release.overSeconds,
                  .role = release.kind,
                  .slot = newSlot(release.kind),
-                 .motion = {.pose = posed(*cast->roles()[release.kind].kind.model, place, turn),
-                            .velocity = chance.draw(release.velocityMetresPerSecond),
-                            .spin = radiansPerSecond(chance.draw(release.spinTurnsPerSecond))},
+                 .motion = {.pose = posed(model, place, turn),
+                            .velocity =
+                                call.speedRatio * chance.draw(release.velocityMetresPerSecond),
+                            .spin = call.speedRatio *
+                                    radiansPerSecond(chance.draw(release.spinTurnsPerSecond))},
                  .lastsUntil = std::numeric_limits<double>::infinity()});
         }
 }
 
-void SceneRun::planNotes(std::vector<SceneNote> notes) {
+void SceneRun::planNotes() {
     if (!scene.noteDrop)
         return;
     const auto& drop = *scene.noteDrop;
+    auto& notes = call.notes;
     std::ranges::stable_sort(notes, {}, &SceneNote::seconds);
     struct Taken {
         std::size_t slot;
@@ -137,7 +146,7 @@ BodyMotion SceneRun::falling(const SceneNote& note, std::uint32_t number, double
     const double speed = slowest + (fastest - slowest) * (note.velocity - 1) / 126.0;
     fallSeconds = speed / gravity;
 
-    SceneRandom chance(scene.seed, number);
+    SceneRandom chance(seed, number);
     const auto turn = chance.turn();
     auto place = *cast->target(note.note);
     for (int axis = 0; axis < 2; ++axis)
@@ -206,11 +215,11 @@ void SceneRun::kick(double now) {
         for (const auto& [body, ignored] : present) {
             if (roleOfBody[body] != kick.kind)
                 continue;
-            SceneRandom chance(scene.seed,
-                               firstKick + static_cast<std::uint32_t>(nextKick << 14 | body));
+            SceneRandom chance(seed, firstKick + static_cast<std::uint32_t>(nextKick << 14 | body));
             const auto velocity = chance.draw(kick.velocityMetresPerSecond);
-            rigid.setVelocity(body, velocity,
-                              radiansPerSecond(chance.draw(kick.spinTurnsPerSecond)));
+            rigid.setVelocity(body, call.speedRatio * velocity,
+                              call.speedRatio *
+                                  radiansPerSecond(chance.draw(kick.spinTurnsPerSecond)));
         }
     }
 }

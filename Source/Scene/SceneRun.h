@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace idiophone {
@@ -30,16 +31,29 @@ struct SceneBlow {
     Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero(); ///< on the object, not scaled
 };
 
-/// One thread at a time; not for the audio thread. The same cast and notes give the same bits.
+/// How a scene is performed, beside what its file says.
+struct SceneCall {
+    /// In any order; those without a target are left out. What falls for the first ones begins
+    /// before 0.
+    std::vector<SceneNote> notes = {};
+    std::optional<std::uint32_t> seed = {}; ///< instead of the scene's
+    std::optional<double> seconds = {};     ///< instead of the scene's
+    double raisedMetres = 0;                ///< how much higher what moves begins
+    double speedRatio = 1;                  ///< times the speeds at which it begins
+};
+
+/// One thread at a time; not for the audio thread. The same cast and call give the same bits.
 class SceneRun {
 public:
-    /// Notes in any order; those without a target are left out. What falls for the first notes
-    /// begins before 0.
-    SceneRun(std::shared_ptr<const SceneCast> cast, std::vector<SceneNote> notes = {});
+    explicit SceneRun(std::shared_ptr<const SceneCast> cast, SceneCall call = {});
 
     /// What sounds, for the synthesiser to be made of. Bodies that were taken away leave their
     /// slots to others.
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
+    /// Whether what sounds there never moves.
+    bool isFixed(std::size_t slot) const {
+        return cast->roles()[roleOfSlot[slot]].kind.model->isFixed;
+    }
 
     /// Steps until everything before a time is known.
     void advanceTo(double seconds);
@@ -75,7 +89,7 @@ private:
     void standKeyboard();
     std::size_t newSlot(std::size_t role);
     void planReleases();
-    void planNotes(std::vector<SceneNote> notes);
+    void planNotes();
     BodyMotion falling(const SceneNote& note, std::uint32_t number, double& fallSeconds);
     double lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const;
     void step();
@@ -87,9 +101,12 @@ private:
 
     std::shared_ptr<const SceneCast> cast;
     const Scene& scene;
+    SceneCall call;
+    std::uint32_t seed;
     RigidWorld rigid;
     double leadSeconds = 0; ///< of the world's time before 0
     std::vector<SynthesiserSlot> allSlots;
+    std::vector<std::size_t> roleOfSlot;
     std::vector<Coming> coming; ///< in order of time
     std::size_t nextComing = 0;
     std::vector<Kick> kicks; ///< in order of time

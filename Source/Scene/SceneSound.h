@@ -2,15 +2,12 @@
 // continuous forces, on the synthesiser's grid.
 #pragma once
 
-#include "Scene/HeadModel.h"
-#include "Scene/PlacedSource.h"
+#include "Scene/SceneEars.h"
 #include "Scene/SceneRun.h"
+#include "Scene/TouchVoices.h"
 #include "Synth/AlignedVector.h"
-#include "Synth/ContactForce.h"
 #include "Synth/Synthesiser.h"
 
-#include <array>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -34,34 +31,25 @@ public:
     /// What slides and rolls until its end.
     void touch(std::span<const TouchState, TouchTracker::voiceCount> states) noexcept;
     /// What the listener hears of it, with each slot at its place in metres by then.
-    void finishCell(std::span<const Eigen::Vector3d> places, const CellOutput& ears) noexcept;
+    void finishCell(std::span<const Eigen::Vector3d> places, const CellOutput& heard) noexcept {
+        ears.hear(cells, places, heard);
+    }
 
     double cellStartSeconds() const { return startSeconds; }
     double cellEndSeconds() const { return startSeconds + cellSeconds; }
     double nextCellEndSeconds() const { return startSeconds + 2 * cellSeconds; }
-    bool silent() const;
+    bool silent() const { return synth.silent() && ears.silent(); }
     const Synthesiser& synthesiser() const { return synth; }
 
 private:
-    struct Voice {
-        std::vector<ContactForce> slides, rolls; ///< one for each surface
-        TouchState last;
-        std::size_t surface = 0;
-    };
-
-    bool
-    press(Voice& voice, const TouchState& state, std::span<float, cellSamples> newtons) noexcept;
-
     Synthesiser synth;
-    HeadModel head;
-    AlignedVector<float> samples;      ///< [slots, 64]
-    std::vector<CellOutput> cells;     ///< in them
-    std::vector<PlacedSource> sources; ///< of the slots
+    SceneEars ears;
+    TouchVoices voices;
+    AlignedVector<float> samples;  ///< [slots, 64]
+    std::vector<CellOutput> cells; ///< in them
     double cellSeconds;
     double startSeconds;
     std::int64_t cellsBegun = 0;
-    std::vector<std::size_t> surfaceOfRole;
-    std::array<Voice, TouchTracker::voiceCount> voices;
 };
 
 } // namespace idiophone

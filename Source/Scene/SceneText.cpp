@@ -160,6 +160,24 @@ KeyboardStage parseKeyboard(const JsonPlace& place) {
     return stage;
 }
 
+/// What holds for the softest and for the hardest note.
+std::array<double, 2> parseSpan(const JsonPlace& place, double lowest, double highest) {
+    const auto ends = place.list(2);
+    if (ends.size() != 2)
+        place.fail("is not a list of two numbers, for the softest and the hardest note");
+    return {ends[0].number(lowest, highest), ends[1].number(lowest, highest)};
+}
+
+KeyThrow parseKeyThrow(const JsonPlace& place) {
+    place.allow({"raise", "speed"});
+    KeyThrow keys;
+    if (place.has("raise"))
+        keys.raisedMetres = parseSpan(place.at("raise"), 0, 100);
+    if (place.has("speed"))
+        keys.speedRatios = parseSpan(place.at("speed"), 0, 100);
+    return keys;
+}
+
 NoteDrop parseNoteDrop(const JsonPlace& place, const std::vector<BodyTemplate>& kinds) {
     place.allow({"kind", "heights", "scatter", "life", "at"});
     NoteDrop drop;
@@ -167,12 +185,9 @@ NoteDrop parseNoteDrop(const JsonPlace& place, const std::vector<BodyTemplate>& 
     if (kinds[drop.kind].isFixed)
         place.at("kind").fail("is fixed and cannot be dropped");
     if (place.has("heights")) {
-        const auto heights = place.at("heights").list(2);
-        if (heights.size() != 2)
-            place.at("heights").fail(
-                "is not a list of two heights, of the softest and the hardest");
-        drop.softestMetres = heights[0].number(0.001, 100);
-        drop.hardestMetres = heights[1].number(0.001, 100);
+        const auto heights = parseSpan(place.at("heights"), 0.001, 100);
+        drop.softestMetres = heights[0];
+        drop.hardestMetres = heights[1];
     }
     if (place.has("scatter"))
         drop.reachMetres = place.at("scatter").vector(10).cwiseAbs().head<2>();
@@ -243,7 +258,7 @@ Scene parse(const JsonPlace& root) {
     if (root.at("version").integer(1, 1'000'000'000) > sceneFormatVersion)
         root.fail("was made by a newer Idiophone");
     root.allow({"format", "version", "name", "description", "seconds", "seed", "steps_per_second",
-                "gravity", "kinds", "bodies", "kicks", "keyboard", "notes", "listener",
+                "gravity", "kinds", "bodies", "kicks", "keyboard", "notes", "keys", "listener",
                 "parameters"});
     Scene scene;
     scene.name = root.at("name").text();
@@ -267,6 +282,8 @@ Scene parse(const JsonPlace& root) {
         scene.keyboard = parseKeyboard(root.at("keyboard"));
     if (root.has("notes"))
         scene.noteDrop = parseNoteDrop(root.at("notes"), scene.kinds);
+    if (root.has("keys"))
+        scene.keyThrow = parseKeyThrow(root.at("keys"));
     if (root.has("listener"))
         scene.listener = parseListener(root.at("listener"));
     if (root.has("parameters"))

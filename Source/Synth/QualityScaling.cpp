@@ -22,6 +22,10 @@ struct Entitlement {
     double at(std::size_t rank) const noexcept {
         return rank == 0 ? top : std::max(0.0, top - fall * static_cast<double>(rank));
     }
+    /// What is as good as whole counts as such.
+    double wholeAt(std::size_t rank) const noexcept {
+        return std::floor(at(rank) * (1 + 1e-9) + 1e-9);
+    }
 };
 
 Entitlement entitlement(std::size_t objects, double budget, double slope) noexcept {
@@ -62,15 +66,15 @@ void shareModeBudget(std::span<const ModeDemand> demands,
 
     const double whole = wholeBudget(budget);
     const Entitlement line = entitlement(demands.size(), whole, slope);
-    double running = 0;
-    double given = 0;
+    double left = whole;
+    for (std::size_t rank = 0; rank < ranks.size(); ++rank)
+        left -= line.wholeAt(rank);
     std::int32_t unused = 0;
     for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
-        running += line.at(rank);
-        // The running sum of thirds must reach its whole; 1e-9 of it forgives the rounding.
-        const double upTo = std::min(std::floor(running * (1 + 1e-9) + 1e-9), whole);
-        const std::int32_t available = static_cast<std::int32_t>(upTo - given) + unused;
-        given = upTo;
+        const double more = std::clamp(left, 0.0, 1.0);
+        left -= more;
+        const std::int32_t available =
+            static_cast<std::int32_t>(line.wholeAt(rank) + more) + unused;
         const auto object = static_cast<std::size_t>(ranks[rank]);
         shares[object] = std::min(available, demands[object].modes);
         unused = available - shares[object];

@@ -20,9 +20,9 @@ double modeEntitlement(std::size_t rank, std::size_t objects, double budget, dou
 /// order given; rank r = 0, 1, … is entitled to max(0, a − S·r·Q/n²) with a such that the
 /// entitlements sum to Q. S = 0 is equal shares; S = ∞ entitles the first to everything. What an
 /// object does not need goes on to the next in rank.
-/// Entitlements are made whole on their running sum (rank r gets ⌊sum to r⌋ − ⌊sum to r−1⌋), so
-/// that shares sum to at most ⌊Q⌋. `ranking` is scratch of n, and holds the ranks' objects on
-/// return.
+/// Entitlements are rounded down, and the whole modes that this leaves of ⌊Q⌋ go to the loudest,
+/// one each: so an object that joins the ranks moves the shares of few others. `ranking` is scratch
+/// of n, and holds the ranks' objects on return.
 void shareModeBudget(std::span<const ModeDemand> demands,
                      double budget,
                      double slope,

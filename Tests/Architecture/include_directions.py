@@ -26,7 +26,7 @@ ROOMS = {
     "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
     "Instrument": ("Synth Geometry Object Parameters", "nlohmann/ Tunings.h"),
     "Scene": ("Instrument Synth Geometry Object Parameters",
-              "Eigen/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
+              "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
     "Output": ("Parameters", "juce_dsp/"),
     "Editor": ("Parameters Object Geometry", "juce_ GL/ X11/"),
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",

@@ -29,6 +29,16 @@ class Bench(ConsoleTest):
             seconds = sum(run["modes"]) * document["benchmarks"]["tau"]["cell_s"]
             self.assertAlmostEqual(seconds, run["mode_seconds"], places=6)
 
+    def test_a_budget_holds_the_modes_of_any_number_of_bodies(self):
+        document = self.bench("scale")
+        self.assertEqual([goal["met"] for goal in document["goals"]], [True] * 3)
+        few, some, many = document["benchmarks"]["scale"]["crowds"]
+        self.assertGreater(many["unscaled"]["modes_mixed_mean"],
+                           8 * some["unscaled"]["modes_mixed_mean"])
+        self.assertGreater(some["unscaled"]["modes_mixed_mean"],
+                           8 * few["unscaled"]["modes_mixed_mean"])
+        self.assertGreater(many["scaled"]["modes_mixed_mean"], 450)
+
     def test_compression_moves_the_level_by_less_than_half_a_decibel(self):
         figures = self.bench("compression")["benchmarks"]["compression"]
         self.assertEqual({o["name"] for o in figures["objects"]},

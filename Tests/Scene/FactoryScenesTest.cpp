@@ -33,7 +33,7 @@ TEST_CASE("Every factory scene is cast, and its first second moves") {
         INFO(scene.name);
         const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
         REQUIRE(cast);
-        SceneRun motion(*cast, {{0.2, 72, 100}});
+        SceneRun motion(*cast, {.notes = {{0.2, 72, 100}}});
         motion.advanceTo(1);
         CHECK(motion.takeBlow(1));
         CHECK(motion.figures().bodies > 1);

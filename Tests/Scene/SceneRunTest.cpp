@@ -49,7 +49,7 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     for (const int note : {72, 76, 79})
         notes.push_back({5, note, 1});
     const auto cast = factoryCast("Dice on a xylophone");
-    SceneRun motion(cast, notes);
+    SceneRun motion(cast, {.notes = notes});
     motion.advanceTo(5.5);
     CHECK_FALSE(motion.finished());
     const auto blows = blowsUntil(motion, 6.5);
@@ -72,7 +72,7 @@ TEST_CASE("A die falls from so high that its blow grows with the velocity") {
     const auto cast = factoryCast("Dice on a xylophone");
     double before = 0;
     for (const int velocity : {1, 32, 64, 96, 127}) {
-        SceneRun motion(cast, {{0.5, 72, velocity}});
+        SceneRun motion(cast, {.notes = {{0.5, 72, velocity}}});
         const auto blows = blowsUntil(motion, 0.51);
         REQUIRE_FALSE(blows.empty());
         INFO(velocity);
@@ -82,7 +82,8 @@ TEST_CASE("A die falls from so high that its blow grows with the velocity") {
 }
 
 TEST_CASE("Notes beyond the keyboard are left out and counted") {
-    SceneRun motion(factoryCast("Dice on a xylophone"), {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}});
+    SceneRun motion(factoryCast("Dice on a xylophone"),
+                    {.notes = {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}}});
     CHECK(motion.figures().notesLeftOut == 2);
 }
 

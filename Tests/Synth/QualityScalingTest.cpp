@@ -31,15 +31,15 @@ TEST_CASE("S = 0 gives equal shares") {
 
 TEST_CASE("S = 1 falls by Q/n^2 from rank to rank") {
     // Fall 12/9 = 4/3 and 3a − 4/3 (0 + 1 + 2) = 12, so a = 16/3: 16/3, 4, 8/3.
-    // Running sums 5.33, 9.33, 12 made whole: 5, 9, 12.
-    CHECK(sharesOf(hungry, 12, 1) == Shares{3, 5, 4});
+    // Rounded down 5, 4, 2; the mode that is left goes to the loudest.
+    CHECK(sharesOf(hungry, 12, 1) == Shares{2, 6, 4});
 }
 
 TEST_CASE("A steep slope leaves the last object nothing") {
     // S = 3: fall 4; all three would need a = 8, 4, 0. S = 4: fall 16/3; the first two share
-    // 2a − 16/3 = 12, a = 26/3: 26/3, 10/3, 0; running sums 8, 12, 12.
+    // 2a − 16/3 = 12, a = 26/3: 26/3, 10/3, 0; rounded down 8, 3, 0, and one is left.
     CHECK(sharesOf(hungry, 12, 3) == Shares{0, 8, 4});
-    CHECK(sharesOf(hungry, 12, 4) == Shares{0, 8, 4});
+    CHECK(sharesOf(hungry, 12, 4) == Shares{0, 9, 3});
 }
 
 TEST_CASE("S = infinity is greedy") {
@@ -55,6 +55,26 @@ TEST_CASE("What an object does not need goes on to the next in rank") {
 
 TEST_CASE("Equal amplitudes rank in the order of the slots") {
     CHECK(sharesOf({{1, 9}, {1, 9}}, 9, infinity) == Shares{9, 0});
+}
+
+TEST_CASE("With fewer modes than objects the loudest have one each") {
+    const std::vector<ModeDemand> five{{1, 9}, {5, 9}, {3, 9}, {4, 9}, {2, 9}};
+    CHECK(sharesOf(five, 3, 0) == Shares{0, 1, 1, 1, 0});
+    CHECK(sharesOf(five, 3, 1) == Shares{0, 1, 1, 1, 0});
+}
+
+TEST_CASE("An object that joins in front moves one other's share") {
+    std::vector<ModeDemand> crowd;
+    for (int k = 0; k < 100; ++k)
+        crowd.push_back({100.0 - k, 9});
+    const auto before = sharesOf(crowd, 50, 0);
+    crowd.push_back({1000, 9});
+    const auto after = sharesOf(crowd, 50, 0);
+    int moved = 0;
+    for (std::size_t k = 0; k < before.size(); ++k)
+        moved += before[k] != after[k];
+    CHECK(after.back() == 1);
+    CHECK(moved == 1);
 }
 
 TEST_CASE("Shares use the whole budget and never exceed it") {

@@ -1,0 +1,154 @@
+#include "Console/BenchHeap.h"
+#include "Console/BenchTimer.h"
+#include "Console/Benchmarks.h"
+
+#include <algorithm>
+#include <array>
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <memory>
+#include <random>
+
+namespace idiophone {
+namespace {
+
+constexpr std::array<std::size_t, 3> bodyCounts{10, 100, 1000};
+constexpr double sceneSeconds = 2;
+constexpr double strikesPerSecond = 4; // of each body
+constexpr int replays = 3;
+constexpr double hardestNewtonSeconds = 0.01;
+constexpr double strikeRangeDb = 30;
+constexpr double contactSeconds = 0.1e-3;
+constexpr double frameSeconds = 0.01;
+
+const SynthesisSettings unscaled{.tau = 0.02, .modeBudget = 1e9, .compression = 1, .material = {}};
+const SynthesisSettings scaled{.tau = 0.02, .modeBudget = 500, .compression = 1, .material = {}};
+
+/// 0 to 1.
+double share(std::minstd_rand& random) {
+    return static_cast<double>(random() - std::minstd_rand::min()) /
+           static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min());
+}
+
+/// Bodies of one shape and sizes of their own, each struck again and again at its own times.
+struct Crowd {
+    std::vector<SynthesiserSlot> slots;
+    std::vector<SceneStrike> strikes;
+};
+
+Crowd crowdOf(const std::shared_ptr<const ModalObject>& object, std::size_t bodies) {
+    Crowd crowd;
+    std::minstd_rand random(7);
+    for (std::size_t body = 0; body < bodies; ++body) {
+        crowd.slots.push_back({object, std::exp2(share(random) - 0.5)});
+        const double phase = share(random);
+        for (int k = 0; k < static_cast<int>(sceneSeconds * strikesPerSecond); ++k) {
+            const std::array place{2 * share(random) - 1, 2 * share(random) - 1, 1.0};
+            const double newtonSeconds =
+                hardestNewtonSeconds * std::pow(10, -strikeRangeDb / 20 * share(random));
+            crowd.strikes.push_back(
+                {(k + phase) / strikesPerSecond, body,
+                 strikeInto(strikePointAt(*object, place), newtonSeconds, contactSeconds)});
+        }
+    }
+    std::ranges::stable_sort(crowd.strikes, {}, &SceneStrike::seconds);
+    return crowd;
+}
+
+struct Run {
+    double modesMixed = 0; ///< on average
+    std::int64_t modesMost = 0;
+    double meanFrameSeconds = 0; ///< of processor time, for a frame of a hundredth of a second
+    double worstFrameSeconds = 0;
+};
+
+/// Nothing is counted of the first half second, in which not all bodies have been struck.
+std::size_t firstCell() {
+    return cellsIn(0.5);
+}
+
+Run figuresOf(BenchScene& scene, const LeastStepTimes& times) {
+    Run run;
+    const std::size_t cells = cellsIn(sceneSeconds), first = firstCell();
+    scene.restart();
+    for (std::size_t k = 0; k < cells; ++k) {
+        scene.nextCell();
+        if (k < first)
+            continue;
+        const auto modes = scene.synthesiser().modesMixed();
+        run.modesMost = std::max(run.modesMost, modes);
+        run.modesMixed += static_cast<double>(modes) / static_cast<double>(cells - first);
+    }
+    const auto cellsInFrame = cellsIn(frameSeconds);
+    const double share = frameSeconds * benchSampleRateHz / cellSamples;
+    run.meanFrameSeconds = times.sum(first, cells) / static_cast<double>(cells - first) * share;
+    for (std::size_t k = first; k + cellsInFrame <= cells; k += cellsInFrame)
+        run.worstFrameSeconds =
+            std::max(run.worstFrameSeconds,
+                     times.sum(k, k + cellsInFrame) / static_cast<double>(cellsInFrame) * share);
+    return run;
+}
+
+nlohmann::ordered_json describe(const Run& run) {
+    return {{"modes_mixed_mean", run.modesMixed},
+            {"modes_mixed_most", run.modesMost},
+            {"frame_seconds_mean", run.meanFrameSeconds},
+            {"frame_seconds_worst", run.worstFrameSeconds}};
+}
+
+std::string inWords(const Run& run) {
+    return figure(run.modesMixed) + " modes on average, " + std::to_string(run.modesMost) +
+           " at most; " + figure(1e6 * run.meanFrameSeconds) + " µs a frame, " +
+           figure(1e6 * run.worstFrameSeconds) + " at worst";
+}
+
+} // namespace
+
+Result<BenchSection> benchScale(const BenchContent& content) {
+    const auto rings = objectsNamed(content, "small-ring");
+    if (rings.empty())
+        return failure("The factory has no object 'small-ring'.");
+    BenchSection section{.name = "scale",
+                         .title = "10, 100 and 1000 rings, each of a size of its own and struck " +
+                                  figure(strikesPerSecond) +
+                                  " times a second; a frame is a hundredth of a second"};
+    section.figures["mode_budget"] = scaled.modeBudget;
+    for (const std::size_t bodies : bodyCounts) {
+        const auto crowd = crowdOf(rings.front(), bodies);
+        const auto heapBefore = heapBytes();
+        BenchScene withBudget(crowd.slots, crowd.strikes, scaled);
+        const auto heapAfter = heapBytes();
+        BenchScene without(crowd.slots, crowd.strikes, unscaled);
+        LeastStepTimes budgetTimes, freeTimes;
+        const auto replay = [](BenchScene& scene, LeastStepTimes& times) {
+            scene.restart();
+            times.replay(cellsIn(sceneSeconds),
+                         [&](std::size_t) { benchmark::DoNotOptimize(scene.nextCell()); });
+        };
+        const std::vector<Contestant> contestants{[&] { replay(withBudget, budgetTimes); },
+                                                  [&] { replay(without, freeTimes); }};
+        callInTurn(contestants, replays);
+        const Run budgeted = figuresOf(withBudget, budgetTimes);
+        const Run free = figuresOf(without, freeTimes);
+
+        const std::string name = std::to_string(bodies) + " bodies";
+        section.row(name + ", no budget", inWords(free));
+        section.row(name + ", budget " + figure(scaled.modeBudget), inWords(budgeted));
+        nlohmann::ordered_json one{
+            {"bodies", bodies}, {"scaled", describe(budgeted)}, {"unscaled", describe(free)}};
+        one["heap_bytes"] = nullptr;
+        if (heapBefore && heapAfter) {
+            // The engine allocates when it is made and never after, so this is its peak.
+            const auto bytes = *heapAfter - *heapBefore;
+            one["heap_bytes"] = bytes;
+            section.row(name + ", memory", figure(static_cast<double>(bytes) / 1e6) + " MB");
+        }
+        section.figures["crowds"].push_back(one);
+        section.goals.push_back({"scale: modes mixed at most over the budget, " + name,
+                                 static_cast<double>(budgeted.modesMost) / scaled.modeBudget,
+                                 BenchGoal::Kind::atMost, 1.05});
+    }
+    return section;
+}
+
+} // namespace idiophone

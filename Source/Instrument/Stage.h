@@ -1,0 +1,61 @@
+// What a note can set in motion besides a mallet: bodies that strike the instrument's objects by
+// and by. Scene has such stages; players know them by this.
+#pragma once
+
+#include "Synth/CellOutput.h"
+#include "Synth/Synthesiser.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace idiophone {
+
+/// One player's. Constructed and destroyed off the audio thread; the rest is for the audio thread
+/// and neither allocates, locks nor throws, but that it waits for its worker while it is offline.
+class StagePerformance {
+public:
+    virtual ~StagePerformance() = default;
+
+    /// A note whose bodies are set in motion at a sample of the cell begun last, or beyond its end.
+    virtual void
+    cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept = 0;
+
+    /// What the bodies do in the cell begun last, each slot's into its own output; after
+    /// `Synthesiser::beginCell`, once a cell.
+    virtual void sound(std::int64_t cell,
+                       Synthesiser& synthesiser,
+                       std::span<const CellOutput> cellsOfSlots) noexcept = 0;
+
+    /// What a listener hears of the slots.
+    virtual void hear(std::span<const CellOutput> cellsOfSlots,
+                      const CellOutput& ears) noexcept = 0;
+
+    /// Whether it may wait until what is to be heard is known. Otherwise blows that become known
+    /// too late act as soon as they are, and count as late.
+    virtual void setOffline(bool isOffline) noexcept = 0;
+
+    /// All bodies are gone; what rings goes on.
+    virtual void stop() noexcept = 0;
+    /// As if nothing had been yet.
+    virtual void reset() noexcept = 0;
+
+    /// Nothing is in motion, nor on its way to the listener.
+    virtual bool silent() const noexcept = 0;
+    virtual std::int64_t lateBlows() const noexcept = 0;
+};
+
+/// Immutable, so that any number of players share it.
+class Stage {
+public:
+    virtual ~Stage() = default;
+
+    /// Of an instrument on this stage. The same seed, cues and offline state give the same bits.
+    virtual std::unique_ptr<StagePerformance> perform(double sampleRateHz,
+                                                      std::uint64_t seed) const = 0;
+
+    /// From a note to its first blow, in seconds.
+    virtual double delaySeconds() const = 0;
+};
+
+} // namespace idiophone

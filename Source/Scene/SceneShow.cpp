@@ -1,0 +1,184 @@
+#include "Scene/SceneShow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+
+SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
+    : stage(playedStage), rate(sampleRateHz),
+      firstSeed(stage.cast()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
+      worker(stage, sampleRateHz), acts(stage.actCount()),
+      voices(*stage.cast(), sampleRateHz, seed),
+      ears(stage.cast()->scene().listener, stage.slots().size(), sampleRateHz),
+      places(stage.places()) {}
+
+void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept {
+    const auto index = nextAct;
+    const ActCue wanted{.act = static_cast<std::uint32_t>(index),
+                        .number = cuesEver + 1,
+                        .midiNote = midiNote,
+                        .velocity = velocity,
+                        .seed = firstSeed + cueCount};
+    if (!worker.cue(wanted))
+        return;
+    ++cuesEver;
+    ++cueCount;
+    nextAct = (nextAct + 1) % acts.size();
+    auto& act = acts[index];
+    clear(act);
+    act.number = wanted.number;
+    act.startCell = cell;
+    act.startSample = sampleInCell;
+}
+
+void SceneShow::sound(std::int64_t cell,
+                      Synthesiser& synthesiser,
+                      std::span<const CellOutput> cellsOfSlots) noexcept {
+    takeChunks();
+    if (mayWait)
+        waitFor(cell);
+    isPressed.fill(false);
+    for (auto& act : acts)
+        if (act.number != 0)
+            play(act, cell, synthesiser, cellsOfSlots);
+    for (std::size_t voice = 0; voice < isPressed.size(); ++voice)
+        if (!isPressed[voice])
+            pairOfVoice[voice] = 0;
+}
+
+void SceneShow::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
+    ears.hear(cellsOfSlots, places, heard);
+}
+
+/// What of an act was there goes back.
+void SceneShow::clear(Act& act) noexcept {
+    while (act.count > 0)
+        drop(act);
+    act.number = 0;
+    act.knownCells = 0;
+    act.isAllKnown = act.isPlaced = false;
+}
+
+void SceneShow::drop(Act& act) noexcept {
+    worker.giveBack(act.chunks[act.first]);
+    act.first = (act.first + 1) % chunkCapacity;
+    --act.count;
+    act.blowsDone = 0;
+}
+
+void SceneShow::takeChunks() noexcept {
+    while (auto* chunk = worker.take()) {
+        auto& act = acts[chunk->act];
+        if (chunk->number != act.number || act.count == chunkCapacity) {
+            worker.giveBack(chunk);
+            continue;
+        }
+        act.chunks[(act.first + act.count++) % chunkCapacity] = chunk;
+        act.knownCells = chunk->endCell();
+        act.isAllKnown = chunk->isLast;
+    }
+}
+
+/// Until everything is known that happens before the cell's end.
+void SceneShow::waitFor(std::int64_t cell) noexcept {
+    for (auto& act : acts)
+        while (act.number != 0 && !act.isAllKnown && act.knownCells < cell + 1 - act.startCell) {
+            worker.help();
+            takeChunks();
+        }
+}
+
+void SceneShow::play(Act& act,
+                     std::int64_t cell,
+                     Synthesiser& synthesiser,
+                     std::span<const CellOutput> cellsOfSlots) noexcept {
+    // The act's cells lie between those of the sound: this one's end falls into its cell `now`.
+    const auto now = cell - act.startCell;
+    const double startSeconds = (static_cast<double>(now * cellSamples) - act.startSample) / rate;
+    const double endSeconds = startSeconds + cellSamples / rate;
+    while (act.count > 0) {
+        auto& chunk = act.front();
+        for (; act.blowsDone < chunk.blows.size(); ++act.blowsDone) {
+            const auto& blow = chunk.blows[act.blowsDone];
+            if (blow.seconds >= endSeconds)
+                break;
+            const double sample = (blow.seconds - startSeconds) * rate;
+            if (sample < -0.5)
+                ++lateCount;
+            strike(blow, sample, synthesiser, cellsOfSlots);
+        }
+        for (const auto& touched : chunk.touches)
+            if (touched.cell == now - 1)
+                press(touched.state, synthesiser, cellsOfSlots);
+        place(act, chunk.endCell() - now);
+        if (now < chunk.endCell())
+            return;
+        const bool isOver = chunk.isLast;
+        drop(act);
+        if (isOver) {
+            clear(act);
+            return;
+        }
+    }
+}
+
+void SceneShow::strike(const SceneBlow& blow,
+                       double sample,
+                       Synthesiser& synthesiser,
+                       std::span<const CellOutput> cellsOfSlots) noexcept {
+    if (blow.slot < cellsOfSlots.size())
+        synthesiser.strike(blow.slot, blow.strike,
+                           std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0)),
+                           cellsOfSlots[blow.slot]);
+}
+
+/// By the voice that the pair has, or else a free one.
+void SceneShow::press(const TouchState& state,
+                      Synthesiser& synthesiser,
+                      std::span<const CellOutput> cellsOfSlots) noexcept {
+    auto voice = std::ranges::find(pairOfVoice, state.pair);
+    if (voice == pairOfVoice.end())
+        voice = std::ranges::find(pairOfVoice, 0u);
+    if (voice == pairOfVoice.end())
+        return;
+    *voice = state.pair;
+    const auto index = static_cast<std::size_t>(voice - pairOfVoice.begin());
+    isPressed[index] = true;
+    voices.press(index, state, synthesiser, cellsOfSlots);
+}
+
+/// Evenly to where the first chunk says, or at once at the beginning.
+void SceneShow::place(Act& act, std::int64_t cellsLeft) noexcept {
+    const double share =
+        act.isPlaced ? 1.0 / static_cast<double>(std::max<std::int64_t>(cellsLeft, 1)) : 1;
+    for (const auto& placed : act.front().places)
+        places[placed.slot] += share * (placed.metres - places[placed.slot]);
+    act.isPlaced = true;
+}
+
+void SceneShow::stop() noexcept {
+    for (std::size_t index = 0; index < acts.size(); ++index) {
+        if (acts[index].number != 0)
+            worker.cue({.act = static_cast<std::uint32_t>(index)});
+        clear(acts[index]);
+    }
+}
+
+void SceneShow::reset() noexcept {
+    stop();
+    nextAct = 0;
+    cueCount = 0;
+    lateCount = 0;
+    voices.reset();
+    pairOfVoice.fill(0);
+    ears.reset();
+    std::ranges::copy(stage.places(), places.begin());
+}
+
+bool SceneShow::silent() const noexcept {
+    return ears.silent() &&
+           std::ranges::all_of(acts, [](const Act& act) { return act.number == 0; });
+}
+
+} // namespace idiophone

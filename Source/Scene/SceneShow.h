@@ -1,0 +1,84 @@
+// The audio thread's side of a stage: acts' blows and touches at their samples, and the listener.
+#pragma once
+
+#include "Instrument/Stage.h"
+#include "Scene/ActWorker.h"
+#include "Scene/SceneEars.h"
+#include "Scene/SceneStage.h"
+#include "Scene/TouchVoices.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace idiophone {
+
+class SceneShow final : public StagePerformance {
+public:
+    /// The stage outlives it.
+    SceneShow(const SceneStage& stage, double sampleRateHz, std::uint64_t seed);
+
+    void cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
+    void sound(std::int64_t cell,
+               Synthesiser& synthesiser,
+               std::span<const CellOutput> cellsOfSlots) noexcept override;
+    void hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept override;
+    void setOffline(bool isOffline) noexcept override { mayWait = isOffline; }
+    void stop() noexcept override;
+    void reset() noexcept override;
+    bool silent() const noexcept override;
+    std::int64_t lateBlows() const noexcept override { return lateCount; }
+
+private:
+    static constexpr std::size_t chunkCapacity = 128; // more than the worker is ahead
+
+    /// An act as it sounds: a ring of chunks that are known.
+    struct Act {
+        std::uint32_t number = 0; ///< of its cue; 0: nothing is on
+        std::int64_t startCell = 0;
+        double startSample = 0; ///< in that cell
+        std::array<ActChunk*, chunkCapacity> chunks{};
+        std::size_t first = 0, count = 0;
+        std::size_t blowsDone = 0; ///< of the first chunk
+        std::int64_t knownCells = 0;
+        bool isAllKnown = false;
+        bool isPlaced = false;
+
+        ActChunk& front() { return *chunks[first]; }
+    };
+
+    void clear(Act& act) noexcept;
+    void drop(Act& act) noexcept;
+    void takeChunks() noexcept;
+    void waitFor(std::int64_t cell) noexcept;
+    void play(Act& act,
+              std::int64_t cell,
+              Synthesiser& synthesiser,
+              std::span<const CellOutput> cellsOfSlots) noexcept;
+    void strike(const SceneBlow& blow,
+                double sample,
+                Synthesiser& synthesiser,
+                std::span<const CellOutput> cellsOfSlots) noexcept;
+    void press(const TouchState& state,
+               Synthesiser& synthesiser,
+               std::span<const CellOutput> cellsOfSlots) noexcept;
+    void place(Act& act, std::int64_t cellsLeft) noexcept;
+
+    const SceneStage& stage;
+    double rate;
+    std::uint32_t firstSeed;
+    ActWorker worker;
+    std::vector<Act> acts;
+    std::size_t nextAct = 0;
+    std::uint32_t cueCount = 0;
+    std::uint32_t cuesEver = 0; ///< so that chunks from before a reset are known
+    TouchVoices voices;
+    std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{};
+    std::array<bool, TouchTracker::voiceCount> isPressed{}; ///< in this cell
+    SceneEars ears;
+    std::vector<Eigen::Vector3d> places; ///< of the slots
+    std::int64_t lateCount = 0;
+    bool mayWait = false;
+};
+
+} // namespace idiophone

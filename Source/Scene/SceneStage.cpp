@@ -1,0 +1,125 @@
+#include "Scene/SceneStage.h"
+
+#include "Scene/FactoryScenes.h"
+#include "Scene/SceneFile.h"
+#include "Scene/SceneShow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+constexpr std::size_t mostMovingSlots = 128; // of all acts, unless one has more
+constexpr int middleVelocity = 64;
+constexpr double longestRehearsalSeconds = 10;
+
+/// From the softest to the hardest.
+double between(const std::array<double, 2>& ends, int velocity) {
+    return std::lerp(ends[0], ends[1], (velocity - 1) / 126.0);
+}
+
+Result<Scene> sceneNamed(const std::string& nameOrFile) {
+    if (const auto* factory = findFactoryScene(nameOrFile))
+        return *factory;
+    return readSceneFile(nameOrFile);
+}
+
+} // namespace
+
+Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
+                                                          ObjectLibrary& library) {
+    if (keyMap.kind != KeyMapKind::scene)
+        return Instrument::build(keyMap, library);
+    auto scene = sceneNamed(keyMap.object);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    auto cast = SceneCast::make(std::move(*scene), library);
+    if (!cast)
+        return tl::unexpected(cast.error());
+    const auto stage = std::make_shared<const SceneStage>(std::move(*cast));
+    if (stage->slots().empty())
+        return failure("nothing in the scene '" + stage->cast()->scene().name + "' can sound");
+    return Instrument::onStage(keyMap, stage->slots(),
+                               stage->slotOfKey(keyMap.lowestNote, keyMap.highestNote), stage);
+}
+
+SceneStage::SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move(cast)) {
+    int note = 0;
+    while (note < 127 && !played->target(note))
+        ++note;
+    SceneRun prototype(played, callFor(note, middleVelocity, played->scene().seed));
+    prototype.advanceTo(0);
+    const auto& slots = prototype.slots();
+    const auto moves = [&](std::size_t slot) { return !prototype.isFixed(slot); };
+    std::size_t moving = 0;
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+        moving += moves(slot) ? 1 : 0;
+    const std::size_t acts =
+        moving == 0 ? mostActs : std::clamp<std::size_t>(mostMovingSlots / moving, 1, mostActs);
+    for (std::size_t act = 0; act < acts; ++act) {
+        SlotMap own;
+        for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+            if (act > 0 && !moves(slot)) {
+                own.push_back(slotsOfActs[0][slot]);
+                continue;
+            }
+            if (moves(slot) && firstMovingSlot == 0)
+                firstMovingSlot = static_cast<int>(allSlots.size());
+            own.push_back(allSlots.size());
+            allSlots.push_back(slots[slot]);
+            firstPlaces.push_back(prototype.places()[slot]);
+        }
+        slotsOfActs.push_back(std::move(own));
+    }
+    if (const auto& drop = played->scene().noteDrop)
+        delay = std::sqrt(2 * std::max(drop->softestMetres, drop->hardestMetres) /
+                          std::max(played->scene().gravityMetresPerSecond2, 1e-3));
+    else
+        delay = firstBlowSeconds();
+}
+
+double SceneStage::firstBlowSeconds() const {
+    SceneRun rehearsal(played, callFor(0, middleVelocity, played->scene().seed));
+    for (double seconds = 0; seconds < longestRehearsalSeconds; seconds += 0.01) {
+        rehearsal.advanceTo(seconds);
+        if (const auto blow = rehearsal.takeBlow(seconds))
+            return blow->seconds;
+    }
+    return longestRehearsalSeconds;
+}
+
+SceneCall SceneStage::callFor(int midiNote, int velocity, std::uint32_t seed) const {
+    const auto& scene = played->scene();
+    SceneCall call{.seed = seed};
+    if (scene.noteDrop) {
+        call.notes = {{.seconds = delay, .note = midiNote, .velocity = velocity}};
+        call.seconds = 0;
+    }
+    call.raisedMetres = between(scene.keyThrow.raisedMetres, velocity);
+    call.speedRatio = between(scene.keyThrow.speedRatios, velocity);
+    return call;
+}
+
+std::array<int, 128> SceneStage::slotOfKey(int lowestNote, int highestNote) const {
+    std::array<int, 128> slots;
+    slots.fill(-1);
+    // The bars' slots are the first ones, in the order of the notes.
+    int bar = 0;
+    const bool hasBars = !played->keyboard().empty();
+    for (int note = 0; note < 128; ++note) {
+        const bool plays = !played->scene().noteDrop || played->target(note).has_value();
+        if (plays && note >= lowestNote && note <= highestNote)
+            slots[static_cast<std::size_t>(note)] = hasBars ? bar : firstMovingSlot;
+        if (hasBars && played->target(note))
+            ++bar;
+    }
+    return slots;
+}
+
+std::unique_ptr<StagePerformance> SceneStage::perform(double sampleRateHz,
+                                                      std::uint64_t seed) const {
+    return std::make_unique<SceneShow>(*this, sampleRateHz, seed);
+}
+
+} // namespace idiophone

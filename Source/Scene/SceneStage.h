@@ -1,0 +1,60 @@
+// A scene as an instrument: every note performs it anew, with chances of its own.
+#pragma once
+
+#include "Instrument/Instrument.h"
+#include "Scene/SceneCast.h"
+#include "Scene/SceneRun.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace idiophone {
+
+/// As `Instrument::build`, and key maps of kind `scene` too: of a factory scene's name or a scene
+/// file. Not for the audio thread. The error names what is at fault.
+Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
+                                                          ObjectLibrary& library);
+
+/// Several notes sound at a time, each in a world of its own (an act): what stands is the same in
+/// all of them and has one slot, what moves has one in each. With `notes` the body of a key is
+/// dropped so that it hits when the longest fall has gone by, whatever its own: so a chord stays
+/// together. Without them everything that moves begins anew.
+class SceneStage final : public Stage {
+public:
+    static constexpr std::size_t mostActs = 8;
+
+    /// Where the slots of one act's run are among the synthesiser's.
+    using SlotMap = std::vector<std::size_t>;
+
+    explicit SceneStage(std::shared_ptr<const SceneCast> cast);
+
+    std::unique_ptr<StagePerformance> perform(double sampleRateHz,
+                                              std::uint64_t seed) const override;
+    double delaySeconds() const override { return delay; }
+
+    const std::shared_ptr<const SceneCast>& cast() const { return played; }
+    const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
+    /// Where the bodies of the slots are before anything moves.
+    const std::vector<Eigen::Vector3d>& places() const { return firstPlaces; }
+    std::size_t actCount() const { return slotsOfActs.size(); }
+    const SlotMap& slotsOfAct(std::size_t act) const { return slotsOfActs[act]; }
+    /// What a note is shown by, −1 where it does nothing.
+    std::array<int, 128> slotOfKey(int lowestNote, int highestNote) const;
+
+    /// What a note does.
+    SceneCall callFor(int midiNote, int velocity, std::uint32_t seed) const;
+
+private:
+    double firstBlowSeconds() const;
+
+    std::shared_ptr<const SceneCast> played;
+    double delay = 0;
+    std::vector<SynthesiserSlot> allSlots;
+    std::vector<Eigen::Vector3d> firstPlaces;
+    std::vector<SlotMap> slotsOfActs;
+    int firstMovingSlot = 0;
+};
+
+} // namespace idiophone

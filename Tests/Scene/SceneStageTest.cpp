@@ -1,0 +1,148 @@
+// Scenes as instruments: notes that set bodies in motion.
+#include "Scene/SceneStage.h"
+
+#include "Instrument/Player.h"
+#include "Scene/FactoryScenes.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <chrono>
+#include <thread>
+
+using namespace idiophone;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr double rate = 48000;
+
+std::shared_ptr<const Instrument> sceneInstrument(const std::string& name) {
+    return buildInstrument({.kind = KeyMapKind::scene, .object = name}, ObjectLibrary::shared())
+        .value();
+}
+
+struct Note {
+    double seconds = 0;
+    int note = 72;
+    int velocity = 100;
+};
+
+/// Left and right one after the other.
+std::vector<float> play(Player& player, const std::vector<Note>& notes, double seconds, int block) {
+    const auto total = static_cast<std::size_t>(seconds * rate);
+    std::vector<float> left(total), right(total);
+    const ParameterValues values;
+    for (std::size_t start = 0; start < total; start += static_cast<std::size_t>(block)) {
+        const auto count = std::min(static_cast<std::size_t>(block), total - start);
+        std::vector<MidiEvent> events;
+        for (const auto& note : notes) {
+            const double at = note.seconds * rate - static_cast<double>(start);
+            if (at >= 0 && at < static_cast<double>(count))
+                events.push_back({static_cast<int>(at),
+                                  {0x90, static_cast<std::uint8_t>(note.note),
+                                   static_cast<std::uint8_t>(note.velocity)}});
+        }
+        player.process(
+            {std::span(left).subspan(start, count), std::span(right).subspan(start, count)}, events,
+            values);
+    }
+    left.insert(left.end(), right.begin(), right.end());
+    return left;
+}
+
+/// Of what first exceeds a hundredth of the peak.
+double onsetSeconds(const std::vector<float>& sound) {
+    float peak = 0;
+    for (const float x : sound)
+        peak = std::max(peak, std::abs(x));
+    const auto first =
+        std::ranges::find_if(sound, [&](float x) { return std::abs(x) > 0.01f * peak; });
+    return static_cast<double>(first - sound.begin()) / rate;
+}
+
+} // namespace
+
+TEST_CASE("A die hits its bar when the stage's delay has gone by, however high it falls from") {
+    const auto instrument = sceneInstrument("Dice on a xylophone");
+    const double delay = instrument->stage()->delaySeconds();
+    CHECK_THAT(delay, WithinAbs(std::sqrt(2 / 9.81), 1e-9)); // a metre
+    for (const int velocity : {1, 64, 127}) {
+        Player player(instrument, rate);
+        player.setOffline(true);
+        const auto sound = play(player, {{0.1003, 72, velocity}}, 1, 256);
+        CHECK_THAT(onsetSeconds(sound), WithinAbs(0.1003 + delay, 0.002));
+        CHECK(player.lateBlows() == 0);
+    }
+}
+
+TEST_CASE("A stage's sound is the same for all block sizes, and again after a reset") {
+    const auto instrument = sceneInstrument("Dice on a xylophone");
+    const std::vector<Note> notes{{0.05, 72, 90}, {0.06, 79, 120}, {0.4, 84, 30}, {0.41, 72, 127}};
+    Player player(instrument, rate);
+    player.setOffline(true);
+    const auto first = play(player, notes, 1.5, 512);
+    CHECK(std::ranges::any_of(first, [](float x) { return x != 0; }));
+    player.reset();
+    CHECK(play(player, notes, 1.5, 512) == first);
+    Player other(instrument, rate);
+    other.setOffline(true);
+    CHECK(play(other, notes, 1.5, 37) == first);
+}
+
+TEST_CASE("What is not waited for is heard late, and counted") {
+    const auto instrument = sceneInstrument("Dice on a xylophone");
+    Player player(instrument, rate);
+    const std::vector<Note> notes{{0, 72, 100}};
+    play(player, notes, 1, 64); // far faster than the bodies fall for the worker
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    const auto after = play(player, {}, 0.5, 64);
+    CHECK(std::ranges::any_of(after, [](float x) { return x != 0; }));
+    CHECK(player.lateBlows() > 0);
+}
+
+TEST_CASE("Keys of a scene without notes begin it anew") {
+    const auto instrument = sceneInstrument("Cylinder off a table");
+    const double delay = instrument->stage()->delaySeconds();
+    CHECK(delay > 0);
+    CHECK(instrument->key(60).slot >= 0);
+    CHECK_FALSE(instrument->keysHaveObjects());
+    Player player(instrument, rate);
+    player.setOffline(true);
+    const auto sound = play(player, {{0, 60, 64}}, 2, 256);
+    CHECK(onsetSeconds(sound) > 0.5 * delay);
+    CHECK(onsetSeconds(sound) < delay + 0.3);
+    CHECK_FALSE(player.silent());
+}
+
+TEST_CASE("More notes than acts take the oldest act over, and all sound off ends them all") {
+    const auto instrument = sceneInstrument("Dice on a xylophone");
+    Player player(instrument, rate);
+    player.setOffline(true);
+    std::vector<Note> notes;
+    for (int k = 0; k < 40; ++k)
+        notes.push_back({0.02 * k, 65 + k, 100});
+    play(player, notes, 1, 128);
+    std::vector<float> left(64), right(64);
+    const std::vector<MidiEvent> off{{0, {0xb0, 120, 0}}};
+    player.process({left, right}, off, {});
+    const auto after = play(player, {}, 2, 128);
+    CHECK(player.silent());
+    CHECK(after.back() == 0);
+}
+
+TEST_CASE("Every factory scene is an instrument") {
+    for (const auto& scene : factoryScenes()) {
+        INFO(scene.name);
+        const auto instrument = sceneInstrument(scene.name);
+        CHECK(instrument->stage()->delaySeconds() < 2);
+        CHECK(instrument->key(72).slot >= 0);
+    }
+}
+
+TEST_CASE("A scene that is not there is said so") {
+    const auto built = buildInstrument({.kind = KeyMapKind::scene, .object = "nowhere.json"},
+                                       ObjectLibrary::shared());
+    REQUIRE_FALSE(built);
+    CHECK(built.error().message.find("nowhere.json") != std::string::npos);
+}
