@@ -30,6 +30,7 @@ Result<RenderTally> renderSong(Player& player,
                                const std::string& task) {
     const double rate = format.sampleRateHz;
     const std::int64_t lastEvent = events.empty() ? -1 : sampleOf(events.back(), rate);
+    player.setOffline(true);
     RenderTally tally;
     tally.strikes = std::ranges::count_if(events, [&](const SongEvent& event) {
         return event.isNoteOn() && player.instrument().key(event.bytes[1]).slot >= 0 &&

@@ -27,6 +27,8 @@ public:
         std::string sentence; ///< what is loaded, or what went wrong last
         bool isError = false;
         std::int64_t modesMixed = 0; ///< in the cell rendered last
+        double delaySeconds = 0;     ///< on a stage, from a key to what is heard of it; otherwise 0
+        std::int64_t lateBlows = 0;  ///< on a stage, that were known too late to be in time
         float peak = 0;              ///< of the output since this was asked last; full scale is 1
     };
 

@@ -7,17 +7,35 @@
 
 namespace idiophone {
 
+namespace {
+
+constexpr int delayWidth = 270;
+
+} // namespace
+
 void StatusBar::show(ProcessorView::Status status) {
     constexpr int fallPerUpdate = 2; // dB: a peak can be seen
     const auto now = static_cast<int>(std::lround(
         juce::Decibels::gainToDecibels(status.peak, static_cast<float>(silentDecibels))));
     const int decibels = juce::jmax(now, shownDecibels - fallPerUpdate, silentDecibels);
     const bool same = decibels == shownDecibels && status.modesMixed == shown.modesMixed &&
-                      status.isError == shown.isError && status.sentence == shown.sentence;
+                      status.isError == shown.isError && status.sentence == shown.sentence &&
+                      status.delaySeconds == shown.delaySeconds &&
+                      status.lateBlows == shown.lateBlows;
     shown = std::move(status);
     shownDecibels = decibels;
     if (!same)
         repaint();
+}
+
+juce::String StatusBar::delayText() const {
+    if (!(shown.delaySeconds > 0))
+        return {};
+    const auto delay =
+        "heard " + juce::String(juce::roundToInt(1000 * shown.delaySeconds)) + " ms after the key";
+    return shown.lateBlows == 0 ? delay
+                                : delay + ", " + juce::String(shown.lateBlows) +
+                                      (shown.lateBlows == 1 ? " blow late" : " blows late");
 }
 
 void StatusBar::paint(juce::Graphics& g) {
@@ -35,6 +53,9 @@ void StatusBar::paint(juce::Graphics& g) {
     g.setColour(colourOf(*this, LookColour::dimText));
     g.drawText(juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes"), modes,
                juce::Justification::centredRight);
+    if (const auto delay = delayText(); delay.isNotEmpty())
+        g.drawText(delay, area.removeFromRight(delayWidth).withTrimmedRight(12),
+                   juce::Justification::centredRight);
     g.setColour(shown.isError ? colourOf(*this, LookColour::error)
                               : colourOf(*this, LookColour::text));
     g.drawFittedText(juce::String::fromUTF8(shown.sentence.c_str()), area,

@@ -1,4 +1,5 @@
-// One line: what is loaded or what went wrong, how many modes sound, how loud it is.
+// One line: what is loaded or what went wrong, how late a stage is heard, how many modes sound, how
+// loud it is.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -14,6 +15,8 @@ public:
     void paint(juce::Graphics& g) override;
 
 private:
+    juce::String delayText() const;
+
     ProcessorView::Status shown;
     int shownDecibels = silentDecibels;
     static constexpr int silentDecibels = -60;

@@ -56,6 +56,8 @@ public:
 
     /// From a note to its first blow, in seconds.
     virtual double delaySeconds() const = 0;
+    /// From a note to the last time that its bodies move.
+    virtual double lengthSeconds() const = 0;
 };
 
 } // namespace idiophone

@@ -45,8 +45,10 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     sound.changeTo(next);
     silencer.silence(sound.player());
     tuner.tune(sound.player());
-    if (auto* player = sound.player())
+    if (auto* player = sound.player()) {
         player->setTempo(hostTempo());
+        player->setOffline(isNonRealtime());
+    }
     hand.playOn(sound.player());
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
@@ -96,6 +98,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
     }
     if (auto* player = sound.player()) {
         modesMixed = player->synthesiser().modesMixed();
+        lateBlows = player->lateBlows();
         if (const auto program = player->takeProgramChange())
             requestedProgram = *program;
     }
@@ -154,7 +157,7 @@ double Processor::getTailLengthSeconds() const {
     const double slowest =
         live ? slowestDecay(live->damping) * ownDampingRatio.load() : ownSlowestDecay.load();
     const double released = values[letRing] != 0 ? 0 : std::log(1000) / values[releaseTime];
-    return std::min(std::log(65536) / (slowest + released), longestTailSeconds);
+    return std::min(stageSeconds + std::log(65536) / (slowest + released), longestTailSeconds);
 }
 
 int Processor::getNumPrograms() {
@@ -204,6 +207,7 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     }
     ownSlowestDecay = slowest;
     ownDampingRatio = built->slots().empty() ? 1 : ratio;
+    stageSeconds = built->stage() ? built->stage()->lengthSeconds() : 0;
     loadedPreset = std::move(preset);
     if (instrument != built)
         modesHeardAlone = {};

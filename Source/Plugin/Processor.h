@@ -54,7 +54,7 @@ public:
     using AudioProcessor::processBlock;
 
     juce::AudioProcessorParameter* getBypassParameter() const override;
-    /// The time in which the slowest possible mode falls from full scale by 96 dB, one 16-bit step;
+    /// The time in which a stage's bodies move and the slowest possible mode falls from full scale by 96 dB, one 16-bit step;
     /// at most `longestTailSeconds`, as hosts do not stop for longer and lightly damped objects
     /// ring for minutes.
     double getTailLengthSeconds() const override;
@@ -212,7 +212,9 @@ private:
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
     std::atomic<double> ownDampingRatio{1}; ///< the least of their modes, to their materials' law
+    std::atomic<double> stageSeconds{0};    ///< that bodies move after a note
     std::atomic<std::int64_t> modesMixed{0};
+    std::atomic<std::int64_t> lateBlows{0};
     std::atomic<float> peak{0};
 
     // The audio thread's.

@@ -201,9 +201,14 @@ void Processor::scrapeObject(std::size_t index,
 }
 
 ProcessorView::Status Processor::takeStatus() {
-    Status status{
-        .sentence = {}, .isError = false, .modesMixed = modesMixed, .peak = peak.exchange(0)};
+    Status status{.sentence = {},
+                  .isError = false,
+                  .modesMixed = modesMixed,
+                  .lateBlows = lateBlows,
+                  .peak = peak.exchange(0)};
     const std::scoped_lock lock(soundMutex);
+    if (instrument != nullptr && instrument->stage() != nullptr)
+        status.delaySeconds = instrument->stage()->delaySeconds();
     status.isError = !lastError.empty();
     status.sentence = status.isError ? lastError : loadedPreset.description;
     return status;

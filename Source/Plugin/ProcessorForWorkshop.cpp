@@ -220,7 +220,7 @@ void Processor::setKeyLayout(KeyLayout layout) {
 
 std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) const {
     const auto playing = loadedInstrument();
-    if (playing == nullptr)
+    if (playing == nullptr || playing->stage())
         return {};
     const auto slots = ownSlots(*playing);
     if (index >= slots.size())
@@ -230,7 +230,7 @@ std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) cons
 
 void Processor::setStrikePath(std::size_t index, const std::vector<std::array<double, 3>>& metres) {
     const auto playing = loadedInstrument();
-    if (playing == nullptr)
+    if (playing == nullptr || playing->stage())
         return;
     const auto slots = ownSlots(*playing);
     if (index >= slots.size())

@@ -35,9 +35,9 @@ ActChunk* ActWorker::take() noexcept {
     return chunk;
 }
 
-void ActWorker::help() noexcept {
+bool ActWorker::help() {
     const std::lock_guard lock(working);
-    workOnce();
+    return workOnce();
 }
 
 void ActWorker::runThread() {

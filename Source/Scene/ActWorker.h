@@ -28,8 +28,9 @@ public:
     /// [audio thread] The next chunk, or nullptr; it is to come back.
     ActChunk* take() noexcept;
     void giveBack(ActChunk* chunk) noexcept { used.push(chunk); }
-    /// [audio thread, offline] Waits until more is known, or there is nothing more to do.
-    void help() noexcept;
+    /// [audio thread, offline] Makes a chunk itself, once the worker lets it. False where there was
+    /// nothing to do.
+    bool help();
 
 private:
     /// Within so many chunks, a second, the worker runs ahead of the sound.

@@ -82,11 +82,15 @@ void SceneShow::takeChunks() noexcept {
 
 /// Until everything is known that happens before the cell's end.
 void SceneShow::waitFor(std::int64_t cell) noexcept {
-    for (auto& act : acts)
-        while (act.number != 0 && !act.isAllKnown && act.knownCells < cell + 1 - act.startCell) {
-            worker.help();
-            takeChunks();
-        }
+    const auto isKnown = [&](const Act& act) {
+        return act.number == 0 || act.isAllKnown || act.knownCells > cell - act.startCell;
+    };
+    while (!std::ranges::all_of(acts, isKnown)) {
+        const bool more = worker.help();
+        takeChunks();
+        if (!more)
+            return; // all that there will be is there
+    }
 }
 
 void SceneShow::play(Act& act,

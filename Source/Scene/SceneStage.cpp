@@ -10,7 +10,7 @@
 namespace idiophone {
 namespace {
 
-constexpr std::size_t mostMovingSlots = 128; // of all acts, unless one has more
+constexpr std::size_t mostMovingSlots = 64; // of all acts, unless one has more
 constexpr int middleVelocity = 64;
 constexpr double longestRehearsalSeconds = 10;
 
@@ -77,6 +77,11 @@ SceneStage::SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move
                           std::max(played->scene().gravityMetresPerSecond2, 1e-3));
     else
         delay = firstBlowSeconds();
+}
+
+double SceneStage::lengthSeconds() const {
+    const auto& scene = played->scene();
+    return scene.noteDrop ? delay + scene.noteDrop->lifeSeconds : scene.seconds;
 }
 
 double SceneStage::firstBlowSeconds() const {

@@ -33,6 +33,7 @@ public:
     std::unique_ptr<StagePerformance> perform(double sampleRateHz,
                                               std::uint64_t seed) const override;
     double delaySeconds() const override { return delay; }
+    double lengthSeconds() const override;
 
     const std::shared_ptr<const SceneCast>& cast() const { return played; }
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }

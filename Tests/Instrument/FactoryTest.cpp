@@ -1,6 +1,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Player.h"
 #include "LoudnessPhrase.h"
+#include "Support/KeyedPresets.h"
 #include "Support/Level.h"
 #include "Support/PoleFit.h"
 #include "Support/RenderNotes.h"
@@ -43,7 +44,7 @@ std::vector<float> renderBoth(Player& player,
 } // namespace
 
 TEST_CASE("Every factory preset is complete and builds an instrument") {
-    const auto presets = factoryPresets();
+    const auto presets = keyedFactoryPresets();
     REQUIRE(presets.size() >= 3);
     CHECK(presets.front().name == "Rosewood Xylophone");
     std::set<std::string> names;
@@ -86,7 +87,7 @@ TEST_CASE("Every key of every instrument of bars sounds within 1 cent of equal t
 }
 
 TEST_CASE("Radiation parts left and right of every factory preset, by no more than 12 dB") {
-    for (const auto& preset : factoryPresets()) {
+    for (const auto& preset : keyedFactoryPresets()) {
         auto player = playerFor(preset);
         const auto sound = renderStereo(*player, loudnessPhrase(preset.keyMap, 100, sampleRateHz),
                                         48000, 480, preset.parameters);
@@ -103,7 +104,7 @@ TEST_CASE("Radiation parts left and right of every factory preset, by no more th
 TEST_CASE("Factory presets are within 2 LU of one another at velocity 100") {
     std::vector<double> loudnesses;
     std::string all;
-    for (const auto& preset : factoryPresets()) {
+    for (const auto& preset : keyedFactoryPresets()) {
         auto player = playerFor(preset);
         auto sound = render(*player, loudnessPhrase(preset.keyMap, 100, sampleRateHz),
                             static_cast<std::size_t>(4.5 * sampleRateHz), 480, preset.parameters);
@@ -117,7 +118,7 @@ TEST_CASE("Factory presets are within 2 LU of one another at velocity 100") {
 }
 
 TEST_CASE("Ten notes at once at velocity 127 stay under 0 dBFS, and silence follows") {
-    for (const auto& preset : factoryPresets()) {
+    for (const auto& preset : keyedFactoryPresets()) {
         INFO(preset.name);
         const int range = preset.keyMap.highestNote - preset.keyMap.lowestNote;
         for (int lowest = preset.keyMap.lowestNote; lowest <= preset.keyMap.highestNote - 10;

@@ -5,6 +5,7 @@
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"
 #include "Support/Highs.h"
+#include "Support/KeyedPresets.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
@@ -98,7 +99,7 @@ std::vector<float> scrapedToAndFro(Player& player, const Key& key, const Preset&
 } // namespace
 
 TEST_CASE("Every factory instrument is heard when a hand scrapes it, beside blows") {
-    for (const auto& preset : factoryPresets()) {
+    for (const auto& preset : keyedFactoryPresets()) {
         if (!strikes(preset.parameters))
             continue;
         const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();

@@ -5,6 +5,7 @@
 #include "Instrument/Player.h"
 #include "LoudnessPhrase.h"
 #include "Object/Material.h"
+#include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
 
@@ -137,7 +138,7 @@ std::shared_ptr<const Instrument> synthetic(std::size_t modes) {
 
 TEST_CASE("Strikes of every library material are within 2.4 LU of every factory preset's own, "
           "gently, at velocity 100 and at 127") {
-    for (const auto& preset : factoryPresets()) {
+    for (const auto& preset : keyedFactoryPresets()) {
         for (const int velocity : PhrasePrediction::velocities)
             checkMaterials(preset, strikeContact, 1, velocity, 2.4);
     }
@@ -146,7 +147,7 @@ TEST_CASE("Strikes of every library material are within 2.4 LU of every factory 
 TEST_CASE(
     "Every mallet of the rack is within 3.1 LU of every factory preset's own at velocity 100, "
     "5.2 LU at 127 and 16.7 LU at 40, where long contacts have their nulls at other keys") {
-    for (const auto& preset : factoryPresets()) {
+    for (const auto& preset : keyedFactoryPresets()) {
         checkMallets(preset, 100, 3.1);
         checkMallets(preset, 127, 5.2);
         checkMallets(preset, 40, 16.7);
@@ -155,13 +156,13 @@ TEST_CASE(
 
 TEST_CASE("Scrapes of every library material are within 2.5 LU of every factory preset's own, in "
           "the mean over places on the surface") {
-    for (const auto& preset : factoryPresets())
+    for (const auto& preset : keyedFactoryPresets())
         checkMaterials(preset, scrapeContact, seeds, 100, 2.5);
 }
 
 TEST_CASE("Rolls of every library material are within 2.3 LU of every factory preset's own, in "
           "the mean over places on the surface") {
-    for (const auto& preset : factoryPresets())
+    for (const auto& preset : keyedFactoryPresets())
         checkMaterials(preset, rollContact, seeds, 100, 2.3);
 }
 
@@ -234,7 +235,7 @@ TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") 
 
 TEST_CASE("The predicted loudness of struck factory presets is libebur128's within 0.6 LU at "
           "velocity 100") {
-    for (const auto& preset : factoryPresets()) {
+    for (const auto& preset : keyedFactoryPresets()) {
         if (static_cast<int>(preset.parameters[contact]) != strikeContact)
             continue;
         Rig rig(preset, strikeContact);

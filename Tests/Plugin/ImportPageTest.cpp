@@ -11,7 +11,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Approx;
-using Stage = ImportStatus::Stage;
+using ImportStage = ImportStatus::Stage;
 
 namespace {
 
@@ -115,7 +115,7 @@ TEST_CASE("An error is a sentence on the page, and cancelling says so") {
     p.processor.openFile(meshFile("ball.obj", icosphereMesh(0.1, 4)));
     p.page.refresh();
     click(part<juce::Button>(p.page, "Cancel the analysis"));
-    CHECK(p.processor.importStatus().stage == Stage::cancelled);
+    CHECK(p.processor.importStatus().stage == ImportStage::cancelled);
     CHECK(part<juce::Label>(p.page, "Progress").getText() == "Cancelled.");
 }
 
@@ -158,14 +158,14 @@ TEST_CASE("Files that can be read are taken by the window, wherever they are dro
     CHECK(window.isInterestedInFileDrag({"song.mid", file}));
     window.fileDragEnter({file}, 10, 10);
     window.fileDragExit({file});
-    CHECK(processor.importStatus().stage == Stage::none);
+    CHECK(processor.importStatus().stage == ImportStage::none);
     window.filesDropped({"song.mid", file}, 10, 10);
     CHECK(processor.importStatus().isWorking());
     finish(processor);
-    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(processor.importStatus().stage == ImportStage::done);
     CHECK(part<ImportPage>(window, "").isVisible());
     window.filesDropped({"song.mid"}, 10, 10);
-    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(processor.importStatus().stage == ImportStage::done);
 }
 
 TEST_CASE("A page that nothing happens on repaints nothing, and no text of its buttons is cut") {

@@ -12,7 +12,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
-using Stage = ImportStatus::Stage;
+using ImportStage = ImportStatus::Stage;
 
 namespace {
 
@@ -35,14 +35,14 @@ std::vector<ObjectWorkshop::Product> productsOf(ObjectWorkshop& workshop) {
 TEST_CASE("A mesh becomes a preview and then the object, with its unit guessed and its notes") {
     const auto file = smallPlateFile("plate.obj", 1000);
     ObjectWorkshop workshop;
-    CHECK(workshop.status().stage == Stage::none);
+    CHECK(workshop.status().stage == ImportStage::none);
     workshop.open(file, {});
     CHECK(workshop.status().isWorking());
     CHECK(workshop.status().fileName == "plate.obj");
     const auto products = productsOf(workshop);
     const auto status = workshop.status();
     CHECK(status.error.empty());
-    REQUIRE(status.stage == Stage::done);
+    REQUIRE(status.stage == ImportStage::done);
     CHECK(status.progress == 1);
     CHECK(status.unit == "mm");
     CHECK(status.method == "two-layer");
@@ -63,11 +63,11 @@ TEST_CASE("The preview comes first and is near in pitch") {
     workshop.open(smallPlateFile("plate.ply", 1), {});
     std::vector<double> lowest;
     std::vector<bool> previews;
-    while (lowest.size() < 2 && workshop.status().stage != Stage::failed)
+    while (lowest.size() < 2 && workshop.status().stage != ImportStage::failed)
         if (const auto product = workshop.takeProduct()) {
             lowest.push_back(std::sqrt(product->object->eigenvalues.front()));
             previews.push_back(product->isPreview);
-        } else if (workshop.status().stage == Stage::done) {
+        } else if (workshop.status().stage == ImportStage::done) {
             SKIP("the whole analysis was ready before anybody looked");
         } else {
             waitFor();
@@ -96,7 +96,7 @@ TEST_CASE("What no object can be made of is refused in a sentence that names the
         workshop.open(file, {});
         CHECK(productsOf(workshop).empty());
         const auto status = workshop.status();
-        CHECK(status.stage == Stage::failed);
+        CHECK(status.stage == ImportStage::failed);
         CHECK_THAT(status.error, ContainsSubstring(name));
     }
 }
@@ -112,7 +112,7 @@ TEST_CASE("Settings that cannot be are refused in a sentence, and the mesh stays
           ImportSettings{.method = "guesswork"}}) {
         workshop.analyseAgain(settings);
         CHECK(productsOf(workshop).empty());
-        CHECK(workshop.status().stage == Stage::failed);
+        CHECK(workshop.status().stage == ImportStage::failed);
         CHECK_THAT(workshop.status().error, ContainsSubstring("There is no"));
     }
     workshop.analyseAgain({.method = "fem"});
@@ -128,7 +128,7 @@ TEST_CASE("Another analysis needs the file no more, and takes its own material a
     std::filesystem::remove(file);
     workshop.analyseAgain({.unit = "ft", .material = "glass", .thicknessMetres = 0.0004});
     const auto products = productsOf(workshop);
-    REQUIRE(workshop.status().stage == Stage::done);
+    REQUIRE(workshop.status().stage == ImportStage::done);
     REQUIRE_FALSE(products.empty());
     CHECK_FALSE(products.back().isNewFile);
     const auto& object = *products.back().object;
@@ -157,14 +157,14 @@ TEST_CASE("A job cancelled at once makes nothing, and the next is made") {
     for (int i = 0; i < 20; ++i) {
         workshop.open(file, {});
         workshop.cancel();
-        CHECK(workshop.status().stage == Stage::cancelled);
+        CHECK(workshop.status().stage == ImportStage::cancelled);
         CHECK_FALSE(workshop.takeProduct());
     }
     workshop.open(file, {});
     CHECK_FALSE(productsOf(workshop).empty());
-    CHECK(workshop.status().stage == Stage::done);
+    CHECK(workshop.status().stage == ImportStage::done);
     workshop.cancel();
-    CHECK(workshop.status().stage == Stage::done);
+    CHECK(workshop.status().stage == ImportStage::done);
 }
 
 TEST_CASE("Of two jobs in quick succession only the second is heard of") {
@@ -180,7 +180,7 @@ TEST_CASE("Of two jobs in quick succession only the second is heard of") {
         CHECK(products.front().isFirst);
         for (const auto& product : products)
             CHECK(product.object->name == "second");
-        CHECK(workshop.status().stage == Stage::done);
+        CHECK(workshop.status().stage == ImportStage::done);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Object/ModalObjectFile.h"
+#include "Scene/SceneStage.h"
 #include "Support/SyntheticObject.h"
 #include "Support/TestFolder.h"
 
@@ -107,7 +108,7 @@ TEST_CASE("A keyboard of foreign objects is written whole") {
 TEST_CASE("The factory's objects are not written") {
     const auto folder = freshFolder();
     for (const auto& preset : factoryPresets()) {
-        const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+        const auto instrument = buildInstrument(preset.keyMap, ObjectLibrary::shared()).value();
         CHECK(writePresetObjects(preset.keyMap, *instrument, folder).value() == preset.keyMap);
     }
     CHECK_FALSE(folder.exists());

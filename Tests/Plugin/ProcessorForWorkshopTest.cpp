@@ -12,7 +12,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
-using Stage = ImportStatus::Stage;
+using ImportStage = ImportStatus::Stage;
 
 namespace {
 
@@ -22,7 +22,7 @@ void open(Processor& processor, const std::filesystem::path& file) {
     processor.openFile(file);
     finish(processor);
     INFO(processor.importStatus().error);
-    REQUIRE(processor.importStatus().stage == Stage::done);
+    REQUIRE(processor.importStatus().stage == ImportStage::done);
 }
 
 float blow(Processor& processor, int note, int velocity = 100) {
@@ -63,7 +63,7 @@ TEST_CASE("A dropped mesh plays, scaled to the pitches of the keys, from the pre
         CHECK(blow(processor, 60) > 0.003f);
     });
     CHECK(played >= 1);
-    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(processor.importStatus().stage == ImportStage::done);
     CHECK(processor.keyLayout() == KeyLayout::scaled);
     CHECK(processor.keyRange().lowest == 36);
     CHECK(processor.keyRange().highest == 96);
@@ -101,7 +101,7 @@ TEST_CASE("The sound before plays on until the object is there, and nothing clic
         }
     });
     CHECK(stepOf(heard) <= steepest);
-    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(processor.importStatus().stage == ImportStage::done);
 }
 
 TEST_CASE("Dropped objects of any size and kind are heard, and do not clip") {
@@ -145,7 +145,7 @@ TEST_CASE(
         CHECK(processor.keyLayout() == KeyLayout::scaled);
     });
     REQUIRE(switched);
-    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(processor.importStatus().stage == ImportStage::done);
     const auto whole = processor.loadedInstrument()->slots().front().object;
     CHECK(whole->provenance.notes.find("preview") == std::string::npos);
     processor.editHistory().redo();
@@ -162,7 +162,7 @@ TEST_CASE("A file that cannot be opened changes nothing and is a sentence in the
     const auto before = saved(processor);
     processor.openFile(writtenFile("broken.stl", "solid nothing"));
     finish(processor);
-    CHECK(processor.importStatus().stage == Stage::failed);
+    CHECK(processor.importStatus().stage == ImportStage::failed);
     CHECK(saved(processor) == before);
     const auto status = processor.takeStatus();
     CHECK(status.isError);
@@ -199,7 +199,7 @@ TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     CHECK_FALSE(second.importStatus().isWorking());
     second.analyseAgain();
     finish(second);
-    CHECK(second.importStatus().stage == Stage::done);
+    CHECK(second.importStatus().stage == ImportStage::done);
     CHECK(second.playedObjects().front().object->material.name == "Copper");
     CHECK(second.keyLayout() == KeyLayout::zones);
 }
@@ -213,7 +213,7 @@ TEST_CASE("Other settings make another object of the same mesh at once") {
     REQUIRE(processor.importStatus().followsSettings);
     processor.setImportSettings({.material = "Glass", .thicknessMetres = 0.004});
     finish(processor);
-    CHECK(processor.importStatus().stage == Stage::done);
+    CHECK(processor.importStatus().stage == ImportStage::done);
     CHECK(processor.importStatus().settings.material == "Glass");
     CHECK(processor.playedObjects().front().object->material.name == "Glass");
     CHECK(processor.playedObjects().front().object->thicknessMetres == 0.004);
@@ -272,7 +272,7 @@ TEST_CASE("Whoever chooses a preset meanwhile keeps it") {
     const auto chosen = processor.loadedInstrument();
     finish(processor);
     CHECK(processor.loadedInstrument() == chosen);
-    CHECK(processor.importStatus().stage != Stage::done);
+    CHECK(processor.importStatus().stage != ImportStage::done);
     CHECK(processor.getCurrentProgram() == 4);
     CHECK(processor.keyLayout() == KeyLayout::scaled);
     processor.setCurrentProgram(0);

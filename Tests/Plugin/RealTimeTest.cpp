@@ -127,6 +127,30 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever is p
     CHECK(host.loudestSample > 0.001f);
 }
 
+TEST_CASE("A scene's blows and touches do not allocate, lock or call the system") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    WatchedHost host(480);
+    const auto presets = factoryPresets();
+    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
+        if (presets[static_cast<std::size_t>(program)].keyMap.kind != KeyMapKind::scene)
+            continue;
+        host.what = host.processor.getProgramName(program).toStdString();
+        host.processor.setCurrentProgram(program);
+        host.loudestSample = 0;
+        juce::MidiBuffer notes;
+        for (const int note : {72, 74, 77})
+            notes.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(100)), note);
+        host.block(notes, 480);
+        for (int waits = 0; waits < 100 && host.loudestSample < 0.0001f; ++waits) {
+            juce::Thread::sleep(50); // for the worker
+            for (int block = 0; block < 5; ++block)
+                host.block({}, 480);
+        }
+        CHECK(host.loudestSample >= 0.0001f);
+    }
+}
+
 TEST_CASE("No factory preset scraped or rolled allocates, locks or calls the system") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");

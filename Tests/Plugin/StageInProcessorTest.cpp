@@ -1,0 +1,102 @@
+// Presets of scenes in the plugin: heard after their delay, the same in a bounce and in real time,
+// kept in states.
+#include "Instrument/FactoryContent.h"
+#include "Plugin/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr int rate = 48000;
+const char* const dice = "Dice on Rosewood";
+
+void choose(Processor& processor, const std::string& preset) {
+    for (int program = 0; program < processor.getNumPrograms(); ++program)
+        if (processor.getProgramName(program).toStdString() == preset)
+            processor.setCurrentProgram(program);
+    REQUIRE(processor.loadedLabel().name == preset);
+}
+
+juce::MidiBuffer chord() {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, 72, static_cast<juce::uint8>(20)), 100);
+    midi.addEvent(juce::MidiMessage::noteOn(1, 76, static_cast<juce::uint8>(120)), 100);
+    midi.addEvent(juce::MidiMessage::noteOff(1, 72), 200);
+    return midi;
+}
+
+std::vector<float> bounce(const std::string& state, int blockSize) {
+    Processor processor;
+    processor.setNonRealtime(true);
+    restoreBytes(processor, state);
+    processor.prepareToPlay(rate, blockSize);
+    const auto sound = render(processor, rate, blockSize, chord());
+    CHECK(processor.takeStatus().lateBlows == 0);
+    return sound;
+}
+
+std::size_t onset(const std::vector<float>& sound) {
+    const float threshold = 0.01f * loudest(sound);
+    const auto first =
+        std::ranges::find_if(sound, [=](float x) { return std::abs(x) > threshold; });
+    return static_cast<std::size_t>(first - sound.begin());
+}
+
+} // namespace
+
+TEST_CASE("A preset of a scene is heard after the delay that the status tells") {
+    Processor processor;
+    choose(processor, dice);
+    const double delay = processor.takeStatus().delaySeconds;
+    CHECK(delay > 0.05);
+    CHECK(processor.getTailLengthSeconds() > delay);
+    const auto sound = bounce(saved(processor), 512);
+    CHECK(loudest(sound) > 0);
+    CHECK_THAT(static_cast<double>(onset(sound)) / rate, WithinAbs(100.0 / rate + delay, 0.002));
+    choose(processor, factoryPresets().front().name);
+    CHECK(processor.takeStatus().delaySeconds == 0);
+}
+
+TEST_CASE("A scene sounds the same from its state, in any blocks") {
+    Processor processor;
+    choose(processor, dice);
+    const auto state = saved(processor);
+    Processor other;
+    restoreBytes(other, state);
+    CHECK(saved(other) == state);
+    CHECK(bounce(state, 512) == bounce(state, 100));
+}
+
+TEST_CASE("In real time a scene sounds as in a bounce where its worker is in time") {
+    Processor processor;
+    choose(processor, dice);
+    const auto expected = bounce(saved(processor), 480);
+    processor.prepareToPlay(rate, 480);
+    const auto midi = chord();
+    // The worker runs a second ahead, and this is one: it has all the time that it may need.
+    auto sound = render(processor, 480, 480, midi);
+    for (int waited = 0; waited < 20; ++waited)
+        juce::Thread::sleep(100);
+    const auto rest = render(processor, rate - 480, 480, {});
+    sound.insert(sound.end(), rest.begin(), rest.end());
+    CHECK(processor.takeStatus().lateBlows == 0);
+    CHECK(sound == expected);
+}
+
+TEST_CASE("A scene that is missing leaves what plays, and is named") {
+    Processor processor;
+    auto state = testState();
+    state.preset.keyMap = {.kind = KeyMapKind::scene, .object = "/nowhere/mine.json"};
+    state.objects.clear();
+    const auto before = processor.loadedLabel().name;
+    restore(processor, state);
+    const auto status = processor.takeStatus();
+    CHECK(status.isError);
+    CHECK(status.sentence.find("/nowhere/mine.json") != std::string::npos);
+    CHECK(processor.loadedLabel().name == before);
+}
