@@ -4,7 +4,13 @@
 
 namespace idiophone {
 
-ObjectPane::ObjectPane(ProcessorView& view) : object(view) {
+namespace {
+
+constexpr int playVelocity = 100;
+
+} // namespace
+
+ObjectPane::ObjectPane(ProcessorView& processor) : view(processor), object(processor) {
     addAndMakeVisible(object);
     addSwitch(vibration, "Show how what sounds vibrates, slowed down and exaggerated",
               &ObjectView::setShowsVibration, true);
@@ -18,6 +24,41 @@ ObjectPane::ObjectPane(ProcessorView& view) : object(view) {
         if (draw.getToggleState() && !path.getToggleState())
             path.setToggleState(true, juce::sendNotification);
     };
+    addStageButton(play, "Set the bodies in motion, as a key in the middle does");
+    play.onClick = [this] {
+        const auto range = view.keyRange();
+        const int note = (range.lowest + range.highest) / 2;
+        view.playNote(note, playVelocity);
+        view.playNote(note, 0);
+    };
+    addStageButton(pause, "Hold the bodies where they are");
+    pause.setClickingTogglesState(true);
+    pause.onClick = [this] { view.pauseStage(pause.getToggleState()); };
+    addStageButton(reset, "Take away what moves");
+    reset.onClick = [this] { view.resetStage(); };
+    showStageButtons();
+}
+
+void ObjectPane::addStageButton(juce::TextButton& button, const juce::String& tooltip) {
+    button.setTitle(button.getButtonText());
+    button.setTooltip(tooltip);
+    addChildComponent(button);
+}
+
+void ObjectPane::refresh() {
+    object.refresh();
+    pause.setToggleState(view.isStagePaused(), juce::dontSendNotification);
+    if (object.isOnStage() != play.isVisible())
+        showStageButtons();
+}
+
+/// What a stage has instead of a strike path.
+void ObjectPane::showStageButtons() {
+    for (auto* button : {&play, &pause, &reset})
+        button->setVisible(object.isOnStage());
+    for (auto* button : {&path, &draw})
+        button->setVisible(!object.isOnStage());
+    resized();
 }
 
 void ObjectPane::addSwitch(juce::TextButton& button,
@@ -36,7 +77,9 @@ void ObjectPane::resized() {
     auto area = getLocalBounds();
     auto strip = area.removeFromTop(stripHeight).withTrimmedBottom(4);
     const juce::Font font = Look::textFont();
-    for (auto* button : {&vibration, &nodes, &path, &draw}) {
+    for (auto* button : {&vibration, &nodes, &path, &draw, &play, &pause, &reset}) {
+        if (!button->isVisible())
+            continue;
         const int width = juce::roundToInt(
             juce::GlyphArrangement::getStringWidth(font, button->getButtonText()) + 18);
         button->setBounds(

@@ -9,11 +9,11 @@ class ObjectPane final : public juce::Component {
 public:
     static constexpr int stripHeight = 28;
 
-    explicit ObjectPane(ProcessorView& view);
+    explicit ObjectPane(ProcessorView& processor);
 
     ObjectView& picture() { return object; }
 
-    void refresh() { object.refresh(); }
+    void refresh();
 
     void resized() override;
 
@@ -23,9 +23,14 @@ private:
                    void (ObjectView::*change)(bool),
                    bool on);
 
+    void addStageButton(juce::TextButton& button, const juce::String& tooltip);
+    void showStageButtons();
+
+    ProcessorView& view;
     ObjectView object;
     juce::TextButton vibration{"Vibration"}, nodes{"Nodal lines"}, path{"Strike path"},
         draw{"Draw path"};
+    juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"}; ///< on a stage
 };
 
 } // namespace idiophone

@@ -1,5 +1,6 @@
 #include "Editor/ObjectScene.h"
 
+#include "Editor/BodyPlacement.h"
 #include "Editor/MaterialColour.h"
 #include "Geometry/ObjectMesh.h"
 
@@ -11,6 +12,9 @@ namespace idiophone {
 namespace {
 
 using Place = std::array<double, 3>;
+
+/// Of a click on a stage, where no end of a body is the player's: half way from soft to hard.
+constexpr double stageStrength = 0.5;
 
 struct Box {
     Place lowest, highest;
@@ -88,8 +92,11 @@ ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) 
     return result;
 }
 
-ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played) {
-    if (played.size() > 1) {
+ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played, Layout layout) {
+    if (layout == Layout::stage) {
+        for (const auto& object : played)
+            placements.push_back({.scale = object.sizeRatio});
+    } else if (played.size() > 1) {
         placements = keyboardOf(played);
     } else if (!played.empty()) {
         const Box box(*played.front().object);
@@ -128,19 +135,29 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played)
     if (corners.empty())
         return;
 
-    Mesh all{Eigen::MatrixXd(corners.size(), 3), Eigen::MatrixXi(objectOfFace.size(), 3)};
     lowest = highest = corners.front().place;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
+    for (const auto& corner : corners)
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float value = corners[i].place[axis];
-            all.vertices(row, static_cast<Eigen::Index>(axis)) = static_cast<double>(value);
-            lowest[axis] = std::min(lowest[axis], value);
-            highest[axis] = std::max(highest[axis], value);
+            lowest[axis] = std::min(lowest[axis], corner.place[axis]);
+            highest[axis] = std::max(highest[axis], corner.place[axis]);
         }
-        all.faces(row / 3, row % 3) = static_cast<int>(i);
+    if (layout == Layout::stage)
+        for (const auto& run : runs)
+            surfaces.push_back(surfaceOf(run.firstVertex, run.vertexCount));
+    else
+        surface.emplace(surfaceOf(0, corners.size()));
+}
+
+SurfaceQuery ObjectScene::surfaceOf(std::size_t firstVertex, std::size_t vertexCount) const {
+    Mesh mesh{Eigen::MatrixXd(vertexCount, 3), Eigen::MatrixXi(vertexCount / 3, 3)};
+    for (std::size_t i = 0; i < vertexCount; ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            mesh.vertices(row, static_cast<Eigen::Index>(axis)) =
+                static_cast<double>(corners[firstVertex + i].place[axis]);
+        mesh.faces(row / 3, row % 3) = static_cast<int>(i);
     }
-    surface.emplace(std::move(all));
+    return SurfaceQuery(std::move(mesh));
 }
 
 void ObjectScene::addBox(SceneObject& run) {
@@ -216,6 +233,47 @@ std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
     pick.towardsPlayer =
         depth > 0 ? std::clamp((placement.farthest - hit->pointMetres.y()) / depth, 0.0, 1.0) : 1;
     return pick;
+}
+
+std::vector<ScenePlace> ObjectScene::outline(std::span<const BodyNow> bodies) const {
+    constexpr std::size_t boxSize = 8;
+    std::vector<ScenePlace> places;
+    for (const auto& body : bodies) {
+        const auto first = boxSize * static_cast<std::size_t>(body.object);
+        for (std::size_t corner = first; corner < first + boxSize && corner < boxCorners.size();
+             ++corner)
+            places.push_back(onStage(body, boxCorners[corner]));
+    }
+    return places;
+}
+
+std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
+                                           const ScenePlace& direction,
+                                           std::span<const BodyNow> bodies) const {
+    std::optional<ScenePick> nearest;
+    double nearestMetres = std::numeric_limits<double>::infinity();
+    for (const auto& body : bodies) {
+        const auto object = static_cast<std::size_t>(body.object);
+        if (object >= surfaces.size())
+            continue;
+        const auto from = onBody(body, origin), along = turnedBack(body, direction);
+        const Eigen::Vector3d start(from[0], from[1], from[2]);
+        const auto hit =
+            surfaces[object].firstHit(start, Eigen::Vector3d(along[0], along[1], along[2]));
+        if (!hit || !((hit->pointMetres - start).norm() < nearestMetres))
+            continue;
+        nearestMetres = (hit->pointMetres - start).norm();
+        ScenePlace own{};
+        nearest = ScenePick{.object = object};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double component = hit->pointMetres(static_cast<Eigen::Index>(axis));
+            own[axis] = static_cast<float>(component);
+            nearest->pointMetres[axis] = component / placements[object].scale;
+        }
+        nearest->place = onStage(body, own);
+        nearest->towardsPlayer = stageStrength;
+    }
+    return nearest;
 }
 
 } // namespace idiophone

@@ -1,5 +1,5 @@
-// The objects of an instrument laid out in space, to be drawn and picked: several as a keyboard,
-// one as it is. It knows neither windows nor OpenGL.
+// The objects of an instrument in space, to be drawn and picked: several laid out as a keyboard,
+// one as it is, and those on a stage where their bodies are. It knows neither windows nor OpenGL.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -40,14 +40,22 @@ struct ScenePick {
 /// Immutable once built, which takes a while for large meshes.
 class ObjectScene {
 public:
-    explicit ObjectScene(const std::vector<ProcessorView::PlayedObject>& played);
+    enum class Layout {
+        keyboard, ///< or one alone
+        stage     ///< each in its own coordinates, in its size: bodies say where it is
+    };
+
+    explicit ObjectScene(const std::vector<ProcessorView::PlayedObject>& played,
+                         Layout layout = Layout::keyboard);
 
     std::span<const SceneVertex> vertices() const { return corners; }
     std::span<const SceneObject> objects() const { return runs; }
     bool empty() const { return corners.empty(); }
 
-    /// The corners of the boxes that hold each object: all there is lies between them.
+    /// The corners of the boxes that hold each object, eight each: all there is lies between them.
     const std::vector<ScenePlace>& outline() const { return boxCorners; }
+    /// The same of bodies on a stage.
+    std::vector<ScenePlace> outline(std::span<const BodyNow> bodies) const;
     ScenePlace highestCorner() const { return highest; } ///< of all; 0 for an empty scene
     /// Half of the way across everything; 0 for an empty scene.
     float radius() const;
@@ -62,6 +70,10 @@ public:
 
     /// What a ray meets first.
     std::optional<ScenePick> pick(const ScenePlace& origin, const ScenePlace& direction) const;
+    /// The same of bodies on a stage.
+    std::optional<ScenePick> pick(const ScenePlace& origin,
+                                  const ScenePlace& direction,
+                                  std::span<const BodyNow> bodies) const;
 
 private:
     /// scene = origin + axes · (own − pivot) · scale, the axes being columns: own x, y, z.
@@ -76,6 +88,7 @@ private:
     keyboardOf(const std::vector<ProcessorView::PlayedObject>& played);
 
     void addBox(SceneObject& run);
+    SurfaceQuery surfaceOf(std::size_t firstVertex, std::size_t vertexCount) const;
 
     std::vector<SceneVertex> corners;
     std::vector<SceneObject> runs;
@@ -83,7 +96,8 @@ private:
     std::vector<std::int32_t> ownVertices; ///< of each corner, in its object's own mesh
     std::vector<std::size_t> objectOfFace;
     std::vector<ScenePlace> boxCorners;
-    std::optional<SurfaceQuery> surface; ///< all faces
+    std::optional<SurfaceQuery> surface; ///< all faces, but of a stage
+    std::vector<SurfaceQuery> surfaces;  ///< of a stage's objects
     ScenePlace lowest{}, highest{};
 };
 

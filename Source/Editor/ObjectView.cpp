@@ -1,5 +1,6 @@
 #include "Editor/ObjectView.h"
 
+#include "Editor/BodyPlacement.h"
 #include "Editor/Look.h"
 #include "Editor/OpenGlSupport.h"
 
@@ -16,6 +17,7 @@ constexpr float glowFallPerFrame = 0.85f, faintestGlow = 0.01f;
 constexpr int ticksToWait = 50;       // of the window's timer, for a context to come
 constexpr float exaggeration = 0.05f; // of an object's size, at the largest blow
 constexpr double modeSwingHz = 1.2;
+constexpr float glowShare = 0.02f;  // of the reach of everything
 constexpr float darkDecibels = -60; // an object as quiet as this is not lit
 
 } // namespace
@@ -57,11 +59,15 @@ void ObjectView::refresh() {
 
 void ObjectView::newScene() {
     played = view.playedObjects();
-    scene = std::make_shared<const ObjectScene>(played);
+    bodies = view.stageBodies();
+    onStage = !bodies.empty();
+    scene = std::make_shared<const ObjectScene>(played, onStage ? ObjectScene::Layout::stage
+                                                                : ObjectScene::Layout::keyboard);
     if (!scene->empty())
-        camera.lookAt(scene->outline());
+        camera.lookAt(onStage ? scene->outline(bodies) : scene->outline());
+    glowMetres = glowShare * scene->radius();
     path.paths.clear();
-    for (std::size_t i = 0; i < played.size(); ++i) {
+    for (std::size_t i = 0; i < played.size() && !onStage; ++i) {
         PathOverlay::Path line;
         for (const auto& place : view.struckPlaces(i))
             line.places.push_back(scene->placeOf(i, place));
@@ -99,7 +105,10 @@ void ObjectView::showSound(const SoundFrame& frame) {
         watched = static_cast<std::size_t>(frame.object);
         slowMotion.follow(frame.modes);
     }
-    if (loudness != lights || wasMoving || moves()) {
+    const bool bodiesMoved = onStage && frame.bodies != bodies;
+    if (bodiesMoved)
+        bodies = frame.bodies;
+    if (loudness != lights || wasMoving || moves() || bodiesMoved) {
         lights = std::move(loudness);
         wake();
     }
@@ -209,6 +218,13 @@ void ObjectView::cameraMoved() {
 }
 
 void ObjectView::redraw() {
+    std::optional<std::vector<SceneBody>> drawnBodies;
+    if (onStage) {
+        drawnBodies.emplace();
+        for (const auto& body : bodies)
+            drawnBodies->push_back(
+                {.object = static_cast<std::size_t>(body.object), .pose = matrixOf(body)});
+    }
     renderer.show({.scene = scene,
                    .viewProjection = camera.viewProjection(aspect()),
                    .eye = camera.eye(aspect()),
@@ -216,8 +232,10 @@ void ObjectView::redraw() {
                    .accent = colourOf(*this, LookColour::accent),
                    .glowPlace = glowPlace,
                    .glow = glow,
+                   .glowMetres = glowMetres,
                    .lights = lights,
-                   .motion = scene == nullptr || scene->empty() ? std::nullopt : sceneMotion()});
+                   .motion = scene == nullptr || scene->empty() ? std::nullopt : sceneMotion(),
+                   .bodies = std::move(drawnBodies)});
     context.triggerRepaint();
 }
 

@@ -1,5 +1,6 @@
 // The instrument in three dimensions: what is seen can be struck and scraped. Clicks strike, drags
-// over an object scrape it, drags beside the objects or with the right button turn the view.
+// over an object scrape it, drags beside the objects or with the right button turn the view. On a
+// stage clicks set its bodies in motion.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -36,6 +37,9 @@ public:
     /// Shows the shape of one mode of the object whose modes were shown last, or of none.
     void showMode(std::optional<std::size_t> mode);
 
+    /// Whether there are bodies that keys set in motion.
+    bool isOnStage() const { return onStage; }
+
     /// Sounding objects are seen to vibrate.
     void setShowsVibration(bool shows);
     /// The strongest mode of the object that sounds, or else its lowest, with its nodal lines.
@@ -71,6 +75,7 @@ private:
     float aspect() const;
     std::optional<ScenePick> pickAt(juce::Point<float> position) const;
     void strike(const ScenePick& pick, double pixelsPerSecond);
+    int noteFor(std::size_t object) const;
     void drawTo(juce::Point<float> position);
     void finishPath();
     const SurfaceMotion* motionOf(std::size_t object);
@@ -85,6 +90,9 @@ private:
     int shownInstrument = -1;
     std::vector<ProcessorView::PlayedObject> played;
     std::shared_ptr<const ObjectScene> scene;
+    bool onStage = false;
+    std::vector<BodyNow> bodies; ///< on a stage, as seen now
+    float glowMetres = 0.01f;
     OrbitCamera camera;
     PathOverlay path;
     juce::OpenGLContext context;

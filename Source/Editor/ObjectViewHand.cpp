@@ -31,11 +31,23 @@ std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
     const float x = 2 * position.x / static_cast<float>(getWidth()) - 1;
     const float y = 1 - 2 * position.y / static_cast<float>(getHeight());
     const auto ray = camera.rayThrough(x, y, aspect());
-    return scene->pick(ray.origin, ray.direction);
+    return onStage ? scene->pick(ray.origin, ray.direction, bodies)
+                   : scene->pick(ray.origin, ray.direction);
+}
+
+/// That sets something in motion: an object's own key, or else one in the middle.
+int ObjectView::noteFor(std::size_t object) const {
+    const auto& own = played[object];
+    const auto range = view.keyRange();
+    return own.lowestNote == own.highestNote ? own.lowestNote : (range.lowest + range.highest) / 2;
 }
 
 void ObjectView::strike(const ScenePick& pick, double pixelsPerSecond) {
-    view.strikeObject(pick.object, pick.pointMetres, velocityOf(pick, pixelsPerSecond));
+    const int velocity = velocityOf(pick, pixelsPerSecond);
+    if (onStage)
+        view.playNote(noteFor(pick.object), velocity);
+    else
+        view.strikeObject(pick.object, pick.pointMetres, velocity);
     struck = pick;
     glow = 1;
     glowPlace = pick.place;
@@ -51,6 +63,8 @@ std::optional<ScenePick> ObjectView::strikeAt(juce::Point<float> position, doubl
 }
 
 void ObjectView::dragTo(juce::Point<float> position, double pressure) {
+    if (onStage)
+        return;
     const auto pick = pickAt(position);
     if (!pick) {
         if (scraping && struck)
@@ -76,7 +90,10 @@ void ObjectView::lift() {
     if (struck) {
         if (scraping)
             view.scrapeObject(struck->object, struck->pointMetres, 0);
-        view.strikeObject(struck->object, struck->pointMetres, 0);
+        if (onStage)
+            view.playNote(noteFor(struck->object), 0);
+        else
+            view.strikeObject(struck->object, struck->pointMetres, 0);
     }
     struck.reset();
     scraping = false;
@@ -110,7 +127,7 @@ void ObjectView::mouseMove(const juce::MouseEvent& event) {
 }
 
 void ObjectView::mouseDown(const juce::MouseEvent& event) {
-    if (event.mods.isLeftButtonDown() && drawsPath) {
+    if (event.mods.isLeftButtonDown() && drawsPath && !onStage) {
         drawTo(event.position);
         if (drawnOn)
             return;

@@ -75,6 +75,12 @@ public:
 
     /// Of the instrument that plays, in the order of their keys; empty where there is none.
     virtual std::vector<PlayedObject> playedObjects() const = 0;
+    /// What stands on the stage before the first note; empty where the keys strike by themselves.
+    virtual std::vector<BodyNow> stageBodies() const = 0;
+    /// On a stage: bodies stand still in the air while it is paused, and are gone after a reset.
+    virtual void pauseStage(bool isPaused) = 0;
+    virtual bool isStagePaused() const = 0;
+    virtual void resetStage() = 0;
     /// Where keys strike one of them, in metres of its own mesh: places on its surface along the
     /// strike path, from the lowest key's end on. Empty where there is no such object.
     virtual std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const = 0;

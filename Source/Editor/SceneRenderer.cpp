@@ -14,6 +14,7 @@ attribute vec3 place;
 attribute vec3 normal;
 attribute vec3 offset;
 uniform mat4 viewProjection;
+uniform mat4 pose;
 uniform float offsetScale;
 varying vec3 seenPlace;
 varying vec3 seenNormal;
@@ -21,11 +22,11 @@ varying float outward;
 
 void main()
 {
-    vec3 moved = place + offsetScale * offset;
-    seenPlace = moved;
-    seenNormal = normal;
+    vec4 moved = pose * vec4(place + offsetScale * offset, 1.0);
+    seenPlace = moved.xyz;
+    seenNormal = (pose * vec4(normal, 0.0)).xyz;
     outward = dot(offset, normal);
-    gl_Position = viewProjection * vec4(moved, 1.0);
+    gl_Position = viewProjection * moved;
 }
 )";
 
@@ -71,6 +72,8 @@ void main()
     gl_FragColor = vec4(lit, 1.0);
 }
 )";
+
+constexpr std::array<float, 16> asLaidOut{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 juce::String translated(const char* shader, bool isVertexShader) {
     return isVertexShader ? juce::OpenGLHelpers::translateVertexShaderToV3(shader)
@@ -156,53 +159,63 @@ void SceneRenderer::draw(const SceneFrame& shown) {
     setColour("accent", shown.accent);
     setColour("ink", shown.background);
     program->setUniform("glow", shown.glow);
-    program->setUniform("glowRadius", 0.02f * shown.scene->radius());
+    program->setUniform("glowRadius", shown.glowMetres);
 
-    const auto attributeIndex = [&](const char* name) {
-        return static_cast<GLuint>(glGetAttribLocation(program->getProgramID(), name));
-    };
-    const auto vertexPart = [&](const char* name, std::size_t offset) {
-        const auto index = attributeIndex(name);
-        glEnableVertexAttribArray(index);
-        glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, sizeof(SceneVertex),
-                              reinterpret_cast<const void*>(offset));
-        return index;
-    };
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    const std::array used{vertexPart("place", offsetof(SceneVertex, place)),
-                          vertexPart("normal", offsetof(SceneVertex, normal))};
-    const auto offset = attributeIndex("offset");
-    const auto& objects = shown.scene->objects();
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const auto& object = objects[i];
-        const bool moves = shown.motion && shown.motion->object == i &&
-                           shown.motion->offsets->size() == object.vertexCount;
-        set("colour", object.colour);
-        program->setUniform("light", i < shown.lights.size() ? shown.lights[i] : 0.0f);
-        program->setUniform("offsetScale", moves ? shown.motion->scale : 0.0f);
-        program->setUniform("largestOffset", moves ? shown.motion->largestOffset : 1.0f);
-        program->setUniform("nodes", moves && shown.motion->showsNodes ? 1.0f : 0.0f);
-        if (moves) {
-            // The offsets are of this object's vertices alone, so its own are read from there too.
-            glBindBuffer(GL_ARRAY_BUFFER, offsetBuffer);
-            glEnableVertexAttribArray(offset);
-            glVertexAttribPointer(offset, 3, GL_FLOAT, GL_FALSE, sizeof(ScenePlace), nullptr);
-            glBindBuffer(GL_ARRAY_BUFFER, buffer);
-            const auto from = object.firstVertex * sizeof(SceneVertex);
-            vertexPart("place", from + offsetof(SceneVertex, place));
-            vertexPart("normal", from + offsetof(SceneVertex, normal));
-            glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(object.vertexCount));
-            glDisableVertexAttribArray(offset);
-            vertexPart("place", offsetof(SceneVertex, place));
-            vertexPart("normal", offsetof(SceneVertex, normal));
-            continue;
-        }
-        glVertexAttrib3f(offset, 0, 0, 0);
-        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(object.firstVertex),
-                     static_cast<GLsizei>(object.vertexCount));
+    readVertices(0);
+    if (shown.bodies) {
+        for (const auto& body : *shown.bodies)
+            if (body.object < shown.scene->objects().size())
+                drawObject(shown, body.object, body.pose);
+    } else
+        for (std::size_t i = 0; i < shown.scene->objects().size(); ++i)
+            drawObject(shown, i, asLaidOut);
+    glDisableVertexAttribArray(attribute("place"));
+    glDisableVertexAttribArray(attribute("normal"));
+}
+
+GLuint SceneRenderer::attribute(const char* name) const {
+    return static_cast<GLuint>(glGetAttribLocation(program->getProgramID(), name));
+}
+
+/// From a vertex of the bound buffer on.
+void SceneRenderer::readVertices(std::size_t first) const {
+    for (const auto& [name, part] : {std::pair("place", offsetof(SceneVertex, place)),
+                                     {"normal", offsetof(SceneVertex, normal)}}) {
+        glEnableVertexAttribArray(attribute(name));
+        glVertexAttribPointer(attribute(name), 3, GL_FLOAT, GL_FALSE, sizeof(SceneVertex),
+                              reinterpret_cast<const void*>(first * sizeof(SceneVertex) + part));
     }
-    for (const auto index : used)
-        glDisableVertexAttribArray(index);
+}
+
+void SceneRenderer::drawObject(const SceneFrame& shown,
+                               std::size_t index,
+                               const std::array<float, 16>& pose) {
+    const auto& object = shown.scene->objects()[index];
+    const auto offset = attribute("offset");
+    const bool moves = shown.motion && shown.motion->object == index &&
+                       shown.motion->offsets->size() == object.vertexCount;
+    program->setUniformMat4("pose", pose.data(), 1, false);
+    program->setUniform("colour", object.colour[0], object.colour[1], object.colour[2]);
+    program->setUniform("light", index < shown.lights.size() ? shown.lights[index] : 0.0f);
+    program->setUniform("offsetScale", moves ? shown.motion->scale : 0.0f);
+    program->setUniform("largestOffset", moves ? shown.motion->largestOffset : 1.0f);
+    program->setUniform("nodes", moves && shown.motion->showsNodes ? 1.0f : 0.0f);
+    const auto count = static_cast<GLsizei>(object.vertexCount);
+    if (!moves) {
+        glVertexAttrib3f(offset, 0, 0, 0);
+        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(object.firstVertex), count);
+        return;
+    }
+    // The offsets are of this object's vertices alone, so its own are read from there too.
+    glBindBuffer(GL_ARRAY_BUFFER, offsetBuffer);
+    glEnableVertexAttribArray(offset);
+    glVertexAttribPointer(offset, 3, GL_FLOAT, GL_FALSE, sizeof(ScenePlace), nullptr);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    readVertices(object.firstVertex);
+    glDrawArrays(GL_TRIANGLES, 0, count);
+    glDisableVertexAttribArray(offset);
+    readVertices(0);
 }
 
 void SceneRenderer::openGLContextClosing() {

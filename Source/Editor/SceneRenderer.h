@@ -25,6 +25,12 @@ struct SceneMotion {
     float largestOffset = 1; ///< > 0; for the colours
 };
 
+/// An object where its body is on a stage; as often as there are bodies.
+struct SceneBody {
+    std::size_t object = 0;
+    std::array<float, 16> pose{}; ///< column-major
+};
+
 /// What one picture shows.
 struct SceneFrame {
     std::shared_ptr<const ObjectScene> scene;
@@ -33,8 +39,10 @@ struct SceneFrame {
     juce::Colour background, accent;
     ScenePlace glowPlace{};
     float glow = 0;            ///< of the place struck, 0 to 1
+    float glowMetres = 0.01f;  ///< how far it reaches
     std::vector<float> lights; ///< of each object, how loud it is, 0 to 1; or empty
     std::optional<SceneMotion> motion;
+    std::optional<std::vector<SceneBody>> bodies; ///< instead of every object once, as laid out
 };
 
 /// The message thread shows frames, the OpenGL thread draws the last one; a mutex is held while the
@@ -57,6 +65,9 @@ private:
     void upload(const ObjectScene& scene);
     void uploadOffsets(std::shared_ptr<const std::vector<ScenePlace>> offsets);
     void draw(const SceneFrame& shown);
+    GLuint attribute(const char* name) const;
+    void readVertices(std::size_t first) const;
+    void drawObject(const SceneFrame& shown, std::size_t object, const std::array<float, 16>& pose);
 
     juce::OpenGLContext& context;
     std::mutex frameMutex;

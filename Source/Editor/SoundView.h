@@ -2,6 +2,7 @@
 // processor implements it; figures only, no audio.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -43,6 +44,15 @@ struct SlotNow {
     bool operator==(const SlotNow&) const = default;
 };
 
+/// A body on a stage: an object in its size, where it is. Metres, z points up.
+struct BodyNow {
+    int object = 0;                        ///< of ProcessorView::playedObjects
+    std::array<float, 3> originMetres{};   ///< of the object's own mesh
+    std::array<float, 4> turn{0, 0, 0, 1}; ///< a unit quaternion x, y, z, w
+
+    bool operator==(const BodyNow&) const = default;
+};
+
 struct SoundFrame {
     int instrumentNumber = 0;      ///< ProcessorView::instrumentNumber
     int object = -1;               ///< of playedObjects: whose modes these are; −1: none
@@ -50,6 +60,8 @@ struct SoundFrame {
     std::vector<ModeNow> modes;    ///< ascending in frequency but for what own dampings do
     std::int32_t modesOmitted = 0; ///< of the object beyond those, which are too many to show
     std::vector<SlotNow> slots;    ///< those that sound, loudest first
+
+    std::vector<BodyNow> bodies; ///< of an instrument on a stage
 
     double tauMetresPerSecond = 0; ///< modes below are dropped
     double slope = 1;              ///< S

@@ -196,6 +196,20 @@ void Player::setOffline(bool isOffline) noexcept {
         performance->setOffline(isOffline);
 }
 
+void Player::pauseStage(bool isPaused) noexcept {
+    if (performance)
+        performance->setPaused(isPaused);
+}
+
+void Player::resetStage() noexcept {
+    if (performance)
+        performance->stop();
+}
+
+std::span<const BodyPose> Player::bodyPoses() const noexcept {
+    return performance ? performance->poses() : std::span<const BodyPose>();
+}
+
 std::int64_t Player::lateBlows() const noexcept {
     return performance ? performance->lateBlows() : 0;
 }

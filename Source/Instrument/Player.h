@@ -102,6 +102,11 @@ public:
 
     /// On a stage: whether `process` may wait for what its bodies do.
     void setOffline(bool isOffline) noexcept;
+    /// On a stage: bodies stand still, or are as they were before the first note.
+    void pauseStage(bool isPaused) noexcept;
+    void resetStage() noexcept;
+    /// Of the slots, where their bodies are; empty where there is no stage.
+    std::span<const BodyPose> bodyPoses() const noexcept;
     /// Blows of a stage's bodies that became known too late to act at their time.
     std::int64_t lateBlows() const noexcept;
 

@@ -5,11 +5,19 @@
 #include "Synth/CellOutput.h"
 #include "Synth/Synthesiser.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 namespace idiophone {
+
+/// Where the body of a slot is: from its object's own mesh, scaled, to the stage; z points up.
+struct BodyPose {
+    bool isThere = false;
+    std::array<float, 3> originMetres{};
+    std::array<float, 4> turn{0, 0, 0, 1}; ///< a unit quaternion x, y, z, w
+};
 
 /// One player's. Constructed and destroyed off the audio thread; the rest is for the audio thread
 /// and neither allocates, locks nor throws, but that it waits for its worker while it is offline.
@@ -35,7 +43,9 @@ public:
     /// too late act as soon as they are, and count as late.
     virtual void setOffline(bool isOffline) noexcept = 0;
 
-    /// All bodies are gone; what rings goes on.
+    /// Bodies stand still in the air, and go on from there.
+    virtual void setPaused(bool isPaused) noexcept = 0;
+    /// All bodies are as they were before the first note; what rings goes on.
     virtual void stop() noexcept = 0;
     /// As if nothing had been yet.
     virtual void reset() noexcept = 0;
@@ -43,6 +53,7 @@ public:
     /// Nothing is in motion, nor on its way to the listener.
     virtual bool silent() const noexcept = 0;
     virtual std::int64_t lateBlows() const noexcept = 0;
+    virtual std::span<const BodyPose> poses() const noexcept = 0; ///< of the slots, as of now
 };
 
 /// Immutable, so that any number of players share it.
@@ -54,6 +65,8 @@ public:
     virtual std::unique_ptr<StagePerformance> perform(double sampleRateHz,
                                                       std::uint64_t seed) const = 0;
 
+    /// Of the slots, before the first note.
+    virtual std::span<const BodyPose> firstPoses() const = 0;
     /// From a note to its first blow, in seconds.
     virtual double delaySeconds() const = 0;
     /// From a note to the last time that its bodies move.

@@ -48,6 +48,9 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     if (auto* player = sound.player()) {
         player->setTempo(hostTempo());
         player->setOffline(isNonRealtime());
+        player->pauseStage(stagePaused);
+        if (stageResetRequested.exchange(false))
+            player->resetStage();
     }
     hand.playOn(sound.player());
 
@@ -207,6 +210,7 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     }
     ownSlowestDecay = slowest;
     ownDampingRatio = built->slots().empty() ? 1 : ratio;
+    stagePaused = false;
     stageSeconds = built->stage() ? built->stage()->lengthSeconds() : 0;
     loadedPreset = std::move(preset);
     if (instrument != built)

@@ -54,9 +54,9 @@ public:
     using AudioProcessor::processBlock;
 
     juce::AudioProcessorParameter* getBypassParameter() const override;
-    /// The time in which a stage's bodies move and the slowest possible mode falls from full scale by 96 dB, one 16-bit step;
-    /// at most `longestTailSeconds`, as hosts do not stop for longer and lightly damped objects
-    /// ring for minutes.
+    /// The time in which a stage's bodies move and the slowest possible mode falls from full scale
+    /// by 96 dB, one 16-bit step; at most `longestTailSeconds`, as hosts do not stop for longer and
+    /// lightly damped objects ring for minutes.
     double getTailLengthSeconds() const override;
     static constexpr double longestTailSeconds = 120;
 
@@ -87,6 +87,10 @@ public:
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
     std::vector<PlayedObject> playedObjects() const override;
+    std::vector<BodyNow> stageBodies() const override;
+    void pauseStage(bool isPaused) override { stagePaused = isPaused; }
+    bool isStagePaused() const override { return stagePaused; }
+    void resetStage() override { stageResetRequested = true; }
     std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const override;
     int instrumentNumber() const override { return loads; }
     void strikeObject(std::size_t index,
@@ -208,6 +212,8 @@ private:
     MidiLearn controllers;
     std::atomic<int> loads{0};
     std::atomic<bool> resetRequested{false};
+    std::atomic<bool> stagePaused{false};
+    std::atomic<bool> stageResetRequested{false};
     std::atomic<int> requestedProgram{-1};
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects

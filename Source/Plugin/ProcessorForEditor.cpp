@@ -157,6 +157,26 @@ std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
     return objects;
 }
 
+std::vector<BodyNow> Processor::stageBodies() const {
+    std::vector<BodyNow> bodies;
+    const auto playing = loadedInstrument();
+    if (playing == nullptr || !playing->stage())
+        return bodies;
+    const auto slots = playing->slots();
+    const auto own = ownSlots(*playing);
+    const auto poses = playing->stage()->firstPoses();
+    for (std::size_t slot = 0; slot < poses.size(); ++slot) {
+        if (!poses[slot].isThere)
+            continue;
+        const auto object = std::ranges::find_if(
+            own, [&](std::size_t each) { return slots[each].object == slots[slot].object; });
+        bodies.push_back({.object = static_cast<int>(object - own.begin()),
+                          .originMetres = poses[slot].originMetres,
+                          .turn = poses[slot].turn});
+    }
+    return bodies;
+}
+
 std::vector<std::array<double, 3>> Processor::struckPlaces(std::size_t index) const {
     std::vector<std::array<double, 3>> places;
     const auto playing = loadedInstrument();

@@ -26,6 +26,8 @@ struct MonitoredSound {
     SoundingGroups groups{mostModes};
     std::size_t slotCount = 0;
     std::array<Synthesiser::SlotStatus, mostSlots> slots{};
+    std::size_t bodyCount = 0; ///< of a stage's slots, or 0
+    std::array<BodyPose, mostSlots> bodies{};
     double qualitySlope = 1;
     double modeBudget = 0;
     float load = 0;               ///< of one processor, 0 to 1

@@ -88,6 +88,7 @@ const SoundFrame& SoundPicture::of(const MonitoredSound& sound) {
     groupModesOf(sound);
     addModes(sound);
     addSlots(sound);
+    addBodies(std::span(sound.bodies).first(sound.bodyCount));
     return frame;
 }
 
@@ -105,7 +106,18 @@ SoundPicture::ofSilence(std::size_t slot, const ParameterValues& values, double 
     sound.groups.groupsAreBehind = true;
     sound.qualitySlope = settings.qualitySlope;
     sound.modeBudget = settings.modeBudget;
-    return of(sound);
+    of(sound);
+    if (const auto& stage = subject.instrument->stage())
+        addBodies(stage->firstPoses());
+    return frame;
+}
+
+void SoundPicture::addBodies(std::span<const BodyPose> poses) {
+    for (std::size_t slot = 0; slot < std::min(poses.size(), objectOfSlot.size()); ++slot)
+        if (const auto& pose = poses[slot]; pose.isThere)
+            frame.bodies.push_back({.object = objectOfSlot[slot],
+                                    .originMetres = pose.originMetres,
+                                    .turn = pose.turn});
 }
 
 /// As the synthesis groups them, or will when the object is struck.

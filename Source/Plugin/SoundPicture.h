@@ -10,6 +10,7 @@
 #include "Plugin/SoundMonitor.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace idiophone {
@@ -42,6 +43,7 @@ private:
     void addModes(const MonitoredSound& sound);
     ModeNow modeNow(const MonitoredSound& sound, std::size_t mode) const;
     void addSlots(const MonitoredSound& sound);
+    void addBodies(std::span<const BodyPose> poses);
 
     PictureSubject subject;
     std::vector<int> objectOfSlot; ///< of ProcessorView::playedObjects

@@ -1,6 +1,7 @@
 // What a worker tells an audio thread of an act: a few cells of a scene's performance for one note.
 #pragma once
 
+#include "Instrument/Stage.h"
 #include "Scene/SceneRun.h"
 #include "Scene/TouchTracker.h"
 
@@ -30,7 +31,8 @@ struct ActChunk {
     };
     struct Placed {
         std::size_t slot = 0;
-        Eigen::Vector3d metres = Eigen::Vector3d::Zero();
+        Eigen::Vector3d metres = Eigen::Vector3d::Zero(); ///< the centre of mass, as it is heard
+        BodyPose pose;
     };
 
     std::uint32_t act = 0;

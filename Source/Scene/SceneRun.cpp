@@ -61,8 +61,10 @@ void SceneRun::standKeyboard() {
         slotOfBody.push_back(newSlot(bar.role));
         roleOfBody.push_back(bar.role);
         const auto body = rigid.add(bar.role, bar.motion);
-        if (slotOfBody.back() != noSlot)
+        if (slotOfBody.back() != noSlot) {
             slotPlaces[slotOfBody.back()] = rigid.centre(body);
+            slotPoses[slotOfBody.back()] = bar.motion.pose;
+        }
         ++counted.bodies;
     }
 }
@@ -73,6 +75,7 @@ std::size_t SceneRun::newSlot(std::size_t role) {
     allSlots.push_back(cast->slotOf(role));
     roleOfSlot.push_back(role);
     slotPlaces.push_back(Eigen::Vector3d::Zero());
+    slotPoses.emplace_back();
     return allSlots.size() - 1;
 }
 
@@ -174,8 +177,10 @@ void SceneRun::advanceTo(double seconds) {
 
 void SceneRun::follow() {
     for (const auto& one : present)
-        if (const auto slot = slotOfBody[one.body]; slot != noSlot)
+        if (const auto slot = slotOfBody[one.body]; slot != noSlot) {
             slotPlaces[slot] = rigid.centre(one.body);
+            slotPoses[slot] = rigid.motion(one.body).pose;
+        }
 }
 
 void SceneRun::step() {
@@ -228,6 +233,8 @@ void SceneRun::takeAway(double now) {
     std::erase_if(present, [&](const Present& one) {
         const bool stays = now < one.lastsUntil && rigid.centre(one.body).z() > lowestMetres;
         if (!stays) {
+            if (slotOfBody[one.body] != noSlot)
+                slotPoses[slotOfBody[one.body]].reset();
             rigid.remove(one.body);
             --counted.bodies;
         }

@@ -67,6 +67,9 @@ public:
     /// Where each slot's body is, or was last.
     std::span<const Eigen::Vector3d> places() const { return slotPlaces; }
 
+    /// Where its mesh, scaled, is; nothing while there is no body.
+    const std::optional<Eigen::Isometry3d>& pose(std::size_t slot) const { return slotPoses[slot]; }
+
     /// Nothing more will happen: the scene's time is over and every note has fallen.
     bool finished() const;
 
@@ -119,6 +122,7 @@ private:
     std::vector<std::size_t> slotOfBody, roleOfBody; ///< by body
     std::deque<SceneBlow> blows;                     ///< in order of time
     std::vector<Eigen::Vector3d> slotPlaces;
+    std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;
     double overSeconds = 0;
     Figures counted;

@@ -11,7 +11,7 @@ SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::ui
       worker(stage, sampleRateHz), acts(stage.actCount()),
       voices(*stage.cast(), sampleRateHz, seed),
       ears(stage.cast()->scene().listener, stage.slots().size(), sampleRateHz),
-      places(stage.places()) {}
+      places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()) {}
 
 void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept {
     const auto index = nextAct;
@@ -36,9 +36,15 @@ void SceneShow::sound(std::int64_t cell,
                       Synthesiser& synthesiser,
                       std::span<const CellOutput> cellsOfSlots) noexcept {
     takeChunks();
+    isPressed.fill(false);
+    if (paused) {
+        pairOfVoice.fill(0);
+        for (auto& act : acts)
+            ++act.startCell;
+        return;
+    }
     if (mayWait)
         waitFor(cell);
-    isPressed.fill(false);
     for (auto& act : acts)
         if (act.number != 0)
             play(act, cell, synthesiser, cellsOfSlots);
@@ -118,6 +124,8 @@ void SceneShow::play(Act& act,
         place(act, chunk.endCell() - now);
         if (now < chunk.endCell())
             return;
+        for (const auto& placed : chunk.places)
+            bodyPoses[placed.slot] = placed.pose;
         const bool isOver = chunk.isLast;
         drop(act);
         if (isOver) {
@@ -167,6 +175,7 @@ void SceneShow::stop() noexcept {
             worker.cue({.act = static_cast<std::uint32_t>(index)});
         clear(acts[index]);
     }
+    std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
 }
 
 void SceneShow::reset() noexcept {

@@ -24,10 +24,12 @@ public:
                std::span<const CellOutput> cellsOfSlots) noexcept override;
     void hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept override;
     void setOffline(bool isOffline) noexcept override { mayWait = isOffline; }
+    void setPaused(bool isPaused) noexcept override { paused = isPaused; }
     void stop() noexcept override;
     void reset() noexcept override;
     bool silent() const noexcept override;
     std::int64_t lateBlows() const noexcept override { return lateCount; }
+    std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
 
 private:
     static constexpr std::size_t chunkCapacity = 128; // more than the worker is ahead
@@ -77,7 +79,9 @@ private:
     std::array<bool, TouchTracker::voiceCount> isPressed{}; ///< in this cell
     SceneEars ears;
     std::vector<Eigen::Vector3d> places; ///< of the slots
+    std::vector<BodyPose> bodyPoses;     ///< likewise
     std::int64_t lateCount = 0;
+    bool paused = false;
     bool mayWait = false;
 };
 

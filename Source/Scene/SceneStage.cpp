@@ -44,6 +44,17 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
                                stage->slotOfKey(keyMap.lowestNote, keyMap.highestNote), stage);
 }
 
+BodyPose bodyPose(const SceneRun& run, std::size_t slot) {
+    const auto& pose = run.pose(slot);
+    if (!pose)
+        return {};
+    const Eigen::Vector3f origin = pose->translation().cast<float>();
+    const auto turn = Eigen::Quaterniond(pose->linear()).normalized().cast<float>();
+    return {.isThere = true,
+            .originMetres = {origin.x(), origin.y(), origin.z()},
+            .turn = {turn.x(), turn.y(), turn.z(), turn.w()}};
+}
+
 SceneStage::SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move(cast)) {
     int note = 0;
     while (note < 127 && !played->target(note))
@@ -69,6 +80,7 @@ SceneStage::SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move
             own.push_back(allSlots.size());
             allSlots.push_back(slots[slot]);
             firstPlaces.push_back(prototype.places()[slot]);
+            posesAtFirst.push_back(moves(slot) ? BodyPose() : bodyPose(prototype, slot));
         }
         slotsOfActs.push_back(std::move(own));
     }

@@ -17,6 +17,9 @@ namespace idiophone {
 Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
                                                           ObjectLibrary& library);
 
+/// What is seen of a slot's body.
+BodyPose bodyPose(const SceneRun& run, std::size_t slot);
+
 /// Several notes sound at a time, each in a world of its own (an act): what stands is the same in
 /// all of them and has one slot, what moves has one in each. With `notes` the body of a key is
 /// dropped so that it hits when the longest fall has gone by, whatever its own: so a chord stays
@@ -32,6 +35,7 @@ public:
 
     std::unique_ptr<StagePerformance> perform(double sampleRateHz,
                                               std::uint64_t seed) const override;
+    std::span<const BodyPose> firstPoses() const override { return posesAtFirst; }
     double delaySeconds() const override { return delay; }
     double lengthSeconds() const override;
 
@@ -54,6 +58,7 @@ private:
     double delay = 0;
     std::vector<SynthesiserSlot> allSlots;
     std::vector<Eigen::Vector3d> firstPlaces;
+    std::vector<BodyPose> posesAtFirst;
     std::vector<SlotMap> slotsOfActs;
     int firstMovingSlot = 0;
 };

@@ -43,7 +43,7 @@ SOURCE_ENDINGS = HEADER_ENDINGS | {".cpp", ".cc", ".mm"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))', re.MULTILINE)
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
 # Neither folder nor ending: <vector>, <cmath>; and the operating systems' own, free to all.
-STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|signal|io|sys/\w+)\.h$")
+STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|malloc|signal|io|sys/\w+)\.h$")
 
 
 def words(text):

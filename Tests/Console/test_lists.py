@@ -8,7 +8,7 @@ class Lists(ConsoleTest):
     def test_presets_are_told_with_all_that_a_preset_file_holds(self):
         presets = self.json("presets")
         self.assertEqual(presets[0]["name"], "Rosewood Xylophone")
-        self.assertEqual({p["keyMap"]["kind"] for p in presets}, {"bars", "zones", "scaled"})
+        self.assertEqual({p["keyMap"]["kind"] for p in presets}, {"bars", "zones", "scaled", "scene"})
         text = self.succeed("presets").stdout
         for preset in presets:
             self.assertIn(preset["name"], text)
