@@ -213,7 +213,7 @@ def goals(document):
 def replace_between_markers(text, name, content):
     pattern = re.compile(rf"(<!-- {name} -->\n).*?(<!-- /{name} -->)", re.DOTALL)
     if not pattern.search(text):
-        sys.exit(f"docs/benchmarks.md has no place for '{name}'")
+        sys.exit(f"the page has no place for '{name}'")
     return pattern.sub(lambda found: f"{found[1]}{content}\n{found[2]}", text)
 
 

@@ -120,9 +120,8 @@ void ActWorker::fill(ActChunk& chunk, Act& act, const SceneStage::SlotMap& slots
     act.cellsDone = chunk.endCell();
     for (std::size_t slot = 0; slot < slots.size(); ++slot)
         if (!run.isFixed(slot))
-            chunk.places.push_back({.slot = slots[slot],
-                                    .metres = run.places()[slot],
-                                    .pose = bodyPose(run, slot)});
+            chunk.places.push_back(
+                {.slot = slots[slot], .metres = run.places()[slot], .pose = bodyPose(run, slot)});
     chunk.isLast = run.finished();
 }
 

@@ -122,6 +122,12 @@ std::size_t RigidWorld::add(std::size_t kind, const BodyMotion& motion) {
     return all.bodies.size() - 1;
 }
 
+std::size_t RigidWorld::addAbsent() {
+    implementation->bodies.emplace_back();
+    implementation->inStep.emplace_back();
+    return implementation->bodies.size() - 1;
+}
+
 void RigidWorld::remove(std::size_t body) {
     auto& rigid = implementation->at(body).rigid;
     if (rigid == nullptr)

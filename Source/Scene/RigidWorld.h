@@ -33,6 +33,8 @@ public:
     /// A body that is there from the next step on; bodies are numbered from 0, and a number is not
     /// given again.
     std::size_t add(std::size_t kind, const BodyMotion& motion);
+    /// A number for what is no rigid body and has none ever, such as a hand.
+    std::size_t addAbsent();
     void remove(std::size_t body);
     bool has(std::size_t body) const;
     BodyMotion motion(std::size_t body) const;      ///< of one that is there

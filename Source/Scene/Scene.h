@@ -102,6 +102,26 @@ struct KeyThrow {
     std::array<double, 2> speedRatios{1, 1};    ///< times the speeds they are given
 };
 
+/// What a hand does to one body, as it was recorded: it taps and scrapes with a tool. Places are in
+/// the coordinates of the body's mesh, in its size; the nearest ones on the surface count.
+struct Hand {
+    struct Moment {
+        double seconds = 0;
+        Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero();
+        double newtons = 0; ///< with which the tool is pressed on; 0: it does not touch
+    };
+    struct Tap {
+        double seconds = 0;
+        Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero();
+        double metresPerSecond = 0; ///< > 0
+    };
+
+    std::size_t kind = 0;     ///< of which the first body is played
+    std::size_t tool = 0;     ///< whose mass, radius, material and surface the tool has
+    std::vector<Moment> path; ///< ascending in time; straight and even in between
+    std::vector<Tap> taps;    ///< likewise
+};
+
 struct Listener {
     Eigen::Vector3d positionMetres{0, -1.5, 1.5};
     Eigen::Vector3d towardsMetres{0, 0, 0.5};
@@ -120,6 +140,7 @@ struct Scene {
     std::optional<KeyboardStage> keyboard;
     std::optional<NoteDrop> noteDrop;
     KeyThrow keyThrow;
+    std::optional<Hand> hand;
     Listener listener;
     ParameterValues parameters;
 };

@@ -47,6 +47,7 @@ SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, SceneCall wanted
       kicks(scene.kicks), tracker(cast, rigid.stepSeconds()),
       overSeconds(call.seconds.value_or(scene.seconds)) {
     standKeyboard();
+    takeHand();
     planReleases();
     planNotes();
     std::ranges::stable_sort(coming, {}, &Coming::seconds);
@@ -191,7 +192,33 @@ void SceneRun::step() {
     rigid.step();
     for (const auto& impact : rigid.impacts())
         tell(impact);
-    tracker.follow(rigid.touches(), roleOfBody, slotOfBody);
+    tracker.follow(withHand(now, rigid.seconds() - leadSeconds), roleOfBody, slotOfBody);
+}
+
+void SceneRun::takeHand() {
+    if (!scene.hand)
+        return;
+    hand.emplace(*scene.hand, cast->roles()[scene.hand->kind], cast->roles()[scene.hand->tool]);
+    handBody = rigid.addAbsent();
+    slotOfBody.push_back(noSlot);
+    roleOfBody.push_back(scene.hand->tool);
+}
+
+/// What touched in a step, the hand among it; its taps are told.
+std::span<const Touch> SceneRun::withHand(double from, double until) {
+    const auto played = std::ranges::find_if(present, [&](const Present& one) {
+        return hand && roleOfBody[one.body] == scene.hand->kind;
+    });
+    if (played == present.end())
+        return rigid.touches();
+    for (auto impact : hand->tapsBetween(from, until, played->body, handBody)) {
+        impact.seconds += leadSeconds; // of the world's time
+        tell(impact);
+    }
+    touchesWithHand.assign(rigid.touches().begin(), rigid.touches().end());
+    if (const auto touch = hand->touchAt(until, played->body, handBody))
+        touchesWithHand.push_back(*touch);
+    return touchesWithHand;
 }
 
 /// What was to come between two steps is as far on its way by now. Half a step of gravity ahead

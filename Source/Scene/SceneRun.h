@@ -2,6 +2,7 @@
 // they strike is told for the synthesiser.
 #pragma once
 
+#include "Scene/RecordedHand.h"
 #include "Scene/SceneCast.h"
 #include "Scene/TouchTracker.h"
 
@@ -96,6 +97,8 @@ private:
     BodyMotion falling(const SceneNote& note, std::uint32_t number, double& fallSeconds);
     double lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const;
     void step();
+    void takeHand();
+    std::span<const Touch> withHand(double from, double until);
     void letIn(double now);
     void kick(double now);
     void takeAway(double now);
@@ -124,6 +127,9 @@ private:
     std::vector<Eigen::Vector3d> slotPlaces;
     std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;
+    std::optional<RecordedHand> hand;
+    std::size_t handBody = 0;
+    std::vector<Touch> touchesWithHand;
     double overSeconds = 0;
     Figures counted;
 };

@@ -4,7 +4,7 @@
 #include "Object/Material.h"
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
-#include "Scene/JsonPlace.h"
+#include "Scene/HandText.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +12,9 @@
 namespace idiophone {
 namespace {
 
-// Generous bounds, within which single precision and the rigid bodies stay well.
-constexpr double farthestMetres = 1000;
+// Generous bounds, as those in HandText.h.
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
-constexpr double longestSeconds = 3600;
 constexpr int mostBodies = 10000;
 constexpr std::size_t mostKinds = 24; // a bit each in SceneCast
 constexpr std::size_t mostEntries = 10000;
@@ -37,14 +35,6 @@ BodyForm parseForm(const JsonPlace& place) {
             return form;
     place.fail("is " + inQuotes(name) +
                " and none of hull, ring, sphere, cylinder, surface and ground");
-}
-
-std::size_t parseKindName(const JsonPlace& place, const std::vector<BodyTemplate>& kinds) {
-    const auto name = place.text();
-    const auto found = std::ranges::find(kinds, name, &BodyTemplate::name);
-    if (found == kinds.end())
-        place.fail("is " + inQuotes(name) + ", which is none of the kinds");
-    return static_cast<std::size_t>(found - kinds.begin());
 }
 
 Surface parseSurfaceAt(const JsonPlace& place) {
@@ -258,8 +248,8 @@ Scene parse(const JsonPlace& root) {
     if (root.at("version").integer(1, 1'000'000'000) > sceneFormatVersion)
         root.fail("was made by a newer Idiophone");
     root.allow({"format", "version", "name", "description", "seconds", "seed", "steps_per_second",
-                "gravity", "kinds", "bodies", "kicks", "keyboard", "notes", "keys", "listener",
-                "parameters"});
+                "gravity", "kinds", "bodies", "kicks", "keyboard", "notes", "keys", "hand",
+                "listener", "parameters"});
     Scene scene;
     scene.name = root.at("name").text();
     if (root.has("description"))
@@ -284,12 +274,17 @@ Scene parse(const JsonPlace& root) {
         scene.noteDrop = parseNoteDrop(root.at("notes"), scene.kinds);
     if (root.has("keys"))
         scene.keyThrow = parseKeyThrow(root.at("keys"));
+    if (root.has("hand"))
+        scene.hand = parseHand(root.at("hand"), scene.kinds);
     if (root.has("listener"))
         scene.listener = parseListener(root.at("listener"));
     if (root.has("parameters"))
         scene.parameters = parseParameters(root.at("parameters"));
     if (scene.releases.empty() && !scene.noteDrop)
         root.fail("has nothing that moves: neither 'bodies' nor 'notes'");
+    const auto isPlayed = [&](const Release& release) { return release.kind == scene.hand->kind; };
+    if (scene.hand && std::ranges::none_of(scene.releases, isPlayed))
+        root.at("hand").at("kind").fail("is of none of the bodies");
     return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 using namespace idiophone;
 using Catch::Matchers::WithinAbs;
@@ -144,4 +145,30 @@ TEST_CASE("A scene that names what is not there says so") {
           }).find("nothing.json") != std::string::npos);
     CHECK(faultOf([](Scene& scene) { scene.keyboard->preset = "Steel Plate"; }) ==
           "the keyboard's preset 'Steel Plate' has no bars");
+}
+
+TEST_CASE(
+    "A hand taps at its times with 1 + e of its tool's momentum, and rubs as fast as it moves") {
+    auto scene = *findFactoryScene("Bell under a hand");
+    const double tool =
+        4.0 / 3 * std::numbers::pi * std::pow(0.006, 3) * findMaterial("Steel")->densityKgPerM3;
+    scene.kinds[0].restitution = scene.kinds[1].restitution = 0.5;
+    scene.hand->taps = {{.seconds = 0.25, .pointMetres = {0, -0.07, 0.006}, .metresPerSecond = 2}};
+    scene.hand->path = {{.seconds = 1, .pointMetres = {0, -0.067, 0.006}, .newtons = 3},
+                        {.seconds = 2, .pointMetres = {0.03, -0.06, 0.006}, .newtons = 3}};
+    SceneRun motion(castOf(scene));
+    const auto blows = blowsUntil(motion, 1.5);
+    REQUIRE(blows.size() == 1);
+    CHECK(std::abs(blows[0].seconds - 0.25) < 1e-9);
+    const auto& impulse = blows[0].strike.impulseNewtonSeconds;
+    CHECK(std::abs(std::hypot(impulse[0], impulse[1], impulse[2]) - 1.5 * tool * 2) < 1e-5);
+    CHECK(impulse[1] > 0); // into the wall that looks along -y
+    const auto touching = std::ranges::find_if(
+        motion.touches(), [](const TouchState& state) { return state.forceNewtons > 0.1; });
+    REQUIRE(touching != motion.touches().end());
+    CHECK(std::abs(touching->forceNewtons - 3) < 0.03);
+    CHECK(std::abs(touching->slideMetresPerSecond - std::hypot(0.03, 0.007)) < 1e-3);
+    motion.advanceTo(3);
+    CHECK(std::ranges::all_of(motion.touches(),
+                              [](const TouchState& state) { return state.forceNewtons < 1e-6; }));
 }

@@ -25,6 +25,38 @@ std::string faultOf(const std::string& text) {
 
 } // namespace
 
+TEST_CASE("A hand is read, and what is wrong with it named with its place") {
+    const auto sceneWith = [](const std::string& hand) {
+        return parseScene(R"({"format": "idiophone-scene", "version": 1, "name": "x",
+            "kinds": [{"name": "bell", "object": "handbell", "fixed": true},
+                      {"name": "rod", "ball": {"radius": 0.01, "material": "Steel"}}],
+            "bodies": [{"kind": "bell"}], "hand": )" +
+                              hand + "}",
+                          "x.json");
+    };
+    const auto read = sceneWith(R"({"kind": "bell", "tool": "rod", "taps": [[0.5, 0, 0.1, 0, 2]],
+        "path": [[1, 0.1, 0, 0, 3], [2, 0, 0.1, 0, 0]]})");
+    REQUIRE(read);
+    REQUIRE(read->hand);
+    CHECK(read->hand->kind == 0);
+    CHECK(read->hand->tool == 1);
+    CHECK(read->hand->taps.front().metresPerSecond == 2);
+    CHECK(read->hand->path.front().newtons == 3);
+    CHECK(read->hand->path.back().pointMetres == Eigen::Vector3d(0, 0.1, 0));
+    for (const auto& [hand, fault] :
+         {std::pair(R"({"kind": "rod", "tool": "rod"})", "hand.kind is a ball"),
+          {R"({"kind": "bell", "tool": "bell"})", "hand.tool is fixed"},
+          {R"({"kind": "bell", "tool": "rod", "path": [[1, 2]]})", "hand.path[0] is not a list of"},
+          {R"({"kind": "bell", "tool": "rod", "taps": [[1, 0, 0, 0, 0]]})", "hand.taps[0][4]"},
+          {R"({"kind": "bell", "tool": "rod", "path": [[1, 0, 0, 0, 1], [1, 0, 0, 0, 1]]})",
+           "hand.path[1] is not later"}}) {
+        const auto refused = sceneWith(hand);
+        REQUIRE_FALSE(refused);
+        INFO(refused.error().message);
+        CHECK(refused.error().message.find(fault) != std::string::npos);
+    }
+}
+
 TEST_CASE("A scene says what there is and what happens") {
     const auto scene =
         parseScene(sceneWith(R"(, "seconds": 3, "seed": 7, "steps_per_second": 4000, "gravity": 1.6,
