@@ -122,9 +122,24 @@ for look in light dark; do
     shot "$look-handbell-nodes"
     nodal_lines
     drag 540 190 640 330 "$look-handbell-scraped"
-    next_preset 5
+    next_preset 8
     other_look
 done
+
+# Bodies on a stage, in the air and as they roll.
+size 1180 860
+browse
+xdotool type "dice"
+sleep 0.5
+xdotool key Down Return
+sleep 1
+for key in 300 500 700; do click "$key" 835; done
+shot stage-dice
+next_preset 1
+click 187 56 # plays it
+sleep 1
+shot stage-cylinder
+next_preset 2
 
 # By keys alone: on from the picture to the mallet's hardness, and its menu.
 click 590 240
@@ -149,7 +164,7 @@ draw_path
 drag 380 250 800 300 light-path-drawing
 shot light-path-drawn
 draw_path
-next_preset 15
+next_preset 18
 other_look
 
 # Files, dropped on the picture: a mesh.

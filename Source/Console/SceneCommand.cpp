@@ -2,6 +2,7 @@
 #include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/SceneRender.h"
+#include "Instrument/ImpulseLine.h"
 #include "Object/TextFile.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneFile.h"
@@ -77,18 +78,13 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
 /// The blows as docs/impulses.md has them.
 std::string impulseLines(const SceneCast& cast, const std::vector<SceneBlow>& blows) {
     std::string lines;
-    for (const auto& blow : blows) {
-        const auto& model = *cast.roles()[blow.role].kind.model;
-        ordered_json line{{"time", blow.seconds},
-                          {"object", model.object->name},
-                          {"body", blow.slot},
-                          {"point", std::vector(blow.pointMetres.begin(), blow.pointMetres.end())},
-                          {"impulse", blow.strike.impulseNewtonSeconds},
-                          {"contact_time", blow.strike.durationSeconds}};
-        if (model.sizeRatio != 1)
-            line["size"] = model.sizeRatio;
-        lines += line.dump() + "\n";
-    }
+    for (const auto& blow : blows)
+        lines += impulseLine(
+            cast.slotOf(blow.role),
+            {.seconds = blow.seconds,
+             .slot = blow.slot,
+             .strike = blow.strike,
+             .pointMetres = {blow.pointMetres.x(), blow.pointMetres.y(), blow.pointMetres.z()}});
     return lines;
 }
 

@@ -10,7 +10,18 @@ constexpr int playVelocity = 100;
 
 } // namespace
 
-ObjectPane::ObjectPane(ProcessorView& processor) : view(processor), object(processor) {
+ObjectPane::ObjectPane(ProcessorView& processor)
+    : view(processor), object(processor),
+      midi(processor,
+           ProcessorView::CaptureKind::midi,
+           "MIDI",
+           "What the bodies struck, as notes: drag it into the host, or click to save",
+           "*.mid"),
+      impulses(processor,
+               ProcessorView::CaptureKind::impulses,
+               "Impulses",
+               "What the bodies struck, as a list for `idiophone render --impulses`: drag or click",
+               "*.jsonl") {
     addAndMakeVisible(object);
     addSwitch(vibration, "Show how what sounds vibrates, slowed down and exaggerated",
               &ObjectView::setShowsVibration, true);
@@ -34,8 +45,10 @@ ObjectPane::ObjectPane(ProcessorView& processor) : view(processor), object(proce
     addStageButton(pause, "Hold the bodies where they are");
     pause.setClickingTogglesState(true);
     pause.onClick = [this] { view.pauseStage(pause.getToggleState()); };
-    addStageButton(reset, "Take away what moves");
+    addStageButton(reset, "Take away what moves, and what was captured of it");
     reset.onClick = [this] { view.resetStage(); };
+    addChildComponent(midi);
+    addChildComponent(impulses);
     showStageButtons();
 }
 
@@ -54,7 +67,8 @@ void ObjectPane::refresh() {
 
 /// What a stage has instead of a strike path.
 void ObjectPane::showStageButtons() {
-    for (auto* button : {&play, &pause, &reset})
+    for (juce::Button* button :
+         std::initializer_list<juce::Button*>{&play, &pause, &reset, &midi, &impulses})
         button->setVisible(object.isOnStage());
     for (auto* button : {&path, &draw})
         button->setVisible(!object.isOnStage());
@@ -77,7 +91,8 @@ void ObjectPane::resized() {
     auto area = getLocalBounds();
     auto strip = area.removeFromTop(stripHeight).withTrimmedBottom(4);
     const juce::Font font = Look::textFont();
-    for (auto* button : {&vibration, &nodes, &path, &draw, &play, &pause, &reset}) {
+    for (juce::Button* button : std::initializer_list<juce::Button*>{
+             &vibration, &nodes, &path, &draw, &play, &pause, &reset, &midi, &impulses}) {
         if (!button->isVisible())
             continue;
         const int width = juce::roundToInt(

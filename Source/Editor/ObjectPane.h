@@ -1,6 +1,7 @@
 // The picture of the instrument under a strip that says what it shows.
 #pragma once
 
+#include "Editor/CaptureButton.h"
 #include "Editor/ObjectView.h"
 
 namespace idiophone {
@@ -30,7 +31,9 @@ private:
     ObjectView object;
     juce::TextButton vibration{"Vibration"}, nodes{"Nodal lines"}, path{"Strike path"},
         draw{"Draw path"};
-    juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"}; ///< on a stage
+    // On a stage.
+    juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"};
+    CaptureButton midi, impulses;
 };
 
 } // namespace idiophone

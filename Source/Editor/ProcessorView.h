@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -81,6 +82,14 @@ public:
     virtual void pauseStage(bool isPaused) = 0;
     virtual bool isStagePaused() const = 0;
     virtual void resetStage() = 0;
+    /// What its bodies have struck since it was loaded or reset last.
+    enum class CaptureKind {
+        midi,    ///< a Standard MIDI File at the host's tempo
+        impulses ///< a list for `idiophone render --impulses`
+    };
+    virtual bool hasCaptured() = 0;
+    /// Writes it to a file, over what is there. False, and said in the status, where it cannot.
+    virtual bool writeCapture(CaptureKind kind, const std::filesystem::path& file) = 0;
     /// Where keys strike one of them, in metres of its own mesh: places on its surface along the
     /// strike path, from the lowest key's end on. Empty where there is no such object.
     virtual std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const = 0;

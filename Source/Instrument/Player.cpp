@@ -206,6 +206,10 @@ void Player::resetStage() noexcept {
         performance->stop();
 }
 
+std::span<const PlacedBlow> Player::takeBlows() noexcept {
+    return performance ? performance->takeBlows() : std::span<const PlacedBlow>();
+}
+
 std::span<const BodyPose> Player::bodyPoses() const noexcept {
     return performance ? performance->poses() : std::span<const BodyPose>();
 }

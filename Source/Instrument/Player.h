@@ -105,6 +105,8 @@ public:
     /// On a stage: bodies stand still, or are as they were before the first note.
     void pauseStage(bool isPaused) noexcept;
     void resetStage() noexcept;
+    /// What its bodies struck since this was asked last; valid until the next `process`.
+    std::span<const PlacedBlow> takeBlows() noexcept;
     /// Of the slots, where their bodies are; empty where there is no stage.
     std::span<const BodyPose> bodyPoses() const noexcept;
     /// Blows of a stage's bodies that became known too late to act at their time.

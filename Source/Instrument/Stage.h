@@ -2,6 +2,7 @@
 // and by. Scene has such stages; players know them by this.
 #pragma once
 
+#include "Instrument/ImpulseLine.h"
 #include "Synth/CellOutput.h"
 #include "Synth/Synthesiser.h"
 
@@ -53,6 +54,9 @@ public:
     /// Nothing is in motion, nor on its way to the listener.
     virtual bool silent() const noexcept = 0;
     virtual std::int64_t lateBlows() const noexcept = 0;
+    /// Those that acted since this was asked last, in seconds since the first cell; the next
+    /// `sound` forgets them.
+    virtual std::span<const PlacedBlow> takeBlows() noexcept = 0;
     virtual std::span<const BodyPose> poses() const noexcept = 0; ///< of the slots, as of now
 };
 

@@ -46,7 +46,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     silencer.silence(sound.player());
     tuner.tune(sound.player());
     if (auto* player = sound.player()) {
-        player->setTempo(hostTempo());
+        tempo = hostTempo();
+        player->setTempo(tempo);
         player->setOffline(isNonRealtime());
         player->pauseStage(stagePaused);
         if (stageResetRequested.exchange(false))
@@ -78,8 +79,8 @@ double Processor::hostTempo() const noexcept {
     if (host == nullptr)
         return 0;
     const auto position = host->getPosition();
-    const double tempo = position ? position->getBpm().orFallback(0) : 0;
-    return tempo > 0 && tempo <= fastest ? tempo : 0;
+    const double told = position ? position->getBpm().orFallback(0) : 0;
+    return told > 0 && told <= fastest ? told : 0;
 }
 
 std::span<float* const> Processor::channelsFrom(juce::AudioBuffer<float>& buffer,
@@ -102,6 +103,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
     if (auto* player = sound.player()) {
         modesMixed = player->synthesiser().modesMixed();
         lateBlows = player->lateBlows();
+        capture.take(player->instrument(), player->takeBlows());
         if (const auto program = player->takeProgramChange())
             requestedProgram = *program;
     }
@@ -296,6 +298,7 @@ void Processor::timerCallback() {
         startTimer(period);
     followProgramChange();
     followWorkshop();
+    capture.follow(loadedInstrument());
     if (!isNonRealtime())
         controllers.tellHost(parameters);
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.

@@ -16,6 +16,7 @@
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundMonitor.h"
 #include "Plugin/SoundPicture.h"
+#include "Plugin/StageCapture.h"
 #include "Plugin/State.h"
 #include "Plugin/SurfaceHand.h"
 #include "Plugin/Tuner.h"
@@ -90,7 +91,9 @@ public:
     std::vector<BodyNow> stageBodies() const override;
     void pauseStage(bool isPaused) override { stagePaused = isPaused; }
     bool isStagePaused() const override { return stagePaused; }
-    void resetStage() override { stageResetRequested = true; }
+    void resetStage() override;
+    bool hasCaptured() override;
+    bool writeCapture(CaptureKind kind, const std::filesystem::path& file) override;
     std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const override;
     int instrumentNumber() const override { return loads; }
     void strikeObject(std::size_t index,
@@ -182,6 +185,7 @@ private:
     // The message thread's.
     std::vector<Material> userMaterials;
     SoundPicture picture;
+    StageCapture capture; ///< the audio thread gives it blows
     int asksUnanswered = 0;
     std::optional<std::size_t> watched; ///< of the instrument of that number
     int watchedInstrument = 0;
@@ -218,6 +222,7 @@ private:
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
     std::atomic<double> ownDampingRatio{1}; ///< the least of their modes, to their materials' law
+    std::atomic<double> tempo{0};           ///< the host's, or 0
     std::atomic<double> stageSeconds{0};    ///< that bodies move after a note
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateBlows{0};

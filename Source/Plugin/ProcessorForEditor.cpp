@@ -177,6 +177,28 @@ std::vector<BodyNow> Processor::stageBodies() const {
     return bodies;
 }
 
+void Processor::resetStage() {
+    stageResetRequested = true;
+    capture.follow(loadedInstrument());
+    capture.clear();
+}
+
+bool Processor::hasCaptured() {
+    capture.follow(loadedInstrument());
+    return capture.count() > 0;
+}
+
+bool Processor::writeCapture(CaptureKind kind, const std::filesystem::path& file) {
+    constexpr double usualTempo = 120;
+    capture.follow(loadedInstrument());
+    const double beatsPerMinute = tempo > 0 ? tempo.load() : usualTempo;
+    const auto written = kind == CaptureKind::midi ? capture.writeMidi(file, beatsPerMinute)
+                                                   : capture.writeImpulses(file);
+    if (!written)
+        reportError("The capture was not written: " + written.error().message);
+    return written.has_value();
+}
+
 std::vector<std::array<double, 3>> Processor::struckPlaces(std::size_t index) const {
     std::vector<std::array<double, 3>> places;
     const auto playing = loadedInstrument();

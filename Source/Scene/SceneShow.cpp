@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace idiophone {
 
@@ -11,7 +12,9 @@ SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::ui
       worker(stage, sampleRateHz), acts(stage.actCount()),
       voices(*stage.cast(), sampleRateHz, seed),
       ears(stage.cast()->scene().listener, stage.slots().size(), sampleRateHz),
-      places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()) {}
+      places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()) {
+    recentBlows.reserve(blowCapacity);
+}
 
 void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept {
     const auto index = nextAct;
@@ -35,6 +38,8 @@ void SceneShow::cue(int midiNote, int velocity, std::int64_t cell, double sample
 void SceneShow::sound(std::int64_t cell,
                       Synthesiser& synthesiser,
                       std::span<const CellOutput> cellsOfSlots) noexcept {
+    if (std::exchange(areBlowsTaken, false))
+        recentBlows.clear();
     takeChunks();
     isPressed.fill(false);
     if (paused) {
@@ -116,7 +121,7 @@ void SceneShow::play(Act& act,
             const double sample = (blow.seconds - startSeconds) * rate;
             if (sample < -0.5)
                 ++lateCount;
-            strike(blow, sample, synthesiser, cellsOfSlots);
+            strike(blow, cell, sample, synthesiser, cellsOfSlots);
         }
         for (const auto& touched : chunk.touches)
             if (touched.cell == now - 1)
@@ -135,14 +140,27 @@ void SceneShow::play(Act& act,
     }
 }
 
+std::span<const PlacedBlow> SceneShow::takeBlows() noexcept {
+    if (std::exchange(areBlowsTaken, true))
+        return {};
+    return recentBlows;
+}
+
 void SceneShow::strike(const SceneBlow& blow,
+                       std::int64_t cell,
                        double sample,
                        Synthesiser& synthesiser,
                        std::span<const CellOutput> cellsOfSlots) noexcept {
-    if (blow.slot < cellsOfSlots.size())
-        synthesiser.strike(blow.slot, blow.strike,
-                           std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0)),
-                           cellsOfSlots[blow.slot]);
+    if (blow.slot >= cellsOfSlots.size())
+        return;
+    const double within = std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0));
+    synthesiser.strike(blow.slot, blow.strike, within, cellsOfSlots[blow.slot]);
+    if (recentBlows.size() < blowCapacity)
+        recentBlows.push_back(
+            {.seconds = (static_cast<double>(cell * cellSamples) + within) / rate,
+             .slot = blow.slot,
+             .strike = blow.strike,
+             .pointMetres = {blow.pointMetres.x(), blow.pointMetres.y(), blow.pointMetres.z()}});
 }
 
 /// By the voice that the pair has, or else a free one.

@@ -29,10 +29,12 @@ public:
     void reset() noexcept override;
     bool silent() const noexcept override;
     std::int64_t lateBlows() const noexcept override { return lateCount; }
+    std::span<const PlacedBlow> takeBlows() noexcept override;
     std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
 
 private:
     static constexpr std::size_t chunkCapacity = 128; // more than the worker is ahead
+    static constexpr std::size_t blowCapacity = 1024; // between two times that somebody asks
 
     /// An act as it sounds: a ring of chunks that are known.
     struct Act {
@@ -58,6 +60,7 @@ private:
               Synthesiser& synthesiser,
               std::span<const CellOutput> cellsOfSlots) noexcept;
     void strike(const SceneBlow& blow,
+                std::int64_t cell,
                 double sample,
                 Synthesiser& synthesiser,
                 std::span<const CellOutput> cellsOfSlots) noexcept;
@@ -80,6 +83,8 @@ private:
     SceneEars ears;
     std::vector<Eigen::Vector3d> places; ///< of the slots
     std::vector<BodyPose> bodyPoses;     ///< likewise
+    std::vector<PlacedBlow> recentBlows;
+    bool areBlowsTaken = false;
     std::int64_t lateCount = 0;
     bool paused = false;
     bool mayWait = false;

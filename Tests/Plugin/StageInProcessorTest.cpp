@@ -2,9 +2,13 @@
 // kept in states.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/TestSound.h"
+#include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -86,6 +90,52 @@ TEST_CASE("In real time a scene sounds as in a bounce where its worker is in tim
     sound.insert(sound.end(), rest.begin(), rest.end());
     CHECK(processor.takeStatus().lateBlows == 0);
     CHECK(sound == expected);
+}
+
+TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
+    Processor processor;
+    choose(processor, dice);
+    processor.setNonRealtime(true);
+    processor.prepareToPlay(rate, 480);
+    CHECK_FALSE(processor.hasCaptured());
+    render(processor, rate, 480, chord());
+    REQUIRE(processor.hasCaptured());
+
+    using enum ProcessorView::CaptureKind;
+    const auto midiFile = testFolder() / "capture.mid", list = testFolder() / "capture.jsonl";
+    REQUIRE(processor.writeCapture(midi, midiFile));
+    juce::FileInputStream stream{juce::File(midiFile.string())};
+    juce::MidiFile read;
+    REQUIRE(read.readFrom(stream));
+    read.convertTimestampTicksToSeconds();
+    std::map<int, std::pair<double, int>> firstOfNote; // its time and velocity
+    int hardest = 0;
+    for (const auto* event : *read.getTrack(0))
+        if (event->message.isNoteOn()) {
+            firstOfNote.try_emplace(event->message.getNoteNumber(), event->message.getTimeStamp(),
+                                    event->message.getVelocity());
+            hardest = std::max<int>(hardest, event->message.getVelocity());
+        }
+    // Both bars are struck at the same time within a millisecond or two, the louder one harder.
+    REQUIRE(firstOfNote.contains(72));
+    REQUIRE(firstOfNote.contains(76));
+    CHECK_THAT(firstOfNote[72].first, WithinAbs(firstOfNote[76].first, 0.002));
+    CHECK(firstOfNote[76].second > firstOfNote[72].second);
+    CHECK(hardest == 127);
+
+    REQUIRE(processor.writeCapture(impulses, list));
+    std::ifstream lines(list);
+    std::string line;
+    REQUIRE(std::getline(lines, line));
+    const auto first = nlohmann::json::parse(line);
+    CHECK(first["time"] == 0);
+    CHECK(first["impulse"].size() == 3);
+    CHECK(factoryObject(first["object"].get<std::string>()));
+
+    processor.resetStage();
+    CHECK_FALSE(processor.hasCaptured());
+    CHECK_FALSE(processor.writeCapture(midi, midiFile));
+    CHECK(processor.takeStatus().isError);
 }
 
 TEST_CASE("A scene that is missing leaves what plays, and is named") {

@@ -1,0 +1,38 @@
+// A button that is dragged out of the window as a file, or saves it where it is clicked.
+#pragma once
+
+#include "Editor/ProcessorView.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+#include <memory>
+
+namespace idiophone {
+
+class CaptureButton final : public juce::TextButton {
+public:
+    /// Files of the pattern's ending: "*.mid".
+    CaptureButton(ProcessorView& processor,
+                  ProcessorView::CaptureKind whichKind,
+                  const juce::String& label,
+                  const juce::String& tooltip,
+                  const juce::String& filePattern);
+
+    void mouseDown(const juce::MouseEvent& event) override;
+    void mouseDrag(const juce::MouseEvent& event) override;
+    void mouseUp(const juce::MouseEvent& event) override;
+
+    /// A file of the system's temporary folder, as it is dragged; none where it was not written.
+    juce::File writeForDrag();
+
+private:
+    void save();
+    juce::String fileName() const;
+
+    ProcessorView& view;
+    ProcessorView::CaptureKind kind;
+    juce::String pattern;
+    std::unique_ptr<juce::FileChooser> chooser;
+    bool isDragged = false;
+};
+
+} // namespace idiophone

@@ -1,0 +1,107 @@
+#include "Plugin/StageCapture.h"
+
+#include "Object/TextFile.h"
+#include "Plugin/SurfaceHand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <juce_audio_basics/juce_audio_basics.h>
+
+namespace idiophone {
+namespace {
+
+constexpr int ticksPerBeat = 960;
+constexpr double noteSeconds = 0.05;
+constexpr int firstObjectNote = 36;
+constexpr double usualVelocityCurve = 1.5; // of the parameter's default
+
+double newtonSecondsOf(const PlacedBlow& blow) {
+    const auto& impulse = blow.strike.impulseNewtonSeconds;
+    return std::hypot(double(impulse[0]), double(impulse[1]), double(impulse[2]));
+}
+
+/// By slot, −1 where there is none.
+std::vector<int> notesOf(const Instrument& instrument) {
+    const auto slots = instrument.slots();
+    std::vector<int> notes(slots.size(), -1);
+    if (instrument.keysHaveObjects())
+        for (int note = 127; note >= 0; --note)
+            if (const int slot = instrument.key(note).slot; slot >= 0)
+                notes[static_cast<std::size_t>(slot)] = note;
+    int next = firstObjectNote;
+    for (const auto own : ownSlots(instrument)) {
+        if (notes[own] >= 0)
+            continue;
+        for (std::size_t slot = 0; slot < slots.size(); ++slot)
+            if (slots[slot].object == slots[own].object && next < 128)
+                notes[slot] = next;
+        ++next;
+    }
+    return notes;
+}
+
+} // namespace
+
+void StageCapture::take(const Instrument& instrument, std::span<const PlacedBlow> blows) noexcept {
+    for (const auto& blow : blows)
+        messages.push({.instrument = &instrument, .blow = blow});
+}
+
+void StageCapture::follow(const std::shared_ptr<const Instrument>& instrument) {
+    if (instrument != played) {
+        played = instrument;
+        clear();
+    }
+    messages.read([this](const Message& message) {
+        if (message.instrument == played.get() && kept.size() < mostBlows)
+            kept.push_back(message.blow);
+    });
+}
+
+Result<void> StageCapture::writeMidi(const std::filesystem::path& file,
+                                     double beatsPerMinute) const {
+    if (kept.empty())
+        return failure("nothing has been struck yet");
+    const auto notes = notesOf(*played);
+    double hardest = 0;
+    for (const auto& blow : kept)
+        hardest = std::max(hardest, newtonSecondsOf(blow));
+    juce::MidiMessageSequence track;
+    track.addEvent(juce::MidiMessage::tempoMetaEvent(juce::roundToInt(6e7 / beatsPerMinute)));
+    const auto ticks = [&](double seconds) {
+        return std::round((seconds - kept.front().seconds) * beatsPerMinute / 60 * ticksPerBeat);
+    };
+    for (const auto& blow : kept) {
+        const int note = notes[blow.slot];
+        if (note < 0)
+            continue;
+        const double share = hardest > 0 ? newtonSecondsOf(blow) / hardest : 1;
+        const int velocity =
+            juce::jlimit(1, 127, juce::roundToInt(127 * std::pow(share, 1 / usualVelocityCurve)));
+        track.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(velocity)),
+                       ticks(blow.seconds));
+        track.addEvent(juce::MidiMessage::noteOff(1, note), ticks(blow.seconds + noteSeconds));
+    }
+    track.updateMatchedPairs();
+    juce::MidiFile midi;
+    midi.setTicksPerQuarterNote(ticksPerBeat);
+    midi.addTrack(track);
+    juce::MemoryOutputStream bytes;
+    const juce::File target(juce::String::fromUTF8(file.u8string().c_str()));
+    if (!midi.writeTo(bytes) || !target.replaceWithData(bytes.getData(), bytes.getDataSize()))
+        return failure(file.string() + ": it cannot be written.");
+    return {};
+}
+
+Result<void> StageCapture::writeImpulses(const std::filesystem::path& file) const {
+    if (kept.empty())
+        return failure("nothing has been struck yet");
+    std::string lines;
+    for (auto blow : kept) {
+        blow.seconds -= kept.front().seconds;
+        lines += impulseLine(played->slots()[blow.slot], blow);
+    }
+    return writeTextFile(file, lines);
+}
+
+} // namespace idiophone

@@ -1,0 +1,46 @@
+// Keeps what the bodies of a stage did, to be taken along as MIDI or as a list of impulses.
+#pragma once
+
+#include "Instrument/Instrument.h"
+#include "Object/Result.h"
+#include "Plugin/OneWayQueue.h"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+class StageCapture {
+public:
+    /// Blows beyond are left out.
+    static constexpr std::size_t mostBlows = 200'000;
+
+    /// [audio thread] What a player's bodies did. Neither allocates, locks nor throws; what is not
+    /// read in time is lost.
+    void take(const Instrument& instrument, std::span<const PlacedBlow> blows) noexcept;
+
+    /// [message thread] Keeps what was taken; of another instrument than before it begins anew.
+    void follow(const std::shared_ptr<const Instrument>& instrument);
+    void clear() { kept.clear(); }
+    std::size_t count() const { return kept.size(); }
+
+    /// [message thread] Both begin with the first blow. A blow on a bar is a note of its key, one
+    /// on another object a note of the object's, from C1 on; the hardest has velocity 127 and
+    /// others fall with their impulse, as keys' blows do by the usual curve.
+    Result<void> writeMidi(const std::filesystem::path& file, double beatsPerMinute) const;
+    Result<void> writeImpulses(const std::filesystem::path& file) const;
+
+private:
+    struct Message {
+        const Instrument* instrument = nullptr; ///< compared, never read
+        PlacedBlow blow;
+    };
+
+    OneWayQueue<Message, 1024> messages;
+    std::shared_ptr<const Instrument> played;
+    std::vector<PlacedBlow> kept; ///< in order of time
+};
+
+} // namespace idiophone
