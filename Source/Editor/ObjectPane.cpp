@@ -2,6 +2,9 @@
 
 #include "Editor/Look.h"
 
+#include <utility>
+#include <vector>
+
 namespace idiophone {
 
 namespace {
@@ -88,18 +91,23 @@ void ObjectPane::addSwitch(juce::TextButton& button,
 }
 
 void ObjectPane::resized() {
+    constexpr int widestPadding = 18, leastPadding = 6, gap = 4;
     auto area = getLocalBounds();
-    auto strip = area.removeFromTop(stripHeight).withTrimmedBottom(4);
+    auto strip = area.removeFromTop(stripHeight).withTrimmedBottom(gap);
     const juce::Font font = Look::textFont();
+    std::vector<std::pair<juce::Button*, int>> shown; // with the width of its text
+    int textWidth = 0;
     for (juce::Button* button : std::initializer_list<juce::Button*>{
-             &vibration, &nodes, &path, &draw, &play, &pause, &reset, &midi, &impulses}) {
-        if (!button->isVisible())
-            continue;
-        const int width = juce::roundToInt(
-            juce::GlyphArrangement::getStringWidth(font, button->getButtonText()) + 18);
-        button->setBounds(
-            strip.removeFromLeft(juce::jmin(width, getWidth() / 4)).withTrimmedRight(4));
-    }
+             &vibration, &nodes, &path, &draw, &play, &pause, &reset, &midi, &impulses})
+        if (button->isVisible()) {
+            shown.emplace_back(button, juce::roundToInt(juce::GlyphArrangement::getStringWidth(
+                                           font, button->getButtonText())));
+            textWidth += shown.back().second + gap;
+        }
+    const int padding = juce::jlimit(leastPadding, widestPadding,
+                                     (getWidth() - textWidth) / static_cast<int>(shown.size()));
+    for (const auto& [button, width] : shown)
+        button->setBounds(strip.removeFromLeft(width + padding + gap).withTrimmedRight(gap));
     object.setBounds(area);
 }
 

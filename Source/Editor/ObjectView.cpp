@@ -60,11 +60,11 @@ void ObjectView::refresh() {
 void ObjectView::newScene() {
     played = view.playedObjects();
     bodies = view.stageBodies();
-    onStage = !bodies.empty();
+    onStage = view.hasStage();
     scene = std::make_shared<const ObjectScene>(played, onStage ? ObjectScene::Layout::stage
                                                                 : ObjectScene::Layout::keyboard);
     if (!scene->empty())
-        camera.lookAt(onStage ? scene->outline(bodies) : scene->outline());
+        camera.lookAt(bodies.empty() ? scene->outline() : scene->outline(bodies));
     glowMetres = glowShare * scene->radius();
     path.paths.clear();
     for (std::size_t i = 0; i < played.size() && !onStage; ++i) {

@@ -76,7 +76,9 @@ public:
 
     /// Of the instrument that plays, in the order of their keys; empty where there is none.
     virtual std::vector<PlayedObject> playedObjects() const = 0;
-    /// What stands on the stage before the first note; empty where the keys strike by themselves.
+    /// Whether keys set bodies in motion instead of striking by themselves.
+    virtual bool hasStage() const = 0;
+    /// What stands on the stage before the first note.
     virtual std::vector<BodyNow> stageBodies() const = 0;
     /// On a stage: bodies stand still in the air while it is paused, and are gone after a reset.
     virtual void pauseStage(bool isPaused) = 0;

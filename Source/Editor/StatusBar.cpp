@@ -9,7 +9,10 @@ namespace idiophone {
 
 namespace {
 
-constexpr int delayWidth = 270;
+int widthOf(const juce::String& text) {
+    return juce::roundToInt(
+        std::ceil(juce::GlyphArrangement::getStringWidth(juce::Font(Look::textFont()), text)));
+}
 
 } // namespace
 
@@ -54,7 +57,7 @@ void StatusBar::paint(juce::Graphics& g) {
     g.drawText(juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes"), modes,
                juce::Justification::centredRight);
     if (const auto delay = delayText(); delay.isNotEmpty())
-        g.drawText(delay, area.removeFromRight(delayWidth).withTrimmedRight(12),
+        g.drawText(delay, area.removeFromRight(widthOf(delay) + 24).withTrimmedRight(12),
                    juce::Justification::centredRight);
     g.setColour(shown.isError ? colourOf(*this, LookColour::error)
                               : colourOf(*this, LookColour::text));

@@ -210,6 +210,10 @@ std::span<const PlacedBlow> Player::takeBlows() noexcept {
     return performance ? performance->takeBlows() : std::span<const PlacedBlow>();
 }
 
+std::uint32_t Player::performanceNumber() const noexcept {
+    return performance ? performance->number() : 0;
+}
+
 std::span<const BodyPose> Player::bodyPoses() const noexcept {
     return performance ? performance->poses() : std::span<const BodyPose>();
 }
@@ -226,7 +230,8 @@ void Player::prepare(const ParameterValues& parameters) {
 /// the motor.
 void Player::updateGain() {
     loudness.advance(glide.goalValues());
-    const auto goal = static_cast<float>(std::pow(10, loudness.gainDb() / 20));
+    // What is predicted is what keys strike with mallets.
+    const auto goal = performance ? 1.0f : static_cast<float>(std::pow(10, loudness.gainDb() / 20));
     const float before = cellIndex == 0 ? goal : gainAtCellEnd;
     matchingGain = cellIndex == 0 ? goal : matchingGain + matchingShare * (goal - matchingGain);
     if (std::abs(goal - matchingGain) < 1e-5f * goal)
@@ -258,7 +263,7 @@ void Player::updateDampers() {
     for (const auto& down : keysDown)
         keys |= down;
     std::fill(slotPressed.begin(), slotPressed.end(), 0.0f);
-    const bool pressureDamps = strikes(current);
+    const bool pressureDamps = strikes(current) && !performance;
     for (std::size_t note = 0; note < keys.size(); ++note) {
         const int key = playedInstrument->key(static_cast<int>(note)).slot;
         if (key < 0 || !keys[note])

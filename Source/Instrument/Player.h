@@ -107,6 +107,7 @@ public:
     void resetStage() noexcept;
     /// What its bodies struck since this was asked last; valid until the next `process`.
     std::span<const PlacedBlow> takeBlows() noexcept;
+    std::uint32_t performanceNumber() const noexcept; ///< StagePerformance::number, or 0
     /// Of the slots, where their bodies are; empty where there is no stage.
     std::span<const BodyPose> bodyPoses() const noexcept;
     /// Blows of a stage's bodies that became known too late to act at their time.

@@ -54,6 +54,8 @@ void Player::keyDown(int channel, int note, int velocity) {
     if (!strikes(current) && !performance)
         held.press(channel, note, softness * velocity / 127.0);
     const auto slot = static_cast<std::size_t>(playedInstrument->key(note).slot);
+    if (performance) // bodies strike whatever there is
+        std::fill(slotSilenced.begin(), slotSilenced.end(), false);
     slotSilenced[slot] = false;
     playedLast = slot;
 }

@@ -19,6 +19,8 @@ bool SlotTuning::sounds(int note) const noexcept {
 }
 
 void SlotTuning::noteOn(int note) noexcept {
+    if (instrument.stage() && !keysHaveObjects)
+        return; // no slot is the note's
     if (const int slot = instrument.key(note).slot; slot >= 0)
         slots[static_cast<std::size_t>(slot)].note = note;
 }

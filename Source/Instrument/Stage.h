@@ -21,7 +21,8 @@ struct BodyPose {
 };
 
 /// One player's. Constructed and destroyed off the audio thread; the rest is for the audio thread
-/// and neither allocates, locks nor throws, but that it waits for its worker while it is offline.
+/// and neither allocates, locks nor throws, but while it is offline: then it waits for its worker
+/// or does its work.
 class StagePerformance {
 public:
     virtual ~StagePerformance() = default;
@@ -57,6 +58,9 @@ public:
     /// Those that acted since this was asked last, in seconds since the first cell; the next
     /// `sound` forgets them.
     virtual std::span<const PlacedBlow> takeBlows() noexcept = 0;
+    /// Another one for every performance of the process, and after every `stop` and `reset`: times
+    /// of blows go together with those of the same number.
+    virtual std::uint32_t number() const noexcept = 0;
     virtual std::span<const BodyPose> poses() const noexcept = 0; ///< of the slots, as of now
 };
 

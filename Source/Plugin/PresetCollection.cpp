@@ -132,6 +132,8 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
     if (!built)
         return cannot(entry->preset->name, built.error());
     auto preset = *entry->preset;
+    if (preset.keyMap.kind == KeyMapKind::scene)
+        preset.keyMap = built->keyMap; // with its file's whole path: a project has no scene in it
     if (built->notice.empty())
         return FoundSound{.sound = soundWith(std::move(preset), built->instrument, id),
                           .notice = {}};

@@ -25,8 +25,9 @@ struct PresetInstrument {
 };
 
 /// Builds the instrument of a preset that was read from a file; its objects keep the names of the
-/// key map, wherever they lie (withObjectsBeside). Where they are missing, a factory object plays
-/// their keys; files that are there and cannot be read are an error.
+/// key map, wherever they lie (withObjectsBeside), but a scene gets its file's whole path. Where
+/// they are missing, a factory object plays their keys; files that are there and cannot be read are
+/// an error.
 Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile);
 
 } // namespace idiophone

@@ -103,7 +103,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
     if (auto* player = sound.player()) {
         modesMixed = player->synthesiser().modesMixed();
         lateBlows = player->lateBlows();
-        capture.take(player->instrument(), player->takeBlows());
+        capture.take(*player);
         if (const auto program = player->takeProgramChange())
             requestedProgram = *program;
     }
@@ -161,7 +161,8 @@ double Processor::getTailLengthSeconds() const {
     const auto live = synthesisSettings(values).material;
     const double slowest =
         live ? slowestDecay(live->damping) * ownDampingRatio.load() : ownSlowestDecay.load();
-    const double released = values[letRing] != 0 ? 0 : std::log(1000) / values[releaseTime];
+    const bool mayRing = values[letRing] != 0 || stageSeconds > 0; // keys damp nothing on a stage
+    const double released = mayRing ? 0 : std::log(1000) / values[releaseTime];
     return std::min(stageSeconds + std::log(65536) / (slowest + released), longestTailSeconds);
 }
 
@@ -298,12 +299,13 @@ void Processor::timerCallback() {
         startTimer(period);
     followProgramChange();
     followWorkshop();
-    capture.follow(loadedInstrument());
     if (!isNonRealtime())
         controllers.tellHost(parameters);
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
-    if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock)
+    if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock) {
         handoff.collect();
+        capture.follow(instrument);
+    }
 }
 
 void Processor::followProgramChange() {

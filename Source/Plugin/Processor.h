@@ -88,6 +88,7 @@ public:
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
     std::vector<PlayedObject> playedObjects() const override;
+    bool hasStage() const override;
     std::vector<BodyNow> stageBodies() const override;
     void pauseStage(bool isPaused) override { stagePaused = isPaused; }
     bool isStagePaused() const override { return stagePaused; }

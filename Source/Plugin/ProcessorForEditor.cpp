@@ -157,6 +157,11 @@ std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
     return objects;
 }
 
+bool Processor::hasStage() const {
+    const auto playing = loadedInstrument();
+    return playing != nullptr && playing->stage() != nullptr;
+}
+
 std::vector<BodyNow> Processor::stageBodies() const {
     std::vector<BodyNow> bodies;
     const auto playing = loadedInstrument();

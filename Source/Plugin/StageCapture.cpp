@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -32,6 +33,8 @@ std::vector<int> notesOf(const Instrument& instrument) {
     for (const auto own : ownSlots(instrument)) {
         if (notes[own] >= 0)
             continue;
+        while (instrument.keysHaveObjects() && next < 128 && instrument.key(next).slot >= 0)
+            ++next; // that one is a key's
         for (std::size_t slot = 0; slot < slots.size(); ++slot)
             if (slots[slot].object == slots[own].object && next < 128)
                 notes[slot] = next;
@@ -42,9 +45,21 @@ std::vector<int> notesOf(const Instrument& instrument) {
 
 } // namespace
 
-void StageCapture::take(const Instrument& instrument, std::span<const PlacedBlow> blows) noexcept {
-    for (const auto& blow : blows)
-        messages.push({.instrument = &instrument, .blow = blow});
+void StageCapture::take(Player& player) noexcept {
+    for (const auto& blow : player.takeBlows())
+        messages.push({.instrument = &player.instrument(),
+                       .performance = player.performanceNumber(),
+                       .blow = blow});
+}
+
+/// From the first one on; those of one cell come act by act.
+std::vector<PlacedBlow> StageCapture::inOrder() const {
+    auto blows = kept;
+    std::ranges::stable_sort(blows, {}, &PlacedBlow::seconds);
+    if (!blows.empty())
+        for (const double first = blows.front().seconds; auto& blow : blows)
+            blow.seconds -= first;
+    return blows;
 }
 
 void StageCapture::follow(const std::shared_ptr<const Instrument>& instrument) {
@@ -53,7 +68,11 @@ void StageCapture::follow(const std::shared_ptr<const Instrument>& instrument) {
         clear();
     }
     messages.read([this](const Message& message) {
-        if (message.instrument == played.get() && kept.size() < mostBlows)
+        if (message.instrument != played.get())
+            return;
+        if (std::exchange(performance, message.performance) != message.performance)
+            clear();
+        if (kept.size() < mostBlows)
             kept.push_back(message.blow);
     });
 }
@@ -69,9 +88,9 @@ Result<void> StageCapture::writeMidi(const std::filesystem::path& file,
     juce::MidiMessageSequence track;
     track.addEvent(juce::MidiMessage::tempoMetaEvent(juce::roundToInt(6e7 / beatsPerMinute)));
     const auto ticks = [&](double seconds) {
-        return std::round((seconds - kept.front().seconds) * beatsPerMinute / 60 * ticksPerBeat);
+        return std::round(seconds * beatsPerMinute / 60 * ticksPerBeat);
     };
-    for (const auto& blow : kept) {
+    for (const auto& blow : inOrder()) {
         const int note = notes[blow.slot];
         if (note < 0)
             continue;
@@ -97,10 +116,8 @@ Result<void> StageCapture::writeImpulses(const std::filesystem::path& file) cons
     if (kept.empty())
         return failure("nothing has been struck yet");
     std::string lines;
-    for (auto blow : kept) {
-        blow.seconds -= kept.front().seconds;
+    for (const auto& blow : inOrder())
         lines += impulseLine(played->slots()[blow.slot], blow);
-    }
     return writeTextFile(file, lines);
 }
 

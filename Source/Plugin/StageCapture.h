@@ -1,7 +1,7 @@
 // Keeps what the bodies of a stage did, to be taken along as MIDI or as a list of impulses.
 #pragma once
 
-#include "Instrument/Instrument.h"
+#include "Instrument/Player.h"
 #include "Object/Result.h"
 #include "Plugin/OneWayQueue.h"
 
@@ -19,9 +19,10 @@ public:
 
     /// [audio thread] What a player's bodies did. Neither allocates, locks nor throws; what is not
     /// read in time is lost.
-    void take(const Instrument& instrument, std::span<const PlacedBlow> blows) noexcept;
+    void take(Player& player) noexcept;
 
-    /// [message thread] Keeps what was taken; of another instrument than before it begins anew.
+    /// [message thread] Keeps what was taken; of another instrument or performance than before it
+    /// begins anew.
     void follow(const std::shared_ptr<const Instrument>& instrument);
     void clear() { kept.clear(); }
     std::size_t count() const { return kept.size(); }
@@ -33,14 +34,18 @@ public:
     Result<void> writeImpulses(const std::filesystem::path& file) const;
 
 private:
+    std::vector<PlacedBlow> inOrder() const;
+
     struct Message {
         const Instrument* instrument = nullptr; ///< compared, never read
+        std::uint32_t performance = 0;
         PlacedBlow blow;
     };
 
     OneWayQueue<Message, 1024> messages;
     std::shared_ptr<const Instrument> played;
-    std::vector<PlacedBlow> kept; ///< in order of time
+    std::uint32_t performance = 0; ///< of what is kept
+    std::vector<PlacedBlow> kept;
 };
 
 } // namespace idiophone

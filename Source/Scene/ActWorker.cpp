@@ -1,6 +1,7 @@
 #include "Scene/ActWorker.h"
 
 #include <algorithm>
+#include <cfenv>
 #include <chrono>
 
 namespace idiophone {
@@ -14,6 +15,21 @@ std::uint32_t pairOf(std::uint32_t number, std::uint32_t pair) {
     return std::max(number * 0x9e3779b1u + pair, 1u);
 }
 
+/// An audio thread flushes denormals, and threads that it starts do.
+class DefaultFloatingPoint {
+public:
+    DefaultFloatingPoint() {
+        std::fegetenv(&before);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~DefaultFloatingPoint() { std::fesetenv(&before); }
+    DefaultFloatingPoint(const DefaultFloatingPoint&) = delete;
+    DefaultFloatingPoint& operator=(const DefaultFloatingPoint&) = delete;
+
+private:
+    std::fenv_t before{};
+};
+
 } // namespace
 
 ActWorker::ActWorker(const SceneStage& playedStage, double sampleRateHz)
@@ -21,11 +37,8 @@ ActWorker::ActWorker(const SceneStage& playedStage, double sampleRateHz)
       thread([this] { runThread(); }) {}
 
 ActWorker::~ActWorker() {
-    {
-        const std::lock_guard lock(working);
-        isStopping = true;
-    }
-    stopped.notify_all();
+    isStopping = true;
+    stopped.notify_all(); // missed at worst for as long as it looks away
     thread.join();
 }
 
@@ -41,14 +54,16 @@ bool ActWorker::help() {
 }
 
 void ActWorker::runThread() {
-    std::unique_lock lock(working);
-    while (!isStopping)
+    while (!isStopping) {
+        std::unique_lock lock(working);
         if (!workOnce())
-            stopped.wait_for(lock, betweenLooks);
+            stopped.wait_for(lock, betweenLooks, [this] { return isStopping.load(); });
+    }
 }
 
 /// Makes the chunk that will be needed first. False where there was nothing to do.
 bool ActWorker::workOnce() {
+    const DefaultFloatingPoint sameOnEveryThread;
     takeUsed();
     takeCues();
     Act* next = nullptr;

@@ -4,6 +4,7 @@
 #include "Scene/ActChunk.h"
 #include "Scene/SceneStage.h"
 
+#include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
 #include <condition_variable>
 #include <memory>
@@ -28,8 +29,8 @@ public:
     /// [audio thread] The next chunk, or nullptr; it is to come back.
     ActChunk* take() noexcept;
     void giveBack(ActChunk* chunk) noexcept { used.push(chunk); }
-    /// [audio thread, offline] Makes a chunk itself, once the worker lets it. False where there was
-    /// nothing to do.
+    /// [audio thread, offline] Makes a chunk itself, once the worker lets it, with all that this
+    /// allocates. False where there was nothing to do.
     bool help();
 
 private:
@@ -60,7 +61,7 @@ private:
 
     std::mutex working; ///< whoever holds it is the worker
     std::condition_variable stopped;
-    bool isStopping = false;
+    std::atomic<bool> isStopping{false};
     std::vector<Act> acts;
     std::vector<std::unique_ptr<ActChunk>> allChunks;
     std::vector<ActChunk*> freeChunks;

@@ -35,17 +35,15 @@ RecordedHand::touchAt(double seconds, std::size_t body, std::size_t handBody) co
                  .rollMetresPerSecond = 0};
 }
 
-std::vector<Impact> RecordedHand::tapsBetween(double after,
-                                              double until,
-                                              std::size_t body,
-                                              std::size_t handBody) const {
+std::vector<Impact>
+RecordedHand::tapsBetween(double from, double until, std::size_t body, std::size_t handBody) const {
     const auto &model = *object.kind.model, &tool = *head.kind.model;
     const double radius = 1 / (1 / model.contactRadiusMetres + 1 / tool.contactRadiusMetres);
     const double modulus = 1 / (model.compliancePerPa + tool.compliancePerPa);
     const double rebound = std::sqrt(model.restitution * tool.restitution);
     std::vector<Impact> impacts;
-    for (auto tap = std::ranges::upper_bound(recorded.taps, after, {}, &Hand::Tap::seconds);
-         tap != recorded.taps.end() && tap->seconds <= until; ++tap)
+    for (auto tap = std::ranges::lower_bound(recorded.taps, from, {}, &Hand::Tap::seconds);
+         tap != recorded.taps.end() && tap->seconds < until; ++tap)
         impacts.push_back(
             {.seconds = tap->seconds,
              .body = body,

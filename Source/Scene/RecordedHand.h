@@ -21,9 +21,9 @@ public:
     /// What it rubs at a moment, if it touches. `bodies` are the played one and the hand.
     std::optional<Touch> touchAt(double seconds, std::size_t body, std::size_t handBody) const;
 
-    /// Its taps after one moment and until another one.
+    /// Its taps from one moment on and before another one.
     std::vector<Impact>
-    tapsBetween(double after, double until, std::size_t body, std::size_t handBody) const;
+    tapsBetween(double from, double until, std::size_t body, std::size_t handBody) const;
 
 private:
     Eigen::Vector3d inwardAt(const Eigen::Vector3d& pointMetres) const;

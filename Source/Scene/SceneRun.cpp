@@ -297,7 +297,8 @@ std::optional<SceneBlow> SceneRun::takeBlow(double beforeSeconds) {
 }
 
 bool SceneRun::finished() const {
-    return rigid.seconds() - leadSeconds > overSeconds;
+    // A step later what is taken away is gone.
+    return rigid.seconds() - leadSeconds > overSeconds + rigid.stepSeconds();
 }
 
 } // namespace idiophone

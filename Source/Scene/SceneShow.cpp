@@ -1,10 +1,19 @@
 #include "Scene/SceneShow.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
 namespace idiophone {
+namespace {
+
+std::uint32_t nextNumber() noexcept {
+    static std::atomic<std::uint32_t> last{0};
+    return ++last;
+}
+
+} // namespace
 
 SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::uint64_t seed)
     : stage(playedStage), rate(sampleRateHz),
@@ -12,7 +21,8 @@ SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::ui
       worker(stage, sampleRateHz), acts(stage.actCount()),
       voices(*stage.cast(), sampleRateHz, seed),
       ears(stage.cast()->scene().listener, stage.slots().size(), sampleRateHz),
-      places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()) {
+      places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
+      ownNumber(nextNumber()) {
     recentBlows.reserve(blowCapacity);
 }
 
@@ -154,8 +164,8 @@ void SceneShow::strike(const SceneBlow& blow,
     if (blow.slot >= cellsOfSlots.size())
         return;
     const double within = std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0));
-    synthesiser.strike(blow.slot, blow.strike, within, cellsOfSlots[blow.slot]);
-    if (recentBlows.size() < blowCapacity)
+    if (synthesiser.strike(blow.slot, blow.strike, within, cellsOfSlots[blow.slot]) &&
+        recentBlows.size() < blowCapacity)
         recentBlows.push_back(
             {.seconds = (static_cast<double>(cell * cellSamples) + within) / rate,
              .slot = blow.slot,
@@ -194,6 +204,8 @@ void SceneShow::stop() noexcept {
         clear(acts[index]);
     }
     std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
+    recentBlows.clear();
+    ownNumber = nextNumber();
 }
 
 void SceneShow::reset() noexcept {

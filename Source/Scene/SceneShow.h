@@ -30,6 +30,7 @@ public:
     bool silent() const noexcept override;
     std::int64_t lateBlows() const noexcept override { return lateCount; }
     std::span<const PlacedBlow> takeBlows() noexcept override;
+    std::uint32_t number() const noexcept override { return ownNumber; }
     std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
 
 private:
@@ -85,6 +86,7 @@ private:
     std::vector<BodyPose> bodyPoses;     ///< likewise
     std::vector<PlacedBlow> recentBlows;
     bool areBlowsTaken = false;
+    std::uint32_t ownNumber;
     std::int64_t lateCount = 0;
     bool paused = false;
     bool mayWait = false;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mostMovingSlots = 64; // of all acts, unless one has more
 constexpr int middleVelocity = 64;
-constexpr double longestRehearsalSeconds = 10;
+constexpr double longestRehearsalSeconds = 3;
 
 /// From the softest to the hardest.
 double between(const std::array<double, 2>& ends, int velocity) {
@@ -75,7 +75,7 @@ SceneStage::SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move
                 own.push_back(slotsOfActs[0][slot]);
                 continue;
             }
-            if (moves(slot) && firstMovingSlot == 0)
+            if (moves(slot) && !firstMovingSlot)
                 firstMovingSlot = static_cast<int>(allSlots.size());
             own.push_back(allSlots.size());
             allSlots.push_back(slots[slot]);
@@ -98,12 +98,13 @@ double SceneStage::lengthSeconds() const {
 
 double SceneStage::firstBlowSeconds() const {
     SceneRun rehearsal(played, callFor(0, middleVelocity, played->scene().seed));
-    for (double seconds = 0; seconds < longestRehearsalSeconds; seconds += 0.01) {
+    const double longest = std::min(longestRehearsalSeconds, played->scene().seconds);
+    for (double seconds = 0; seconds < longest; seconds += 0.01) {
         rehearsal.advanceTo(seconds);
         if (const auto blow = rehearsal.takeBlow(seconds))
             return blow->seconds;
     }
-    return longestRehearsalSeconds;
+    return 0;
 }
 
 SceneCall SceneStage::callFor(int midiNote, int velocity, std::uint32_t seed) const {
@@ -125,11 +126,11 @@ std::array<int, 128> SceneStage::slotOfKey(int lowestNote, int highestNote) cons
     int bar = 0;
     const bool hasBars = !played->keyboard().empty();
     for (int note = 0; note < 128; ++note) {
+        const bool isBar = hasBars && played->target(note);
         const bool plays = !played->scene().noteDrop || played->target(note).has_value();
         if (plays && note >= lowestNote && note <= highestNote)
-            slots[static_cast<std::size_t>(note)] = hasBars ? bar : firstMovingSlot;
-        if (hasBars && played->target(note))
-            ++bar;
+            slots[static_cast<std::size_t>(note)] = isBar ? bar : firstMovingSlot.value_or(0);
+        bar += isBar ? 1 : 0;
     }
     return slots;
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace idiophone {
@@ -52,6 +53,7 @@ public:
     SceneCall callFor(int midiNote, int velocity, std::uint32_t seed) const;
 
 private:
+    /// Of a rehearsal at middle velocity; 0 where nothing is struck soon.
     double firstBlowSeconds() const;
 
     std::shared_ptr<const SceneCast> played;
@@ -60,7 +62,7 @@ private:
     std::vector<Eigen::Vector3d> firstPlaces;
     std::vector<BodyPose> posesAtFirst;
     std::vector<SlotMap> slotsOfActs;
-    int firstMovingSlot = 0;
+    std::optional<int> firstMovingSlot;
 };
 
 } // namespace idiophone

@@ -1,6 +1,7 @@
 // Presets of scenes in the plugin: heard after their delay, the same in a bounce and in real time,
 // kept in states.
 #include "Instrument/FactoryContent.h"
+#include "Plugin/PresetObjects.h"
 #include "Plugin/TestSound.h"
 #include "Support/TestFolder.h"
 
@@ -131,11 +132,44 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
     CHECK(first["time"] == 0);
     CHECK(first["impulse"].size() == 3);
     CHECK(factoryObject(first["object"].get<std::string>()));
+    double before = 0;
+    while (std::getline(lines, line)) {
+        const double seconds = nlohmann::json::parse(line)["time"];
+        CHECK(seconds >= before);
+        before = seconds;
+    }
+    CHECK(before > 0.1);
 
     processor.resetStage();
     CHECK_FALSE(processor.hasCaptured());
     CHECK_FALSE(processor.writeCapture(midi, midiFile));
     CHECK(processor.takeStatus().isError);
+}
+
+TEST_CASE("A preset of a scene file beside it opens, and again from a project elsewhere") {
+    const auto folder = testFolder() / "scene-preset";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "mine.json")
+        << R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
+               "kinds": [{"name": "plate", "object": "plate", "fixed": true},
+                         {"name": "die", "object": "die"}],
+               "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.2]}]})";
+    const auto built = buildPresetInstrument({.kind = KeyMapKind::scene, .object = "mine.json"},
+                                             juce::File((folder / "preset.json").string()));
+    REQUIRE(built);
+    CHECK(built->notice.empty());
+    CHECK(built->keyMap.object == (folder / "mine.json").string());
+    auto state = testState();
+    state.preset.keyMap = built->keyMap;
+    state.objects.clear();
+    Processor processor;
+    restore(processor, state);
+    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK(processor.hasStage());
+    CHECK(processor.stageBodies().size() == 1);
+    CHECK(buildPresetInstrument({.kind = KeyMapKind::scene, .object = "gone.json"},
+                                juce::File((folder / "preset.json").string()))
+              ->notice.find("gone.json") == 0);
 }
 
 TEST_CASE("A scene that is missing leaves what plays, and is named") {

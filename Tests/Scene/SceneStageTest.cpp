@@ -61,6 +61,14 @@ double onsetSeconds(const std::vector<float>& sound) {
     return static_cast<double>(first - sound.begin()) / rate;
 }
 
+/// The most from a time on, of the left channel.
+float tailLevel(const std::vector<float>& sound, double seconds) {
+    float level = 0;
+    for (auto i = static_cast<std::size_t>(seconds * rate); i < sound.size() / 2; ++i)
+        level = std::max(level, std::abs(sound[i]));
+    return level;
+}
+
 } // namespace
 
 TEST_CASE("A die hits its bar when the stage's delay has gone by, however high it falls from") {
@@ -129,6 +137,35 @@ TEST_CASE("More notes than acts take the oldest act over, and all sound off ends
     const auto after = play(player, {}, 2, 128);
     CHECK(player.silent());
     CHECK(after.back() == 0);
+    // What was silenced rings again where a body strikes it.
+    const auto again = play(player, {{0, 72, 100}}, 0.7, 128);
+    CHECK(tailLevel(again, 0.5) > 0.001f);
+}
+
+TEST_CASE("After all sound off a table rings again under the next cylinder") {
+    const auto instrument = sceneInstrument("Cylinder off a table");
+    Player first(instrument, rate), second(instrument, rate);
+    for (auto* player : {&first, &second})
+        player->setOffline(true);
+    const auto expected = play(first, {{0, 60, 64}}, 0.5, 128);
+    std::vector<float> left(64), right(64);
+    const std::vector<MidiEvent> off{{0, {0xb0, 120, 0}}};
+    second.process({left, right}, off, {});
+    CHECK(play(second, {{0, 60, 64}}, 0.5, 128) == expected);
+}
+
+TEST_CASE("Bars that nothing is dropped on can be rolled over") {
+    auto scene = *findFactoryScene("Dice on a xylophone");
+    scene.noteDrop.reset();
+    scene.kinds = {{.name = "ball", .object = "", .ball = SilentBall{0.01, "Steel"}}};
+    scene.releases = {Release()}; // of the ball
+    const auto cast = SceneCast::make(scene, ObjectLibrary::shared()).value();
+    const SceneStage stage(cast);
+    const auto slots = stage.slotOfKey(0, 127);
+    CHECK(slots[65] == 0);
+    CHECK(slots[108] == 43);
+    for (const int slot : slots)
+        CHECK(slot < static_cast<int>(stage.slots().size()));
 }
 
 TEST_CASE("Every factory scene is an instrument") {
