@@ -15,12 +15,6 @@ constexpr double hardestNewtonSeconds = 0.01;
 constexpr double contactSeconds = 0.3e-3;
 constexpr double impactRangeDb = 30;
 
-/// 0 to 1; the standard fixes the engine's numbers, but not those of its distributions.
-double share(std::minstd_rand& random) {
-    return static_cast<double>(random() - std::minstd_rand::min()) /
-           static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min());
-}
-
 Result<ModalObject> makeRing() {
     return analyse(torusMesh(0.05, 0.006, 20, 10),
                    {.name = "ring",

@@ -24,12 +24,6 @@ constexpr double frameSeconds = 0.01;
 const SynthesisSettings unscaled{.tau = 0.02, .modeBudget = 1e9, .compression = 1, .material = {}};
 const SynthesisSettings scaled{.tau = 0.02, .modeBudget = 500, .compression = 1, .material = {}};
 
-/// 0 to 1.
-double share(std::minstd_rand& random) {
-    return static_cast<double>(random() - std::minstd_rand::min()) /
-           static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min());
-}
-
 /// Bodies of one shape and sizes of their own, each struck again and again at its own times.
 struct Crowd {
     std::vector<SynthesiserSlot> slots;
@@ -80,12 +74,13 @@ Run figuresOf(BenchScene& scene, const LeastStepTimes& times) {
         run.modesMixed += static_cast<double>(modes) / static_cast<double>(cells - first);
     }
     const auto cellsInFrame = cellsIn(frameSeconds);
-    const double share = frameSeconds * benchSampleRateHz / cellSamples;
-    run.meanFrameSeconds = times.sum(first, cells) / static_cast<double>(cells - first) * share;
+    const double cellsOfFrame = frameSeconds * benchSampleRateHz / cellSamples;
+    run.meanFrameSeconds =
+        times.sum(first, cells) / static_cast<double>(cells - first) * cellsOfFrame;
     for (std::size_t k = first; k + cellsInFrame <= cells; k += cellsInFrame)
         run.worstFrameSeconds =
-            std::max(run.worstFrameSeconds,
-                     times.sum(k, k + cellsInFrame) / static_cast<double>(cellsInFrame) * share);
+            std::max(run.worstFrameSeconds, times.sum(k, k + cellsInFrame) /
+                                                static_cast<double>(cellsInFrame) * cellsOfFrame);
     return run;
 }
 

@@ -42,6 +42,11 @@ std::vector<float> BenchScene::render(std::size_t cells) {
     return output;
 }
 
+double share(std::minstd_rand& random) {
+    return static_cast<double>(random() - std::minstd_rand::min()) /
+           static_cast<double>(std::minstd_rand::max() - std::minstd_rand::min());
+}
+
 std::size_t cellsIn(double seconds) {
     return static_cast<std::size_t>(std::ceil(seconds * benchSampleRateHz / cellSamples));
 }

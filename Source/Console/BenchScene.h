@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <random>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,9 @@ private:
     std::int64_t cellIndex = 0;
     alignas(64) std::array<float, cellSamples> cell{};
 };
+
+/// 0 to 1; the standard fixes the engine's numbers, but not those of its distributions.
+double share(std::minstd_rand& random);
 
 /// So many cells fill the time.
 std::size_t cellsIn(double seconds);

@@ -1,4 +1,4 @@
-// Where a body on a stage is, as rotation and translation of places.
+// Places on a stage and on its bodies.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -11,7 +11,7 @@ namespace idiophone {
 /// Column-major, from the object's own coordinates in its size to the stage.
 std::array<float, 16> matrixOf(const BodyNow& body);
 
-ScenePlace turned(const BodyNow& body, const ScenePlace& direction);
+/// From the stage to the object's own coordinates, as the last one.
 ScenePlace turnedBack(const BodyNow& body, const ScenePlace& direction);
 ScenePlace onStage(const BodyNow& body, const ScenePlace& own);
 ScenePlace onBody(const BodyNow& body, const ScenePlace& place);

@@ -28,7 +28,7 @@ ROOMS = {
     "Scene": ("Instrument Synth Geometry Object Parameters",
               "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
     "Output": ("Parameters", "juce_dsp/"),
-    "Editor": ("Parameters Object Geometry", "juce_ GL/ X11/"),
+    "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
                "juce_ nlohmann/ libMTSClient.h"),
     "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
