@@ -45,6 +45,8 @@ public:
     /// silence, and how much of it there is depends on the block size.
     Result<void> finish(std::int64_t leastSamples);
 
+    void hush() { output.hush(); }
+    bool silent() const { return output.silent(); } ///< nothing sounds on of what was added
     std::int64_t sampleCount() const { return written; }
     double peak() const { return highest; } ///< full scale 1
     /// Integrated loudness after ITU-R BS.1770; nothing for silence.

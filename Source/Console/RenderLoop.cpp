@@ -29,7 +29,8 @@ Result<void> renderTo(Recording& recording, const RecordingFormat& format, const
             return done;
         if (interrupted)
             return failure(std::string(interruptedMessage));
-        if (!format.seconds && position + count > task.lastSample && task.finished())
+        if (!format.seconds && position + count > task.lastSample && task.finished() &&
+            recording.silent())
             break;
         progress.show(static_cast<double>(position) / static_cast<double>(end), "");
     }

@@ -54,6 +54,8 @@ Result<RenderTally> renderSong(Player& player,
         tally.renderSeconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         position += count;
+        if (player.takeAllSoundOff())
+            recording.hush();
         if (const auto cell = (position - 1) / cellSamples; cell != lastCell) {
             tally.count(player.synthesiser().modesMixed());
             lastCell = cell;

@@ -88,6 +88,7 @@ void EditorWindow::makePages() {
     deck.add(std::make_unique<ParameterPage>(
         "Output",
         std::vector<ParameterGroup>{{"Listening", 0, {radiation, width}},
+                                    {"Room", 0, {room, roomDecay}},
                                     {"Output", 1, {level, bypass}}},
         view));
     tuningPage = deck.pageCount();

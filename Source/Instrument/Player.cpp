@@ -305,6 +305,7 @@ void Player::reset() {
     liftPedals();
     bend.reset();
     programChange.reset();
+    allSoundOffCame = false;
     std::fill(slotSilenced.begin(), slotSilenced.end(), false);
 }
 
@@ -320,6 +321,10 @@ bool Player::silent() const {
 
 std::optional<int> Player::takeProgramChange() {
     return std::exchange(programChange, std::nullopt);
+}
+
+bool Player::takeAllSoundOff() {
+    return std::exchange(allSoundOffCame, false);
 }
 
 } // namespace idiophone

@@ -123,6 +123,8 @@ public:
     bool silent() const;
     /// The program number of the last program change since this was asked, if any.
     std::optional<int> takeProgramChange();
+    /// Whether "all sound off" came since this was asked, for what sounds on behind the player.
+    bool takeAllSoundOff();
     const Synthesiser& synthesiser() const { return synth; }
     const Instrument& instrument() const { return *playedInstrument; }
     /// Of the key or the blow that came last; nothing before the first one.
@@ -201,6 +203,7 @@ private:
     std::vector<float> slotPressed; ///< the most that one of its keys presses
     std::vector<bool> slotSilenced; ///< by "all sound off", until the next strike
     std::optional<int> programChange;
+    bool allSoundOffCame = false;
 };
 
 } // namespace idiophone

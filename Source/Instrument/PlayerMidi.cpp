@@ -159,6 +159,7 @@ void Player::controller(int channel, int number, int value) {
         break;
     case allSoundOff:
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
+        allSoundOffCame = true;
         if (performance)
             performance->stop();
         pending.clear();

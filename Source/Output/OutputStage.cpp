@@ -17,11 +17,13 @@ void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
                   .maximumBlockSize = static_cast<juce::uint32>(maximumBlockSize),
                   .numChannels = 2});
     width.reset(sampleRateHz, rampSeconds);
+    room.prepare(sampleRateHz, maximumBlockSize, rampSeconds);
     reset();
 }
 
 void OutputStage::reset() noexcept {
     startsAtTarget = true;
+    room.reset();
 }
 
 void OutputStage::process(std::span<const float> left,
@@ -38,14 +40,13 @@ void OutputStage::process(std::span<const float> left,
     }
     startsAtTarget = false;
 
-    spread(left, right, channels);
+    spread(room.process({left, right}, values), channels);
     juce::dsp::AudioBlock<float> block(channels.data(), channels.size(), left.size());
     gain.process(juce::dsp::ProcessContextReplacing<float>(block));
 }
 
-void OutputStage::spread(std::span<const float> left,
-                         std::span<const float> right,
-                         std::span<float* const> channels) noexcept {
+void OutputStage::spread(const Room::Sound& sound, std::span<float* const> channels) noexcept {
+    const auto [left, right] = sound;
     for (std::size_t i = 0; i < left.size(); ++i) {
         const float mid = (left[i] + right[i]) / 2;
         const float side = width.getNextValue() * ((left[i] - right[i]) / 2);

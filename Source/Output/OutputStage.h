@@ -1,8 +1,9 @@
 // The last stage, shared by plugin and console: both channels of the sound to the channels of the
-// output, at the width, level and bypass that the parameters say. Knows nothing of hosts, files or
-// buses.
+// output, in the room and at the width, level and bypass that the parameters say. Knows nothing of
+// hosts, files or buses.
 #pragma once
 
+#include "Output/Room.h"
 #include "Parameters/ParameterTable.h"
 
 #include <juce_dsp/juce_dsp.h>
@@ -14,29 +15,34 @@ namespace idiophone {
 /// allocates, locks nor throws. At constant parameters the samples do not depend on block sizes.
 class OutputStage {
 public:
-    /// Level, bypass and width move linearly over this time: without steps, too fast to be heard as
-    /// a fade (by ear).
+    /// Level, bypass, width and the room's share move linearly over this time: without steps, too
+    /// fast to be heard as a fade (by ear).
     static constexpr double rampSeconds = 0.02;
 
     void prepare(double sampleRateHz, int maximumBlockSize);
 
-    /// The next block starts at its level and width, without a ramp.
+    /// The next block starts at its level, width and room, without a ramp, and nothing sounds on.
     void reset() noexcept;
 
-    /// Writes `left.size()` samples, at most `maximumBlockSize`, to each channel. Of two, the first
-    /// gets M + wS and the second M − wS, where M = (L + R)/2, S = (L − R)/2 and w is the width;
-    /// one gets M. Left may be the first of them and right the second. Values act from the block's
-    /// first sample on.
+    /// Writes `left.size()` samples, at most `maximumBlockSize`, to each channel, L and R with what
+    /// the room adds. Of two, the first gets M + wS and the second M − wS, where M = (L + R)/2, S =
+    /// (L − R)/2 and w is the width; one gets M. Left may be the first of them and right the
+    /// second. Values act from the block's first sample on.
     void process(std::span<const float> left,
                  std::span<const float> right,
                  std::span<float* const> channels,
                  const ParameterValues& values) noexcept;
 
-private:
-    void spread(std::span<const float> left,
-                std::span<const float> right,
-                std::span<float* const> channels) noexcept;
+    /// What sounds on in the room fades within the ramp.
+    void hush() noexcept { room.hush(); }
 
+    /// Nothing sounds on in the room.
+    bool silent() const noexcept { return room.silent(); }
+
+private:
+    void spread(const Room::Sound& sound, std::span<float* const> channels) noexcept;
+
+    Room room;
     juce::dsp::Gain<float> gain;
     juce::SmoothedValue<float> width;
     bool startsAtTarget = true;

@@ -106,6 +106,10 @@ constexpr std::array<ParameterInfo, parameterCount> table{{
      "How far the bend of a single note reaches", nullptr},
     {motorSync, "motor_sync", "Motor sync", "Sync", "", choice, 0, 15, freeMotor, 0, 4,
      "The note of the host's tempo in which the discs open once; Free turns at motor speed", nullptr},
+    {room, "room", "Room", "Room", "%", linear, 0, 100, 0, 1, 4,
+     "How much of a room is heard around the sound", nullptr},
+    {roomDecay, "room_decay", "Room decay", "Decay", "s", logarithmic, 0.4, 10, 0.8, 3, 4,
+     "In what time the room's sound fades by 60 dB: small rooms fade soon, halls late", nullptr},
 }};
 
 // Appended to only, in the order of malletRack().

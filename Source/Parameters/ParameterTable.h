@@ -56,6 +56,8 @@ enum class ParameterId : std::size_t {
     mpe,
     mpeBendRange,
     motorSync,
+    room,
+    roomDecay,
     count
 };
 

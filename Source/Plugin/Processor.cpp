@@ -65,6 +65,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             tuner.tune(sound.player());
         }
         sound.process(rendered, piece->events, values);
+        if (auto* player = sound.player(); player != nullptr && player->takeAllSoundOff())
+            output.hush();
         output.process(rendered.left, rendered.right, channels, values);
         report(channels, piece->length);
     }
@@ -163,7 +165,9 @@ double Processor::getTailLengthSeconds() const {
         live ? slowestDecay(live->damping) * ownDampingRatio.load() : ownSlowestDecay.load();
     const bool mayRing = values[letRing] != 0 || stageSeconds > 0; // keys damp nothing on a stage
     const double released = mayRing ? 0 : std::log(1000) / values[releaseTime];
-    return std::min(stageSeconds + std::log(65536) / (slowest + released), longestTailSeconds);
+    const double inRoom = values[room] > 0 ? values[roomDecay] * std::log10(65536) / 3 : 0;
+    return std::min(stageSeconds + std::log(65536) / (slowest + released) + inRoom,
+                    longestTailSeconds);
 }
 
 int Processor::getNumPrograms() {

@@ -34,6 +34,25 @@ class Render(ConsoleTest):
                 with self.subTest(preset=preset, block_size=size):
                     self.assertEqual(output.read_bytes(), expected.read_bytes())
 
+    def test_a_room_rings_on_to_its_end_in_any_block_size(self):
+        song = self.song([tempo(0, 500000)] + note(0, 84, 127))
+        dry, _ = self.render(song)
+        room = ("--set", "room=100", "--set", "room_decay=2")
+        wet, expected = self.render(song, *room, name="480.wav")
+        # To -100 dB from where it is at the dry sound's end.
+        self.assertGreater(wet["seconds"], dry["seconds"] + 1)
+        self.assertLess(wet["seconds"], dry["seconds"] + 2 * 100 / 60 + 0.5)
+        for size in (7, 4096):
+            _, output = self.render(song, "--block-size", size, *room)
+            self.assertEqual(output.read_bytes(), expected.read_bytes())
+
+    def test_all_sound_off_ends_the_room(self):
+        song = [tempo(0, 500000)] + note(0, 84, 127)
+        room = ("--set", "room=100", "--set", "room_decay=10")
+        rings, _ = self.render(self.song(song), *room)
+        hushed, _ = self.render(self.song(song + [(480, bytes([0xB0, 120, 0]))]), *room)
+        self.assertLess(hushed["seconds"], rings["seconds"] / 2)
+
     def test_a_render_repeats_bit_for_bit(self):
         song = self.song(self.chords())
         first, second = (self.render(song, name=f"{i}.wav")[1] for i in range(2))

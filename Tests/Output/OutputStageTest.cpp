@@ -73,16 +73,14 @@ std::vector<float> processed(OutputStage& stage,
     return left;
 }
 
-OutputStage preparedStage() {
-    OutputStage stage;
-    stage.prepare(rateHz, maximumBlock);
-    return stage;
-}
+struct PreparedStage : OutputStage {
+    PreparedStage() { prepare(rateHz, maximumBlock); }
+};
 
 } // namespace
 
 TEST_CASE("At 0 dB what is the same on both channels reaches them bit for bit, at any width") {
-    auto stage = preparedStage();
+    PreparedStage stage;
     const auto input = sine(1000);
     CHECK(processed(stage, input, 100, valuesWith(0)) == input);
     CHECK(processed(stage, input, 100, valuesWithWidth(200)) == input);
@@ -91,7 +89,7 @@ TEST_CASE("At 0 dB what is the same on both channels reaches them bit for bit, a
 TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, 200 doubles the side") {
     const Stereo input{sine(3000), sine(3000, 700)};
     const auto at = [&](double percent) {
-        auto stage = preparedStage();
+        PreparedStage stage;
         return processed(stage, input, 480, valuesWithWidth(percent));
     };
     const auto unchanged = at(100), narrow = at(0), wide = at(200);
@@ -110,7 +108,7 @@ TEST_CASE("Width 100 changes nothing, 0 gives both channels the mid, 200 doubles
 TEST_CASE("A mono output gets the mid, whatever the width") {
     const auto left = sine(1000), right = sine(1000, 700);
     for (const double percent : {0.0, 100.0, 200.0}) {
-        auto stage = preparedStage();
+        PreparedStage stage;
         std::vector<float> output(left.size());
         const std::array<float*, 1> channels{output.data()};
         stage.process(left, right, channels, valuesWithWidth(percent));
@@ -121,7 +119,7 @@ TEST_CASE("A mono output gets the mid, whatever the width") {
 
 TEST_CASE("Width automated in steps of a block moves the side without a step, in any block size") {
     const Stereo ones{std::vector<float>(64, 1.0f), std::vector<float>(64, -1.0f)};
-    auto stage = preparedStage(), pieces = preparedStage();
+    PreparedStage stage, pieces;
     auto last = processed(stage, ones, 64, valuesWithWidth(0)).left.back();
     processed(pieces, ones, 64, valuesWithWidth(0));
     CHECK(last == 0);
@@ -140,7 +138,7 @@ TEST_CASE("Width automated in steps of a block moves the side without a step, in
 }
 
 TEST_CASE("The level is a gain of 10^(dB/20) from the first sample after a reset") {
-    auto stage = preparedStage();
+    PreparedStage stage;
     const std::vector<float> input(100, 1.0f);
     for (const double decibels : {-60.0, -20.0, 6.0, 24.0}) {
         stage.reset();
@@ -152,26 +150,26 @@ TEST_CASE("The level is a gain of 10^(dB/20) from the first sample after a reset
 
 TEST_CASE("At constant parameters the output does not depend on the block size") {
     const auto input = sine(10000);
-    auto whole = preparedStage();
+    PreparedStage whole;
     const auto expected = processed(whole, input, maximumBlock, valuesWith(-7.3));
     for (const std::size_t blockSize : {1u, 7u, 64u, 480u}) {
-        auto stage = preparedStage();
+        PreparedStage stage;
         CHECK(processed(stage, input, blockSize, valuesWith(-7.3)) == expected);
     }
 }
 
 TEST_CASE("A ramp begun by a change of level does not depend on the blocks that follow") {
     const auto input = sine(4000);
-    auto whole = preparedStage();
+    PreparedStage whole;
     processed(whole, input, 4000, valuesWith(0));
     const auto expected = processed(whole, input, 4000, valuesWith(-12));
-    auto pieces = preparedStage();
+    PreparedStage pieces;
     processed(pieces, input, 4000, valuesWith(0));
     CHECK(processed(pieces, input, 7, valuesWith(-12)) == expected);
 }
 
 TEST_CASE("Level automated in steps of a block moves the gain without a step") {
-    auto stage = preparedStage();
+    PreparedStage stage;
     const std::vector<float> ones(64, 1.0f);
     std::vector<float> output = processed(stage, ones, 64, valuesWith(-60));
     for (int block = 0; block < 200; ++block) {
@@ -185,7 +183,7 @@ TEST_CASE("Level automated in steps of a block moves the gain without a step") {
 }
 
 TEST_CASE("Bypass is silent after its ramp, and leaving it restores the level") {
-    auto stage = preparedStage();
+    PreparedStage stage;
     const std::vector<float> ones(2000, 1.0f);
     processed(stage, ones, 2000, valuesWith(0));
     const auto off = processed(stage, ones, 2000, valuesWith(0, true));
@@ -199,7 +197,7 @@ TEST_CASE("Bypass is silent after its ramp, and leaving it restores the level") 
 }
 
 TEST_CASE("One channel that is also the input is processed in place") {
-    auto stage = preparedStage();
+    PreparedStage stage;
     auto samples = sine(500);
     const auto original = samples;
     const std::array<float*, 1> channels{samples.data()};
@@ -209,7 +207,7 @@ TEST_CASE("One channel that is also the input is processed in place") {
 }
 
 TEST_CASE("No samples and no channels are nothing to do") {
-    auto stage = preparedStage();
+    PreparedStage stage;
     const auto input = sine(10);
     stage.process({}, {}, {}, valuesWith(0));
     stage.process(input, input, {}, valuesWith(0));

@@ -66,7 +66,9 @@ TEST_CASE("Parameter ids and version hints are those that were published") {
                                                               {"a4", 4},
                                                               {"mpe", 4},
                                                               {"mpe_bend_range", 4},
-                                                              {"motor_sync", 4}};
+                                                              {"motor_sync", 4},
+                                                              {"room", 4},
+                                                              {"room_decay", 4}};
     Processor processor;
     std::vector<std::pair<juce::String, int>> present;
     for (auto* parameter : processor.getParameters()) {

@@ -223,19 +223,48 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     restore(processor, state);
     CHECK_THAT(processor.getTailLengthSeconds(),
                WithinRel(std::log(65536) / (2.5 + 1e-8 * std::pow(40 * pi, 2) / 2), 1e-12));
+    // A room goes on after that, for 96 of the 60 dB of its decay.
+    const double dry = processor.getTailLengthSeconds();
+    state.parameters.set(room, 10);
+    state.parameters.set(roomDecay, 2);
+    restore(processor, state);
+    CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(dry + 2 * std::log10(65536) / 3, 1e-12));
 }
 
-TEST_CASE("Nothing is heard above a 16-bit step when the tail is over") {
+TEST_CASE("Nothing is heard above a 16-bit step when the tail is over, in a room neither") {
+    for (const double percent : {0.0, 100.0}) {
+        Processor processor;
+        auto state = testState();
+        state.parameters.set(ParameterId::material, customMaterial);
+        state.parameters.set(ParameterId::fluidDamping, 20);
+        state.parameters.set(ParameterId::room, percent);
+        state.parameters.set(ParameterId::roomDecay, 3);
+        restore(processor, state);
+        processor.prepareToPlay(48000, 480);
+        const auto played = render(processor, 480, 480, hardNote);
+        const int tail = static_cast<int>(std::ceil(processor.getTailLengthSeconds() * 48000));
+        render(processor, tail, 480, {});
+        CHECK(loudest(render(processor, 4800, 480, {})) < loudest(played) / 65536);
+    }
+}
+
+TEST_CASE("All sound off hushes the room too, and what is played then is heard in it") {
     Processor processor;
     auto state = testState();
     state.parameters.set(ParameterId::material, customMaterial);
     state.parameters.set(ParameterId::fluidDamping, 20);
+    state.parameters.set(ParameterId::room, 100);
+    state.parameters.set(ParameterId::roomDecay, 10);
     restore(processor, state);
     processor.prepareToPlay(48000, 480);
-    const auto played = render(processor, 480, 480, hardNote);
-    const int tail = static_cast<int>(std::ceil(processor.getTailLengthSeconds() * 48000));
-    render(processor, tail, 480, {});
-    CHECK(loudest(render(processor, 4800, 480, {})) < loudest(played) / 65536);
+    const auto played = render(processor, 9600, 480, hardNote);
+    juce::MidiBuffer off;
+    off.addEvent(juce::MidiMessage::allSoundOff(1), 0);
+    render(processor, 4800, 480, off);
+    CHECK(loudest(render(processor, 4800, 480, {})) < loudest(played) / 1000);
+    render(processor, 9600, 480, hardNote);
+    render(processor, 48000, 480, {});
+    CHECK(loudest(render(processor, 4800, 480, {})) > loudest(played) / 1000);
 }
 
 TEST_CASE("Notes of the on-screen keyboard are played") {

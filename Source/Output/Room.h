@@ -1,0 +1,59 @@
+// The room that everything sounds in: a diffuse tail behind the sound itself.
+#pragma once
+
+#include "Parameters/ParameterTable.h"
+
+#include <juce_dsp/juce_dsp.h>
+#include <span>
+#include <vector>
+
+namespace idiophone {
+
+/// `prepare` is called while nothing processes; the rest is for the audio thread and neither
+/// allocates, locks nor throws. The samples do not depend on block sizes.
+class Room {
+public:
+    /// Two channels of one length.
+    struct Sound {
+        std::span<const float> left, right;
+    };
+
+    /// What dies away and is fainter than this, −100 dB of full scale before the level, is silence:
+    /// rounding holds the longest tails at −110 dB for ever.
+    static constexpr float silence = 1e-5f;
+
+    void prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds);
+
+    /// The room is silent, and the next block starts with its values, without a ramp.
+    void reset() noexcept;
+
+    /// What rings in the room fades with the ramp; what comes after that is heard again.
+    void hush() noexcept { isHushed = true; }
+
+    /// The sound with the room's, until the next call: where no room is heard, the sound itself. At
+    /// most `maximumBlockSize` samples.
+    Sound process(const Sound& sound, const ParameterValues& values) noexcept;
+
+    /// Nothing rings in it any more.
+    bool silent() const noexcept { return isSilent; }
+
+private:
+    void follow(const ParameterValues& values) noexcept;
+    bool isShut() const noexcept;
+    void settle() noexcept;
+    void rest() noexcept;
+    void ring(std::span<float> left, std::span<float> right) noexcept;
+
+    juce::Reverb reverb;
+    double rateHz = 44100;
+    double decaySeconds = 0; ///< that the reverberator is set to
+    juce::SmoothedValue<float> amount;
+    std::vector<float> wetLeft, wetRight;
+    int gridPosition = 0; ///< of the next sample, in a cell of the grid on which silence is found
+    int quietSamples = 0; ///< up to that cell
+    bool isSilent = true;
+    bool isHushed = false;
+    bool startsAtTarget = true;
+};
+
+} // namespace idiophone
