@@ -125,7 +125,7 @@ solveBody(const BodyModel& body, const SolveSettings& settings, const AnalysisCo
                                   .eigenvalues = modes->eigenvalues,
                                   .thicknessMetres = body.thicknessMetres,
                                   .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
-                                 {}, control);
+                                 {.directions = settings.listeningDirections}, control);
     if (!radiation)
         return failure(radiation.error().message);
     object.radiation = std::move(*radiation);

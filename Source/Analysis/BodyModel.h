@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Analysis/AnalysisControl.h"
+#include "Analysis/Radiation.h"
 #include "Analysis/VibrationModel.h"
 #include "Geometry/Mesh.h"
 #include "Object/ModalObject.h"
@@ -36,6 +37,7 @@ struct SolveSettings {
     double maxFrequencyHz = 44000;
     int maximumModes = 5000;
     std::vector<int> shapeVertices = {}; ///< of the surface, ascending; empty: all
+    std::vector<Eigen::Vector3d> listeningDirections = stereoDirections(); ///< of its radiation
 };
 
 /// Every mode of the body in the band, as an object that passes `validated`, with radiation and

@@ -46,6 +46,7 @@ struct Turned {
     double edgeMetres = 0;
     double maxFrequencyHz = 0;
     std::size_t shapeVertexCount = 0; ///< on the outside
+    std::vector<Eigen::Vector3d> listeningDirections = stereoDirections();
 };
 
 Result<ModalObject> analysedTurned(const std::vector<LathePoint>& section,
@@ -58,8 +59,9 @@ Result<ModalObject> analysedTurned(const std::vector<LathePoint>& section,
                   {.name = std::string(turned.name),
                    .source = std::string(turned.source),
                    .maxFrequencyHz = turned.maxFrequencyHz,
-                   .shapeVertices = spreadVertices(lathe.mesh, allVertices(lathe.mesh),
-                                                   turned.shapeVertexCount)},
+                   .shapeVertices =
+                       spreadVertices(lathe.mesh, allVertices(lathe.mesh), turned.shapeVertexCount),
+                   .listeningDirections = turned.listeningDirections},
                   control);
     if (object)
         object->provenance.analysisSeconds =
@@ -165,7 +167,8 @@ Result<ModalObject> makeShellCase(const AnalysisControl& control) {
                            .material = "Brass",
                            .edgeMetres = 0.01,
                            .maxFrequencyHz = 10000,
-                           .shapeVertexCount = 120},
+                           .shapeVertexCount = 120,
+                           .listeningDirections = directionsAllAround()},
                           control);
 }
 

@@ -27,7 +27,8 @@ Result<ModalObject> makeSmallRing(const AnalysisControl& control) {
                     .material = *findMaterial("Steel"),
                     .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.001,
-                    .maxFrequencyHz = 22000},
+                    .maxFrequencyHz = 22000,
+                    .listeningDirections = directionsAllAround()},
                    control);
 }
 
@@ -55,7 +56,8 @@ Result<ModalObject> makeCylinder(const AnalysisControl& control) {
                     .material = *findMaterial("Steel"),
                     .method = AnalysisMethod::tetrahedra,
                     .maxFrequencyHz = 22000,
-                    .shapeVertices = someVertices(mesh, 128)},
+                    .shapeVertices = someVertices(mesh, 128),
+                    .listeningDirections = directionsAllAround()},
                    control);
 }
 
@@ -78,7 +80,8 @@ Result<ModalObject> makeDie(const AnalysisControl& control) {
                     .source = "generated die, 19 mm",
                     .material = *findMaterial("ABS"),
                     .method = AnalysisMethod::tetrahedra,
-                    .maxFrequencyHz = 44000},
+                    .maxFrequencyHz = 44000,
+                    .listeningDirections = directionsAllAround()},
                    control);
 }
 
@@ -97,7 +100,8 @@ Result<ModalObject> makePebble(const AnalysisControl& control) {
                     .material = *findMaterial("Granite"),
                     .method = AnalysisMethod::tetrahedra,
                     .maxFrequencyHz = 44000,
-                    .shapeVertices = someVertices(mesh, 160)},
+                    .shapeVertices = someVertices(mesh, 160),
+                    .listeningDirections = directionsAllAround()},
                    control);
 }
 

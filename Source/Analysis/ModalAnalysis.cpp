@@ -238,7 +238,8 @@ analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const Analysi
          .maximumModes = settings.maximumModes,
          .shapeVertices = settings.shapeVertices.empty()
                               ? std::vector<int>{}
-                              : nearestVertices(body->surface, repaired->mesh, *vertices)},
+                              : nearestVertices(body->surface, repaired->mesh, *vertices),
+         .listeningDirections = settings.listeningDirections},
         control);
 }
 

@@ -4,6 +4,7 @@
 
 #include "Analysis/AnalysisControl.h"
 #include "Analysis/AnalysisMethod.h"
+#include "Analysis/Radiation.h"
 #include "Geometry/Mesh.h"
 #include "Object/ModalObject.h"
 
@@ -25,6 +26,8 @@ struct AnalysisSettings {
     bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
     double weldTolerance = 1e-7;         ///< see RepairSettings
     std::vector<int> shapeVertices = {}; ///< input vertices whose shapes to keep; empty: all
+    /// From where it can be heard; `directionsAllAround` for what turns in scenes.
+    std::vector<Eigen::Vector3d> listeningDirections = stereoDirections();
 };
 
 /// Shells of more vertices (after repair) are remeshed; the paper's springs, which want every

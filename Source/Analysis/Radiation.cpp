@@ -251,6 +251,16 @@ std::vector<Eigen::Vector3d> stereoDirections() {
     return directions;
 }
 
+std::vector<Eigen::Vector3d> directionsAllAround() {
+    auto directions = stereoDirections();
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x != 0 || y != 0 || z != 0)
+                    directions.push_back(Eigen::Vector3d(x, y, z).normalized());
+    return directions;
+}
+
 std::vector<double> halfOctaveRatios() {
     std::vector<double> ratios;
     for (int step = -8; step <= 8; ++step)

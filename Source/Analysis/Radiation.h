@@ -25,6 +25,9 @@ struct RadiatingBody {
 /// lie, so that a blow on their axis is heard differently on both sides.
 std::vector<Eigen::Vector3d> stereoDirections();
 
+/// Those, then 26 all around: along the axes and halfway between two and three of them.
+std::vector<Eigen::Vector3d> directionsAllAround();
+
 /// 1/16 to 16 in steps of half an octave.
 std::vector<double> halfOctaveRatios();
 

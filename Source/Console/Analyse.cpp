@@ -30,6 +30,7 @@ struct Options {
     int elementBudget = AnalysisSettings{}.elementBudget;
     std::optional<std::string> unit;
     bool largestPart = false;
+    bool allAround = false;
     bool json = false;
 };
 
@@ -41,15 +42,16 @@ Result<AnalysisSettings> settingsFrom(const Options& options) {
     if (!method && options.method != "auto")
         return failure("--method " + options.method +
                        ": it is none of auto, fem, two-layer, spring-mass and van-gelder");
-    return AnalysisSettings{.name =
-                                options.name.empty() ? options.mesh.stem().string() : options.name,
-                            .source = options.mesh.filename().string(),
-                            .material = *material,
-                            .method = method,
-                            .thicknessMetres = options.thicknessMetres,
-                            .maxFrequencyHz = options.maxFrequencyHz,
-                            .elementBudget = options.elementBudget,
-                            .largestComponentOnly = options.largestPart};
+    return AnalysisSettings{
+        .name = options.name.empty() ? options.mesh.stem().string() : options.name,
+        .source = options.mesh.filename().string(),
+        .material = *material,
+        .method = method,
+        .thicknessMetres = options.thicknessMetres,
+        .maxFrequencyHz = options.maxFrequencyHz,
+        .elementBudget = options.elementBudget,
+        .largestComponentOnly = options.largestPart,
+        .listeningDirections = options.allAround ? directionsAllAround() : stereoDirections()};
 }
 
 /// The unit asked for, or a guess, which is worth a sentence where it is not metres.
@@ -157,6 +159,9 @@ void addAnalyse(CLI::App& program, Action& chosen) {
                         "Of the mesh file: m, cm, mm, in or ft; else guessed from its size");
     command->add_flag("--largest-part", options->largestPart,
                       "Leaves all but the largest connected part out");
+    command->add_flag("--all-around", options->allAround,
+                      "Finds what is heard of it all around, for what turns in scenes, and not "
+                      "only from the front");
     command->add_flag("--json", options->json, "Reports as JSON");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return analyseAndWrite(*options); }; });

@@ -46,6 +46,17 @@ void RadiationTable::weightsAt(std::size_t direction,
         modeWeights[mode] = from[mode] + share * (to[mode] - from[mode]);
 }
 
+std::optional<std::size_t>
+RadiationTable::directionTowards(const std::array<float, 3>& listener) const noexcept {
+    if (directions.size() <= 2)
+        return std::nullopt;
+    const auto cosine = [&](const std::array<float, 3>& direction) {
+        return direction[0] * listener[0] + direction[1] * listener[1] + direction[2] * listener[2];
+    };
+    const auto nearest = std::ranges::max_element(directions, {}, cosine);
+    return static_cast<std::size_t>(nearest - directions.begin());
+}
+
 std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
     const auto directions = table.directions.size(), ratios = table.frequencyRatios.size();
     if (directions == 0 && ratios == 0 && table.weights.empty())

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,9 +18,10 @@ namespace idiophone {
 /// frequency now / reference) · (size now / reference), which a uniformly scaled copy of the same
 /// material leaves at 1. Weights scale like shapes, with 1/√mass.
 struct RadiationTable {
-    std::vector<std::array<float, 3>> directions; ///< [D] unit, object to listener; left, right
-    std::vector<double> frequencyRatios;          ///< [K] > 0, ascending
-    std::vector<float> weights;                   ///< [D,K,M] signed, in 1/√kg
+    std::vector<std::array<float, 3>>
+        directions;                      ///< [D] unit, object to listener; left, right, more
+    std::vector<double> frequencyRatios; ///< [K] > 0, ascending
+    std::vector<float> weights;          ///< [D,K,M] signed, in 1/√kg
 
     bool empty() const noexcept { return weights.empty(); }
 
@@ -35,6 +37,11 @@ struct RadiationTable {
                    double frequencyRatio,
                    std::size_t firstMode,
                    std::span<float> modeWeights) const noexcept;
+
+    /// The direction nearest to one (of any length) in which a listener is, in the coordinates of
+    /// the mesh; none where the table has but two, left and right of the front. Audio thread.
+    std::optional<std::size_t>
+    directionTowards(const std::array<float, 3>& listener) const noexcept;
 
     bool operator==(const RadiationTable&) const = default;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -182,6 +183,29 @@ void SceneRun::follow() {
             slotPlaces[slot] = rigid.centre(one.body);
             slotPoses[slot] = rigid.motion(one.body).pose;
         }
+    for (std::size_t k = 0; k < heardTouches.size(); ++k) {
+        const auto before = std::exchange(heardTouches[k], tracker.states()[k]);
+        auto& now = heardTouches[k];
+        for (std::size_t side = 0; side < now.slots.size() && now.pair != 0; ++side) {
+            auto& from = now.points[side].point.heardFrom;
+            const auto slot = now.slots[side];
+            if (slot != noSlot && slotPoses[slot])
+                from = heardFrom(slot, *slotPoses[slot], slotPlaces[slot]);
+            else if (before.pair == now.pair) // taken away: it fades where it was
+                from = before.points[side].point.heardFrom;
+        }
+    }
+}
+
+/// The side of a slot's object that it turns to the listener: see StrikePoint::heardFrom.
+std::int32_t SceneRun::heardFrom(std::size_t slot,
+                                 const Eigen::Isometry3d& pose,
+                                 const Eigen::Vector3d& centre) const {
+    const Eigen::Vector3f own =
+        (pose.linear().transpose() * (scene.listener.positionMetres - centre)).cast<float>();
+    const auto nearest =
+        allSlots[slot].object->radiation.directionTowards({own.x(), own.y(), own.z()});
+    return nearest ? static_cast<std::int32_t>(*nearest) : -1;
 }
 
 void SceneRun::step() {
@@ -281,6 +305,8 @@ void SceneRun::tell(const Impact& impact) {
                    .strike = {.point = role.surface->nearest({own.x(), own.y(), own.z()}),
                               .durationSeconds = impact.contactSeconds},
                    .pointMetres = own};
+    blow.strike.point.heardFrom =
+        heardFrom(blow.slot, rigid.motion(impact.body).pose, rigid.centre(impact.body));
     for (int axis = 0; axis < 3; ++axis)
         blow.strike.impulseNewtonSeconds[static_cast<std::size_t>(axis)] =
             static_cast<float>(impact.impulseNewtonSeconds(axis));

@@ -61,9 +61,7 @@ public:
     /// The next blow before a time, in order of time, or none.
     std::optional<SceneBlow> takeBlow(double beforeSeconds);
     /// What slides and rolls, as of the last step.
-    std::span<const TouchState, TouchTracker::voiceCount> touches() const {
-        return tracker.states();
-    }
+    std::span<const TouchState, TouchTracker::voiceCount> touches() const { return heardTouches; }
 
     /// Where each slot's body is, or was last.
     std::span<const Eigen::Vector3d> places() const { return slotPlaces; }
@@ -104,6 +102,8 @@ private:
     void takeAway(double now);
     void tell(const Impact& impact);
     void follow();
+    std::int32_t
+    heardFrom(std::size_t slot, const Eigen::Isometry3d& pose, const Eigen::Vector3d& centre) const;
 
     std::shared_ptr<const SceneCast> cast;
     const Scene& scene;
@@ -127,6 +127,7 @@ private:
     std::vector<Eigen::Vector3d> slotPlaces;
     std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;
+    std::array<TouchState, TouchTracker::voiceCount> heardTouches; ///< with where they are heard
     std::optional<RecordedHand> hand;
     std::size_t handBody = 0;
     std::vector<Touch> touchesWithHand;

@@ -22,7 +22,8 @@ double radiationScale(const ModalObject& object) {
             meanSquares[k / 3] += static_cast<double>(shapes[k]) * static_cast<double>(shapes[k]) /
                                   static_cast<double>(object.shapeVertexCount());
     }
-    const std::size_t directions = object.radiation.directions.size();
+    // Those of the channels, whatever others there are for listeners elsewhere.
+    const std::size_t directions = std::min<std::size_t>(object.radiation.directions.size(), 2);
     std::vector<float> weights(modes);
     double near = 0;
     double far = 0;

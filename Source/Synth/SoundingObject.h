@@ -172,7 +172,7 @@ private:
     void mergeResidues(std::size_t channel) noexcept;
     void findLost() noexcept;
     void widen(double listening) noexcept;
-    void findRadiation() noexcept;
+    void findRadiation(std::int32_t heardFrom) noexcept;
     void computeForced(const Contact& contact) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
     void admitWanted(std::int32_t allowance) noexcept;
@@ -244,9 +244,10 @@ private:
     double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
     double radiation = 0;     ///< 0 heard where struck, 1 from afar
     /// Frequency times size over the reference's: where the radiation table is to be read, and
-    /// where it was.
+    /// where and for which `StrikePoint::heardFrom` it was.
     double wantedRadiationRatio = 1;
     double radiationRatio = 0;
+    std::int32_t radiationHeardFrom = -1;
     double compression = 1;
     double tauVelocity = 0; ///< τ in m/s, at least the floor where states are flushed
     double damping = 0;     ///< δ

@@ -18,7 +18,7 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
     const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
     const auto far = static_cast<float>(weightScale * contact.gainRatio * contact.listening);
     if (far > 0)
-        findRadiation();
+        findRadiation(struck.heardFrom);
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         if (far > 0)
             for (std::size_t i = 0; i < object->modeCount(); ++i)
@@ -66,18 +66,27 @@ void SoundingObject::findLost() noexcept {
     }
 }
 
-/// Reads the table where frequencies or size moved. One channel hears the mean of the directions.
-void SoundingObject::findRadiation() noexcept {
-    if (radiationRatio == wantedRadiationRatio)
+/// Reads the table where frequencies, size or the direction changed. One channel hears the mean of
+/// its own directions.
+void SoundingObject::findRadiation(std::int32_t heardFrom) noexcept {
+    if (radiationRatio == wantedRadiationRatio && radiationHeardFrom == heardFrom)
         return;
     radiationRatio = wantedRadiationRatio;
-    const std::size_t directions = std::min(object->radiation.directions.size(), mostChannels);
-    for (std::size_t c = 0; c < mostChannels; ++c)
-        object->radiation.weightsAt(std::min(c, directions - 1), radiationRatio,
-                                    radiationWeights[c]);
+    radiationHeardFrom = heardFrom;
+    const RadiationTable& table = object->radiation;
+    auto& [first, second] = radiationWeights;
+    if (heardFrom >= 0) {
+        table.weightsAt(static_cast<std::size_t>(heardFrom), radiationRatio, first);
+        if (outputChannels > 1)
+            std::ranges::copy(first, second.begin());
+        return;
+    }
+    table.weightsAt(0, radiationRatio, first);
+    table.weightsAt(std::min<std::size_t>(table.directions.size(), mostChannels) - 1,
+                    radiationRatio, second);
     if (outputChannels == 1)
-        for (std::size_t i = 0; i < radiationWeights[0].size(); ++i)
-            radiationWeights[0][i] = (radiationWeights[0][i] + radiationWeights[1][i]) / 2;
+        std::ranges::transform(first, second, first.begin(),
+                               [](float l, float r) { return (l + r) / 2; });
 }
 
 } // namespace idiophone

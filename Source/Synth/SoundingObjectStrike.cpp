@@ -28,6 +28,9 @@ bool SoundingObject::valid(const StrikePoint& point) const noexcept {
         if (point.weights[k] != 0 && (row < 0 || row >= rows))
             return false;
     }
+    const auto directions = static_cast<std::int64_t>(object->radiation.directions.size());
+    if (point.heardFrom < -1 || point.heardFrom >= directions)
+        return false;
     return object->modeCount() > 0 && allFinite(point.weights) && allFinite(point.normal);
 }
 

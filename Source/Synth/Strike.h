@@ -15,6 +15,9 @@ struct StrikePoint {
     std::array<std::int32_t, mostShapeRows> shapeRows{}; ///< rows of ModalObject::shapeVertices
     std::array<float, mostShapeRows> weights{1}; ///< sum to 1; rows of weight 0 are not read
     std::array<float, 3> normal{0, 0, 1};        ///< unit outward normal
+    /// From where a blow here is heard from afar: a direction of the object's RadiationTable for
+    /// all channels, or −1: each channel's own.
+    std::int32_t heardFrom = -1;
 
     bool operator==(const StrikePoint&) const = default;
 };

@@ -239,6 +239,33 @@ TEST_CASE("Listening from elsewhere than the centre changes no weight but all si
     }
 }
 
+TEST_CASE(
+    "All around, no direction is further away than 30 degrees, and the first two are the pair") {
+    const auto directions = directionsAllAround();
+    CHECK(directions[0] == stereoDirections()[0]);
+    CHECK(directions[1] == stereoDirections()[1]);
+    const Mesh sphere = icosphereMesh(1, 4);
+    for (const auto& listener : sphere.vertices.rowwise()) {
+        double nearest = 0;
+        for (const auto& direction : directions) {
+            CHECK_THAT(direction.norm(), WithinAbs(1, 1e-12));
+            nearest = std::max(nearest, direction.dot(listener.transpose()));
+        }
+        CHECK(nearest > std::cos(30 * std::numbers::pi / 180));
+    }
+}
+
+TEST_CASE("What moves to and fro is silent from the side, all around it") {
+    const auto body = sphere([](const auto& normal) { return normal.z() * normal; });
+    const auto table = body.radiation({directionsAllAround(), {0.5}});
+    const std::array<float, 3> above{0, 0, 2}, below{0, 0, -1}, beside{5, 0, 0};
+    const auto at = [&](const auto& listener) {
+        return std::abs(weight(table, *table.directionTowards(listener), 0, 0));
+    };
+    CHECK_THAT(at(above), WithinRel(at(below), 1e-3));
+    CHECK(at(beside) < 1e-3 * at(above));
+}
+
 TEST_CASE("A bar's fundamental is audible though its two faces displace no volume between them") {
     const auto bar = analysed(sheetMesh(0.385, 0.04, 929), 0.02, 3000);
     const auto bending = bendingModes(bar);

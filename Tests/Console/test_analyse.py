@@ -33,6 +33,13 @@ class Analyse(ConsoleTest):
                 self.assertGreater(lowest[5] / lowest[0] - 1, 1e-3)
                 self.assertLess(info["modes_after_compression"], info["mode_count"])
 
+    def test_an_object_may_be_heard_from_all_around(self):
+        sphere = self.mesh("icosphere", "--radius", 0.1, "--vertices", 162)
+        _, front = self.analyse(sphere)
+        _, all_around = self.analyse(sphere, "--all-around")
+        self.assertEqual(front["radiation_directions"], 2)
+        self.assertEqual(all_around["radiation_directions"], 28)
+
     def test_flat_faces_under_the_published_method_are_warned_of(self):
         box = self.mesh("box", "--vertices", 200)
         report, _ = self.analyse(box, "--method", "spring-mass")

@@ -102,3 +102,15 @@ TEST_CASE("The weights from a mode on are those of all modes from there on") {
         CHECK(one[0] == at(1, ratio)[1]);
     }
 }
+
+TEST_CASE(
+    "A listener is found in the nearest direction, where there are more than left and right") {
+    RadiationTable table;
+    table.directions = {{1, 0, 0}, {0, 1, 0}};
+    CHECK_FALSE(table.directionTowards({0, 0, 1}));
+    table.directions.push_back({0, 0, 1});
+    table.directions.push_back({0, 0, -1});
+    CHECK(table.directionTowards({0.3f, -0.2f, 0.4f}) == 2u);
+    CHECK(table.directionTowards({3, 2, -2}) == 0u);
+    CHECK(table.directionTowards({0, -1, -2}) == 3u);
+}

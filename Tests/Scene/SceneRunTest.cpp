@@ -69,6 +69,36 @@ TEST_CASE("Every note's die hits its bar within 2 ms of the score") {
     CHECK(motion.finished());
 }
 
+TEST_CASE("What turns is heard from the side that it turns to the listener") {
+    const auto cast = factoryCast("Cylinder off a table");
+    const auto listener = cast->scene().listener.positionMetres;
+    SceneRun motion(cast);
+    std::map<std::int32_t, int> sides;
+    const auto check = [&](std::size_t slot, const StrikePoint& point) {
+        const auto& object = *motion.slots()[slot].object;
+        if (object.name != "cylinder") {
+            CHECK(point.heardFrom == -1);
+            return;
+        }
+        REQUIRE(point.heardFrom >= 0);
+        const auto& side = object.radiation.directions[static_cast<std::size_t>(point.heardFrom)];
+        const Eigen::Vector3d towards =
+            motion.pose(slot)->linear() * Eigen::Vector3d(side[0], side[1], side[2]);
+        const Eigen::Vector3d there = (listener - motion.places()[slot]).normalized();
+        CHECK(towards.dot(there) > std::cos(33 * std::numbers::pi / 180));
+        ++sides[point.heardFrom];
+    };
+    for (double seconds = 0; seconds < 3; seconds += 0.001) {
+        for (const auto& blow : blowsUntil(motion, seconds))
+            check(blow.slot, blow.strike.point);
+        for (const auto& touch : motion.touches())
+            for (std::size_t end = 0; end < 2; ++end)
+                if (touch.forceNewtons > 0 && touch.slots[end] != noSlot)
+                    check(touch.slots[end], touch.points[end].point);
+    }
+    CHECK(sides.size() >= 4);
+}
+
 TEST_CASE("A die falls from so high that its blow grows with the velocity") {
     const auto cast = factoryCast("Dice on a xylophone");
     double before = 0;

@@ -20,6 +20,14 @@ ModalObject radiatingObject() {
     return object;
 }
 
+constexpr std::array thirdWeights{0.0f, 0.0f, 0.0f, -0.07f, 0.02f, 0.05f, 0.3f, 0.3f, 0.3f};
+
+void addThirdDirection(ModalObject& object) {
+    object.radiation.directions.push_back({0, 0, 1});
+    object.radiation.weights.insert(object.radiation.weights.end(), thirdWeights.begin(),
+                                    thirdWeights.end());
+}
+
 struct Stereo {
     std::vector<float> left, right;
 };
@@ -64,6 +72,109 @@ TEST_CASE("Each channel hears the weights of its own direction, in the share tha
         CHECK(errorDb(sound.right, [&](double n) { return reference(object, 1, share, n); }) <
               -110);
     }
+}
+
+TEST_CASE(
+    "A blow that is heard from a direction sounds so in every channel, and another one as ever") {
+    ModalObject object = radiatingObject();
+    addThirdDirection(object);
+    SynthesisSettings settings = exactSettings();
+    settings.radiation = 1;
+    for (const std::size_t channels : {1u, 2u}) {
+        Synthesiser synthesiser({slotOf(object)}, sampleRate, channels);
+        synthesiser.setSettings(settings);
+        std::vector<float> first, second;
+        for (int c = 0; c < 40; ++c) {
+            std::array<float, cellSamples> left{}, right{};
+            const CellOutput cell = channels == 1 ? CellOutput(left) : CellOutput(left, right);
+            synthesiser.beginCell(cell);
+            Strike strike = unitStrike();
+            strike.point.heardFrom = c == 0 ? 2 : 3;
+            CHECK(synthesiser.strike(0, strike, 0, cell) == (c == 0)); // there is no fourth
+            strike.point.heardFrom = -1;
+            if (c == 20)
+                synthesiser.strike(0, strike, 0, cell);
+            auto& sound = c < 20 ? first : second;
+            sound.insert(sound.end(), left.begin(), left.end());
+            if (channels == 2 && c < 20)
+                CHECK(left == right);
+        }
+        CHECK(errorDb(first, [&](double n) { return reference(object, 2, 1, n); }) < -110);
+        CHECK(errorDb(second, [&](double n) {
+                  const double own =
+                      channels == 2 ? reference(object, 0, 1, n)
+                                    : (reference(object, 0, 1, n) + reference(object, 1, 1, n)) / 2;
+                  return own + reference(object, 2, 1, n + 20 * cellSamples);
+              }) < -110);
+    }
+}
+
+TEST_CASE("Blows under way at a time are each heard from their own direction") {
+    ModalObject object = radiatingObject();
+    addThirdDirection(object);
+    const auto played = [&](bool first, bool second) {
+        Synthesiser synthesiser({slotOf(object)}, sampleRate, 1);
+        SynthesisSettings settings = exactSettings();
+        settings.radiation = 1;
+        std::vector<float> sound;
+        for (int c = 0; c < 30; ++c) {
+            std::array<float, cellSamples> cell{};
+            settings.frequencyRatio = c < 6 ? 1 : 1.01; // contacts move with their poles
+            synthesiser.setSettings(settings);
+            synthesiser.beginCell(CellOutput(cell));
+            Strike strike = unitStrike(0.012);
+            strike.point.heardFrom = c == 1 ? 2 : 0;
+            if ((c == 1 && first) || (c == 3 && second))
+                synthesiser.strike(0, strike, 5, CellOutput(cell));
+            sound.insert(sound.end(), cell.begin(), cell.end());
+        }
+        return sound;
+    };
+    const auto both = played(true, true), one = played(true, false), other = played(false, true);
+    double worst = 0, peak = 0;
+    for (std::size_t n = 0; n < both.size(); ++n) {
+        worst = std::max(worst, std::abs(double(both[n]) - double(one[n]) - double(other[n])));
+        peak = std::max(peak, std::abs(double(both[n])));
+    }
+    CHECK(worst < 1e-5 * peak);
+    CHECK(peak > 0);
+}
+
+TEST_CASE("A force that is heard from a direction sounds as that direction does") {
+    ModalObject all = radiatingObject(), alone = radiatingObject();
+    addThirdDirection(all);
+    alone.radiation.weights.assign(thirdWeights.begin(), thirdWeights.end());
+    alone.radiation.weights.insert(alone.radiation.weights.end(), thirdWeights.begin(),
+                                   thirdWeights.end());
+    const auto pressed = [](const ModalObject& object, std::int32_t heardFrom) {
+        Synthesiser synthesiser({slotOf(object)}, sampleRate, 1);
+        SynthesisSettings settings = exactSettings();
+        settings.radiation = 1;
+        synthesiser.setSettings(settings);
+        std::vector<float> sound;
+        for (int c = 0; c < 20; ++c) {
+            std::array<float, cellSamples> cell{}, newtons{};
+            for (std::size_t i = 0; i < cellSamples; ++i)
+                newtons[i] = static_cast<float>((c * 64 + static_cast<int>(i)) * 7919 % 101) / 101;
+            synthesiser.beginCell(CellOutput(cell));
+            ForcePlace place;
+            place.points[0].point.heardFrom = heardFrom;
+            CHECK(synthesiser.applyForce(
+                0, {.contact = 0, .start = place, .end = place, .newtons = newtons},
+                CellOutput(cell)));
+            sound.insert(sound.end(), cell.begin(), cell.end());
+        }
+        return sound;
+    };
+    const auto found = pressed(all, 2), expected = pressed(alone, -1), own = pressed(all, -1);
+    const double ratio = radiationScale(all) / radiationScale(alone);
+    double worst = 0, peak = 0;
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        worst = std::max(worst, std::abs(double(found[n]) - ratio * double(expected[n])));
+        peak = std::max(peak, std::abs(double(found[n])));
+    }
+    CHECK(worst < 1e-5 * peak);
+    CHECK(found != own);
 }
 
 TEST_CASE("Heard where it is struck, an object sounds the same in both channels as in one") {
