@@ -26,6 +26,7 @@ void addToneMap(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
 void addBench(CLI::App& program, Action& chosen);
 void addMaterials(CLI::App& program, Action& chosen);
+void addSofaTable(CLI::App& program, Action& chosen); ///< for SofaHead, not listed
 void addLists(CLI::App& program, Action& chosen); ///< presets, parameters, scenes
 
 } // namespace idiophone

@@ -2,6 +2,7 @@
 #include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/SceneRender.h"
+#include "Console/SofaHead.h"
 #include "Instrument/ImpulseLine.h"
 #include "Object/TextFile.h"
 #include "Scene/FactoryScenes.h"
@@ -21,6 +22,7 @@ struct Options {
     RecordingFormat format;
     std::filesystem::path statistics;
     std::filesystem::path impulses;
+    std::filesystem::path head;
     bool json = false;
 };
 
@@ -135,10 +137,17 @@ Result<void> perform(const Options& options) {
     const auto cast = SceneCast::make(std::move(*scene), ObjectLibrary::shared());
     if (!cast)
         return tl::unexpected(cast.error());
+    std::shared_ptr<const HeadResponses> head;
+    if (!options.head.empty()) {
+        auto read = readSofaHead(options.head, options.format.sampleRateHz);
+        if (!read)
+            return tl::unexpected(read.error());
+        head = std::move(*read);
+    }
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally = renderScene(*cast, song, values, options.format, **recording);
+    const auto tally = renderScene(*cast, head, song, values, options.format, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())
@@ -157,6 +166,8 @@ void addScene(CLI::App& program, Action& chosen) {
         ->required();
     command->add_option("--midi", options->midi,
                         "A Standard MIDI File whose notes drop what the scene drops");
+    command->add_option("--head", options->head,
+                        "A SOFA file of a measured head to hear it with, instead of a sphere");
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
     command->add_option("--stats", options->statistics,

@@ -22,11 +22,12 @@ std::vector<SceneNote> notesOf(std::span<const SongEvent> song) {
 class ScenePerformance {
 public:
     ScenePerformance(const std::shared_ptr<const SceneCast>& cast,
+                     const std::shared_ptr<const HeadResponses>& head,
                      std::span<const SongEvent> song,
                      const ParameterValues& parameters,
                      double sampleRateHz)
         : motion(cast, {.notes = notesOf(song)}),
-          sound(*cast, motion.slots(), sampleRateHz, cast->scene().seed) {
+          sound(*cast, motion.slots(), sampleRateHz, cast->scene().seed, head) {
         sound.setSettings(synthesisSettings(parameters));
         tally.notesLeftOut = motion.figures().notesLeftOut;
     }
@@ -80,6 +81,7 @@ private:
 } // namespace
 
 Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
+                               const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
                                const ParameterValues& parameters,
                                const RecordingFormat& format,
@@ -87,7 +89,7 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
     const double rate = format.sampleRateHz;
     const double lastSeconds =
         std::max(cast->scene().seconds, song.empty() ? 0 : song.back().seconds);
-    ScenePerformance performance(cast, song, parameters, rate);
+    ScenePerformance performance(cast, head, song, parameters, rate);
     if (auto done =
             renderTo(recording, format,
                      {.name = cast->scene().name,

@@ -3,6 +3,7 @@
 
 #include "Console/MidiSong.h"
 #include "Console/Recording.h"
+#include "Scene/HeadResponses.h"
 #include "Scene/SceneRun.h"
 
 #include <cstdint>
@@ -32,8 +33,10 @@ struct SceneTally {
 
 inline constexpr double sceneFrameSeconds = 0.01;
 
-/// Renders up to the length of the format, or else to silence after all has come to an end.
+/// Renders up to the length of the format, or else to silence after all has come to an end. `head`:
+/// the listener's, measured, at the format's rate; none: a sphere.
 Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
+                               const std::shared_ptr<const HeadResponses>& head,
                                std::span<const SongEvent> song,
                                const ParameterValues& parameters,
                                const RecordingFormat& format,

@@ -29,8 +29,16 @@ double highFrequencyGain(double incidence) {
 
 } // namespace
 
-double headCornerHz() {
-    return 1 / headSeconds / (2 * pi);
+HeadShadow headShadow(double highFrequencyGain, double sampleRateHz) {
+    const double warped = sampleRateHz * headSeconds;
+    return {.direct = (1 + highFrequencyGain * warped) / (1 + warped),
+            .previous = (1 - highFrequencyGain * warped) / (1 + warped),
+            .feedback = (1 - warped) / (1 + warped)};
+}
+
+double HeadShadow::energy() const {
+    return (direct * direct + previous * previous - 2 * feedback * direct * previous) /
+           (1 - feedback * feedback);
 }
 
 HeadModel::HeadModel(const Listener& listener) : position(listener.positionMetres) {
@@ -39,6 +47,7 @@ HeadModel::HeadModel(const Listener& listener) : position(listener.positionMetre
     if (ahead.norm() < 1e-9) // it looks straight up or down
         ahead = Eigen::Vector3d::UnitY();
     ahead.normalize();
+    axes << ahead, Eigen::Vector3d::UnitZ().cross(ahead), Eigen::Vector3d::UnitZ();
     for (std::size_t ear = 0; ear < 2; ++ear) {
         const double turn = (ear == 0 ? 1 : -1) * earDegrees * pi / 180;
         ears[ear] = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * ahead;
@@ -48,8 +57,10 @@ HeadModel::HeadModel(const Listener& listener) : position(listener.positionMetre
 HeardPath HeadModel::path(const Eigen::Vector3d& placeMetres) const {
     const Eigen::Vector3d way = placeMetres - position;
     const double metres = std::max(way.norm(), nearestMetres);
-    HeardPath path{
-        .ears = {}, .gain = 1 / metres, .airGain = std::pow(10, -airDecibelsAMetre * metres / 20)};
+    HeardPath path{.ears = {},
+                   .direction = axes.transpose() * way,
+                   .gain = 1 / metres,
+                   .airGain = std::pow(10, -airDecibelsAMetre * metres / 20)};
     for (std::size_t ear = 0; ear < 2; ++ear) {
         const double incidence = std::acos(std::clamp(way.dot(ears[ear]) / metres, -1.0, 1.0));
         path.ears[ear] = {.delaySeconds = delaySeconds(incidence),

@@ -19,14 +19,22 @@ struct EarPath {
 
 /// From a place to the listener.
 struct HeardPath {
-    std::array<EarPath, 2> ears; ///< left and right
-    double gain = 0;             ///< 1 at a metre, ∝ 1/distance
+    std::array<EarPath, 2> ears;                          ///< of a sphere, left and right
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); ///< ahead, left and up of the head
+    double gain = 0;                                      ///< 1 at a metre, ∝ 1/distance
     /// What the air leaves of 10 kHz: at 20 °C and 50 % it takes 0.16 dB a metre (ISO 9613-1).
     double airGain = 1;
 };
 
-/// ω₀/(2π) of the shadow: 0.62 kHz for a head of radius 87.5 mm.
-double headCornerHz();
+/// The shadow at a sample rate: y = direct x + previous x₁ − feedback y₁.
+struct HeadShadow {
+    double direct = 1, previous = 0, feedback = 0;
+
+    double energy() const; ///< of its impulse response
+};
+
+/// By the bilinear transform; ω₀ is 0.62 kHz for a head of radius 87.5 mm.
+HeadShadow headShadow(double highFrequencyGain, double sampleRateHz);
 
 /// The head turns towards where the listener looks, and stands upright. Not closer
 /// than `nearestMetres`.
@@ -41,6 +49,7 @@ public:
 
 private:
     Eigen::Vector3d position;
+    Eigen::Matrix3d axes;                ///< columns: ahead, left, up
     std::array<Eigen::Vector3d, 2> ears; ///< unit, from the middle of the head
 };
 

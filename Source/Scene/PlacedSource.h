@@ -1,10 +1,9 @@
-// One body's sound on its way to two ears, while the body moves.
+// One body's sound on its way through the air to two ears, while the body moves.
 #pragma once
 
 #include "Scene/HeadModel.h"
 #include "Synth/CellOutput.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace idiophone {
 /// Constructed off the audio thread; the rest neither allocates, locks nor throws.
 class PlacedSource {
 public:
-    explicit PlacedSource(double sampleRateHz);
+    virtual ~PlacedSource() = default;
 
     /// Adds a cell of its sound to the ears, as the path goes evenly from where it was to this one
     /// at its end; the first cell after silence begins with it.
@@ -26,35 +25,28 @@ public:
     /// Nothing of what was added is still on its way.
     bool silent() const noexcept { return quietSamples >= lineSize; }
 
-private:
-    /// A delay as the cubic of Lagrange through four samples.
-    struct Delay {
-        std::size_t samples = 0; ///< to the first of the four
-        std::array<float, 4> weights{};
-    };
-    /// y = b₀ x + b₁ x₁ − a₁ y₁ of what is delayed.
-    struct Ear {
-        Delay delay;
-        float direct = 0, previous = 0;
-    };
-    struct Memory {
-        float input = 0, output = 0;
-    };
+protected:
+    /// `samplesOnTheWay`: after which what was added has been heard.
+    PlacedSource(double sampleRateHz, std::size_t samplesOnTheWay);
 
-    Ear earOf(const EarPath& path, double gain) const noexcept;
+    /// The sound as many samples, at most `samplesOnTheWay`, before the cell added last; from there
+    /// on it is in one piece up to that cell's end, two cells of it at most.
+    const float* cellBefore(std::size_t samples) const noexcept;
+
+private:
     void takeIn(std::span<const float, cellSamples> sound, float pole) noexcept;
-    void delayed(const Delay& delay, std::span<float, cellSamples> to) const noexcept;
+    /// From the path it had to this one; `isFirst`: it had none.
+    virtual void hear(const HeardPath& path, bool isFirst, const CellOutput& ears) noexcept = 0;
+    /// Nothing is on its way.
+    virtual void forget() noexcept = 0;
 
     double rateHz;
-    float feedback;          ///< a₁
-    std::vector<float> line; ///< a ring of a power of two, and its first samples again behind it
     std::size_t lineSize;
+    std::vector<float> line;  ///< a ring of a power of two, and its first samples again behind it
     std::size_t position = 0; ///< of the next sample in the ring
     std::size_t quietSamples;
     bool isPlaced = false;
     float airPole = 0, air = 0;
-    std::array<Ear, 2> ears;
-    std::array<Memory, 2> memories;
 };
 
 } // namespace idiophone

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "Scene/HeadModel.h"
+#include "Scene/HeadResponses.h"
 #include "Scene/PlacedSource.h"
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,7 +16,11 @@ namespace idiophone {
 /// throws.
 class SceneEars {
 public:
-    SceneEars(const Listener& listener, std::size_t slots, double sampleRateHz);
+    /// `measured`: the listener's head at that rate; none: a sphere.
+    SceneEars(const Listener& listener,
+              const std::shared_ptr<const HeadResponses>& measured,
+              std::size_t slots,
+              double sampleRateHz);
 
     /// A cell of every slot (of its first channel) to both ears, with each slot at its place in
     /// metres by its end.
@@ -29,7 +35,7 @@ public:
 
 private:
     HeadModel head;
-    std::vector<PlacedSource> sources; ///< of the slots
+    std::vector<std::unique_ptr<PlacedSource>> sources; ///< of the slots
 };
 
 } // namespace idiophone

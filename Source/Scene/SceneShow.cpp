@@ -20,7 +20,7 @@ SceneShow::SceneShow(const SceneStage& playedStage, double sampleRateHz, std::ui
       firstSeed(stage.cast()->scene().seed + static_cast<std::uint32_t>(seed - 1)),
       worker(stage, sampleRateHz), acts(stage.actCount()),
       voices(*stage.cast(), sampleRateHz, seed),
-      ears(stage.cast()->scene().listener, stage.slots().size(), sampleRateHz),
+      ears(stage.cast()->scene().listener, nullptr, stage.slots().size(), sampleRateHz),
       places(stage.places()), bodyPoses(stage.firstPoses().begin(), stage.firstPoses().end()),
       ownNumber(nextNumber()) {
     recentBlows.reserve(blowCapacity);

@@ -8,9 +8,10 @@ namespace idiophone {
 SceneSound::SceneSound(const SceneCast& cast,
                        std::vector<SynthesiserSlot> slots,
                        double sampleRateHz,
-                       std::uint64_t seed)
+                       std::uint64_t seed,
+                       const std::shared_ptr<const HeadResponses>& head)
     : synth(std::move(slots), sampleRateHz, 1),
-      ears(cast.scene().listener, synth.slotCount(), sampleRateHz),
+      ears(cast.scene().listener, head, synth.slotCount(), sampleRateHz),
       voices(cast, sampleRateHz, seed), samples(synth.slotCount() * cellSamples),
       cellSeconds(cellSamples / sampleRateHz), startSeconds(-cellSeconds) {
     for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)

@@ -17,10 +17,12 @@ namespace idiophone {
 /// throws.
 class SceneSound {
 public:
+    /// `head`: the listener's, measured, at that rate; none: a sphere.
     SceneSound(const SceneCast& cast,
                std::vector<SynthesiserSlot> slots,
                double sampleRateHz,
-               std::uint64_t seed = 1);
+               std::uint64_t seed = 1,
+               const std::shared_ptr<const HeadResponses>& head = nullptr);
 
     void setSettings(const SynthesisSettings& settings) { synth.setSettings(settings); }
 

@@ -26,13 +26,13 @@ ROOMS = {
     "Analysis": ("Geometry Object", "Eigen/ unsupported/Eigen/ igl/ tetgen.h"),
     "Instrument": ("Synth Geometry Object Parameters", "nlohmann/ Tunings.h"),
     "Scene": ("Instrument Synth Geometry Object Parameters",
-              "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h mysofa.h nlohmann/"),
+              "Eigen/ boost/lockfree/ BulletCollision/ LinearMath/ btBulletDynamicsCommon.h nlohmann/"),
     "Output": ("Parameters", "juce_dsp/"),
     "Editor": ("Parameters Object Geometry", "Eigen/ juce_ GL/ X11/"),
     "Plugin": ("Editor Output Scene Instrument Analysis Synth Geometry Parameters Object",
                "juce_ nlohmann/ libMTSClient.h"),
     "Console": ("Output Scene Instrument Analysis Synth Geometry Parameters Object",
-                "juce_ CLI/ benchmark/ hwy/ nlohmann/ ebur128.h"),
+                "juce_ CLI/ benchmark/ hwy/ nlohmann/ ebur128.h mysofa.h"),
 }
 
 # Headers that the build generates, each for the one room that embeds them.

@@ -1,10 +1,12 @@
 import cmath
 import json
 import math
+import pathlib
 import statistics
 
 from console import OBJECTS, ConsoleTest, Wave
 
+HEADS = pathlib.Path(__file__).parent / "Heads"
 BALL = {
     "format": "idiophone-scene", "version": 1, "name": "Ball on a plate", "seconds": 1,
     "kinds": [{"name": "plate", "object": "plate", "fixed": True},
@@ -53,6 +55,32 @@ class Scenes(ConsoleTest):
         self.assertEqual(sum(report["impacts_of_frame"]), report["impacts"])
         self.assertGreater(max(report["modes_mixed"]), 50)
         self.assertGreater(report["audio_frames_per_second"], 0)
+
+    def test_a_measured_sphere_sounds_as_the_sphere_does(self):
+        # The ball is left of the listener, who looks along y.
+        scene = self.scene(listener={"at": [0.4, -0.2, 0.0], "towards": [0.4, 1, 0.0]})
+        for rate in (48000, 44100):
+            report, sphere = self.perform(scene, "--sample-rate", rate)
+            measured_report, measured = self.perform(scene, "--sample-rate", rate,
+                                                     "--head", HEADS / "sphere.sofa")
+            self.assertEqual(report["impacts"], measured_report["impacts"])
+            self.assertAlmostEqual(report["integrated_lufs"], measured_report["integrated_lufs"],
+                                   delta=1.0)
+            for one, other in zip(sphere.channels, measured.channels):
+                energies = [sum(x * x for x in side) for side in (one, other)]
+                self.assertLess(abs(10 * math.log10(energies[1] / energies[0])), 1.5)
+            onsets = [next(i for i, x in enumerate(side) if abs(x) > 0.05)
+                      for side in measured.channels]
+            self.assertGreater(onsets[1] - onsets[0], 0.0003 * rate)
+
+    def test_what_is_no_head_is_refused_with_a_sentence(self):
+        scene = self.scene()
+        no_head = self.write("-text.sofa", "RIFF and so on")
+        for name, sentence in ((HEADS / "endless.sofa", "damaged"),
+                               (no_head, "it is no SOFA file"),
+                               (self.folder / "nowhere.sofa", "cannot be opened")):
+            self.refuse("scene", scene, "-o", self.folder / "none.wav", "--head", name,
+                        naming=name, saying=sentence)
 
     def test_the_same_scene_is_the_same_file(self):
         file = self.scene()

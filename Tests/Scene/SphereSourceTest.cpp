@@ -1,5 +1,5 @@
 // Distance, direction and air between a body and two ears.
-#include "Scene/PlacedSource.h"
+#include "Scene/SphereSource.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -21,7 +21,7 @@ const Eigen::Vector3d ahead(0, 2, 1.5), left(-2, 0, 1.5), behind(0, -2, 1.5);
 /// What both ears hear of a tone from one place, once it has settled: amplitudes and phases.
 std::array<std::complex<double>, 2> heard(const Eigen::Vector3d& place, double frequencyHz) {
     const HeadModel head(listener);
-    PlacedSource source(rateHz);
+    SphereSource source(rateHz);
     std::array<std::complex<double>, 2> sums{};
     const double omega = 2 * std::numbers::pi * frequencyHz / rateHz;
     constexpr int cells = 60, settled = 20;
@@ -79,7 +79,7 @@ TEST_CASE("Air takes 0.16 dB a metre of 10 kHz") {
 
 TEST_CASE("A source that flies by bends no tone audibly and makes no click") {
     const HeadModel head(listener);
-    PlacedSource source(rateHz);
+    SphereSource source(rateHz);
     const double omega = 2 * std::numbers::pi * 500 / rateHz;
     double before[2] = {}, last[2] = {}, sharpest = 0;
     for (int cell = 0; cell < 750; ++cell) { // a second at 3 m/s
@@ -104,7 +104,7 @@ TEST_CASE("A source that flies by bends no tone audibly and makes no click") {
 
 TEST_CASE("A source falls silent when the last of its sound has arrived") {
     const HeadModel head(listener);
-    PlacedSource source(rateHz);
+    SphereSource source(rateHz);
     CHECK(source.silent());
     alignas(64) std::array<float, cellSamples> sound{}, l{}, r{};
     sound[0] = 1;

@@ -1,0 +1,27 @@
+// What the two ears of a measured head hear of a body.
+#pragma once
+
+#include "Scene/HeadResponses.h"
+#include "Scene/PlacedSource.h"
+
+#include <memory>
+
+namespace idiophone {
+
+/// Costs a convolution of a few milliseconds for each ear, and as much again while it moves.
+class MeasuredSource final : public PlacedSource {
+public:
+    MeasuredSource(std::shared_ptr<const HeadResponses> head, double sampleRateHz);
+
+private:
+    void hear(const HeardPath& path, bool isFirst, const CellOutput& output) noexcept override;
+    void forget() noexcept override;
+    void
+    respond(std::size_t from, std::size_t ear, std::span<float, cellSamples> to) const noexcept;
+
+    std::shared_ptr<const HeadResponses> responses;
+    std::size_t direction = 0; ///< of the responses
+    float gain = 0;
+};
+
+} // namespace idiophone

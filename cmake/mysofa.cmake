@@ -1,0 +1,21 @@
+# libmysofa 1.3: measured heads from SOFA files.
+if(TARGET idiophone_mysofa)
+    return()
+endif()
+find_path(MYSOFA_INCLUDE_DIR mysofa.h)
+find_library(MYSOFA_LIBRARY mysofa)
+add_library(idiophone_mysofa INTERFACE)
+if(MYSOFA_INCLUDE_DIR AND MYSOFA_LIBRARY)
+    target_include_directories(idiophone_mysofa SYSTEM INTERFACE "${MYSOFA_INCLUDE_DIR}")
+    target_link_libraries(idiophone_mysofa INTERFACE "${MYSOFA_LIBRARY}")
+else()
+    set(CMAKE_POLICY_DEFAULT_CMP0077 NEW) # its options take what is set here
+    set(BUILD_TESTS OFF)
+    set(BUILD_SHARED_LIBS OFF)
+    FetchContent_Declare(mysofa
+        GIT_REPOSITORY https://github.com/hoene/libmysofa.git
+        GIT_TAG v1.3.4
+        GIT_SHALLOW ON)
+    FetchContent_MakeAvailable(mysofa)
+    target_link_libraries(idiophone_mysofa INTERFACE mysofa-static)
+endif()
