@@ -8,3 +8,4 @@ FetchContent_Declare(juce
     GIT_TAG 8.0.6
     GIT_SHALLOW ON)
 FetchContent_MakeAvailable(juce)
+set_property(DIRECTORY "${juce_SOURCE_DIR}" PROPERTY EXCLUDE_FROM_ALL TRUE) # is not installed

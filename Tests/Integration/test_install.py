@@ -1,0 +1,65 @@
+"""What `cmake --install` puts where: the plugins, the programs and what the desktop shows of them."""
+import configparser
+import re
+import shutil
+import subprocess
+import xml.etree.ElementTree as xml
+
+import pedalboard
+import pytest
+from mido import Message
+
+ID = "org.idiophone.Idiophone"
+
+
+@pytest.fixture(scope="module")
+def prefix(build, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("install") / "usr"
+    subprocess.run(["cmake", "--install", build, "--prefix", folder], check=True,
+                   capture_output=True, timeout=120)
+    return folder
+
+
+def run(program, *arguments, cwd):
+    # As a stranger's: nothing of the sources beside it, and no settings.
+    return subprocess.run([program, *map(str, arguments)], cwd=cwd, env={"HOME": str(cwd)},
+                          capture_output=True, text=True, timeout=120, check=True).stdout
+
+
+def test_nothing_of_other_projects_is_installed(prefix):
+    programs = {path.name for path in (prefix / "bin").iterdir()}
+    assert programs == {"idiophone", "idiophone-standalone"}
+    assert {path.name for path in prefix.iterdir()} == {"bin", "lib", "share"}
+    assert {path.name for path in (prefix / "lib").iterdir()} == {"vst3", "lv2"}
+
+
+def test_the_console_has_its_presets_with_it(prefix, songs, tmp_path):
+    console = prefix / "bin/idiophone"
+    assert "Rosewood Xylophone" in run(console, "presets", cwd=tmp_path)
+    run(console, "render", "--preset", "Rosewood Xylophone", "--midi", songs / "TheEntertainer.mid",
+        "-o", "song.wav", "--seconds", "2", cwd=tmp_path)
+    assert (tmp_path / "song.wav").stat().st_size > 48000
+
+
+def test_the_plugin_plays_from_where_it_is_installed(prefix):
+    plugin = pedalboard.load_plugin(str(prefix / "lib/vst3/Idiophone.vst3"))
+    sound = plugin([Message("note_on", note=72, velocity=100, time=0)], 0.5, 48000)
+    assert abs(sound).max() > 0.001
+    assert (prefix / "lib/lv2/Idiophone.lv2/manifest.ttl").exists()
+
+
+def test_the_desktop_knows_the_standalone(prefix):
+    entry = configparser.ConfigParser(interpolation=None)
+    entry.optionxform = str
+    entry.read(prefix / f"share/applications/{ID}.desktop")
+    entry = entry["Desktop Entry"]
+    assert (prefix / "bin" / entry["Exec"]).exists()
+    assert (prefix / f"share/icons/hicolor/scalable/apps/{entry['Icon']}.svg").exists()
+    metainfo = prefix / f"share/metainfo/{ID}.metainfo.xml"
+    about = xml.parse(metainfo).getroot()
+    assert about.findtext("id") == ID
+    version = about.find("releases/release").get("version")
+    said = subprocess.run([prefix / "bin/idiophone", "--version"], capture_output=True, text=True)
+    assert re.search(r"[\d.]+", said.stdout).group() == version
+    if appstream := shutil.which("appstreamcli"):
+        subprocess.run([appstream, "validate", "--no-net", metainfo], check=True, timeout=60)

@@ -1,0 +1,73 @@
+# What `cmake --install` puts where, and the packages that CPack makes of it.
+include(GNUInstallDirs)
+
+# Bundles are directories, whose files keep their permissions.
+function(install_bundle target destination component)
+    get_target_property(bundle ${target} JUCE_PLUGIN_ARTEFACT_FILE)
+    install(DIRECTORY "${bundle}" DESTINATION "${destination}" COMPONENT ${component}
+        USE_SOURCE_PERMISSIONS)
+endfunction()
+
+# macOS and Windows: written without such a machine at hand, and not run yet.
+if(APPLE)
+    set(audio "Library/Audio/Plug-Ins")
+    install_bundle(Idiophone_VST3 "${audio}/VST3" plugin)
+    install_bundle(Idiophone_AU "${audio}/Components" plugin)
+    install_bundle(Idiophone_LV2 "${audio}/LV2" plugin)
+    install(TARGETS Idiophone_Standalone BUNDLE DESTINATION Applications COMPONENT standalone)
+    install(TARGETS idiophone_console RUNTIME DESTINATION usr/local/bin COMPONENT console)
+elseif(WIN32)
+    install_bundle(Idiophone_VST3 "VST3" plugin)
+    install_bundle(Idiophone_LV2 "LV2" plugin)
+    install(TARGETS Idiophone_Standalone RUNTIME DESTINATION . COMPONENT standalone)
+    install(TARGETS idiophone_console RUNTIME DESTINATION console COMPONENT console)
+else()
+    # Where hosts look, which is not the folder of the architecture.
+    install_bundle(Idiophone_VST3 lib/vst3 plugin)
+    install_bundle(Idiophone_LV2 lib/lv2 plugin)
+    install(PROGRAMS "$<TARGET_FILE:Idiophone_Standalone>" DESTINATION "${CMAKE_INSTALL_BINDIR}"
+        RENAME idiophone-standalone COMPONENT standalone)
+    install(TARGETS idiophone_console RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT console)
+    set(desktop "${PROJECT_SOURCE_DIR}/Resources/Desktop/org.idiophone.Idiophone")
+    configure_file("${desktop}.metainfo.xml.in" org.idiophone.Idiophone.metainfo.xml @ONLY)
+    install(FILES "${desktop}.desktop"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/applications" COMPONENT standalone)
+    install(FILES "${desktop}.svg"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps" COMPONENT standalone)
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/org.idiophone.Idiophone.metainfo.xml"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo" COMPONENT standalone)
+    set(documents "${CMAKE_INSTALL_DATADIR}/doc/idiophone")
+    install(FILES README.md CHANGELOG.md docs/dependencies.md
+        DESTINATION "${documents}" COMPONENT console)
+    install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
+    install(FILES Resources/Songs/TheEntertainer.mid DESTINATION "${documents}/examples"
+        COMPONENT console)
+endif()
+
+set(CPACK_PACKAGE_NAME idiophone)
+set(CPACK_PACKAGE_VENDOR Idiophone)
+set(CPACK_PACKAGE_CONTACT "Idiophone <${PROJECT_HOMEPAGE_URL}>")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+if(APPLE)
+    set(CPACK_GENERATOR productbuild)
+    set(CPACK_PACKAGING_INSTALL_PREFIX /)
+elseif(WIN32)
+    set(CPACK_GENERATOR NSIS)
+    set(CPACK_NSIS_DISPLAY_NAME Idiophone)
+    set(CPACK_NSIS_ENABLE_UNINSTALL_BEFORE_INSTALL ON)
+    set(CPACK_NSIS_EXTRA_INSTALL_COMMANDS
+        "CopyFiles /SILENT '$INSTDIR\\VST3\\*' '$COMMONFILES64\\VST3'")
+    set(CPACK_NSIS_EXTRA_UNINSTALL_COMMANDS "RMDir /r '$COMMONFILES64\\VST3\\Idiophone.vst3'")
+else()
+    set(CPACK_GENERATOR DEB TGZ)
+    set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+    set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+    set(CPACK_DEBIAN_PACKAGE_SECTION sound)
+    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${CPACK_PACKAGE_CONTACT}")
+    set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "${PROJECT_HOMEPAGE_URL}")
+    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libasound2-plugins")
+endif()
+include(CPack)
