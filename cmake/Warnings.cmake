@@ -17,7 +17,9 @@ function(idiophone_room room)
     set(target idiophone_${lower})
     add_library(${target} STATIC ${arg_SOURCES})
     add_library(Idiophone::${room} ALIAS ${target})
-    target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/Source")
-    target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} idiophone_warnings)
+    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Source>")
+    target_link_libraries(${target}
+        PUBLIC ${arg_PUBLIC}
+        PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:idiophone_warnings>)
     set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ${IDIOPHONE_WARNINGS_AS_ERRORS})
 endfunction()

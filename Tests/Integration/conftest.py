@@ -9,7 +9,7 @@ from performance import PRESET, Performance
 
 
 def pytest_addoption(parser):
-    for name in ("build", "vst3", "lv2", "console", "validator", "pluginval", "songs", "ardour-lua",
+    for name in ("sources", "build", "vst3", "lv2", "console", "validator", "pluginval", "songs", "ardour-lua",
                  "ardour-scanner"):
         parser.addoption(f"--{name}", help=f"path of the {name}")
 
@@ -25,7 +25,7 @@ def path_option(name):
     return path
 
 
-build = path_option("build")
+sources, build = path_option("sources"), path_option("build")
 vst3, lv2, console = path_option("vst3"), path_option("lv2"), path_option("console")
 validator, pluginval = path_option("validator"), path_option("pluginval")
 songs = path_option("songs")

@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import xml.etree.ElementTree as xml
 
+import numpy
 import pedalboard
 import pytest
 from mido import Message
@@ -29,8 +30,9 @@ def run(program, *arguments, cwd):
 def test_nothing_of_other_projects_is_installed(prefix):
     programs = {path.name for path in (prefix / "bin").iterdir()}
     assert programs == {"idiophone", "idiophone-standalone"}
-    assert {path.name for path in prefix.iterdir()} == {"bin", "lib", "share"}
-    assert {path.name for path in (prefix / "lib").iterdir()} == {"vst3", "lv2"}
+    assert {path.name for path in prefix.iterdir()} == {"bin", "include", "lib", "share"}
+    assert {path.name for path in (prefix / "include").iterdir()} == {"idiophone"}
+    assert {path.name for path in (prefix / "lib/cmake").iterdir()} == {"Idiophone"}
 
 
 def test_the_console_has_its_presets_with_it(prefix, songs, tmp_path):
@@ -46,6 +48,29 @@ def test_the_plugin_plays_from_where_it_is_installed(prefix):
     sound = plugin([Message("note_on", note=72, velocity=100, time=0)], 0.5, 48000)
     assert abs(sound).max() > 0.001
     assert (prefix / "lib/lv2/Idiophone.lv2/manifest.ttl").exists()
+
+
+def test_a_game_loop_builds_on_the_library_and_hears_its_impacts(prefix, sources, tmp_path):
+    def cmake(*arguments):
+        result = subprocess.run(["cmake", *arguments], capture_output=True, text=True, timeout=300)
+        assert result.returncode == 0, result.stdout + result.stderr
+    cmake("-S", sources / "docs/library", "-B", tmp_path / "build",
+          f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
+    cmake("--build", tmp_path / "build")
+    sound = tmp_path / "bounce.f32"
+    subprocess.run([tmp_path / "build/game_loop", sources / "Resources/Objects/plate.modal", sound],
+                   check=True, timeout=60)
+    samples = numpy.fromfile(sound, "<f4")
+    assert abs(len(samples) - 3 * 48000) < 480
+    assert numpy.isfinite(samples).all()
+    # From 20 cm; then after 0.8 times as long as it flew twice, and so on.
+    fall = (2 * 0.2 / 9.81) ** 0.5
+    first = numpy.flatnonzero(samples)[0] / 48000
+    assert abs(first - fall) < 0.001
+    def loudness(seconds):
+        around = samples[int(48000 * seconds):][:240]
+        return abs(around).max()
+    assert loudness(fall + 0.001) > 2 * loudness(fall + 1.55 * fall)
 
 
 def test_the_desktop_knows_the_standalone(prefix):
