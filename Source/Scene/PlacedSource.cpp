@@ -40,15 +40,17 @@ const float* PlacedSource::cellBefore(std::size_t samples) const noexcept {
 }
 
 void PlacedSource::takeIn(std::span<const float, cellSamples> sound, float pole) noexcept {
+    float last = air;
     for (std::size_t i = 0; i < cellSamples; ++i) {
         const float way = static_cast<float>(i + 1) / cellSamples;
-        air += (1 - airPole - way * (pole - airPole)) * (sound[i] - air);
+        last += (1 - airPole - way * (pole - airPole)) * (sound[i] - last);
         const std::size_t place = (position + i) & (lineSize - 1);
-        line[place] = air;
+        line[place] = last;
         if (place < line.size() - lineSize)
-            line[lineSize + place] = air;
+            line[lineSize + place] = last;
         quietSamples = sound[i] == 0 ? quietSamples + 1 : 0;
     }
+    air = last;
     airPole = pole;
     position += cellSamples;
 }

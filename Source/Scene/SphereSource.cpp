@@ -47,7 +47,7 @@ void SphereSource::hear(const HeardPath& path, bool isFirst, const CellOutput& o
     for (std::size_t side = 0; side < 2; ++side) {
         const Ear to = earOf(path.ears[side], path.gain);
         const Ear from = isFirst ? to : ears[side];
-        Memory& memory = memories[side];
+        Memory memory = memories[side];
         delayed(from.delay, before);
         delayed(to.delay, after);
         for (std::size_t i = 0; i < cellSamples; ++i) {
@@ -60,6 +60,7 @@ void SphereSource::hear(const HeardPath& path, bool isFirst, const CellOutput& o
             memory = {.input = input, .output = shadowed};
             output[side][i] += shadowed;
         }
+        memories[side] = memory;
         ears[side] = to;
     }
 }
