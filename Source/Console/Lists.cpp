@@ -29,6 +29,14 @@ void printPresets() {
         std::cout << std::left << std::setw(22) << preset.name << preset.description << '\n';
 }
 
+std::string rangeOf(const ParameterInfo& info) {
+    if (info.scale == ParameterScale::onOff)
+        return "Off, On";
+    if (!choiceNames(info.parameter).empty())
+        return "a name";
+    return formatParameter(info, info.minimum) + " to " + formatParameter(info, info.maximum);
+}
+
 ordered_json describe(const ParameterInfo& info) {
     ordered_json result{{"id", info.id},
                         {"name", info.name},
@@ -37,6 +45,8 @@ ordered_json describe(const ParameterInfo& info) {
                         {"minimum", info.minimum},
                         {"maximum", info.maximum},
                         {"default", info.defaultValue},
+                        {"range_text", rangeOf(info)},
+                        {"default_text", formatParameter(info, info.defaultValue)},
                         {"version_added", info.versionAdded},
                         {"description", info.description}};
     if (const auto names = choiceNames(info.parameter); !names.empty())
@@ -51,14 +61,6 @@ ordered_json describeParameters() {
     for (const auto& info : parameterTable())
         list.push_back(describe(info));
     return list;
-}
-
-std::string rangeOf(const ParameterInfo& info) {
-    if (info.scale == ParameterScale::onOff)
-        return "Off, On";
-    if (!choiceNames(info.parameter).empty())
-        return "a name";
-    return formatParameter(info, info.minimum) + " to " + formatParameter(info, info.maximum);
 }
 
 /// A column that wide, of UTF-8 text.

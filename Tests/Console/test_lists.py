@@ -1,10 +1,20 @@
 import json
 import math
+import pathlib
+import sys
 
-from console import ConsoleTest
+from console import PROGRAM, ConsoleTest
+
+DOCS = pathlib.Path(__file__).parents[2] / "docs"
 
 
 class Lists(ConsoleTest):
+    def test_the_manuals_parameters_are_those_of_the_program(self):
+        sys.path.insert(0, str(DOCS))
+        from make_parameters import page
+        self.assertEqual((DOCS / "manual/parameters.md").read_text(), page(PROGRAM),
+                         "docs/make_parameters.py makes it anew")
+
     def test_presets_are_told_with_all_that_a_preset_file_holds(self):
         presets = self.json("presets")
         self.assertEqual(presets[0]["name"], "Rosewood Xylophone")

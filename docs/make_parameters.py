@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+"""docs/manual/parameters.md, from the program's own table.
+
+    python3 docs/make_parameters.py build/release/Source/Console/idiophone
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+PAGE = pathlib.Path(__file__).parent / "manual" / "parameters.md"
+HEAD = """# Parameters
+
+Everything that a host can automate. The name is what the window and the host show; the id is what presets, scenes and
+`idiophone render --set` take. This page is made by `docs/make_parameters.py`.
+
+| name | id | from, to | at first | what it does |
+|---|---|---|---|---|
+"""
+
+
+def row(parameter):
+    reach = ", ".join(parameter.get("choices", [])) or parameter["range_text"]
+    if parameter["id"] == "material":
+        reach = "Own, Custom, or one of the [materials](../materials.md)"
+    return (f"| {parameter['name']} | `{parameter['id']}` | {reach} | {parameter['default_text']} | "
+            f"{parameter['description']} |\n")
+
+
+def page(console):
+    said = subprocess.run([console, "parameters", "--json"], check=True, capture_output=True)
+    return HEAD + "".join(map(row, json.loads(said.stdout)))
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(pathlib.Path(sys.argv[1]).resolve()))
