@@ -45,6 +45,7 @@ else()
 endif()
 
 set(CPACK_PACKAGE_NAME idiophone)
+set(CPACK_COMPONENTS_ALL plugin standalone console development) # and nothing of other projects
 set(CPACK_PACKAGE_VENDOR Idiophone)
 set(CPACK_PACKAGE_CONTACT "Idiophone <${PROJECT_HOMEPAGE_URL}>")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
