@@ -85,7 +85,8 @@ void fill(tetgenmesh& mesh, tetgenio& output) {
 }
 
 /// `tetrahedralize` keeps its workspace on the stack, and terminatetetgen() frees the workspace
-/// before it throws: the destructor then frees it again. Here that one is never destroyed.
+/// before it throws: the destructor then frees it again. Here that one is not destroyed, and its
+/// memory alone goes back.
 void fillOrThrow(tetgenio& input, tetgenbehavior& behavior, tetgenio& output) {
     auto workspace = std::make_unique<tetgenmesh>();
     workspace->b = &behavior;
@@ -93,7 +94,7 @@ void fillOrThrow(tetgenio& input, tetgenbehavior& behavior, tetgenio& output) {
     try {
         fill(*workspace, output);
     } catch (int) {
-        static_cast<void>(workspace.release());
+        ::operator delete(static_cast<void*>(workspace.release()));
         throw;
     }
 }
