@@ -29,13 +29,10 @@ struct FreeSofa {
 };
 
 std::string reasonOf(int error) {
-    switch (error) {
-    case MYSOFA_NO_MEMORY:
+    if (error == MYSOFA_NO_MEMORY)
         return "it needs more memory than there is";
-    default:
-        return "it is no SOFA file with the responses of two ears in free field "
-               "(SimpleFreeFieldHRIR), or a damaged one";
-    }
+    return "it is no SOFA file with the responses of two ears in free field (SimpleFreeFieldHRIR), "
+           "or a damaged one";
 }
 
 /// Each response behind the delay, in samples, that a file may have beside it.
@@ -112,7 +109,7 @@ Result<std::shared_ptr<const HeadResponses>> decodeSofaTable(std::string_view by
     if (!bytes.starts_with(isTable))
         return failure("reading it gave no responses");
     std::vector<float> samples((bytes.size() - 1) / sizeof(float));
-    std::memcpy(samples.data(), &bytes[1], samples.size() * sizeof(float));
+    std::memcpy(samples.data(), bytes.data() + 1, samples.size() * sizeof(float));
     return HeadResponses::of(std::move(samples));
 }
 
