@@ -56,8 +56,8 @@ public:
 
     juce::AudioProcessorParameter* getBypassParameter() const override;
     /// The time in which a stage's bodies move and the slowest possible mode falls from full scale
-    /// by 96 dB, one 16-bit step, and then in the room by as much; at most `longestTailSeconds`, as hosts do not stop for longer and
-    /// lightly damped objects ring for minutes.
+    /// by 96 dB, one 16-bit step, and then in the room by as much; at most `longestTailSeconds`, as
+    /// hosts do not stop for longer and lightly damped objects ring for minutes.
     double getTailLengthSeconds() const override;
     static constexpr double longestTailSeconds = 120;
 
