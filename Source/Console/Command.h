@@ -27,6 +27,6 @@ void addSurface(CLI::App& program, Action& chosen);
 void addBench(CLI::App& program, Action& chosen);
 void addMaterials(CLI::App& program, Action& chosen);
 void addSofaTable(CLI::App& program, Action& chosen); ///< for SofaHead, not listed
-void addLists(CLI::App& program, Action& chosen); ///< presets, parameters, scenes
+void addLists(CLI::App& program, Action& chosen);     ///< presets, parameters, scenes
 
 } // namespace idiophone

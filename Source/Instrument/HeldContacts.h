@@ -63,8 +63,8 @@ public:
     void resetControllers(int channel) noexcept;
 
     /// Applies a cell of every contact's force to the cell begun last, each slot's in its own
-    /// output, under the settings and the slots' frequency ratios of that cell. While the parameters
-    /// ask for strikes, every contact counts as released.
+    /// output, under the settings and the slots' frequency ratios of that cell. While the
+    /// parameters ask for strikes, every contact counts as released.
     void sound(const ParameterValues& parameters,
                const SynthesisSettings& settings,
                Synthesiser& synthesiser,

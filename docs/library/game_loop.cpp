@@ -1,5 +1,5 @@
-// A game's loop with sound: a ball bounces on a modal object, a hundred frames a second. The game reports
-// what hit what, when, where and how hard, and gets samples back.
+// A game's loop with sound: a ball bounces on a modal object, a hundred frames a second. The game
+// reports what hit what, when, where and how hard, and gets samples back.
 //
 //     game_loop OBJECT.modal SOUND.f32        (32-bit float, mono, 48 kHz)
 #include "Object/ModalObjectFile.h"
@@ -18,7 +18,8 @@ struct Impact {
     float newtonSeconds;
 };
 
-/// A ball of 5 g, dropped from 20 cm, that keeps 80 % of its speed: what a physics engine would say.
+/// A ball of 5 g, dropped from 20 cm, that keeps 80 % of its speed: what a physics engine would
+/// say.
 std::vector<Impact> impacts() {
     std::vector<Impact> all;
     double speed = std::sqrt(2 * 9.81 * 0.2), seconds = speed / 9.81;
