@@ -1,26 +1,45 @@
-# Object and Synth as a CMake package: find_package(Idiophone) gives Idiophone::Synth. docs/library.md.
+# Object, Synth and Analysis as a CMake package, for programs that sound or analyse. docs/library.md.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/Idiophone")
 set(headers "${CMAKE_INSTALL_INCLUDEDIR}/idiophone")
-set_target_properties(idiophone_object PROPERTIES EXPORT_NAME Object)
-set_target_properties(idiophone_synth PROPERTIES EXPORT_NAME Synth)
-install(TARGETS idiophone_object idiophone_synth EXPORT IdiophoneTargets
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
-    INCLUDES DESTINATION "${headers}")
-install(EXPORT IdiophoneTargets NAMESPACE Idiophone:: DESTINATION "${package}" COMPONENT development)
 
-# What a program needs that loads objects, strikes them and presses on them, and what that includes.
-foreach(header
+# install_rooms(<export> TARGETS ... HEADERS ...): static libraries, and of their headers what a
+# program includes, directly or not.
+function(install_rooms export)
+    cmake_parse_arguments(arg "" "" "TARGETS;HEADERS" ${ARGN})
+    install(TARGETS ${arg_TARGETS} EXPORT ${export}
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+        INCLUDES DESTINATION "${headers}")
+    install(EXPORT ${export} NAMESPACE Idiophone:: DESTINATION "${package}" COMPONENT development)
+    foreach(header ${arg_HEADERS})
+        get_filename_component(room "${header}" DIRECTORY)
+        install(FILES "Source/${header}.h" DESTINATION "${headers}/${room}" COMPONENT development)
+    endforeach()
+endfunction()
+
+foreach(room Object Synth Geometry Analysis)
+    string(TOLOWER ${room} lower)
+    set_target_properties(idiophone_${lower} PROPERTIES EXPORT_NAME ${room})
+endforeach()
+
+# To load objects, strike them and press on them.
+install_rooms(IdiophoneTargets
+    TARGETS idiophone_object idiophone_synth
+    HEADERS
         Object/DampingLaw Object/Material Object/ModalObject Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result
         Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/ModalPole Synth/Reson
         Synth/SoundingGroups Synth/Strike Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
         Synth/SynthesisSettings)
-    get_filename_component(room "${header}" DIRECTORY)
-    install(FILES "Source/${header}.h" DESTINATION "${headers}/${room}" COMPONENT development)
-endforeach()
+# To make them of meshes. A component of its own, as it wants Eigen.
+install_rooms(IdiophoneAnalysisTargets
+    TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
+    HEADERS
+        Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/ParametricMesh
+        Analysis/AnalysisControl Analysis/AnalysisMethod Analysis/ModalAnalysis
+        Analysis/Radiation)
 find_file(expected_header tl/expected.hpp HINTS "${expected_SOURCE_DIR}/include" REQUIRED)
 install(FILES "${expected_header}" DESTINATION "${headers}/tl" COMPONENT development)
 

@@ -1,9 +1,10 @@
-# CGAL 5.5, header only: remeshing, simplification of scans, exact predicates of triangles. The
-# predicates need no GMP or MPFR, but use them where CGAL's own package brings them along.
+# CGAL 5.5, header only: remeshing, simplification of scans, exact predicates of triangles, for which
+# Boost's integers do instead of GMP and MPFR.
 if(TARGET idiophone_cgal)
     return()
 endif()
 add_library(idiophone_cgal INTERFACE)
+set(CGAL_DISABLE_GMP ON)
 find_package(CGAL 5.5 QUIET)
 if(TARGET CGAL::CGAL)
     target_link_libraries(idiophone_cgal INTERFACE CGAL::CGAL)

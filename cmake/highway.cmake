@@ -4,7 +4,7 @@ if(TARGET hwy::hwy)
 endif()
 set(HWY_ENABLE_TESTS OFF)
 set(HWY_ENABLE_EXAMPLES OFF)
-set(HWY_ENABLE_INSTALL OFF)
+set(HWY_ENABLE_INSTALL ON) # programs on Idiophone::Synth link to it, too
 FetchContent_Declare(hwy
     GIT_REPOSITORY https://github.com/google/highway.git
     GIT_TAG 1.0.3

@@ -19,7 +19,8 @@ add_library(idiophone_tetgen STATIC
 target_compile_definitions(idiophone_tetgen PRIVATE TETLIBRARY)
 target_include_directories(idiophone_tetgen BEFORE
     PRIVATE "${CMAKE_CURRENT_LIST_DIR}/tetgen" "${PROJECT_SOURCE_DIR}/Source")
-target_include_directories(idiophone_tetgen SYSTEM INTERFACE "${tetgen_SOURCE_DIR}")
+target_include_directories(idiophone_tetgen SYSTEM INTERFACE
+    "$<BUILD_INTERFACE:${tetgen_SOURCE_DIR}>")
 if(MSVC)
     target_compile_options(idiophone_tetgen PRIVATE /w /fp:strict)
 else()

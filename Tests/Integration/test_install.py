@@ -1,5 +1,6 @@
 """What `cmake --install` puts where: the plugins, the programs and what the desktop shows of them."""
 import configparser
+import json
 import re
 import shutil
 import subprocess
@@ -50,15 +51,35 @@ def test_the_plugin_plays_from_where_it_is_installed(prefix):
     assert (prefix / "lib/lv2/Idiophone.lv2/manifest.ttl").exists()
 
 
-def test_a_game_loop_builds_on_the_library_and_hears_its_impacts(prefix, sources, tmp_path):
+@pytest.fixture(scope="module")
+def examples(prefix, sources, tmp_path_factory):
+    """The programs of docs/library, built on what is installed."""
+    folder = tmp_path_factory.mktemp("examples")
+
     def cmake(*arguments):
         result = subprocess.run(["cmake", *arguments], capture_output=True, text=True, timeout=300)
         assert result.returncode == 0, result.stdout + result.stderr
-    cmake("-S", sources / "docs/library", "-B", tmp_path / "build",
+    cmake("-S", sources / "docs/library", "-B", folder,
           f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
-    cmake("--build", tmp_path / "build")
+    cmake("--build", folder)
+    return folder
+
+
+def test_a_program_on_the_library_analyses_as_the_console_does(prefix, examples, tmp_path):
+    console = prefix / "bin/idiophone"
+    run(console, "mesh", "bar", "-o", "bar.obj", cwd=tmp_path)
+    run(console, "analyse", "bar.obj", "-o", "bar.modal", "--material", "Glass",
+        "--max-frequency", "22000", cwd=tmp_path)
+    run(examples / "mesh_to_modal", "bar.obj", "Glass", "mine.modal", cwd=tmp_path)
+    told = [json.loads(run(console, "info", "--json", name, cwd=tmp_path))
+            for name in ("bar.modal", "mine.modal")]
+    assert len(told[0]["modes"]) > 20
+    assert told[0]["modes"] == told[1]["modes"]
+
+
+def test_a_game_loop_on_the_library_hears_its_impacts(examples, sources, tmp_path):
     sound = tmp_path / "bounce.f32"
-    subprocess.run([tmp_path / "build/game_loop", sources / "Resources/Objects/plate.modal", sound],
+    subprocess.run([examples / "game_loop", sources / "Resources/Objects/plate.modal", sound],
                    check=True, timeout=60)
     samples = numpy.fromfile(sound, "<f4")
     assert abs(len(samples) - 3 * 48000) < 480

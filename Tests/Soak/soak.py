@@ -9,20 +9,31 @@ time, it begins another round.
 
     soak.py [PROGRAM...]    all of them, unless some are named ("music", "preset", "mesh_ply")
 
-Of a fuzz target a run is an input, of the music it is an hour of it.
+Of a fuzz target a run is an input, of the music it is an hour of it. Seconds are the processor's, so that
+what runs beside other work counts for what it got.
 """
 import datetime
 import os
 import pathlib
 import re
+import resource
 import signal
 import subprocess
 import sys
+import typing
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 KEPT = pathlib.Path(os.environ.get("SOAK_FOLDER", ROOT / "build/soak"))
 BUILT = ROOT / "build/fuzz/Tests/Fuzz"
 MUSIC = ROOT / "build/release/Tests/Soak/soak_music"
+
+class Run(typing.NamedTuple):
+    """What a program did while it ran."""
+
+    seconds: int  # of the processor, at least one
+    runs: int
+    finding: str  # a file, or ""
+
 
 class FuzzTarget:
     """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`."""
@@ -35,7 +46,7 @@ class FuzzTarget:
         self.name = program.name.removeprefix("fuzz_")
 
     def run(self, seconds):
-        """(inputs tried, the file of one that failed or that says why nothing ran, or "")."""
+        """Tries inputs, as a Run, with the file of one that failed or that says why nothing ran."""
         grown, findings = KEPT / "corpus" / self.name, KEPT / "findings"
         for folder in (grown, findings):
             folder.mkdir(parents=True, exist_ok=True)
@@ -49,14 +60,14 @@ class FuzzTarget:
                  *([f"-dict={dictionary}"] if dictionary.exists() else []),
                  grown, ROOT / f"Tests/Fuzz/corpus/{self.name}"],
                 stdout=file, stderr=file, start_new_session=True)
-            code = wait(process)
+            code, used = wait(process)
         said = output.read_text(errors="replace")
         runs = re.search(r"number_of_executed_units: (\d+)", said)
         written = re.search(r"Test unit written to (.*)", said)
         finding = ""
         if code not in (0, self.interrupted):
             finding = written.group(1) if written else keep(output)
-        return int(runs.group(1)) if runs else 0, finding
+        return Run(used, int(runs.group(1)) if runs else 0, finding)
 
 
 class Music:
@@ -66,15 +77,15 @@ class Music:
     slice_seconds = 24 * 3600  # a long session in one process is what is tried
 
     def run(self, seconds):
-        """(hours played, the file that says what went wrong, or "")."""
+        """Plays hours, as a Run, with the file that says what went wrong."""
         KEPT.mkdir(parents=True, exist_ok=True)
         hours, output = KEPT / "music.hours", KEPT / "music.txt"
         before = len(hours.read_text().splitlines()) if hours.exists() else 0
         with output.open("wb") as file:
-            code = wait(subprocess.Popen([MUSIC, hours, str(seconds)], stdout=file, stderr=file,
-                                         start_new_session=True))
+            code, used = wait(subprocess.Popen([MUSIC, hours, str(seconds)], stdout=file,
+                                               stderr=file, start_new_session=True))
         played = len(hours.read_text().splitlines()) - before if hours.exists() else 0
-        return played, "" if code == 0 or Stop.asked else keep(output)
+        return Run(used, played, "" if code == 0 or Stop.asked else keep(output))
 
 
 def keep(output):
@@ -99,12 +110,17 @@ class Stop:
 
 
 def wait(process):
+    """(exit code, seconds of the processor)"""
+    def children_seconds():
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
+    before = children_seconds()
     Stop.process = process
     if Stop.asked:
         process.terminate()
     code = process.wait()
     Stop.process = None
-    return code
+    return code, max(1, round(children_seconds() - before))
 
 
 class Log:
@@ -115,10 +131,10 @@ class Log:
         self.file = KEPT / "log.tsv"
         self.file.touch()
 
-    def add(self, name, seconds, runs, finding):
+    def add(self, name, ran):
         now = datetime.datetime.now().isoformat(timespec="seconds")
         with self.file.open("a") as file:
-            file.write(f"{now}\t{name}\t{seconds}\t{runs}\t{finding}\n")
+            file.write(f"{now}\t{name}\t{ran.seconds}\t{ran.runs}\t{ran.finding}\n")
 
     def total(self, name):
         """(seconds, runs, findings), of which those count whose files are still there."""
@@ -134,16 +150,12 @@ class Log:
 def soak(program, seconds, log):
     """Runs the program for so long in slices; what it finds ends that early."""
     while seconds > 0 and not Stop.asked:
-        slice_seconds = min(seconds, program.slice_seconds)
-        begin = datetime.datetime.now()
-        runs, finding = program.run(slice_seconds)
-        took = round((datetime.datetime.now() - begin).total_seconds())
-        # A whole slice counts as such, so that rounds end evenly.
-        log.add(program.name, took if Stop.asked or finding else slice_seconds, runs, finding)
-        if finding:
-            print(f"{program.name}: {finding}", flush=True)
+        ran = program.run(min(seconds, program.slice_seconds))
+        log.add(program.name, ran)
+        if ran.finding:
+            print(f"{program.name}: {ran.finding}", flush=True)
             return
-        seconds -= slice_seconds
+        seconds -= ran.seconds
 
 
 def all_programs():

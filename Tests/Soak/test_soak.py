@@ -17,13 +17,13 @@ class Program:
 
     def run(self, seconds):
         self.seconds.append(seconds)
-        return 10 * seconds, self.finding
+        return soak.Run(seconds, 10 * seconds, self.finding)
 
 
 class StoppedProgram(Program):
     def run(self, seconds):
         soak.Stop.asked = True
-        return super().run(seconds)
+        return super().run(seconds)._replace(seconds=0)
 
 
 class Soak(unittest.TestCase):
@@ -96,15 +96,18 @@ class Soak(unittest.TestCase):
     def test_a_fuzz_target_tells_its_runs_and_the_input_that_failed(self):
         said = "stat::number_of_executed_units: 77"
         crash = self.folder / "findings/x-crash-1"
-        self.assertEqual(self.target(f"echo {said}").run(1), (77, ""))
-        self.assertEqual(self.target(f"echo {said}; exit 72").run(1), (77, ""))
+        self.assertEqual(self.target(f"echo {said}").run(1)[1:], (77, ""))
+        self.assertEqual(self.target(f"echo {said}; exit 72").run(1)[1:], (77, ""))
         self.assertEqual(
-            self.target(f"echo 'Test unit written to {crash}'; echo {said}; exit 77").run(1),
+            self.target(f"echo 'Test unit written to {crash}'; echo {said}; exit 77").run(1)[1:],
             (77, str(crash)))
-        runs, said = self.target("echo no; exit 1").run(1)
+        _, runs, said = self.target("echo no; exit 1").run(1)
         self.assertEqual(runs, 0)
         self.assertEqual(pathlib.Path(said).parent, self.folder / "findings")
         self.assertEqual(pathlib.Path(said).read_text(), "no\n")
+
+    def test_seconds_are_those_of_the_processor(self):
+        self.assertEqual(self.target("sleep 2").run(5).seconds, 1)
 
     def test_music_tells_its_hours_and_keeps_what_went_wrong(self):
         program = self.folder / "soak_music"
@@ -112,8 +115,8 @@ class Soak(unittest.TestCase):
                            '[ "$2" = 5 ] || { echo "It has grown."; exit 1; }\n')
         program.chmod(0o755)
         with mock.patch.object(soak, "MUSIC", program):
-            self.assertEqual(soak.Music().run(5), (2, ""))
-            hours, said = soak.Music().run(6)
+            self.assertEqual(soak.Music().run(5)[1:], (2, ""))
+            _, hours, said = soak.Music().run(6)
         self.assertEqual(hours, 2)
         self.assertEqual(pathlib.Path(said).read_text(), "It has grown.\n")
 
