@@ -32,17 +32,17 @@ PoleLaw lawOf(const ModalObject& object) {
 }
 
 ModeFigures figuresOf(const ModalObject& object, std::size_t mode) {
-    const auto pole = lawOf(object).pole(object.eigenvalues[mode], object.dampingRatio(mode));
+    const auto pole = lawOf(object).pole(object.eigenvalues[mode], object.dampingScale(mode));
     return {.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
             .decaySeconds = std::log(1000.0) / decayBound(pole)};
 }
 
 std::size_t countGroups(const ModalObject& object) {
     std::vector<std::int32_t> starts(object.modeCount() + 1);
-    std::vector<double> dampingRatios(object.modeCount());
-    for (std::size_t mode = 0; mode < dampingRatios.size(); ++mode)
-        dampingRatios[mode] = object.dampingRatio(mode);
-    return groupModes(object.eigenvalues, lawOf(object), 1, starts, dampingRatios);
+    std::vector<double> dampingScales(object.modeCount());
+    for (std::size_t mode = 0; mode < dampingScales.size(); ++mode)
+        dampingScales[mode] = object.dampingScale(mode);
+    return groupModes(object.eigenvalues, lawOf(object), 1, starts, dampingScales);
 }
 
 /// JSON has no infinity, which is the T60 of a material without damping.

@@ -74,7 +74,7 @@ ModalObject withMaterial(ModalObject object, const Material& material) {
     const double eigenvalueRatio = material.youngsModulusPa / before.youngsModulusPa / densityRatio;
     for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode)
         object.decaysPerSecond[mode] =
-            object.dampingRatio(mode) / 2 *
+            object.dampingScale(mode) / 2 *
             material.damping.perSecond(eigenvalueRatio * object.eigenvalues[mode]);
     if (material.damping == DampingLaw{})
         object.decaysPerSecond.clear();

@@ -40,7 +40,7 @@ StruckModes loudestModes(const ModalObject& object,
     StruckModes modes;
     for (std::size_t i = 0; i < object.modeCount(); ++i) {
         const double frequencyHz =
-            dampedFrequency(law.pole(object.eigenvalues[i], object.dampingRatio(i))) / (2 * pi);
+            dampedFrequency(law.pole(object.eigenvalues[i], object.dampingScale(i))) / (2 * pi);
         const double residue =
             std::abs(static_cast<double>(struck[i]) * static_cast<double>(heard[i]));
         const double amplitude = residue * pulseSpectrum(frequencyHz * strike.durationSeconds);

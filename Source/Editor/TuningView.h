@@ -9,8 +9,8 @@ namespace idiophone {
 /// What the keys are tuned to, and who says so.
 struct TuningStatus {
     enum class Source {
-        equal,  ///< nobody: twelve equal steps
-        files,  ///< the user's own, for this instance
+        equal,   ///< nobody: twelve equal steps
+        files,   ///< the user's own, for this instance
         session, ///< a master of the session (MTS-ESP)
         messages ///< MIDI's
     };

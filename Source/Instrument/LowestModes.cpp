@@ -14,7 +14,7 @@ LowestModes::LowestModes(const ModalObject& object, double sizeRatio) {
         if (count > 0 && hz < 1.01 * frequenciesHz[count - 1])
             continue;
         frequenciesHz[count] = hz;
-        dampingRatios[count++] = object.dampingRatio(mode);
+        dampingScales[count++] = object.dampingScale(mode);
     }
 }
 

@@ -16,7 +16,7 @@ struct LowestModes {
     static constexpr std::size_t capacity = 8;
 
     std::array<double, capacity> frequenciesHz{};
-    std::array<double, capacity> dampingRatios{}; ///< ModalObject::dampingRatio
+    std::array<double, capacity> dampingScales{}; ///< ModalObject::dampingScale
     std::size_t count = 0;
 
     LowestModes() = default;

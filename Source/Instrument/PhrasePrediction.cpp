@@ -203,7 +203,7 @@ void PhrasePrediction::addModes(std::size_t count) noexcept {
     const double far = conditions.gainRatio * listening * phrase->notes[firstNote].weightScale;
     for (std::size_t i = 0; i < count; ++i) {
         const auto pole = conditions.law.pole(object.eigenvalueAt(nextMode + i, thicknessRatio),
-                                              object.dampingRatio(nextMode + i));
+                                              object.dampingScale(nextMode + i));
         if (!soundsAt(pole, phrase->sampleRateHz))
             continue;
         RingingMode<levels> mode{.omega = dampedFrequency(pole),

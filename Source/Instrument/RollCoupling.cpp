@@ -14,7 +14,7 @@ CoupledModes coupledModes(const LowestModes& lowestModes,
     CoupledModes result;
     for (std::size_t mode = 0; mode < lowestModes.count; ++mode) {
         const double omega = 2 * std::numbers::pi * lowestModes.frequenciesHz[mode];
-        const auto pole = law.pole(omega * omega, lowestModes.dampingRatios[mode]);
+        const auto pole = law.pole(omega * omega, lowestModes.dampingScales[mode]);
         if (naturalFrequencyHz(pole) >= lowestSoundingHz && isOscillating(pole))
             result.add({.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
                         .dampingPerSecond = pole.damping / 2});

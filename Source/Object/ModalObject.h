@@ -80,9 +80,9 @@ struct ModalObject {
                                        : decaysPerSecond[mode];
     }
 
-    /// By what the damping of a mode exceeds that of the material's law, 2α/d(λ), which it keeps
-    /// when the material changes; 1 where no decays were measured. Any thread.
-    double dampingRatio(std::size_t mode) const noexcept {
+    /// How many times the damping of a mode is what the material's law says, 2α/d(λ); it stays so
+    /// when the material changes. 1 where no decays were measured. Any thread.
+    double dampingScale(std::size_t mode) const noexcept {
         return decaysPerSecond.empty()
                    ? 1
                    : 2 * decaysPerSecond[mode] / material.damping.perSecond(eigenvalues[mode]);

@@ -13,10 +13,10 @@ namespace idiophone {
 namespace {
 
 /// By what the least damped mode's damping exceeds its material's.
-double leastDampingRatio(const ModalObject& object) noexcept {
-    double least = object.decaysPerSecond.empty() ? 1 : object.dampingRatio(0);
+double leastDampingScale(const ModalObject& object) noexcept {
+    double least = object.decaysPerSecond.empty() ? 1 : object.dampingScale(0);
     for (std::size_t mode = 1; mode < object.decaysPerSecond.size(); ++mode)
-        least = std::min(least, object.dampingRatio(mode));
+        least = std::min(least, object.dampingScale(mode));
     return least;
 }
 
@@ -162,7 +162,7 @@ double Processor::getTailLengthSeconds() const {
     const auto values = parameters.values();
     const auto live = synthesisSettings(values).material;
     const double slowest =
-        live ? slowestDecay(live->damping) * ownDampingRatio.load() : ownSlowestDecay.load();
+        live ? slowestDecay(live->damping) * ownDampingScale.load() : ownSlowestDecay.load();
     const bool mayRing = values[letRing] != 0 || stageSeconds > 0; // keys damp nothing on a stage
     const double released = mayRing ? 0 : std::log(1000) / values[releaseTime];
     const double inRoom = values[room] > 0 ? values[roomDecay] * std::log10(65536) / 3 : 0;
@@ -211,12 +211,12 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     double slowest = std::numeric_limits<double>::infinity();
     double ratio = std::numeric_limits<double>::infinity();
     for (const auto& slot : built->slots()) {
-        const double own = leastDampingRatio(*slot.object);
+        const double own = leastDampingScale(*slot.object);
         slowest = std::min(slowest, own * slowestDecay(slot.object->material.damping));
         ratio = std::min(ratio, own);
     }
     ownSlowestDecay = slowest;
-    ownDampingRatio = built->slots().empty() ? 1 : ratio;
+    ownDampingScale = built->slots().empty() ? 1 : ratio;
     stagePaused = false;
     stageSeconds = built->stage() ? built->stage()->lengthSeconds() : 0;
     loadedPreset = std::move(preset);

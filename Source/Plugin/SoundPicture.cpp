@@ -128,14 +128,14 @@ void SoundPicture::groupModesOf(const MonitoredSound& sound) {
                            groups.starts.begin() + static_cast<std::ptrdiff_t>(groups.count) + 1);
         return;
     }
-    std::vector<double> eigenvalues, dampingRatios;
+    std::vector<double> eigenvalues, dampingScales;
     for (std::size_t mode = 0; mode < object->modeCount(); ++mode) {
         eigenvalues.push_back(object->eigenvalueAt(mode, groups.thicknessRatio));
-        dampingRatios.push_back(object->dampingRatio(mode));
+        dampingScales.push_back(object->dampingScale(mode));
     }
     groupStarts.resize(object->modeCount() + 1);
     groupStarts.resize(groupModes(eigenvalues, groups.law, groups.compression, groupStarts,
-                                  dampingRatios, isSilenced) +
+                                  dampingScales, isSilenced) +
                        1);
 }
 
@@ -166,7 +166,7 @@ void SoundPicture::addModes(const MonitoredSound& sound) {
 /// Of one that is silent.
 ModeNow SoundPicture::modeNow(const MonitoredSound& sound, std::size_t mode) const {
     const ModalPole pole = sound.groups.law.pole(
-        object->eigenvalueAt(mode, sound.groups.thicknessRatio), object->dampingRatio(mode));
+        object->eigenvalueAt(mode, sound.groups.thicknessRatio), object->dampingScale(mode));
     const auto number = static_cast<std::int32_t>(mode);
     ModeNow now;
     now.frequencyHz =

@@ -107,7 +107,7 @@ public:
                    const PoleLaw& law,
                    double lowestHz,
                    double highestHz,
-                   std::span<const double> dampingRatios = {},
+                   std::span<const double> dampingScales = {},
                    std::span<const std::uint8_t> silenced = {}) noexcept;
 
     ModalPole pole(std::size_t g) const noexcept { return {stiffness[g], damping[g]}; }

@@ -44,10 +44,10 @@ Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
 
 } // namespace
 
-ModalPole PoleLaw::pole(double referenceEigenvalue, double dampingRatio) const noexcept {
+ModalPole PoleLaw::pole(double referenceEigenvalue, double dampingScale) const noexcept {
     // The limits, far outside hearing, keep extreme settings from overflowing.
     const double stiffness = std::clamp(eigenvalueRatio * referenceEigenvalue, 1e-6, 1e18);
-    return {stiffness, std::clamp(dampingRatio * damping.perSecond(stiffness), 0.0, 1e12)};
+    return {stiffness, std::clamp(dampingScale * damping.perSecond(stiffness), 0.0, 1e12)};
 }
 
 bool isOscillating(const ModalPole& pole) noexcept {

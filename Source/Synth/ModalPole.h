@@ -18,18 +18,18 @@ struct ModalPole {
 };
 
 /// How the eigenvalues of an object's reference become poles now: λ = ratio · λ_ref, and d
-/// by the damping law at that λ, times the mode's own ratio (ModalObject::dampingRatio).
+/// by the damping law at that λ, times the mode's own scale (ModalObject::dampingScale).
 struct PoleLaw {
     double eigenvalueRatio = 1;
     DampingLaw damping;
 
     bool operator==(const PoleLaw&) const = default;
-    ModalPole pole(double referenceEigenvalue, double dampingRatio = 1) const noexcept;
+    ModalPole pole(double referenceEigenvalue, double dampingScale = 1) const noexcept;
 };
 
 /// The damping ratio of a mode or group; empty ratios are all 1.
-inline double dampingRatioOf(std::span<const double> dampingRatios, std::size_t index) noexcept {
-    return dampingRatios.empty() ? 1 : dampingRatios[index];
+inline double dampingScaleOf(std::span<const double> dampingScales, std::size_t index) noexcept {
+    return dampingScales.empty() ? 1 : dampingScales[index];
 }
 
 /// Velocity z' and displacement z of a mode at one instant.

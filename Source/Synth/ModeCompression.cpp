@@ -16,16 +16,16 @@ constexpr double turn = 2 * std::numbers::pi;
 
 /// The first mode of a group, with what all others are compared with.
 struct FirstMode {
-    FirstMode(const ModalPole& first, double firstDampingRatio, double compression) noexcept
-        : pole(first), dampingRatio(firstDampingRatio), oscillates(isOscillating(first)),
+    FirstMode(const ModalPole& first, double firstDampingScale, double compression) noexcept
+        : pole(first), dampingScale(firstDampingScale), oscillates(isOscillating(first)),
           frequency(oscillates ? dampedFrequency(first) : 0),
           noticeable(oscillates ? turn * compression * discriminationHz(frequency / turn) : 0) {}
 
-    bool canMerge(const ModalPole& next, double nextDampingRatio) const noexcept {
-        if (nextDampingRatio != dampingRatio && (dampingRatio < leastLikeDecay * nextDampingRatio ||
-                                                 dampingRatio > mostLikeDecay * nextDampingRatio))
+    bool canMerge(const ModalPole& next, double nextDampingScale) const noexcept {
+        if (nextDampingScale != dampingScale && (dampingScale < leastLikeDecay * nextDampingScale ||
+                                                 dampingScale > mostLikeDecay * nextDampingScale))
             return false;
-        if (nextDampingRatio == dampingRatio &&
+        if (nextDampingScale == dampingScale &&
             std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
             return true;
         if (!oscillates || !isOscillating(next))
@@ -40,7 +40,7 @@ struct FirstMode {
     }
 
     ModalPole pole;
-    double dampingRatio;
+    double dampingScale;
     bool oscillates;
     double frequency;
     double noticeable;
@@ -57,21 +57,21 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
                        std::span<std::int32_t> groupStarts,
-                       std::span<const double> dampingRatios,
+                       std::span<const double> dampingScales,
                        std::span<const std::uint8_t> kinds) noexcept {
     std::size_t groups = 0;
     std::size_t start = 0;
     FirstMode first({}, 1, compression);
     for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
-        const double dampingRatio = dampingRatioOf(dampingRatios, i);
-        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingRatio);
+        const double dampingScale = dampingScaleOf(dampingScales, i);
+        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingScale);
         const bool isOfKind = kinds.empty() || kinds[i] == kinds[start];
         if (groups > 0 && isOfKind && i - start < largestGroup &&
-            first.canMerge(pole, dampingRatio))
+            first.canMerge(pole, dampingScale))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;
-        first = FirstMode(pole, dampingRatio, compression);
+        first = FirstMode(pole, dampingScale, compression);
     }
     groupStarts[groups] = static_cast<std::int32_t>(referenceEigenvalues.size());
     return groups;
@@ -92,13 +92,13 @@ double mergedEigenvalue(std::span<const double> referenceEigenvalues,
     return mean * mean;
 }
 
-double mergedDampingRatio(std::span<const double> dampingRatios,
+double mergedDampingScale(std::span<const double> dampingScales,
                           std::span<const double> weights) noexcept {
-    const double first = dampingRatios.front();
+    const double first = dampingScales.front();
     double sum = 0;
     double total = 0;
-    for (std::size_t i = 0; i < dampingRatios.size(); ++i) {
-        sum += weights[i] * (dampingRatios[i] - first);
+    for (std::size_t i = 0; i < dampingScales.size(); ++i) {
+        sum += weights[i] * (dampingScales[i] - first);
         total += weights[i];
     }
     return total > 0 ? first + sum / total : first;
@@ -107,12 +107,12 @@ double mergedDampingRatio(std::span<const double> dampingRatios,
 void findLostShares(std::span<const double> referenceEigenvalues,
                     const PoleLaw& law,
                     std::span<float> shares,
-                    std::span<const double> dampingRatios) noexcept {
+                    std::span<const double> dampingScales) noexcept {
     const std::size_t count = std::min(referenceEigenvalues.size(), largestGroup);
     std::array<double, largestGroup> decays;
     std::array<double, largestGroup> frequencies;
     for (std::size_t i = 0; i < count; ++i) {
-        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingRatioOf(dampingRatios, i));
+        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingScaleOf(dampingScales, i));
         decays[i] = pole.damping / 2;
         frequencies[i] = dampedFrequency(pole);
     }

@@ -32,7 +32,7 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
                        std::span<std::int32_t> groupStarts,
-                       std::span<const double> dampingRatios = {},
+                       std::span<const double> dampingScales = {},
                        std::span<const std::uint8_t> kinds = {}) noexcept;
 
 /// The reference eigenvalue that stands for a group: the square of the mean of √λ weighted by
@@ -43,7 +43,7 @@ double mergedEigenvalue(std::span<const double> referenceEigenvalues,
 
 /// The damping ratio that stands for a group: their mean weighted by `weights`. Exact where the
 /// members are equal.
-double mergedDampingRatio(std::span<const double> dampingRatios,
+double mergedDampingScale(std::span<const double> dampingScales,
                           std::span<const double> weights) noexcept;
 
 /// How many pairs a group of `modes` has.
@@ -56,7 +56,7 @@ constexpr std::size_t pairsOf(std::size_t modes) noexcept {
 void findLostShares(std::span<const double> referenceEigenvalues,
                     const PoleLaw& law,
                     std::span<float> shares,
-                    std::span<const double> dampingRatios = {}) noexcept;
+                    std::span<const double> dampingScales = {}) noexcept;
 
 /// The residue that stands for a group: R² = Σ_ij r_i r_j a_ij²/(a_ij² + Δ_ij²), with the sign of
 /// Σr. Equal poles give Σr exactly.

@@ -36,8 +36,8 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
     modeEigenvalues = referenceEigenvalues = object->eigenvalues;
     for (std::size_t mode = 0; mode < object->decaysPerSecond.size(); ++mode)
-        dampingRatios.push_back(object->dampingRatio(mode));
-    groupDampingRatios = dampingRatios;
+        dampingScales.push_back(object->dampingScale(mode));
+    groupDampingScales = dampingScales;
     lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)

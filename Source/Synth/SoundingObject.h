@@ -262,8 +262,8 @@ private:
     std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness
     std::vector<double> referenceEigenvalues; ///< [G] of the groups
     bool groupsAreBehind = false;             ///< the modes' eigenvalues have moved since
-    std::vector<double> dampingRatios;        ///< [M], or empty: all 1
-    std::vector<double> groupDampingRatios;   ///< [G], or empty: all 1
+    std::vector<double> dampingScales;        ///< [M], or empty: all 1
+    std::vector<double> groupDampingScales;   ///< [G], or empty: all 1
     std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)
     std::optional<PoleLaw> lostSharesLaw;     ///< for which they hold
 

@@ -81,7 +81,7 @@ void SoundingObject::movePoles() noexcept {
     // Resting states move with the poles they had up to here.
     bringRestingUpToDate(cellIndex);
     const std::size_t groups = groupModes(modeEigenvalues, law, compression, scratch.groupStarts,
-                                          dampingRatios, silencedModes);
+                                          dampingScales, silencedModes);
     if (groups == bank.size() &&
         std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
                    scratch.groupStarts.begin())) {
@@ -99,7 +99,7 @@ void SoundingObject::movePoles() noexcept {
             silencedGroups[g] = silenced(g) ? 1 : 0;
     }
     bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestSoundingHz,
-                   highestSoundingShare * sampleRate, groupDampingRatios, silencedGroups);
+                   highestSoundingShare * sampleRate, groupDampingScales, silencedGroups);
 }
 
 bool SoundingObject::inBand(std::size_t g) const noexcept {

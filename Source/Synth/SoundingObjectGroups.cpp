@@ -65,9 +65,9 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         referenceEigenvalues[g] = mergedEigenvalue(std::span(modeEigenvalues).subspan(first, count),
                                                    std::span(modeWeights).subspan(first, count));
-        if (!dampingRatios.empty())
-            groupDampingRatios[g] =
-                mergedDampingRatio(std::span<const double>(dampingRatios).subspan(first, count),
+        if (!dampingScales.empty())
+            groupDampingScales[g] =
+                mergedDampingScale(std::span<const double>(dampingScales).subspan(first, count),
                                    std::span<const double>(modeWeights).subspan(first, count));
     }
 }

@@ -59,9 +59,9 @@ void SoundingObject::findLost() noexcept {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         findLostShares(std::span(modeEigenvalues).subspan(first, count), law, shares,
-                       dampingRatios.empty()
+                       dampingScales.empty()
                            ? std::span<const double>()
-                           : std::span<const double>(dampingRatios).subspan(first, count));
+                           : std::span<const double>(dampingScales).subspan(first, count));
         shares = shares.subspan(pairsOf(count));
     }
 }

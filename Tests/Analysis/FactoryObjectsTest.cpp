@@ -88,7 +88,7 @@ TEST_CASE("A resonator lets the fundamental decay faster, and leaves the double 
         const auto bar = stored(name);
         const auto modes = verticalBendingModes(bar);
         const auto excess = [&](std::size_t partial) {
-            return bar.dampingRatio(static_cast<std::size_t>(modes.at(partial))) - 1;
+            return bar.dampingScale(static_cast<std::size_t>(modes.at(partial))) - 1;
         };
         INFO(name);
         CHECK(excess(0) > 0.05);

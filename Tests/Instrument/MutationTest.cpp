@@ -46,8 +46,8 @@ TEST_CASE("A mutation moves what shapes the sound and leaves pitch, quality and 
     std::set<ParameterId> mayMove{material, mallet, level, youngsModulus, density};
     for (const auto& row : mutationSteps())
         mayMove.insert(row.parameter);
-    for (const auto kept : {tune, concertPitch, bypass, size, thickness, tau, qualitySlope, modeBudget,
-                            compression, bendRange, letRing, contact, matchLoudness})
+    for (const auto kept : {tune, concertPitch, bypass, size, thickness, tau, qualitySlope,
+                            modeBudget, compression, bendRange, letRing, contact, matchLoudness})
         CHECK_FALSE(mayMove.contains(kept));
     const auto next = mutatedRosewood(1, 5);
     for (const auto& info : parameterTable()) {

@@ -78,11 +78,11 @@ TEST_CASE("Each malformed field is named") {
 
 TEST_CASE("A mode's damping ratio is its measured decay over half the law's damping") {
     auto object = syntheticObject({100, 200, 300});
-    CHECK(object.dampingRatio(1) == 1);
+    CHECK(object.dampingScale(1) == 1);
     CHECK(object.decayPerSecond(1) == object.material.damping.perSecond(object.eigenvalues[1]) / 2);
     object.decaysPerSecond = {1, 5, 9};
     CHECK(object.decayPerSecond(1) == 5);
-    CHECK(object.dampingRatio(1) ==
+    CHECK(object.dampingScale(1) ==
           Catch::Approx(2 * 5 / object.material.damping.perSecond(object.eigenvalues[1])));
 }
 

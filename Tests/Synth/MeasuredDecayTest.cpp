@@ -37,14 +37,14 @@ double eigenvalue(double hz) {
 }
 
 std::size_t groups(const std::vector<double>& frequenciesHz,
-                   const std::vector<double>& dampingRatios,
+                   const std::vector<double>& dampingScales,
                    double compression) {
     std::vector<double> eigenvalues;
     for (const double hz : frequenciesHz)
         eigenvalues.push_back(eigenvalue(hz));
     std::vector<std::int32_t> starts(eigenvalues.size() + 1);
     return groupModes(eigenvalues, {.damping = {.fluidPerSecond = 30}}, compression, starts,
-                      dampingRatios);
+                      dampingScales);
 }
 
 } // namespace
@@ -96,8 +96,8 @@ TEST_CASE("Modes of like decays merge, and of decays that the ear tells apart do
 
 TEST_CASE("A group decays by the weighted mean of its members") {
     const std::vector<double> ratios{1, 1.3}, weights{3, 1};
-    CHECK(mergedDampingRatio(ratios, weights) == Approx(1.075));
-    CHECK(mergedDampingRatio(std::vector<double>{1.7, 1.7}, weights) == 1.7);
+    CHECK(mergedDampingScale(ratios, weights) == Approx(1.075));
+    CHECK(mergedDampingScale(std::vector<double>{1.7, 1.7}, weights) == 1.7);
     // Modes without shapes anywhere have no weight.
-    CHECK(mergedDampingRatio(ratios, std::vector<double>{0, 0}) == 1);
+    CHECK(mergedDampingScale(ratios, std::vector<double>{0, 0}) == 1);
 }
