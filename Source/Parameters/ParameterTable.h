@@ -71,19 +71,20 @@ enum class ParameterScale { linear, logarithmic, steps, onOff, choice, cubic };
 /// whole numbers only.
 struct ParameterInfo {
     ParameterId parameter;
-    const char* id;        ///< stable for ever: stored in states, presets and host automation
-    const char* name;      ///< for people
-    const char* shortName; ///< where there is little room and others of its kind are beside it
-    const char* unit;      ///< empty where the number has none
-    ParameterScale scale;
-    double minimum;
-    double maximum;
-    double defaultValue;
-    int decimals;     ///< shown behind the point; significant digits where logarithmic or cubic
-    int versionAdded; ///< JUCE's version hint
-    const char* description; ///< one sentence: what it does to the sound
-    const char* maximumName; ///< what the top of the range is called, or nullptr
+    const char* id = nullptr;   ///< stable for ever: stored in states, presets and host automation
+    const char* name = nullptr; ///< for people
+    const char* shortName = nullptr; ///< where there is little room and its kind is beside it
+    const char* unit = "";           ///< empty where the number has none
+    ParameterScale scale = ParameterScale::linear;
+    double minimum = 0;
+    double maximum = 1;
+    double defaultValue = 0;
+    int decimals = 0;     ///< shown behind the point; significant digits where logarithmic or cubic
+    int versionAdded = 1; ///< JUCE's version hint
+    const char* description = nullptr; ///< one sentence: what it does to the sound
+    const char* maximumName = nullptr; ///< what the top of the range is called, or nullptr
 
+    /// 0 to 1 for a value, which is clamped first; and back. NaN is the default's.
     double toNormalised(double value) const;
     double fromNormalised(double normalised) const;
     /// The nearest value the parameter can take; NaN becomes the default.
@@ -92,6 +93,7 @@ struct ParameterInfo {
 
 std::span<const ParameterInfo> parameterTable();
 const ParameterInfo& parameterInfo(ParameterId parameter);
+/// The row of that id, or nullptr.
 const ParameterInfo* findParameter(std::string_view id);
 
 /// "12.5 GPa", "Rosewood", "Greedy", "On"; in UTF-8, as units are.

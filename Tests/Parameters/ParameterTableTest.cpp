@@ -62,6 +62,13 @@ TEST_CASE("What is shown can be typed back in, to the digits shown") {
         }
 }
 
+TEST_CASE("What rounds to nothing has no sign") {
+    const auto& level = parameterInfo(ParameterId::level);
+    CHECK(formatParameter(level, -0.04) == "0.0 dB");
+    CHECK(formatParameter(level, -0.06) == "-0.1 dB");
+    CHECK(formatParameter(level, -20) == "-20.0 dB");
+}
+
 TEST_CASE("Typed entry takes units and names, and refuses what is neither") {
     const auto& young = parameterInfo(ParameterId::youngsModulus);
     CHECK(parseParameter(young, " 70 gpa ") == 70.0);

@@ -1,0 +1,112 @@
+// Values of parameters as people read and type them.
+#include "Parameters/ParameterTable.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterScale;
+
+std::string_view trimmed(std::string_view text) {
+    const auto isSpace = [](unsigned char c) { return std::isspace(c) != 0; };
+    while (!text.empty() && isSpace(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && isSpace(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+bool sameWord(std::string_view a, std::string_view b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+/// Units as they are typed: µ has two code points and may be a u, ³ a 3, × an x.
+std::string typedUnit(std::string_view unit) {
+    std::string typed(unit);
+    for (const auto& [shown, plain] :
+         {std::pair<std::string_view, const char*>("µ", "u"), {"μ", "u"}, {"³", "3"}, {"×", "x"}})
+        for (auto at = typed.find(shown); at != std::string::npos; at = typed.find(shown))
+            typed.replace(at, shown.size(), plain);
+    return typed;
+}
+
+std::string formatNumber(double value, int decimals) {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    stream << std::fixed << std::setprecision(decimals) << value;
+    std::string text = stream.str();
+    if (text.find_first_of("123456789") == std::string::npos && text.front() == '-')
+        text.erase(0, 1); // -0.04 to one decimal is 0.0
+    return text;
+}
+
+/// Decimals that show at least so many significant digits of the value as it is rounded.
+int decimalsFor(double value, int significantDigits) {
+    if (value == 0)
+        return 0;
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - significantDigits + 1);
+    const double rounded = std::round(value / unit) * unit;
+    const int magnitude = static_cast<int>(std::floor(std::log10(rounded) + 1e-9));
+    return std::max(0, significantDigits - 1 - magnitude);
+}
+
+bool bySignificantDigits(ParameterScale scale) {
+    return scale == logarithmic || scale == cubic;
+}
+
+} // namespace
+
+std::string formatParameter(const ParameterInfo& info, double value) {
+    const double inside = info.clamped(value);
+    if (info.scale == onOff)
+        return inside != 0 ? "On" : "Off";
+    if (info.scale == choice) {
+        const auto names = choiceNames(info.parameter);
+        const auto index = static_cast<std::size_t>(inside);
+        return index < names.size() ? std::string(names[index]) : "(" + std::to_string(index) + ")";
+    }
+    if (info.maximumName != nullptr && inside == info.maximum)
+        return info.maximumName;
+    std::string text =
+        formatNumber(inside, bySignificantDigits(info.scale) ? decimalsFor(inside, info.decimals)
+                                                             : info.decimals);
+    if (*info.unit != '\0')
+        text += std::string(" ") + info.unit;
+    return text;
+}
+
+std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text) {
+    text = trimmed(text);
+    if (info.scale == onOff && (sameWord(text, "on") || sameWord(text, "off")))
+        return sameWord(text, "on") ? 1.0 : 0.0;
+    if (info.maximumName != nullptr && sameWord(text, info.maximumName))
+        return info.maximum;
+    const auto names = choiceNames(info.parameter);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (sameWord(text, names[i]))
+            return static_cast<double>(i);
+    if (text.starts_with('(') && text.ends_with(')'))
+        text = text.substr(1, text.size() - 2);
+
+    std::istringstream stream{std::string(text)};
+    stream.imbue(std::locale::classic()); // a host may have set a locale with decimal commas
+    double value = 0;
+    stream >> value;
+    if (!stream)
+        return std::nullopt;
+    std::string rest;
+    std::getline(stream, rest);
+    if (!trimmed(rest).empty() && !sameWord(typedUnit(trimmed(rest)), typedUnit(info.unit)))
+        return std::nullopt;
+    return info.clamped(value);
+}
+
+} // namespace idiophone
