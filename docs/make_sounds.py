@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""The sounds of the manual and the table that lists them, all rendered by the console.
+
+    python3 docs/make_sounds.py build/release/Source/Console/idiophone [NAME...]
+
+A NAME makes that sound alone; all take a minute. Needs numpy and soundfile. Writes
+docs/manual/sounds/*.flac and, of all, docs/manual/sounds.md.
+"""
+import pathlib
+import sys
+import tempfile
+
+from rendering import CONTROL, NOTE_OFF, NOTE_ON, PRESSURE, ROOT, Console, write_flac
+
+MANUAL = ROOT / "docs" / "manual"
+SONG = ROOT / "Resources" / "Songs" / "TheEntertainer.mid"
+RATE = 32000  # Hz; what is above 16 kHz is not missed, and the files are smaller
+HEAD = """# Sounds
+
+Short examples of what the [manual](README.md) tells, in the order of its pages, at a peak of −3 dBFS each. Made by
+`docs/make_sounds.py` with the console; the [contact sounds](../contact-sounds.md) have theirs.
+
+| sound | what is heard | how it is made |
+|---|---|---|
+"""
+
+
+def blows(notes, every=0.45, velocities=(100,), held=None):
+    """Notes one after the other, let go after `held` seconds or not at all."""
+    events = []
+    for k, note in enumerate(notes):
+        events.append((k * every, NOTE_ON, note, velocities[k % len(velocities)]))
+        if held:
+            events.append((k * every + held, NOTE_OFF, note, 0))
+    return events
+
+
+def scrape():
+    """One second slow, one fast; then a second of pressing harder."""
+    return [(0, CONTROL, 1, 30), (0, NOTE_ON, 60, 100), (0, PRESSURE, 40), (1, CONTROL, 1, 127),
+            (2, CONTROL, 1, 60), *((2 + k / 20, PRESSURE, 40 + 4 * k) for k in range(20)),
+            (3, NOTE_OFF, 60, 0)]
+
+
+CHORD = (60, 64, 67, 72)
+# name, what is heard, preset, events, seconds, and the parameters of each part
+SOUNDS = (
+    ("song", "the factory song, begun on xylophone, marimba and vibraphone", "Rosewood Xylophone",
+     SONG, 3.5, ({"preset": "Rosewood Xylophone"}, {"preset": "Marimba"}, {"preset": "Vibraphone"})),
+    ("velocity", "a plate, softly to hard: louder and brighter", "Steel Plate",
+     blows([60] * 5, 0.6, (20, 45, 70, 100, 127)), 3.2, ({},)),
+    ("place", "a wok, struck from its rim down its side", "Wok", blows([48, 56, 64, 72, 80]), 3, ({},)),
+    ("mallets", "one bar under yarn, rubber, wood and brass", "Rosewood Xylophone", blows([72]), 0.6,
+     tuple({"mallet": name, "match_loudness": "On"}
+           for name in ("Yarn", "Medium rubber", "Wood", "Brass"))),
+    ("materials", "one plate of rosewood, plastic, glass, aluminium and steel", "Steel Plate",
+     blows([60]), 1.2, tuple({"material": name, "match_loudness": "On"}
+                             for name in ("Rosewood", "Plastic", "Glass", "Aluminium", "Steel"))),
+    ("size", "a handbell at twice its size, as it is, and at half", "Handbell", blows([72]), 1.4,
+     ({"size": 2}, {"size": 1}, {"size": 0.5})),
+    ("damping", "bells that ring, and bells that are damped as their keys are let go", "Tubular Bells",
+     blows(CHORD, 0.5, held=0.45), 2.8, ({"let_ring": "On"}, {"let_ring": "Off", "release": 0.3})),
+    ("motor", "a vibraphone's discs at rest, and turning", "Vibraphone", blows(CHORD, 0.02), 3,
+     ({"motor_depth": 0}, {"motor_depth": 90, "motor_speed": 4})),
+    ("radiation", "what is heard at the struck place, and what the whole plate sends to both ears",
+     "Steel Plate", blows([48, 60, 72]), 2, ({"radiation": 0}, {"radiation": 100, "level": 0})),
+    ("room", "stones without a room, in a small one and in a hall", "Stones", blows([72, 76, 79], 0.2),
+     2, ({"room": 0}, {"room": 40, "room_decay": 0.6}, {"room": 60, "room_decay": 3})),
+    ("scrape", "a point drawn over a plate: slowly, fast, then pressed harder", "Scraped Plate",
+     scrape(), 3.5, ({},)),
+    ("truncation", "a plate with all that can be heard, and with τ so high that its tail breaks off",
+     "Steel Plate", blows([60]), 2, ({"tau": 0.1}, {"tau": 100}, {"tau": 400})),
+    ("dice", "dice that fall on a xylophone's bars", "Dice on Rosewood",
+     blows([65, 72, 77, 84], 0.35), 3, ({},)),
+    ("cylinder", "a cylinder that falls off a table and rolls away", "Falling Cylinder", blows([60]),
+     4, ({},)),
+)
+
+
+def said(value):
+    return value if isinstance(value, str) else f"{value:g}"
+
+
+def how(preset, parts):
+    """In words that `render --preset … --set …` takes."""
+    presets = [part["preset"] for part in parts if "preset" in part] or [preset]
+    names = dict.fromkeys(name for part in parts for name in part if name != "preset")
+    settings = [f"`{name}` " + ", ".join(dict.fromkeys(said(part.get(name, "–")) for part in parts))
+                for name in names]
+    return "; ".join([", ".join(presets), *settings])
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    folder = MANUAL / "sounds"
+    folder.mkdir(exist_ok=True)
+    rows = []
+    with tempfile.TemporaryDirectory() as scratch:
+        console = Console(pathlib.Path(sys.argv[1]).resolve(), scratch)
+        for name, heard, preset, events, seconds, parts in SOUNDS:
+            rows.append(f"| [{name}](sounds/{name}.flac) | {heard} | {how(preset, parts)} |\n")
+            if len(sys.argv) > 2 and name not in sys.argv[2:]:
+                continue
+            write_flac(folder / f"{name}.flac",
+                       [console.render(events=events, seconds=seconds, rate=RATE,
+                                       **{"preset": preset, **part}) for part in parts], RATE)
+    (MANUAL / "sounds.md").write_text(HEAD + "".join(rows))
+
+
+if __name__ == "__main__":
+    main()
