@@ -1,6 +1,7 @@
 #include "Synth/ContactForce.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace idiophone {

@@ -1,5 +1,7 @@
 #include "Synth/ContactPulse.h"
 
+#include "Synth/ComplexProduct.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,12 +9,6 @@
 namespace idiophone {
 
 namespace {
-
-// Complex arithmetic written out: the library's checks for infinities at every product cost more
-// than the product.
-std::complex<double> product(std::complex<double> a, std::complex<double> b) noexcept {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 std::complex<double> quotient(std::complex<double> a, std::complex<double> b) noexcept {
     return product(a, std::conj(b)) / std::norm(b);

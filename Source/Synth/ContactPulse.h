@@ -1,5 +1,5 @@
-// How a mode answers a raised-cosine force, in closed form (DESIGN 5, Strike): a steady part while
-// the contact lasts and a free part that starts and ends with it.
+// How a mode answers a raised-cosine force, in closed form (docs/decisions/0014): a steady part
+// while the contact lasts and a free part that starts and ends with it.
 #pragma once
 
 #include "Synth/ModalPole.h"
@@ -11,8 +11,9 @@ namespace idiophone {
 
 /// The part of the response that follows the force f(t) = (1/T)(1 − cos Ωt), Ω = 2π/T, of a mode of
 /// residue 1 whose free motion is multiplied by e^{−δt}: v(t) = steady + Re(swing e^{iΩt}), with
-/// V(s) = s/(s² + d s + λ), steady = V(δ)/T and swing = −V(δ + iΩ)/T. These are G0 and H of DESIGN
-/// 5, which hold for real roots too in this form; without δ no velocity answers a constant force.
+/// V(s) = s/(s² + d s + λ), steady = V(δ)/T and swing = −V(δ + iΩ)/T. These are called G0 and
+/// H where they are summed (StrikeKernel.h); they hold for real roots too in this form; without δ
+/// no velocity answers a constant force.
 ///
 /// The whole response is this plus free motion: from −`motion(1)` at the contact's start and, at
 /// its end, with `motion(1)` added again.

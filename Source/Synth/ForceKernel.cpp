@@ -13,7 +13,6 @@ namespace idiophone {
 namespace HWY_NAMESPACE {
 namespace {
 
-using Vector = hn::Vec<Floats>;
 using Complex = FloatComplex;
 
 /// a by + b
@@ -55,11 +54,11 @@ HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
 }
 
 /// What the sub-blocks come to at the end of the last.
-HWY_INLINE Complex joined(const Complex (&sums)[subBlocks], Complex turn) {
+HWY_INLINE Complex joined(const Complex (&sums)[subBlocks], Complex subBlock) {
     Complex all = sums[0];
 #pragma GCC unroll 4
     for (std::size_t b = 1; b < subBlocks; ++b)
-        all = moveAndAdd(all, turn, sums[b]);
+        all = moveAndAdd(all, subBlock, sums[b]);
     return all;
 }
 
@@ -86,12 +85,13 @@ HWY_INLINE void findIncrements(const ForcedModes& modes,
 #pragma GCC unroll 8
         for (std::size_t k = 2; k <= hornerStep; ++k)
             power[k] = product(power[k / 2], power[k - k / 2]);
-        const Complex turn{hn::Load(f, modes.turnRe + g), hn::Load(f, modes.turnIm + g)};
+        const Complex subBlock{hn::Load(f, modes.subBlockRe + g),
+                               hn::Load(f, modes.subBlockIm + g)};
         Complex sums[subBlocks];
         sumSubBlocks(impulses, power, sums);
         Complex common{hn::Zero(f), hn::Zero(f)};
         if (!Moves)
-            common = product(joined(sums, turn), power[1]);
+            common = product(joined(sums, subBlock), power[1]);
 #pragma GCC unroll 2
         for (std::size_t c = 0; c < Channels; ++c) {
             const auto start = hn::Load(f, channels[c].startResidues + g);
@@ -104,7 +104,7 @@ HWY_INLINE void findIncrements(const ForcedModes& modes,
                     const auto residue = hn::MulAdd(way, hn::Set(f, shareOfWay(b)), start);
                     heard[b] = {hn::Mul(residue, sums[b].re), hn::Mul(residue, sums[b].im)};
                 }
-                all = product(joined(heard, turn), power[1]);
+                all = product(joined(heard, subBlock), power[1]);
             } else {
                 all = {hn::Mul(start, common.re), hn::Mul(start, common.im)};
             }
@@ -173,7 +173,6 @@ void convolve(const float* HWY_RESTRICT impulses,
               const float* HWY_RESTRICT endResponse,
               float* HWY_RESTRICT output) {
     const Floats f;
-    constexpr std::size_t cellSize = subBlocks * subBlockSamples;
     constexpr std::size_t lanes = hn::MaxLanes(f);
     // Zeros before the response, so that every impulse adds whole vectors.
     alignas(64) float response[2 * cellSize];

@@ -13,8 +13,8 @@ namespace idiophone {
 struct ForcedModes {
     const float* sampleRe; ///< ρ
     const float* sampleIm;
-    const float* turnRe; ///< ρ^16
-    const float* turnIm;
+    const float* subBlockRe; ///< ρ^16
+    const float* subBlockIm;
     const double* velocityShare; ///< α/ω_d
 };
 
@@ -28,7 +28,7 @@ struct ForcedChannel {
 };
 
 /// Adds to the states x, y at the end of the cell what a force did to them: for impulses f[k] at
-/// sample k, b Σ_k r ρ^(64 − k) f[k] with b = 1 + iα/ω_d (DESIGN 5, Continuous contact). The
+/// sample k, b Σ_k r ρ^(64 − k) f[k] with b = 1 + iα/ω_d (docs/decisions/0006). The
 /// residue r goes from start to end in steps of a sub-block; a contact that stays gives the same
 /// array for both, in each channel. `energies` become the states' |s|² in the louder channel.
 void forceModes(const ForcedModes& modes,
@@ -39,10 +39,10 @@ void forceModes(const ForcedModes& modes,
 
 /// Adds to `output` what impulses sound through responses that go from start to end in steps of a
 /// sub-block; all of a cell.
-void convolveForce(std::span<const float, subBlocks * subBlockSamples> impulses,
-                   std::span<const float, subBlocks * subBlockSamples> startResponse,
-                   std::span<const float, subBlocks * subBlockSamples> endResponse,
-                   std::span<float, subBlocks * subBlockSamples> output) noexcept;
+void convolveForce(std::span<const float, cellSize> impulses,
+                   std::span<const float, cellSize> startResponse,
+                   std::span<const float, cellSize> endResponse,
+                   std::span<float, cellSize> output) noexcept;
 
 /// output = from + way (to − from), over whole blocks.
 void blendResponses(

@@ -182,10 +182,10 @@ void join(const KickModes& modes,
           float* HWY_RESTRICT energies) {
     const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex turn = moved(motion(modes, move, g));
+        const Complex moving = moved(motion(modes, move, g));
         auto loudest = hn::Zero(f);
         for (const KickedChannel& channel : channels) {
-            const Complex kick = product(turn, load(channel.kickX, channel.kickY, g));
+            const Complex kick = product(moving, load(channel.kickX, channel.kickY, g));
             const auto x = addTo(channel.x + g, kick.re);
             const auto y = addTo(channel.y + g, kick.im);
             loudest = hn::Max(loudest, hn::MulAdd(x, x, hn::Mul(y, y)));

@@ -1,5 +1,6 @@
 #include "Synth/ModalBank.h"
 
+#include "Synth/ModeIndex.h"
 #include "Synth/PoleKernel.h"
 
 #include <algorithm>
@@ -12,20 +13,8 @@ namespace idiophone {
 
 namespace {
 
-constexpr std::size_t cellSize = subBlocks * subBlockSamples;
-
-// Far below the rounding of a table, far above denormals even when multiplied by a faint state.
-constexpr double faintestTableEntry = 1e-15;
-
-// What no object that makes sense reaches; beyond, squares would overflow.
-constexpr float largestEnergy = 1e36f;
-
 float tableEntry(double value) noexcept {
     return std::abs(value) < faintestTableEntry ? 0.0f : static_cast<float>(value);
-}
-
-std::size_t index(std::int32_t number) noexcept {
-    return static_cast<std::size_t>(number);
 }
 
 } // namespace
@@ -45,7 +34,7 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
     for (auto* array : {&stiffness, &damping, &decay, &frequency, &velocityShare, &cellRe, &cellIm})
         array->resize(padded);
     for (auto* array : {&audibles, &halfTurnsPerSample, &octavesPerSample, &sampleRe, &sampleIm,
-                        &turnRe, &turnIm, &energy})
+                        &subBlockRe, &subBlockIm, &energy})
         array->resize(padded);
     for (std::size_t c = 0; c < channelCapacity; ++c) {
         states.x[c].resize(padded);
@@ -178,14 +167,24 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         if (!oscillates)
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }
-    rotationsOfPoles({stiffness.data(), damping.data(), decay.data(), frequency.data(),
-                      velocityShare.data(), halfTurnsPerSample.data(), octavesPerSample.data(),
-                      sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data(), cellRe.data(),
-                      cellIm.data(), tables.data()},
+    rotationsOfPoles({.stiffness = stiffness.data(),
+                      .damping = damping.data(),
+                      .decay = decay.data(),
+                      .frequency = frequency.data(),
+                      .velocityShare = velocityShare.data(),
+                      .halfTurnsPerSample = halfTurnsPerSample.data(),
+                      .octavesPerSample = octavesPerSample.data(),
+                      .sampleRe = sampleRe.data(),
+                      .sampleIm = sampleIm.data(),
+                      .subBlockRe = subBlockRe.data(),
+                      .subBlockIm = subBlockIm.data(),
+                      .cellRe = cellRe.data(),
+                      .cellIm = cellIm.data(),
+                      .tables = tables.data()},
                      paddedSize(), sampleSeconds);
     for (HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
-        heavy.turn = propagator(pole(g), sampleSeconds * subBlockSamples);
+        heavy.subBlock = propagator(pole(g), sampleSeconds * subBlockSamples);
         heavy.cell = propagator(pole(g), sampleSeconds * cellSize);
         correctHeavy(g);
         measure(g);
@@ -196,8 +195,8 @@ void ModalBank::correctHeavy(std::size_t g) noexcept {
     velocityShare[g] = 0;
     sampleRe[g] = 0;
     sampleIm[g] = 0;
-    turnRe[g] = 0;
-    turnIm[g] = 0;
+    subBlockRe[g] = 0;
+    subBlockIm[g] = 0;
     cellRe[g] = 0;
     cellIm[g] = 0;
     const Propagator sample = propagator(pole(g), sampleSeconds);
@@ -248,9 +247,9 @@ float ModalBank::energyOfLoudest(std::size_t block) const noexcept {
     return *std::max_element(first, first + modeBlock);
 }
 
-void ModalBank::clearFaint(std::size_t block, double floor) noexcept {
+void ModalBank::clearFaint(std::size_t block, double faintest) noexcept {
     for (std::size_t g = block * modeBlock; g < (block + 1) * modeBlock; ++g)
-        if (!(static_cast<double>(energy[g]) > floor * floor && energy[g] < largestEnergy))
+        if (!(static_cast<double>(energy[g]) > faintest * faintest && energy[g] < largestEnergy))
             silence(g);
 }
 

@@ -99,8 +99,8 @@ public:
     void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
     /// Gives every mode the pole that `law` makes of its reference eigenvalue [size] and damping
-    /// ratio ([size], or empty: all 1). States stay
-    /// (DESIGN 5, State: no step in the velocity); where the coordinates change near critical
+    /// scale ([size], or empty: all 1). States stay,
+    /// so that the velocity does not step; where the coordinates change near critical
     /// damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f < `highestHz` (natural
     /// frequency) become inaudible, and so do `silenced` ones ([size] not 0, or empty: none).
     void movePoles(std::span<const double> referenceEigenvalues,
@@ -128,9 +128,9 @@ public:
     float energyOfLoudest(std::size_t block) const noexcept;
 
     /// Free motion of one block over any time, times `factor`, exact, then `clearFaint`.
-    void advanceBlock(std::size_t block, double seconds, double factor, double floor) noexcept;
-    /// States below `floor`, or beyond all reason, become zero.
-    void clearFaint(std::size_t block, double floor) noexcept;
+    void advanceBlock(std::size_t block, double seconds, double factor, double faintest) noexcept;
+    /// States below `faintest` [m/s], or beyond all reason, become zero.
+    void clearFaint(std::size_t block, double faintest) noexcept;
 
     /// Adds a cell of the modes in `runs` to `output` and takes the states of `blocks` (ascending,
     /// holding all of `runs`) on by a cell, times `scale`.
@@ -181,7 +181,7 @@ public:
 
     /// Adds to the states, at the end of a cell, what 64 impulses did to them, one at each sample,
     /// with residues that go from start to end (ForceKernel.h).
-    void force(std::span<const float, subBlocks * subBlockSamples> impulses,
+    void force(std::span<const float, cellSize> impulses,
                const ModeResidues& startResidues,
                const ModeResidues& endResidues,
                double dampingPerSecond) noexcept;
@@ -194,7 +194,7 @@ private:
     /// Modes that do not oscillate: a 2 × 2 propagator over 16 and 64 samples each.
     struct HeavyMode {
         std::int32_t mode = 0;
-        Propagator turn;
+        Propagator subBlock;
         Propagator cell;
         std::array<ModalState, mostChannels> aside; ///< its states while SIMD passes over them
     };
@@ -223,7 +223,7 @@ private:
             }
     }
     void forceHeavy(const HeavyMode& heavy,
-                    std::span<const float, subBlocks * subBlockSamples> impulses,
+                    std::span<const float, cellSize> impulses,
                     const ModeResidues& startResidues,
                     const ModeResidues& endResidues) noexcept;
     static void lookAtHeavy(const HeavyMode& heavy,
@@ -251,7 +251,7 @@ private:
     AlignedVector<float> audibles;
     AlignedVector<float> tables; ///< [G,2,16]
     AlignedVector<float> halfTurnsPerSample, octavesPerSample;
-    AlignedVector<float> sampleRe, sampleIm, turnRe, turnIm;
+    AlignedVector<float> sampleRe, sampleIm, subBlockRe, subBlockIm;
     AlignedVector<double> cellRe, cellIm;
     ModeStates states;
     AlignedVector<float> energy;

@@ -2,6 +2,7 @@
 #include "Synth/ContactPulse.h"
 #include "Synth/ForceKernel.h"
 #include "Synth/ModalBank.h"
+#include "Synth/ModeIndex.h"
 #include "Synth/PoleKernel.h"
 
 #include <algorithm>
@@ -11,12 +12,6 @@
 namespace idiophone {
 
 namespace {
-
-constexpr std::size_t cellSize = subBlocks * subBlockSamples;
-
-std::size_t index(std::int32_t number) noexcept {
-    return static_cast<std::size_t>(number);
-}
 
 ModalState operator*(double factor, const ModalState& state) noexcept {
     return {factor * state.x, factor * state.y};
@@ -38,8 +33,13 @@ KickModes ModalBank::kickModes() const noexcept {
 
 void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept {
     idiophone::forcedStates(pulse,
-                            {decay.data(), frequency.data(), unit.x.data(), unit.y.data(),
-                             unit.steady.data(), unit.swingRe.data(), unit.swingIm.data()},
+                            {.decay = decay.data(),
+                             .frequency = frequency.data(),
+                             .x = unit.x.data(),
+                             .y = unit.y.data(),
+                             .steady = unit.steady.data(),
+                             .swingRe = unit.swingRe.data(),
+                             .swingIm = unit.swingIm.data()},
                             paddedSize());
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
@@ -128,8 +128,10 @@ void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
     setAside(states);
     std::array<KickedChannel, mostChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
-        channels[c] = {kicks.x[c].data(), kicks.y[c].data(), states.x[c].data(),
-                       states.y[c].data()};
+        channels[c] = {.kickX = kicks.x[c].data(),
+                       .kickY = kicks.y[c].data(),
+                       .x = states.x[c].data(),
+                       .y = states.y[c].data()};
     joinKicks(kickModes(), move, paddedSize(), std::span(channels).first(channelCount),
               energy.data());
     for (const HeavyMode& heavy : heavyModes) {
@@ -184,11 +186,16 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
     setAside(states);
     std::array<ForcedChannel, mostChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
-        channels[c] = {startResidues[c].data(), endResidues[c].data(), states.x[c].data(),
-                       states.y[c].data()};
-    forceModes(
-        {sampleRe.data(), sampleIm.data(), turnRe.data(), turnIm.data(), velocityShare.data()},
-        fallen.data(), paddedSize(), std::span(channels).first(channelCount), energy.data());
+        channels[c] = {.startResidues = startResidues[c].data(),
+                       .endResidues = endResidues[c].data(),
+                       .x = states.x[c].data(),
+                       .y = states.y[c].data()};
+    forceModes({.sampleRe = sampleRe.data(),
+                .sampleIm = sampleIm.data(),
+                .subBlockRe = subBlockRe.data(),
+                .subBlockIm = subBlockIm.data(),
+                .velocityShare = velocityShare.data()},
+               fallen.data(), paddedSize(), std::span(channels).first(channelCount), energy.data());
     for (const HeavyMode& heavy : heavyModes)
         forceHeavy(heavy, fallen, startResidues, endResidues);
 }

@@ -25,8 +25,8 @@ HWY_INLINE void turnThrough(const ModeRotations& rotations,
                             hn::Vec<Floats>& ys,
                             SubBlockStates& ahead) {
     const Floats f;
-    const auto re = hn::Load(f, rotations.turnRe + g);
-    const auto im = hn::Load(f, rotations.turnIm + g);
+    const auto re = hn::Load(f, rotations.subBlockRe + g);
+    const auto im = hn::Load(f, rotations.subBlockIm + g);
     float* HWY_RESTRICT aheadX = ahead.x[0] + g;
     float* HWY_RESTRICT aheadY = ahead.y[0] + g;
 #pragma GCC unroll 4
@@ -221,7 +221,7 @@ EnergySurvey survey(const float* HWY_RESTRICT energies,
     const Floats f;
     const auto tau = hn::Set(f, tauSquared);
     const auto faint = hn::Set(f, faintSquared);
-    const auto largest = hn::Set(f, 1e36f);
+    const auto largest = hn::Set(f, largestEnergy);
     auto amplitudes = hn::Zero(f);
     auto outside = hn::Gt(hn::Zero(f), hn::Zero(f));
     EnergySurvey result;

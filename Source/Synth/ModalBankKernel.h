@@ -9,10 +9,21 @@
 namespace idiophone {
 
 inline constexpr std::size_t subBlockSamples = 16;
-inline constexpr std::size_t subBlocks = 4; ///< a cell of 64 samples
+inline constexpr std::size_t subBlocks = 4;
+inline constexpr std::size_t cellSize = subBlocks * subBlockSamples; ///< cellSamples
 
 /// Arrays over modes are padded to whole blocks of this many, aligned to 64 bytes.
 inline constexpr std::size_t modeBlock = 16;
+
+/// |s|² that no object that makes sense reaches; beyond, squares would overflow.
+inline constexpr float largestEnergy = 1e36f;
+
+/// Smaller entries of tables are zero: far below the rounding of a table, far above denormals even
+/// when multiplied by a faint state.
+inline constexpr double faintestTableEntry = 1e-15;
+
+/// States below this [m/s], −360 dB of full scale, are zero: far above single-precision denormals.
+inline constexpr double faintestVelocity = 1e-18;
 
 /// Modes whose states are computed ahead of mixing them; what they touch stays in the first cache.
 inline constexpr std::size_t batchModes = 128;
@@ -25,8 +36,8 @@ struct SubBlockStates {
 
 /// Rotations of oscillating modes: with ρ = e^{ω⁺/fs}, ρ¹⁶ and ρ⁶⁴ as real and imaginary parts.
 struct ModeRotations {
-    const float* turnRe;
-    const float* turnIm;
+    const float* subBlockRe;
+    const float* subBlockIm;
     const double* cellRe;
     const double* cellIm;
 };

@@ -1,5 +1,6 @@
 // How the states of a modal bank move and sound.
 #include "Synth/ModalBank.h"
+#include "Synth/ModeIndex.h"
 #include "Synth/PoleKernel.h"
 
 #include <algorithm>
@@ -7,18 +8,10 @@
 
 namespace idiophone {
 
-namespace {
-
-std::size_t index(std::int32_t number) noexcept {
-    return static_cast<std::size_t>(number);
-}
-
-} // namespace
-
 void ModalBank::advanceBlock(std::size_t block,
                              double seconds,
                              double factor,
-                             double floor) noexcept {
+                             double faintest) noexcept {
     const std::size_t first = block * modeBlock;
     setAside(states);
     for (std::size_t c = 0; c < channelCount; ++c) {
@@ -34,7 +27,7 @@ void ModalBank::advanceBlock(std::size_t block,
         }
     }
     measureModes(first, first + modeBlock);
-    clearFaint(block, floor);
+    clearFaint(block, faintest);
 }
 
 void ModalBank::render(std::span<const std::int32_t> blocks,
@@ -56,7 +49,7 @@ void ModalBank::renderFrom(ModeStates& from,
 }
 
 ModeRotations ModalBank::rotations(std::size_t first) const noexcept {
-    return {turnRe.data() + first, turnIm.data() + first, cellRe.data() + first,
+    return {subBlockRe.data() + first, subBlockIm.data() + first, cellRe.data() + first,
             cellIm.data() + first};
 }
 
@@ -69,7 +62,7 @@ void ModalBank::lookAtHeavy(const HeavyMode& heavy,
     for (std::size_t k = 0; k < subBlocks; ++k) {
         ahead.x[k][place] = static_cast<float>(moving.x);
         ahead.y[k][place] = static_cast<float>(moving.y);
-        moving = heavy.turn * moving;
+        moving = heavy.subBlock * moving;
     }
 }
 

@@ -27,7 +27,7 @@ struct PoleLaw {
     ModalPole pole(double referenceEigenvalue, double dampingScale = 1) const noexcept;
 };
 
-/// The damping ratio of a mode or group; empty ratios are all 1.
+/// The damping scale of a mode or group; empty scales are all 1.
 inline double dampingScaleOf(std::span<const double> dampingScales, std::size_t index) noexcept {
     return dampingScales.empty() ? 1 : dampingScales[index];
 }
@@ -74,8 +74,9 @@ Propagator propagator(const ModalPole& pole, double seconds) noexcept;
 ModalState stateOf(const ModalPole& pole, const Motion& motion) noexcept;
 Motion motionOf(const ModalPole& pole, const ModalState& state) noexcept;
 
-/// A and α such that |v(t)| ≤ A e^{−αt} for all t ≥ 0: eq. 13 and 14, where A = 2|c||ω⁺| and
-/// α = −Re ω⁺. Beyond critical damping A = |c⁺ω⁺| + |c⁻ω⁻| with the slower root.
+/// A and α such that |v(t)| ≤ A e^{−αt} for all t ≥ 0 (Raghuvanshi & Lin 2006, eq. 13 and 14),
+/// where A = 2|c||ω⁺| and α = −Re ω⁺. Beyond critical damping A = |c⁺ω⁺| + |c⁻ω⁻| with the slower
+/// root.
 double amplitudeBound(const ModalPole& pole, const ModalState& state) noexcept;
 double decayBound(const ModalPole& pole) noexcept;
 

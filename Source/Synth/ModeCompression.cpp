@@ -12,14 +12,15 @@ namespace {
 constexpr double samePole = 1e-9;
 // Decay times that cannot be told apart, as ratios.
 constexpr double leastLikeDecay = 0.75, mostLikeDecay = 1.4;
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double fullTurn = 2 * std::numbers::pi;
 
 /// The first mode of a group, with what all others are compared with.
 struct FirstMode {
     FirstMode(const ModalPole& first, double firstDampingScale, double compression) noexcept
         : pole(first), dampingScale(firstDampingScale), oscillates(isOscillating(first)),
           frequency(oscillates ? dampedFrequency(first) : 0),
-          noticeable(oscillates ? turn * compression * discriminationHz(frequency / turn) : 0) {}
+          noticeable(oscillates ? fullTurn * compression * discriminationHz(frequency / fullTurn)
+                                : 0) {}
 
     bool canMerge(const ModalPole& next, double nextDampingScale) const noexcept {
         if (nextDampingScale != dampingScale && (dampingScale < leastLikeDecay * nextDampingScale ||

@@ -1,5 +1,5 @@
 // Which modes of an object the ear cannot tell apart, and what stands for them: pure functions of
-// poles, material and residues (DESIGN 5, Compression). Knows nothing of time or samples.
+// poles, material and residues (docs/decisions/0015). Knows nothing of time or samples.
 #pragma once
 
 #include "Synth/ModalPole.h"
@@ -24,9 +24,9 @@ double discriminationHz(double frequencyHz) noexcept;
 ///  everything);
 ///  - they do not beat audibly: |Δω| ≤ (α_i + α_j)/2, so that they decay within a beat;
 ///  - both oscillate (over-damped modes have no frequency to compare);
-///  - their own damping ratios (empty: all 1), the first's over its, are 0.75 to 1.4: decay times
+///  - their own damping scales (empty: all 1), the first's over its, are 0.75 to 1.4: decay times
 ///  that far apart sound alike (Järveläinen & Tolonen 2001).
-/// Modes whose λ agree within 1e-9, and whose damping ratios are equal, are one pole and always
+/// Modes whose λ agree within 1e-9, and whose damping scales are equal, are one pole and always
 /// join, even at compression 0. Modes of different `kinds` (empty: all alike) never meet.
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
@@ -41,7 +41,7 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
 double mergedEigenvalue(std::span<const double> referenceEigenvalues,
                         std::span<const double> weights) noexcept;
 
-/// The damping ratio that stands for a group: their mean weighted by `weights`. Exact where the
+/// The damping scale that stands for a group: their mean weighted by `weights`. Exact where the
 /// members are equal.
 double mergedDampingScale(std::span<const double> dampingScales,
                           std::span<const double> weights) noexcept;

@@ -26,10 +26,10 @@ constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 HWY_INLINE Complex rotation(Vector decay, Vector frequency, double seconds) {
     const Doubles d;
     const auto t = hn::Set(d, seconds);
-    constexpr double turn = 2 * std::numbers::pi;
+    constexpr double fullTurn = 2 * std::numbers::pi;
     const auto angle = hn::Mul(frequency, t);
-    const auto turns = hn::Round(hn::Mul(angle, hn::Set(d, 1 / turn)));
-    const auto rest = hn::NegMulAdd(turns, hn::Set(d, turn), angle);
+    const auto turns = hn::Round(hn::Mul(angle, hn::Set(d, 1 / fullTurn)));
+    const auto rest = hn::NegMulAdd(turns, hn::Set(d, fullTurn), angle);
     const auto size = hn::Exp(d, hn::Max(hn::Neg(hn::Mul(decay, t)), hn::Set(d, -700.0)));
     return {hn::Mul(size, hn::Cos(d, rest)), hn::Mul(size, hn::Sin(d, rest))};
 }
@@ -37,7 +37,7 @@ HWY_INLINE Complex rotation(Vector decay, Vector frequency, double seconds) {
 /// Table entries far below rounding become zero, so that no product is denormal.
 HWY_INLINE Vector cleared(Vector value) {
     const Doubles d;
-    return hn::IfThenElseZero(hn::Gt(hn::Abs(value), hn::Set(d, 1e-15)), value);
+    return hn::IfThenElseZero(hn::Gt(hn::Abs(value), hn::Set(d, faintestTableEntry)), value);
 }
 
 void rotations(const PoleArrays& arrays, std::size_t count, double sampleSeconds) {
@@ -69,8 +69,8 @@ void rotations(const PoleArrays& arrays, std::size_t count, double sampleSeconds
             hn::Store(hn::Neg(cleared(power.im)), d, im[k]);
             power = product(power, sample);
         }
-        hn::Store(hn::DemoteTo(f, power.re), f, arrays.turnRe + g);
-        hn::Store(hn::DemoteTo(f, power.im), f, arrays.turnIm + g);
+        hn::Store(hn::DemoteTo(f, power.re), f, arrays.subBlockRe + g);
+        hn::Store(hn::DemoteTo(f, power.im), f, arrays.subBlockIm + g);
         const Complex two = product(power, power);
         const Complex four = product(two, two);
         hn::Store(four.re, d, arrays.cellRe + g);
@@ -95,8 +95,9 @@ void rotate(const double* HWY_RESTRICT decay,
     const Doubles d;
     const auto gain = hn::Set(d, factor);
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex turn = rotation(hn::Load(d, decay + g), hn::Load(d, frequency + g), seconds);
-        const Complex state = product(Complex{hn::Mul(gain, turn.re), hn::Mul(gain, turn.im)},
+        const Complex motion =
+            rotation(hn::Load(d, decay + g), hn::Load(d, frequency + g), seconds);
+        const Complex state = product(Complex{hn::Mul(gain, motion.re), hn::Mul(gain, motion.im)},
                                       Complex{hn::Load(d, x + g), hn::Load(d, y + g)});
         hn::Store(state.re, d, x + g);
         hn::Store(state.im, d, y + g);

@@ -17,9 +17,9 @@ struct PoleArrays {
     float* octavesPerSample;   ///< −α in powers of two
     float* sampleRe;           ///< ρ
     float* sampleIm;
-    float* turnRe;
-    float* turnIm;
-    double* cellRe;
+    float* subBlockRe; ///< ρ^16
+    float* subBlockIm;
+    double* cellRe; ///< ρ^64
     double* cellIm;
     float* tables;
 };

@@ -1,5 +1,5 @@
-// How many modes each ringing object may mix (Raghuvanshi & Lin 2006, quality scaling; DESIGN 5):
-// a pure function, counted in modes and never in measured time, so that a render repeats.
+// How many modes each ringing object may mix (Raghuvanshi & Lin 2006, quality scaling): a pure
+// function, counted in modes and never in measured time, so that a render repeats.
 #pragma once
 
 #include <cstddef>

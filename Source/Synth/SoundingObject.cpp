@@ -14,9 +14,7 @@ namespace idiophone {
 
 namespace {
 
-// −360 dB of full scale, where a state becomes zero: 1e-18 is far above single-precision denormals.
-constexpr double floorVelocity = 1e-18;
-constexpr float faintEnergy = 1e-36f;
+constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
 } // namespace
 
@@ -95,8 +93,9 @@ bool SoundingObject::beginSoundingCell(std::int64_t cell,
     return true;
 }
 
-// t_c of eq. 14 is where the amplitude, which falls as e^{−αt}, meets τ: found here by comparing
-// the two at every grid point, which needs no logarithm when the mode is struck.
+// t_c of Raghuvanshi & Lin 2006, eq. 14, is where the amplitude, which falls as e^{−αt}, meets τ:
+// found here by comparing the two at every grid point, which needs no logarithm when the mode is
+// struck.
 void SoundingObject::survey() noexcept {
     const EnergySurvey found = surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(),
                                               faintEnergy, activeBlocks, scratch.aboveTau.data());
@@ -115,7 +114,7 @@ void SoundingObject::survey() noexcept {
     }
     if (found.faint)
         for (const std::int32_t b : activeBlocks)
-            bank.clearFaint(static_cast<std::size_t>(b), floorVelocity);
+            bank.clearFaint(static_cast<std::size_t>(b), faintestVelocity);
     demanded = {found.amplitudes, ringing};
 }
 
@@ -202,7 +201,7 @@ bool SoundingObject::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
         return false;
     Block& block = blocks[b];
     bank.advanceBlock(b, cellSeconds * static_cast<double>(grid - block.restsSince),
-                      std::exp(block.restsAtDampingLog - dampingLog(grid)), floorVelocity);
+                      std::exp(block.restsAtDampingLog - dampingLog(grid)), faintestVelocity);
     block.restsSince = grid;
     block.restsAtDampingLog = dampingLog(grid);
     return bank.energyOfLoudest(b) > 0;

@@ -49,7 +49,7 @@ public:
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
 
     /// Moves to the grid point of cell `index`: applies what was set and drops modes at t_c
-    /// (eq. 14). True where there is anything to mix.
+    /// (Raghuvanshi & Lin 2006, eq. 14). True where there is anything to mix.
     bool beginCell(std::int64_t index,
                    const SynthesisSettings& settings,
                    bool settingsChanged) noexcept {
@@ -73,6 +73,8 @@ public:
                 double sampleInCell,
                 std::int32_t allowance,
                 const CellOutput& cell) noexcept;
+
+    bool contactsUsedUp() const noexcept { return contacts.size() == contactCapacity; }
 
     /// Applies a cell of continuous force, after `mix` of the same cell and any number of times.
     /// While it lasts all its modes are mixed that `allowance` has room for, and none is dropped.
@@ -164,15 +166,11 @@ private:
     void fadeChanges() noexcept;
     void rebuildBlocks() noexcept;
 
-    // SoundingObjectStrike.cpp: residues, contacts.
+    // SoundingObjectStrike.cpp: from a strike to kicks and contacts.
     bool valid(const StrikePoint& point) const noexcept;
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
     void prepareBank() noexcept;
-    void computeResidues(const Contact& contact) noexcept;
-    void mergeResidues(std::size_t channel) noexcept;
-    void findLost() noexcept;
     void widen(double listening) noexcept;
-    void findRadiation(std::int32_t heardFrom) noexcept;
     void computeForced(const Contact& contact) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
     void admitWanted(std::int32_t allowance) noexcept;
@@ -194,6 +192,12 @@ private:
     bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
     void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
+
+    // SoundingObjectResidues.cpp: what is heard of each group.
+    void computeResidues(const Contact& contact) noexcept;
+    void mergeResidues(std::size_t channel) noexcept;
+    void findLost() noexcept;
+    void findRadiation(std::int32_t heardFrom) noexcept;
 
     // SoundingObjectContact.cpp: contacts under way.
     void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;

@@ -8,20 +8,14 @@
 
 namespace idiophone {
 
-namespace {
-
-// τ = 0 truncates nothing that could be heard after all: −360 dB of full scale.
-constexpr double smallestTauVelocity = 1e-18;
-
-} // namespace
-
 void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     controlsChanged = false;
     const LiveConditions live =
         liveConditions(object->material, settings, slotSizeRatio, requestedFrequencyRatio);
     const double thickness = object->hasLiveThickness() ? settings.thicknessRatio : 1;
     const double newGainRatio = live.gainRatio / thickness;
-    const double newTau = std::max(settings.tau * metresPerSecondPerTau, smallestTauVelocity);
+    // τ = 0 truncates nothing that could be heard after all.
+    const double newTau = std::max(settings.tau * metresPerSecondPerTau, faintestVelocity);
     if (newGainRatio != gainRatio || settings.radiation != radiation)
         ++responseVersion;
     gainRatio = newGainRatio;

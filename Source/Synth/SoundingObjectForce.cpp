@@ -1,5 +1,5 @@
-// Continuous contact of a sounding object (DESIGN 5): output += force ∗ local impulse response, and
-// the states take in what the force did to them by the next grid point.
+// Continuous contact of a sounding object (docs/decisions/0006): output += force ∗ local impulse
+// response, and the states take in what the force did to them by the next grid point.
 #include "Synth/AllFinite.h"
 #include "Synth/ForceKernel.h"
 #include "Synth/SoundingObject.h"

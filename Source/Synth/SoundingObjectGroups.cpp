@@ -1,4 +1,4 @@
-// Groups of merged modes that follow the poles while they sound (DESIGN 5, Live material).
+// Groups of merged modes that follow the poles while they sound (docs/decisions/0015).
 #include "Synth/ModeCompression.h"
 #include "Synth/SoundingObject.h"
 

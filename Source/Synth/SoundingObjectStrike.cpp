@@ -146,7 +146,7 @@ void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
     admitWanted(allowance);
 }
 
-/// Lets the wanted modes sound, the loudest by `kickEnergies` where there is no room for all.
+/// Lets the wanted modes sound, the loudest kicks where there is no room for all.
 void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     // A mode that the budget left out cannot join a contact under way: its forced part would step.
     // One below τ can.

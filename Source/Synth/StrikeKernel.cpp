@@ -95,10 +95,10 @@ HWY_INLINE PoleInPulse poleInPulse(const ForcedArrays& arrays, double perOmega, 
 void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t count) {
     const Floats f;
     const ForcedArrays arrays = all;
-    constexpr double turn = 2 * std::numbers::pi;
-    const double perOmega = pulse.contactSeconds / turn;
+    constexpr double fullTurn = 2 * std::numbers::pi;
+    const double perOmega = pulse.contactSeconds / fullTurn;
     const auto set = [&](double value) HWY_ATTR { return hn::Set(f, static_cast<float>(value)); };
-    const auto rate = set(1 / turn);
+    const auto rate = set(1 / fullTurn);
     const auto delta = set(pulse.dampingPerSecond * perOmega);
     const auto phaseRe = set(pulse.phase.real());
     const auto phaseIm = set(pulse.phase.imag());
@@ -181,22 +181,22 @@ void cosine(double steady,
                                     a.real() * b.imag() + a.imag() * b.real());
     };
     const std::complex<double> sample = std::polar(1.0, radiansPerSample);
-    std::complex<double> turn = 1;
+    std::complex<double> power = 1;
     for (std::size_t k = 0; k < lanes; ++k) {
-        const auto start = product(swing, turn);
+        const auto start = product(swing, power);
         startRe[k] = start.real();
         startIm[k] = start.imag();
-        turn = product(turn, sample);
+        power = product(power, sample);
     }
     auto re = hn::Load(d, startRe);
     auto im = hn::Load(d, startIm);
-    const auto turnRe = hn::Set(d, turn.real());
-    const auto turnIm = hn::Set(d, turn.imag());
+    const auto stepRe = hn::Set(d, power.real());
+    const auto stepIm = hn::Set(d, power.imag());
     const auto middle = hn::Set(d, steady);
     for (std::size_t k = 0; k < count; k += lanes) {
         hn::StoreU(hn::DemoteTo(f, hn::Add(middle, re)), f, output + k);
-        const auto next = hn::NegMulAdd(im, turnIm, hn::Mul(re, turnRe));
-        im = hn::MulAdd(im, turnRe, hn::Mul(re, turnIm));
+        const auto next = hn::NegMulAdd(im, stepIm, hn::Mul(re, stepRe));
+        im = hn::MulAdd(im, stepRe, hn::Mul(re, stepIm));
         re = next;
     }
 }

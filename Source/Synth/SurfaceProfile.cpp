@@ -1,6 +1,11 @@
 #include "Synth/SurfaceProfile.h"
 
+#include "Synth/ComplexProduct.h"
+
+#include <algorithm>
+#include <cmath>
 #include <complex>
+#include <numbers>
 #include <utility>
 
 namespace idiophone {
@@ -9,11 +14,6 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double pi = std::numbers::pi;
-
-// The product without std::complex's care for infinities, which costs several times the product.
-Complex product(Complex a, Complex b) {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 /// Steele, Lea & Flood 2014: the same numbers on every platform, which std distributions are not.
 class SplitMix64 {

@@ -3,7 +3,6 @@
 
 #include "Object/DampingLaw.h"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
