@@ -1,20 +1,23 @@
 # idiophone_debian_source(<FetchContent name> PACKAGE p VERSION v SUITE s [FOLDER f])
-# On Debian, unpacks a pinned source package once into build/dependencies and points FetchContent
+# On Debian 12, unpacks a pinned source package once into build/dependencies and points FetchContent
 # at it; elsewhere does nothing, so that FetchContent fetches the upstream tag.
 #
 # idiophone_debian_binary(<variable> PACKAGE p VERSION v SUITE s)
-# For packages whose source is not served: on Debian, unpacks what would be installed and sets the
+# For packages whose source is not served: on Debian 12, unpacks what would be installed and sets the
 # variable to its folder; elsewhere sets it to nothing.
 include(FetchContent)
 
-set(IDIOPHONE_DEPENDENCIES "${CMAKE_SOURCE_DIR}/build/dependencies" CACHE PATH
+set(IDIOPHONE_DEPENDENCIES "${PROJECT_SOURCE_DIR}/build/dependencies" CACHE PATH
     "Where unpacked source packages are kept, shared by all presets")
 
-set(is_debian OFF)
-if(EXISTS /etc/debian_version AND EXISTS /usr/share/keyrings/debian-archive-keyring.gpg)
-    set(is_debian ON)
+set(is_bookworm OFF)
+if(EXISTS /usr/share/keyrings/debian-archive-keyring.gpg)
+    cmake_host_system_information(RESULT codename QUERY DISTRIB_VERSION_CODENAME)
+    if(codename STREQUAL "bookworm")
+        set(is_bookworm ON)
+    endif()
 endif()
-option(IDIOPHONE_DEBIAN_SOURCES "Take what is pinned from Debian's packages, not from upstream repositories" ${is_debian})
+option(IDIOPHONE_DEBIAN_SOURCES "Take what is pinned from Debian's packages, not from upstream repositories" ${is_bookworm})
 
 # Unpacks it into the folder unless that stands already; further arguments go to debian-source.sh.
 function(idiophone_unpack_debian folder package version suite)
@@ -24,7 +27,7 @@ function(idiophone_unpack_debian folder package version suite)
     message(STATUS "Fetching Debian package ${package} ${version}")
     file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
     execute_process(
-        COMMAND "${CMAKE_SOURCE_DIR}/cmake/debian-source.sh" ${package} ${version} ${suite}
+        COMMAND "${PROJECT_SOURCE_DIR}/cmake/debian-source.sh" ${package} ${version} ${suite}
                 "${IDIOPHONE_DEPENDENCIES}" ${ARGN}
         RESULT_VARIABLE failed OUTPUT_VARIABLE log ERROR_VARIABLE log)
     if(failed)

@@ -1,7 +1,8 @@
 # What every target of ours is compiled with; dependencies are left as they are.
 add_library(idiophone_warnings INTERFACE)
 if(MSVC)
-    target_compile_options(idiophone_warnings INTERFACE /W4 /permissive- /utf-8)
+    target_compile_options(idiophone_warnings INTERFACE /W4 /permissive- /utf-8
+        /wd4068) # pragmas of other compilers
 else()
     target_compile_options(idiophone_warnings INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
@@ -9,17 +10,3 @@ else()
     target_compile_options(idiophone_warnings INTERFACE
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 endif()
-
-# idiophone_room(<Room> SOURCES ... [PUBLIC ...] [PRIVATE ...]): one static library a room.
-function(idiophone_room room)
-    cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-    string(TOLOWER ${room} lower)
-    set(target idiophone_${lower})
-    add_library(${target} STATIC ${arg_SOURCES})
-    add_library(Idiophone::${room} ALIAS ${target})
-    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Source>")
-    target_link_libraries(${target}
-        PUBLIC ${arg_PUBLIC}
-        PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:idiophone_warnings>)
-    set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ${IDIOPHONE_WARNINGS_AS_ERRORS})
-endfunction()

@@ -9,7 +9,6 @@ if(MYSOFA_INCLUDE_DIR AND MYSOFA_LIBRARY)
     target_include_directories(idiophone_mysofa SYSTEM INTERFACE "${MYSOFA_INCLUDE_DIR}")
     target_link_libraries(idiophone_mysofa INTERFACE "${MYSOFA_LIBRARY}")
 else()
-    set(CMAKE_POLICY_DEFAULT_CMP0077 NEW) # its options take what is set here
     set(BUILD_TESTS OFF)
     set(BUILD_SHARED_LIBS OFF)
     FetchContent_Declare(mysofa

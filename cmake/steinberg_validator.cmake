@@ -14,7 +14,7 @@ if(IDIOPHONE_DEBIAN_SOURCES)
         message(STATUS "Fetching Debian source package vst3sdk ${version}-4")
         file(MAKE_DIRECTORY "${IDIOPHONE_DEPENDENCIES}")
         execute_process(
-            COMMAND "${CMAKE_SOURCE_DIR}/cmake/debian-source.sh" vst3sdk ${version}-4 trixie
+            COMMAND "${PROJECT_SOURCE_DIR}/cmake/debian-source.sh" vst3sdk ${version}-4 trixie
                     "${IDIOPHONE_DEPENDENCIES}" --archives
             OUTPUT_VARIABLE log ERROR_VARIABLE log)
         file(REMOVE_RECURSE "${folder}.partial")
@@ -47,7 +47,7 @@ else()
         GIT_SUBMODULES base cmake pluginterfaces public.sdk)
 endif()
 
-set(vst3sdk_build "${CMAKE_BINARY_DIR}/steinberg_validator")
+set(vst3sdk_build "${PROJECT_BINARY_DIR}/steinberg_validator")
 set(STEINBERG_VALIDATOR "${vst3sdk_build}/bin/Release/validator${CMAKE_EXECUTABLE_SUFFIX}")
 ExternalProject_Add(steinberg_validator
     ${vst3sdk_source}

@@ -1,0 +1,13 @@
+# idiophone_room(<Room> SOURCES ... [PUBLIC ...] [PRIVATE ...]): one static library a room.
+function(idiophone_room room)
+    cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+    string(TOLOWER ${room} lower)
+    set(target idiophone_${lower})
+    add_library(${target} STATIC ${arg_SOURCES})
+    add_library(Idiophone::${room} ALIAS ${target})
+    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Source>")
+    target_link_libraries(${target}
+        PUBLIC ${arg_PUBLIC}
+        PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:idiophone_warnings>)
+    set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ${IDIOPHONE_WARNINGS_AS_ERRORS})
+endfunction()
