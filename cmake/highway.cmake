@@ -4,13 +4,16 @@ if(TARGET hwy::hwy)
 endif()
 set(HWY_ENABLE_TESTS OFF)
 set(HWY_ENABLE_EXAMPLES OFF)
-set(HWY_ENABLE_INSTALL ON) # programs on Idiophone::Synth link to it, too
+# Programs on Idiophone::Synth link to it, too: where it is fetched it is installed with ours.
+set(HWY_ENABLE_INSTALL ON)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 FetchContent_Declare(hwy
     GIT_REPOSITORY https://github.com/google/highway.git
-    GIT_TAG 1.0.3
+    GIT_TAG 1.0.4 # the first that installs a CMake package
     GIT_SHALLOW ON
     FIND_PACKAGE_ARGS 1.0.3)
 FetchContent_MakeAvailable(hwy)
+unset(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME)
 if(NOT TARGET hwy::hwy)
     add_library(hwy::hwy ALIAS hwy)
 endif()
