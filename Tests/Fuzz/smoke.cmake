@@ -27,10 +27,16 @@ if(NOT has_libfuzzer)
     return()
 endif()
 
-# Beside the other presets, so that `./dev soak` finds them built.
+# The presets' builds share one, which `./dev soak` finds; any other build has its own.
 set(fuzz_build "${PROJECT_SOURCE_DIR}/build/fuzz")
+cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH builds)
+if(NOT builds STREQUAL "${PROJECT_SOURCE_DIR}/build")
+    set(fuzz_build "${PROJECT_BINARY_DIR}/fuzz")
+endif()
 add_custom_target(fuzz_targets ALL
-    COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING --no-warn-unused-cli -S "${PROJECT_SOURCE_DIR}"
+    COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING --no-warn-unused-cli
+            -S "${PROJECT_SOURCE_DIR}" -B "${fuzz_build}"
+            "-DIDIOPHONE_DEPENDENCIES=${IDIOPHONE_DEPENDENCIES}"
             "-DIDIOPHONE_DEBIAN_SOURCES=${IDIOPHONE_DEBIAN_SOURCES}"
             "-DFETCHCONTENT_SOURCE_DIR_JUCE=${juce_SOURCE_DIR}"
             "-DFETCHCONTENT_SOURCE_DIR_LIBIGL=${libigl_SOURCE_DIR}"
