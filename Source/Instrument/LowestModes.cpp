@@ -14,8 +14,18 @@ LowestModes::LowestModes(const ModalObject& object, double sizeRatio) {
         if (count > 0 && hz < 1.01 * frequenciesHz[count - 1])
             continue;
         frequenciesHz[count] = hz;
+        if (object.hasLiveThickness())
+            bendingShares[count] = object.bending[mode] / object.eigenvalues[mode];
         dampingScales[count++] = object.dampingScale(mode);
     }
+}
+
+LowestModes LowestModes::atThickness(double thicknessRatio) const {
+    LowestModes result = *this;
+    for (std::size_t mode = 0; mode < count; ++mode)
+        result.frequenciesHz[mode] *=
+            std::sqrt(1 + (thicknessRatio * thicknessRatio - 1) * bendingShares[mode]);
+    return result;
 }
 
 LowestModes LowestModes::moved(double ratio) const {

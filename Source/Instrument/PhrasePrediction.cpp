@@ -139,10 +139,11 @@ void PhrasePrediction::beginBlows(const ParameterValues& values,
         trains[level] = contactTrain(strike, key.malletScale, values[chatter],
                                      static_cast<std::uint32_t>(firstNote));
         if (values[modalPulse] != 0)
-            trains[level] = withModalPulses(
-                trains[level], phrase->notes[firstNote]
-                                   .lowestModes.moved(liveFrequencyRatio(own, settings))
-                                   .span());
+            trains[level] =
+                withModalPulses(trains[level], phrase->notes[firstNote]
+                                                   .lowestModes.atThickness(thicknessRatio)
+                                                   .moved(liveFrequencyRatio(own, settings))
+                                                   .span());
         pressed[level] = PressedMotion(strike);
         pressedVelocities[level] = {};
     }

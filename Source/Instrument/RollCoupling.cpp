@@ -11,10 +11,11 @@ CoupledModes coupledModes(const LowestModes& lowestModes,
                           const SynthesisSettings& settings) {
     const auto law = liveConditions(own, settings).law;
     static_assert(LowestModes::capacity <= ContactForce::maxCoupledModes);
+    const auto modes = lowestModes.atThickness(settings.thicknessRatio);
     CoupledModes result;
-    for (std::size_t mode = 0; mode < lowestModes.count; ++mode) {
-        const double omega = 2 * std::numbers::pi * lowestModes.frequenciesHz[mode];
-        const auto pole = law.pole(omega * omega, lowestModes.dampingScales[mode]);
+    for (std::size_t mode = 0; mode < modes.count; ++mode) {
+        const double omega = 2 * std::numbers::pi * modes.frequenciesHz[mode];
+        const auto pole = law.pole(omega * omega, modes.dampingScales[mode]);
         if (naturalFrequencyHz(pole) >= lowestSoundingHz && isOscillating(pole))
             result.add({.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
                         .dampingPerSecond = pole.damping / 2});

@@ -19,6 +19,8 @@ struct LiveConditions {
     PoleLaw law;
     double gainRatio = 1; ///< of residues: 1/mass ratio
     /// What RadiationTable::weightsAt looks up: frequencies times size, relative to the reference.
+    /// A live thickness moves each mode by a ratio of its own; the weights stay those of the shapes
+    /// at the thickness that was analysed.
     double radiationRatio = 1;
 
     /// By what the natural frequencies of the reference are multiplied.
@@ -27,6 +29,7 @@ struct LiveConditions {
 
 /// Of an object with that reference material; figures of either that are not positive count as
 /// equal to the other's. The slot's size and frequency ratios (> 0) come on top of the settings'.
+/// The settings' thickness is not among it: it acts on each mode (ModalObject::eigenvalueAt).
 LiveConditions liveConditions(const Material& reference,
                               const SynthesisSettings& settings,
                               double slotSizeRatio = 1,

@@ -20,6 +20,21 @@ TEST_CASE("The lowest eight frequencies count pairs once and follow size and rat
     CHECK(LowestModes(syntheticObject({100, 300}), 1).span().size() == 2);
 }
 
+TEST_CASE("Lowest modes follow a live thickness, each by the share of it that bends") {
+    auto shell = syntheticObject({100, 300, 900});
+    const LowestModes solid(shell, 1);
+    shell.bending = {0, shell.eigenvalues[1], shell.eigenvalues[2] / 2};
+    const LowestModes own(shell, 1);
+    CHECK(own.atThickness(1).frequenciesHz == own.frequenciesHz);
+    CHECK(solid.atThickness(3).frequenciesHz == solid.frequenciesHz);
+    for (const double ratio : {0.25, 2.0, 4.0}) {
+        const auto moved = own.atThickness(ratio);
+        for (std::size_t mode = 0; mode < 3; ++mode)
+            CHECK(moved.span()[mode] ==
+                  Approx(std::sqrt(shell.eigenvalueAt(mode, ratio)) / (2 * std::numbers::pi)));
+    }
+}
+
 TEST_CASE("Frequencies rise with the root of stiffness over density and fall with size") {
     const auto own = syntheticObject({100}).material;
     SynthesisSettings settings;

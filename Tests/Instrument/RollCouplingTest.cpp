@@ -53,6 +53,17 @@ TEST_CASE("Coupled modes follow size, tuning and live material, damping with the
     checkPole(other.span()[0], 110.0 / 2 * 3 / 0.5 * 2, 7, 3e-7);
 }
 
+TEST_CASE("Coupled modes follow a live thickness, damping with the moved frequency") {
+    auto shell = syntheticObject({110, 300});
+    shell.bending = {shell.eigenvalues[0], 0};
+    SynthesisSettings settings;
+    settings.thicknessRatio = 3;
+    const auto coupled = coupledModes(LowestModes(shell, 1), ownMaterial(), settings);
+    REQUIRE(coupled.span().size() == 2);
+    checkPole(coupled.span()[0], 330, 40, 1e-6);
+    checkPole(coupled.span()[1], 300, 40, 1e-6);
+}
+
 TEST_CASE("A roll is not coupled to modes that do not sound or do not oscillate") {
     const LowestModes lowest(syntheticObject({15, 25, 300, 9000}), 1);
     auto own = ownMaterial();

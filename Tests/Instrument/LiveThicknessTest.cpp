@@ -1,0 +1,121 @@
+// A sheet is stiff by bending alone: twice as thick it is the sheet whose modes are an octave
+// higher, at half the amplitude. What keys do to it has to follow.
+#include "Instrument/LoudnessMatch.h"
+#include "Instrument/Player.h"
+#include "Support/Level.h"
+#include "Support/RenderNotes.h"
+#include "TestInstruments.h"
+
+#include <algorithm>
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using enum ParameterId;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+std::shared_ptr<const Instrument> sheetUnderKeys(double ratio, bool isLive) {
+    auto object = syntheticObject({180 * ratio, 410 * ratio, 1030 * ratio});
+    if (isLive)
+        object.bending = object.eigenvalues;
+    return keysOn(std::move(object), KeyMapKind::zones, 48, 72);
+}
+
+ParameterValues with(ParameterValues parameters, ParameterId parameter, double value) {
+    parameters.set(parameter, value);
+    return parameters;
+}
+
+/// The worst difference of a sheet twice as thick from half of one an octave higher, by the peak.
+double errorOfThickSheet(const ParameterValues& parameters) {
+    const std::vector events{midi(0, 0x90, 60, 100), midi(30000, 0x80, 60, 0)};
+    Player thick(sheetUnderKeys(1, true), sampleRateHz);
+    Player higher(sheetUnderKeys(2, false), sampleRateHz);
+    const auto sound = render(thick, events, 48000, 480, with(parameters, thickness, 200));
+    const auto expected = render(higher, events, 48000, 480, parameters);
+    float worst = 0;
+    for (std::size_t i = 0; i < sound.size(); ++i)
+        worst = std::max(worst, std::abs(sound[i] - expected[i] / 2));
+    return static_cast<double>(worst) / (peak(expected) / 2);
+}
+
+/// A shell whose modes move apart as it gets thicker, and which radiates.
+std::shared_ptr<const Instrument> shellUnderKeys() {
+    auto object = syntheticObject({220, 700, 1900, 4300});
+    object.bending = {0, object.eigenvalues[1], object.eigenvalues[2] / 2, object.eigenvalues[3]};
+    object.radiation = {.directions = {{-0.6f, 0, 0.8f}, {0.6f, 0, 0.8f}},
+                        .frequencyRatios = {1},
+                        .weights = {0.02f, -0.01f, 0.03f, 0.02f, 0.01f, 0.05f, -0.02f, 0.04f}};
+    return keysOn(std::move(object), KeyMapKind::scaled, 48, 72);
+}
+
+} // namespace
+
+TEST_CASE("Twice as thick, a sheet struck by modal pulses is one an octave higher, half as loud") {
+    ParameterValues parameters;
+    parameters.set(modalPulse, 1);
+    parameters.set(malletSpeed, 1);
+    CHECK(errorOfThickSheet(parameters) < 1e-3);
+}
+
+TEST_CASE("Twice as thick, a sheet rolled over is one an octave higher, half as loud") {
+    ParameterValues parameters;
+    parameters.set(contact, rollContact);
+    parameters.set(rollCoupling, 100);
+    CHECK(errorOfThickSheet(parameters) < 1e-3);
+}
+
+TEST_CASE("Loudness of a sheet twice as thick is predicted as that of one an octave higher") {
+    ParameterValues parameters;
+    parameters.set(rollCoupling, 100);
+    parameters.set(modalPulse, 1);
+    for (const int kind : {strikeContact, rollContact}) {
+        parameters.set(contact, kind);
+        const LoudnessMatch thick(sheetUnderKeys(1, true), {}, sampleRateHz, parameters);
+        const LoudnessMatch higher(sheetUnderKeys(2, false), {}, sampleRateHz, parameters);
+        const auto lufs = thick.predictedLufs(with(parameters, thickness, 200));
+        const auto expected = higher.predictedLufs(parameters);
+        for (std::size_t level = 0; level < lufs.size(); ++level)
+            CHECK(lufs[level] == Approx(expected[level] - 20 * std::log10(2)).margin(1e-6));
+    }
+}
+
+TEST_CASE("What does not matter to a prediction changes nothing in it, and thickness matters") {
+    const auto instrument = shellUnderKeys();
+    for (const int kind : {strikeContact, scrapeContact, rollContact}) {
+        ParameterValues own;
+        own.set(contact, kind);
+        own.set(rollCoupling, 50);
+        const LoudnessMatch match(instrument, {}, sampleRateHz, own);
+        for (const auto& info : parameterTable())
+            for (const double value : {info.minimum, info.maximum}) {
+                const auto values = with(own, info.parameter, value);
+                INFO(info.id << " at " << value << ", contact " << kind);
+                CHECK(match.predictedLufs(values) == match.predictedLufs(valuesThatMatter(values)));
+            }
+    }
+}
+
+TEST_CASE("The gain that matches loudness is that of the thickness at which both materials sound") {
+    const auto instrument = shellUnderKeys();
+    ParameterValues own;
+    own.set(matchLoudness, 1);
+    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    const auto gainAt = [&](double percent) {
+        const auto now = with(with(own, thickness, percent), material, firstLibraryMaterial);
+        match.prepare(now);
+        const auto wanted = match.predictedLufs(with(own, thickness, percent));
+        const auto played = match.predictedLufs(now);
+        constexpr auto middle = PhrasePrediction::middleVelocity;
+        CHECK(std::abs(match.gainDb() - (wanted[middle] - played[middle])) <= 1.5 + 1e-9);
+        return match.gainDb();
+    };
+    const double thin = gainAt(30), thick = gainAt(350);
+    CHECK(std::abs(thin - thick) > 0.5);
+}
