@@ -2,6 +2,7 @@
 // dampers, and the synthesiser's cells become a stream of any block size.
 #pragma once
 
+#include "Instrument/CellStrikes.h"
 #include "Instrument/HandScrape.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/Instrument.h"
@@ -9,7 +10,6 @@
 #include "Instrument/LowestModes.h"
 #include "Instrument/Motor.h"
 #include "Instrument/ParameterGlide.h"
-#include "Instrument/PendingStrikes.h"
 #include "Instrument/PitchBend.h"
 #include "Instrument/SilencedModes.h"
 #include "Instrument/SlotTuning.h"
@@ -150,13 +150,13 @@ private:
     void liftPedals();
     void schedule(std::size_t slot, double sample, const Strike& strike);
     void strikePendingBefore(double sampleInCell);
-    void strikeNow(std::size_t slot, const Strike& strike, double sampleInCell);
     void beginCell();
     SynthesisSettings settingsNow() const;
     void updateDampers();
     void updateGain();
     void copyOut(const StereoSpan& output, int position, int count) const;
     CellOutput cell() { return {leftCell, rightCell}; }
+    BegunCell begunCell() { return {synth, slotCells, cellIndex}; }
     void playStage();
     double nextStrikeSample() const;
 
@@ -173,7 +173,7 @@ private:
     std::int64_t cellIndex = -1; ///< of the cell begun last
     std::uint32_t firstStrikeNumber;
     std::uint32_t strikeCount;
-    PendingStrikes pending;
+    CellStrikes pending;
     std::vector<MidiEvent> late;               ///< note-ons for the start of the next block
     std::vector<SurfaceStrike> surfaceStrikes; ///< for the start of the next block
     std::vector<LowestModes> lowestModes;      ///< of each slot

@@ -4,7 +4,6 @@
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 // The blows: from a key or a place to the contacts that the synthesiser strikes at their samples.
@@ -56,11 +55,13 @@ void Player::strikeAt(std::size_t slot,
         malletStrike(point, velocity, malletScale, softened, surfaceCompliancePerPa(own, current));
     auto train = contactTrain(strike, malletScale, current[chatter], number);
     if (current[modalPulse] != 0) {
-        const double ratio = synth.frequencyRatio(slot) * liveFrequencyRatio(own, settingsNow());
-        train = withModalPulses(train, lowestModes[slot].moved(ratio).span());
+        const auto settings = settingsNow();
+        const double ratio = synth.frequencyRatio(slot) * liveFrequencyRatio(own, settings);
+        const auto modes = lowestModes[slot].atThickness(settings.thicknessRatio).moved(ratio);
+        train = withModalPulses(train, modes.span());
     }
     if (train.size() > pending.room()) {
-        strikeNow(slot, strike, cellPosition);
+        pending.strike(slot, strike, cellPosition, begunCell());
         return;
     }
     for (const auto& contact : train)
@@ -75,45 +76,13 @@ double Player::nextStrikeSample() const {
 
 /// `sample` counts from the start of the cell begun last.
 void Player::schedule(std::size_t slot, double sample, const Strike& strike) {
-    const double cells = std::floor(sample / cellSamples);
-    pending.add({.cell = cellIndex + static_cast<std::int64_t>(cells),
-                 .sampleInCell = sample - cells * cellSamples,
-                 .slot = slot,
-                 .strike = strike});
+    pending.schedule(slot, strike, cellIndex, sample);
 }
 
 // In order of time and before their samples are played: so the order of strikes, and with it every
 // bit, is the same for all block sizes.
 void Player::strikePendingBefore(double sampleInCell) {
-    for (const auto* next = pending.next();
-         next != nullptr && next->cell == cellIndex && next->sampleInCell < sampleInCell;
-         next = pending.next()) {
-        const auto due = *next;
-        pending.pop();
-        strikeNow(due.slot, due.strike, due.sampleInCell);
-    }
-}
-
-/// An object has room for so many contacts at a time. A pulse beyond comes as ideal impulses, which
-/// need no room: as its values at a quarter, the half and three quarters of its time, which have
-/// its spectrum up to 2/T and are too bright above.
-void Player::strikeNow(std::size_t slot, const Strike& strike, double sampleInCell) {
-    if (synth.strike(slot, strike, sampleInCell, slotCells[slot]))
-        return;
-    auto impulse = strike;
-    impulse.durationSeconds = 0;
-    constexpr std::array shares{0.25f, 0.5f, 0.25f};
-    if (pending.room() < shares.size()) {
-        synth.strike(slot, impulse, sampleInCell, slotCells[slot]);
-        return;
-    }
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            impulse.impulseNewtonSeconds[axis] = shares[k] * strike.impulseNewtonSeconds[axis];
-        const double delaySamples =
-            0.25 * static_cast<double>(k + 1) * strike.durationSeconds * synth.sampleRateHz();
-        schedule(slot, sampleInCell + delaySamples, impulse);
-    }
+    pending.strikeBefore(sampleInCell, begunCell());
 }
 
 } // namespace idiophone

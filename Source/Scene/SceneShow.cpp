@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <utility>
 
 namespace idiophone {
@@ -51,18 +50,24 @@ void SceneShow::sound(std::int64_t cell,
     if (std::exchange(areBlowsTaken, false))
         recentBlows.clear();
     takeChunks();
-    isPressed.fill(false);
-    if (paused) {
+    const BegunCell begun{synthesiser, cellsOfSlots, cell};
+    if (!paused)
+        playActs(begun);
+    else {
         pairOfVoice.fill(0);
         for (auto& act : acts)
             ++act.startCell;
-        return;
     }
+    crowded.strikeBefore(cellSamples, begun);
+}
+
+void SceneShow::playActs(const BegunCell& cell) noexcept {
+    isPressed.fill(false);
     if (mayWait)
-        waitFor(cell);
+        waitFor(cell.index);
     for (auto& act : acts)
         if (act.number != 0)
-            play(act, cell, synthesiser, cellsOfSlots);
+            play(act, cell);
     for (std::size_t voice = 0; voice < isPressed.size(); ++voice)
         if (!isPressed[voice])
             pairOfVoice[voice] = 0;
@@ -114,12 +119,9 @@ void SceneShow::waitFor(std::int64_t cell) noexcept {
     }
 }
 
-void SceneShow::play(Act& act,
-                     std::int64_t cell,
-                     Synthesiser& synthesiser,
-                     std::span<const CellOutput> cellsOfSlots) noexcept {
+void SceneShow::play(Act& act, const BegunCell& cell) noexcept {
     // The act's cells lie between those of the sound: this one's end falls into its cell `now`.
-    const auto now = cell - act.startCell;
+    const auto now = cell.index - act.startCell;
     const double startSeconds = (static_cast<double>(now * cellSamples) - act.startSample) / rate;
     const double endSeconds = startSeconds + cellSamples / rate;
     while (act.count > 0) {
@@ -131,11 +133,11 @@ void SceneShow::play(Act& act,
             const double sample = (blow.seconds - startSeconds) * rate;
             if (sample < -0.5)
                 ++lateCount;
-            strike(blow, cell, sample, synthesiser, cellsOfSlots);
+            strike(blow, sample, cell);
         }
         for (const auto& touched : chunk.touches)
             if (touched.cell == now - 1)
-                press(touched.state, synthesiser, cellsOfSlots);
+                press(touched.state, cell);
         place(act, chunk.endCell() - now);
         if (now < chunk.endCell())
             return;
@@ -156,27 +158,21 @@ std::span<const PlacedBlow> SceneShow::takeBlows() noexcept {
     return recentBlows;
 }
 
-void SceneShow::strike(const SceneBlow& blow,
-                       std::int64_t cell,
-                       double sample,
-                       Synthesiser& synthesiser,
-                       std::span<const CellOutput> cellsOfSlots) noexcept {
-    if (blow.slot >= cellsOfSlots.size())
+void SceneShow::strike(const SceneBlow& blow, double sample, const BegunCell& cell) noexcept {
+    if (blow.slot >= cell.cellsOfSlots.size() ||
+        !crowded.strike(blow.slot, blow.strike, sample, cell))
         return;
-    const double within = std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0));
-    if (synthesiser.strike(blow.slot, blow.strike, within, cellsOfSlots[blow.slot]) &&
-        recentBlows.size() < blowCapacity)
+    if (recentBlows.size() < blowCapacity)
         recentBlows.push_back(
-            {.seconds = (static_cast<double>(cell * cellSamples) + within) / rate,
+            {.seconds =
+                 (static_cast<double>(cell.index * cellSamples) + std::max(sample, 0.0)) / rate,
              .slot = blow.slot,
              .strike = blow.strike,
              .pointMetres = {blow.pointMetres.x(), blow.pointMetres.y(), blow.pointMetres.z()}});
 }
 
 /// By the voice that the pair has, or else a free one.
-void SceneShow::press(const TouchState& state,
-                      Synthesiser& synthesiser,
-                      std::span<const CellOutput> cellsOfSlots) noexcept {
+void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
     auto voice = std::ranges::find(pairOfVoice, state.pair);
     if (voice == pairOfVoice.end())
         voice = std::ranges::find(pairOfVoice, 0u);
@@ -185,7 +181,7 @@ void SceneShow::press(const TouchState& state,
     *voice = state.pair;
     const auto index = static_cast<std::size_t>(voice - pairOfVoice.begin());
     isPressed[index] = true;
-    voices.press(index, state, synthesiser, cellsOfSlots);
+    voices.press(index, state, cell.synthesiser, cell.cellsOfSlots);
 }
 
 /// Evenly to where the first chunk says, or at once at the beginning.
@@ -204,6 +200,7 @@ void SceneShow::stop() noexcept {
         clear(acts[index]);
     }
     std::ranges::copy(stage.firstPoses(), bodyPoses.begin());
+    crowded.clear();
     recentBlows.clear();
     ownNumber = nextNumber();
 }
@@ -220,7 +217,7 @@ void SceneShow::reset() noexcept {
 }
 
 bool SceneShow::silent() const noexcept {
-    return ears.silent() &&
+    return ears.silent() && crowded.empty() &&
            std::ranges::all_of(acts, [](const Act& act) { return act.number == 0; });
 }
 

@@ -1,6 +1,7 @@
 // The audio thread's side of a stage: acts' blows and touches at their samples, and the listener.
 #pragma once
 
+#include "Instrument/CellStrikes.h"
 #include "Instrument/Stage.h"
 #include "Scene/ActWorker.h"
 #include "Scene/SceneEars.h"
@@ -36,6 +37,7 @@ public:
 private:
     static constexpr std::size_t chunkCapacity = 128; // more than the worker is ahead
     static constexpr std::size_t blowCapacity = 1024; // between two times that somebody asks
+    static constexpr std::size_t crowdedCapacity = 1024;
 
     /// An act as it sounds: a ring of chunks that are known.
     struct Act {
@@ -56,18 +58,10 @@ private:
     void drop(Act& act) noexcept;
     void takeChunks() noexcept;
     void waitFor(std::int64_t cell) noexcept;
-    void play(Act& act,
-              std::int64_t cell,
-              Synthesiser& synthesiser,
-              std::span<const CellOutput> cellsOfSlots) noexcept;
-    void strike(const SceneBlow& blow,
-                std::int64_t cell,
-                double sample,
-                Synthesiser& synthesiser,
-                std::span<const CellOutput> cellsOfSlots) noexcept;
-    void press(const TouchState& state,
-               Synthesiser& synthesiser,
-               std::span<const CellOutput> cellsOfSlots) noexcept;
+    void playActs(const BegunCell& cell) noexcept;
+    void play(Act& act, const BegunCell& cell) noexcept;
+    void strike(const SceneBlow& blow, double sample, const BegunCell& cell) noexcept;
+    void press(const TouchState& state, const BegunCell& cell) noexcept;
     void place(Act& act, std::int64_t cellsLeft) noexcept;
 
     const SceneStage& stage;
@@ -82,8 +76,9 @@ private:
     std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{};
     std::array<bool, TouchTracker::voiceCount> isPressed{}; ///< in this cell
     SceneEars ears;
-    std::vector<Eigen::Vector3d> places; ///< of the slots
-    std::vector<BodyPose> bodyPoses;     ///< likewise
+    std::vector<Eigen::Vector3d> places;  ///< of the slots
+    std::vector<BodyPose> bodyPoses;      ///< likewise
+    CellStrikes crowded{crowdedCapacity}; ///< blows that found no room
     std::vector<PlacedBlow> recentBlows;
     bool areBlowsTaken = false;
     std::uint32_t ownNumber;

@@ -1,8 +1,5 @@
 #include "Scene/SceneSound.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace idiophone {
 
 SceneSound::SceneSound(const SceneCast& cast,
@@ -13,7 +10,8 @@ SceneSound::SceneSound(const SceneCast& cast,
     : synth(std::move(slots), sampleRateHz, 1),
       ears(cast.scene().listener, head, synth.slotCount(), sampleRateHz),
       voices(cast, sampleRateHz, seed), samples(synth.slotCount() * cellSamples),
-      cellSeconds(cellSamples / sampleRateHz), startSeconds(-cellSeconds) {
+      crowded(crowdedCapacity), cellSeconds(cellSamples / sampleRateHz),
+      startSeconds(-cellSeconds) {
     for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
         cells.emplace_back(
             std::span<float, cellSamples>(&samples[slot * cellSamples], cellSamples));
@@ -28,14 +26,18 @@ bool SceneSound::strike(const SceneBlow& blow) noexcept {
     if (blow.slot >= cells.size())
         return false;
     const double sample = (blow.seconds - startSeconds) * synth.sampleRateHz();
-    return synth.strike(blow.slot, blow.strike,
-                        std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0)),
-                        cells[blow.slot]);
+    return crowded.strike(blow.slot, blow.strike, sample, begunCell());
 }
 
 void SceneSound::touch(std::span<const TouchState, TouchTracker::voiceCount> states) noexcept {
     for (std::size_t k = 0; k < states.size(); ++k)
         voices.press(k, states[k], synth, cells);
+}
+
+void SceneSound::finishCell(std::span<const Eigen::Vector3d> places,
+                            const CellOutput& heard) noexcept {
+    crowded.strikeBefore(cellSamples, begunCell());
+    ears.hear(cells, places, heard);
 }
 
 } // namespace idiophone

@@ -225,6 +225,10 @@ bool Synthesiser::strike(std::size_t slot,
     });
 }
 
+bool Synthesiser::contactsUsedUp(std::size_t slot) const noexcept {
+    return slot < slotCount() && implementation->objects[slot].contactsUsedUp();
+}
+
 bool Synthesiser::applyForce(std::size_t slot,
                              const ForceCell& force,
                              const CellOutput& cell) noexcept {

@@ -67,6 +67,9 @@ public:
                 double sampleInCell,
                 const CellOutput& cell) noexcept;
 
+    /// Whether `strike` would return false because 64 contacts are under way in this slot.
+    bool contactsUsedUp(std::size_t slot) const noexcept;
+
     /// Presses on a slot throughout the cell begun last, in addition to whatever else does, and
     /// adds the sound to it. While a force lasts the modes that the budget allows stay mixed,
     /// however faint. Returns false, and does nothing, where the slot or a shape row does not exist

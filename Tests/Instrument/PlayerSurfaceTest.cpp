@@ -7,6 +7,7 @@
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
+#include <limits>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -97,4 +98,15 @@ TEST_CASE("More blows between two blocks than there is room for are dropped with
     for (int i = 0; i < 1000; ++i)
         player.strikeSurface(strike);
     CHECK(allocations.allocations() == 0);
+}
+
+TEST_CASE(
+    "A blow on the surface that is not finite is heard by nobody and leaves nothing waiting") {
+    Player player(bars(), sampleRateHz);
+    auto strike = strikeOf(player.instrument(), 65, 90);
+    strike.point.normal[1] = std::numeric_limits<float>::quiet_NaN();
+    player.strikeSurface(strike);
+    const auto sound = renderStereo(player, {}, 9600, 480, steadyHand());
+    CHECK(peak(sound.left) == 0);
+    CHECK(player.silent());
 }

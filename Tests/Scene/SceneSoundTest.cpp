@@ -74,6 +74,32 @@ TEST_CASE("A scene sounds from its first blow on, at its sample, and the same ea
     CHECK(perform("Pebble in a wok", 1).samples == once.samples);
 }
 
+TEST_CASE("However many blows fall on one body at a time, none is lost") {
+    const auto cast =
+        SceneCast::make(*findFactoryScene("Pebble in a wok"), ObjectLibrary::shared()).value();
+    SceneRun motion(cast);
+    motion.advanceTo(1);
+    auto blow = motion.takeBlow(1).value();
+    blow.seconds = 0;
+    const auto playedAtOnce = [&](int count) {
+        SceneSound sound(*cast, motion.slots(), rateHz);
+        alignas(64) std::array<float, cellSamples> left, right;
+        const CellOutput cell(left, right);
+        std::vector<float> samples;
+        for (int k = 0; k < 400; ++k) {
+            sound.beginCell();
+            for (int struck = 0; k == 0 && struck < count; ++struck)
+                CHECK(sound.strike(blow));
+            sound.finishCell(motion.places(), cell);
+            samples.insert(samples.end(), left.begin(), left.end());
+        }
+        return rms(samples, 0.1, 0.5);
+    };
+    const double one = playedAtOnce(1), many = playedAtOnce(200);
+    CHECK(many > 0.95 * 200 * one);
+    CHECK(many < 1.3 * 200 * one); // as impulses, whose spectrum falls later
+}
+
 TEST_CASE("A ball that rolls over ribs is heard while it rolls") {
     const auto played = perform("Ball on a washboard", 3);
     CHECK(isFinite(played.samples));

@@ -1,0 +1,60 @@
+#include "Instrument/CellStrikes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace idiophone {
+
+void CellStrikes::schedule(std::size_t slot,
+                           const Strike& strike,
+                           std::int64_t cell,
+                           double sample) {
+    const double cells = std::floor(sample / cellSamples);
+    pending.add({.cell = cell + static_cast<std::int64_t>(cells),
+                 .sampleInCell = sample - cells * cellSamples,
+                 .slot = slot,
+                 .strike = strike});
+}
+
+void CellStrikes::strikeBefore(double sampleInCell, const BegunCell& cell) {
+    const auto isDue = [&](const PendingStrike& next) {
+        return next.cell < cell.index ||
+               (next.cell == cell.index && next.sampleInCell < sampleInCell);
+    };
+    for (const auto* next = pending.next(); next != nullptr && isDue(*next);
+         next = pending.next()) {
+        const auto due = *next;
+        pending.pop();
+        strike(due.slot, due.strike, due.cell < cell.index ? 0 : due.sampleInCell, cell);
+    }
+}
+
+bool CellStrikes::strike(std::size_t slot,
+                         const Strike& strike,
+                         double sample,
+                         const BegunCell& cell) {
+    const double within = std::clamp(sample, 0.0, std::nextafter(double{cellSamples}, 0.0));
+    auto& synthesiser = cell.synthesiser;
+    const auto& output = cell.cellsOfSlots[slot];
+    if (synthesiser.strike(slot, strike, within, output))
+        return true;
+    // An impulse needs no room: what refuses it would refuse its parts for ever.
+    if (!synthesiser.contactsUsedUp(slot) || !(strike.durationSeconds > 0))
+        return false;
+    auto impulse = strike;
+    impulse.durationSeconds = 0;
+    constexpr std::array shares{0.25f, 0.5f, 0.25f};
+    if (pending.room() < shares.size())
+        return synthesiser.strike(slot, impulse, within, output);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            impulse.impulseNewtonSeconds[axis] = shares[k] * strike.impulseNewtonSeconds[axis];
+        const double delaySamples =
+            0.25 * static_cast<double>(k + 1) * strike.durationSeconds * synthesiser.sampleRateHz();
+        schedule(slot, impulse, cell.index, within + delaySamples);
+    }
+    return true;
+}
+
+} // namespace idiophone

@@ -1,0 +1,102 @@
+#include "Instrument/CellStrikes.h"
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+/// A bar of one low mode, and the strikes on it.
+class Rig {
+public:
+    Rig()
+        : synthesiser({{.object = std::make_shared<const ModalObject>(syntheticObject({200}))}},
+                      sampleRateHz) {}
+
+    void beginCell() {
+        synthesiser.beginCell(cells);
+        ++index;
+    }
+    BegunCell cell() { return {synthesiser, cells, index}; }
+    void finishCell() {
+        strikes.strikeBefore(cellSamples, cell());
+        sound.insert(sound.end(), samples.begin(), samples.end());
+    }
+
+    Synthesiser synthesiser;
+    alignas(64) std::array<float, cellSamples> samples{};
+    std::vector<CellOutput> cells{CellOutput(samples)};
+    std::int64_t index = -1;
+    CellStrikes strikes{1024};
+    std::vector<float> sound;
+};
+
+Strike pulse(double seconds) {
+    return {.point = {}, .impulseNewtonSeconds = {0, 0, -1}, .durationSeconds = seconds};
+}
+
+/// After so many at one moment.
+std::vector<float> soundOf(int count) {
+    Rig rig;
+    for (int cell = 0; cell < 40; ++cell) {
+        rig.beginCell();
+        for (int k = 0; cell == 0 && k < count; ++k)
+            CHECK(rig.strikes.strike(0, pulse(1e-3), 10.5, rig.cell()));
+        rig.finishCell();
+    }
+    CHECK(rig.strikes.empty());
+    return rig.sound;
+}
+
+} // namespace
+
+TEST_CASE("Blows for which an object has no room are heard as those for which it has") {
+    const auto one = soundOf(1), many = soundOf(300);
+    for (std::size_t i = 10 * cellSamples; i < one.size(); ++i)
+        REQUIRE(many[i] == Approx(300 * one[i]).margin(0.02 * 300));
+}
+
+TEST_CASE(
+    "A blow that is not valid is refused, with room and without, and nothing waits for ever") {
+    for (const int before : {0, 64}) {
+        Rig rig;
+        rig.beginCell();
+        for (int k = 0; k < before; ++k)
+            CHECK(rig.strikes.strike(0, pulse(5e-3), 0, rig.cell()));
+        auto strike = pulse(std::numeric_limits<double>::quiet_NaN());
+        CHECK_FALSE(rig.strikes.strike(0, strike, 0, rig.cell()));
+        strike = pulse(0);
+        strike.impulseNewtonSeconds[2] = std::numeric_limits<float>::infinity();
+        CHECK_FALSE(rig.strikes.strike(0, strike, 0, rig.cell()));
+        strike.durationSeconds = 1e-3;
+        rig.strikes.strike(0, strike, 0, rig.cell());
+        for (int cell = 0; cell < 10; ++cell) {
+            rig.finishCell();
+            rig.beginCell();
+        }
+        CHECK(rig.strikes.empty());
+    }
+}
+
+TEST_CASE("What comes too late for its cell is struck at the start of the next") {
+    Rig late, at;
+    late.strikes.schedule(0, pulse(0), 0, 17);
+    for (auto* rig : {&late, &at}) {
+        rig->beginCell();
+        rig->beginCell();
+    }
+    CHECK(at.strikes.strike(0, pulse(0), -3, at.cell()));
+    late.finishCell();
+    at.finishCell();
+    CHECK(late.sound == at.sound);
+    CHECK(late.sound[0] != 0);
+}
