@@ -44,6 +44,13 @@ double number(const json& object, const char* key, double lowest, double highest
     return result;
 }
 
+int integer(const json& object, const char* key, int lowest, int highest) {
+    const double result = number(object, key, lowest, highest);
+    if (result != std::floor(result))
+        throw Fault{"'" + std::string(key) + "' is not a whole number"};
+    return static_cast<int>(result);
+}
+
 constexpr std::array<std::pair<KeyMapKind, const char*>, 4> kindNames{{
     {KeyMapKind::bars, "bars"},
     {KeyMapKind::zones, "zones"},
@@ -86,8 +93,8 @@ std::vector<std::array<double, 3>> parsePath(const json& path) {
 KeyMap parseKeyMap(const json& object) {
     KeyMap map;
     map.kind = parseKind(text(object, "kind"));
-    map.lowestNote = static_cast<int>(number(object, "lowestNote", 0, 127));
-    map.highestNote = static_cast<int>(number(object, "highestNote", map.lowestNote, 127));
+    map.lowestNote = integer(object, "lowestNote", 0, 127);
+    map.highestNote = integer(object, "highestNote", map.lowestNote, 127);
     map.object = text(object, "object");
     if (object.contains("strikePath"))
         map.strikePath = parsePath(object["strikePath"]);
@@ -155,10 +162,10 @@ ModeSet parseMutedModes(const json& object) {
 Preset parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-preset")
         throw Fault{"it is not an Idiophone preset"};
-    const auto version = number(root, "version", 1, 1e9);
+    const int version = integer(root, "version", 1, 1'000'000'000);
     if (version > presetFormatVersion)
-        throw Fault{"it was made by a newer Idiophone (preset version " +
-                    std::to_string(static_cast<int>(version)) + ")"};
+        throw Fault{"it was made by a newer Idiophone (preset version " + std::to_string(version) +
+                    ")"};
     Preset preset;
     preset.name = text(root, "name");
     if (preset.name.empty())

@@ -79,6 +79,14 @@ TEST_CASE("A preset that makes no sense is refused with its fault") {
     checkRefused(head + R"("keyMap":{"kind":"rows"}})", "'rows'");
     checkRefused(head + R"("keyMap":{"kind":"bars","lowestNote":9,"highestNote":3,"object":"x"}})",
                  "'highestNote'");
+    checkRefused(head +
+                     R"("keyMap":{"kind":"bars","lowestNote":60.7,"highestNote":70,"object":"x"}})",
+                 "'lowestNote' is not a whole number");
+    checkRefused(head +
+                     R"("keyMap":{"kind":"bars","lowestNote":60,"highestNote":70.2,"object":"x"}})",
+                 "'highestNote' is not a whole number");
+    checkRefused(R"({"format":"idiophone-preset","version":1.5,"name":"A",)" + map + "}",
+                 "'version' is not a whole number");
     checkRefused(head + map.substr(0, map.size() - 1) + R"(,"strikePath":[]}})", "'strikePath'");
     checkRefused(head + map.substr(0, map.size() - 1) + R"(,"strikePath":[[0,0,9]]}})", "between");
     checkRefused(head + map + R"(,"parameters":{"tau":"loud"}})", "'tau'");
