@@ -24,20 +24,39 @@ ObjectLibrary& ObjectLibrary::shared() {
 }
 
 Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string& name) {
-    const std::scoped_lock lock(mutex);
-    if (const auto known = loaded[name].lock())
-        return known;
+    if (auto object = known(name))
+        return object;
     const auto factory = factoryObject(name);
     const auto key = factory ? name : fileKey(name);
-    if (const auto known = loaded[key].lock())
-        return known;
+    if (auto object = known(key))
+        return object;
 
+    // Without the lock: a large file takes seconds, for which nobody else shall wait.
     auto object = factory ? readModalObject(*factory, name) : readModalObject(name);
     if (!object)
         return tl::unexpected(object.error());
-    auto kept = std::make_shared<const ModalObject>(std::move(*object));
-    loaded[key] = kept;
-    return kept;
+    auto read = std::make_shared<const ModalObject>(std::move(*object));
+    const std::scoped_lock lock(mutex);
+    if (auto meanwhile = knownUnderLock(key))
+        return meanwhile;
+    keepUnderLock(key, read);
+    return read;
+}
+
+std::shared_ptr<const ModalObject> ObjectLibrary::known(const std::string& key) {
+    const std::scoped_lock lock(mutex);
+    return knownUnderLock(key);
+}
+
+std::shared_ptr<const ModalObject> ObjectLibrary::knownUnderLock(const std::string& key) const {
+    const auto found = loaded.find(key);
+    return found == loaded.end() ? nullptr : found->second.lock();
+}
+
+void ObjectLibrary::keepUnderLock(const std::string& key,
+                                  const std::shared_ptr<const ModalObject>& object) {
+    std::erase_if(loaded, [](const auto& entry) { return entry.second.expired(); });
+    loaded[key] = object;
 }
 
 std::shared_ptr<const ModalObject> ObjectLibrary::add(const std::string& name, ModalObject object) {
@@ -48,7 +67,7 @@ std::shared_ptr<const ModalObject> ObjectLibrary::add(const std::string& name, M
 
 void ObjectLibrary::add(const std::string& name, const std::shared_ptr<const ModalObject>& object) {
     const std::scoped_lock lock(mutex);
-    loaded[name] = object;
+    keepUnderLock(name, object);
 }
 
 } // namespace idiophone

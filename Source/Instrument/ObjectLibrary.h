@@ -11,7 +11,9 @@
 
 namespace idiophone {
 
-/// Thread-safe; it locks and reads files, so never on the audio thread.
+/// Thread-safe; it locks and reads files, so never on the audio thread. While a file is read others
+/// are not kept waiting; of threads that read the same one at a time, all get what the first has
+/// read.
 class ObjectLibrary {
 public:
     /// The library shared by every instance of the plugin in this process.
@@ -27,8 +29,12 @@ public:
     void add(const std::string& name, const std::shared_ptr<const ModalObject>& object);
 
 private:
+    std::shared_ptr<const ModalObject> known(const std::string& key); ///< or null
+    std::shared_ptr<const ModalObject> knownUnderLock(const std::string& key) const;
+    void keepUnderLock(const std::string& key, const std::shared_ptr<const ModalObject>& object);
+
     std::mutex mutex;
-    std::map<std::string, std::weak_ptr<const ModalObject>> loaded;
+    std::map<std::string, std::weak_ptr<const ModalObject>> loaded; ///< what somebody holds
 };
 
 } // namespace idiophone

@@ -1,0 +1,38 @@
+#include "Instrument/ObjectLibrary.h"
+#include "Support/SyntheticObject.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <thread>
+#include <vector>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+TEST_CASE("Threads that ask for one object at a time share it, and who comes later does too") {
+    for (int round = 0; round < 20; ++round) {
+        ObjectLibrary library;
+        std::vector<std::shared_ptr<const ModalObject>> found(4);
+        std::vector<std::thread> threads;
+        for (auto& object : found)
+            threads.emplace_back([&] { object = library.find("plate").value(); });
+        for (auto& thread : threads)
+            thread.join();
+        for (const auto& object : found)
+            CHECK(object == found.front());
+        CHECK(library.find("plate").value() == found.front());
+    }
+}
+
+TEST_CASE("What is added wins over the factory for as long as somebody holds it") {
+    ObjectLibrary library;
+    auto own = library.add("plate", syntheticObject({100}));
+    CHECK(library.find("plate").value() == own);
+    own.reset();
+    CHECK(library.find("plate").value()->name != "synthetic");
+}
+
+TEST_CASE("An object that is not there is said so as often as it is asked for") {
+    ObjectLibrary library;
+    for (int round = 0; round < 3; ++round)
+        CHECK_FALSE(library.find("no such object"));
+}
