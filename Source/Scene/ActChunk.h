@@ -44,6 +44,17 @@ struct ActChunk {
     std::vector<Placed> places;   ///< of what moves, at its end
 
     std::int64_t endCell() const { return firstCell + cells; }
+
+    /// Nothing of this act's yet, from a cell on. Keeps its memory.
+    void clear(std::uint32_t ofAct, std::uint32_t ofCue, std::int64_t fromCell) noexcept {
+        act = ofAct;
+        number = ofCue;
+        firstCell = fromCell;
+        isLast = false;
+        blows.clear();
+        touches.clear();
+        places.clear();
+    }
 };
 
 } // namespace idiophone

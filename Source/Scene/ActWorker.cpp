@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cfenv>
 #include <chrono>
+#include <exception>
+#include <new>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -48,12 +51,12 @@ ActChunk* ActWorker::take() noexcept {
     return chunk;
 }
 
-bool ActWorker::help() {
+bool ActWorker::help() noexcept {
     const std::lock_guard lock(working);
     return workOnce();
 }
 
-void ActWorker::runThread() {
+void ActWorker::runThread() noexcept {
     while (!isStopping) {
         std::unique_lock lock(working);
         if (!workOnce())
@@ -61,29 +64,47 @@ void ActWorker::runThread() {
     }
 }
 
-/// Makes the chunk that will be needed first. False where there was nothing to do.
-bool ActWorker::workOnce() {
+/// Makes the chunk that will be needed first. False where there was nothing to do, or no room.
+bool ActWorker::workOnce() noexcept {
     const DefaultFloatingPoint sameOnEveryThread;
     takeUsed();
     takeCues();
     Act* next = nullptr;
     for (Act& act : acts)
-        if (act.run != nullptr && act.chunksOut < chunksAhead &&
+        if ((act.begins || act.run != nullptr) && act.chunksOut < chunksAhead &&
             (next == nullptr || act.chunksOut < next->chunksOut))
             next = &act;
-    if (next == nullptr)
+    if (next == nullptr || !hasFreeChunk())
         return false;
-    if (freeChunks.empty()) {
-        allChunks.push_back(std::make_unique<ActChunk>());
-        freeChunks.push_back(allChunks.back().get());
-    }
     auto* chunk = freeChunks.back();
     freeChunks.pop_back();
-    fill(*chunk, *next, stage.slotsOfAct(next->cue.act));
+    chunk->clear(next->cue.act, next->cue.number, next->cellsDone);
+    try {
+        if (std::exchange(next->begins, false))
+            begin(*next);
+        fill(*chunk, *next, stage.slotsOfAct(next->cue.act));
+    } catch (const std::exception&) {
+        chunk->clear(next->cue.act, next->cue.number, next->cellsDone);
+        chunk->isLast = true;
+    }
     ++next->chunksOut;
     if (chunk->isLast)
         next->run.reset();
     ready.push(chunk); // there is room for all that may be out
+    return true;
+}
+
+/// Without one, the act waits until some come back.
+bool ActWorker::hasFreeChunk() noexcept {
+    if (!freeChunks.empty())
+        return true;
+    try {
+        freeChunks.reserve(allChunks.size() + 1); // so that taking chunks back never allocates
+        allChunks.push_back(std::make_unique<ActChunk>());
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+    freeChunks.push_back(allChunks.back().get());
     return true;
 }
 
@@ -100,19 +121,17 @@ void ActWorker::takeCues() {
         act.cue = cue;
         act.cellsDone = 0;
         act.run.reset();
-        if (cue.number != 0)
-            act.run = std::make_unique<SceneRun>(
-                stage.cast(), stage.callFor(cue.midiNote, cue.velocity, cue.seed));
+        act.begins = cue.number != 0;
     });
 }
 
+void ActWorker::begin(Act& act) const {
+    const auto& cue = act.cue;
+    act.run = std::make_unique<SceneRun>(stage.cast(),
+                                         stage.callFor(cue.midiNote, cue.velocity, cue.seed));
+}
+
 void ActWorker::fill(ActChunk& chunk, Act& act, const SceneStage::SlotMap& slots) const {
-    chunk.act = act.cue.act;
-    chunk.number = act.cue.number;
-    chunk.firstCell = act.cellsDone;
-    chunk.blows.clear();
-    chunk.touches.clear();
-    chunk.places.clear();
     auto& run = *act.run;
     const auto ofStage = [&](std::size_t slot) { return slot == noSlot ? noSlot : slots[slot]; };
     for (std::int64_t cell = chunk.firstCell; cell < chunk.endCell(); ++cell) {

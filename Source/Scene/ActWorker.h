@@ -16,6 +16,7 @@ namespace idiophone {
 
 /// Cues go to the worker, chunks come back in the order of each act's time and return when they are
 /// used up: three queues without locks, between the audio thread and whoever holds `working`.
+/// An act for which memory runs out ends where it is: no exception leaves a thread or the host's.
 /// The worker looks for cues every few milliseconds, as the audio thread may not call it.
 class ActWorker {
 public:
@@ -31,7 +32,7 @@ public:
     void giveBack(ActChunk* chunk) noexcept { used.push(chunk); }
     /// [audio thread, offline] Makes a chunk itself, once the worker lets it, with all that this
     /// allocates. False where there was nothing to do.
-    bool help();
+    bool help() noexcept;
 
 private:
     /// Within so many chunks, a second, the worker runs ahead of the sound.
@@ -40,15 +41,18 @@ private:
 
     struct Act {
         ActCue cue;
+        bool begins = false;           ///< its run is still to be made
         std::unique_ptr<SceneRun> run; ///< none while nothing is to be done
         std::int64_t cellsDone = 0;
         std::size_t chunksOut = 0; ///< not yet given back
     };
 
-    void runThread();
-    bool workOnce();
+    void runThread() noexcept;
+    bool workOnce() noexcept;
     void takeUsed();
     void takeCues();
+    bool hasFreeChunk() noexcept;
+    void begin(Act& act) const;
     void fill(ActChunk& chunk, Act& act, const SceneStage::SlotMap& slots) const;
 
     const SceneStage& stage;
