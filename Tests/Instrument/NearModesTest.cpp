@@ -1,0 +1,67 @@
+#include "Instrument/NearModes.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <vector>
+
+using namespace idiophone;
+using Catch::Approx;
+
+namespace {
+
+using Mode = RingingMode<1>;
+
+/// Of a note alone, residues r to the left and to the right.
+Mode mode(double omega, double decay, double left, double right) {
+    Mode result{.omega = omega, .decay = decay, .velocities = {1.0}};
+    result.residues[0] = {left, right};
+    return result;
+}
+
+/// ∫ of the mean of both channels' squares, from the powers that the modes' own decays carry.
+double energyByPowers(const std::vector<Mode>& modes) {
+    NearModes<1> near;
+    double energy = 0;
+    for (const auto& each : modes)
+        energy += near.add(each, 0, 1)[0][0] / (2 * each.decay);
+    return energy;
+}
+
+/// The same of Σ r e^(−αt) cos ωt, sample by sample.
+double energyBySamples(const std::vector<Mode>& modes) {
+    constexpr double step = 1e-5;
+    double energy = 0;
+    for (double t = step / 2; t < 1.5; t += step)
+        for (std::size_t channel = 0; channel < 2; ++channel) {
+            double v = 0;
+            for (const auto& each : modes)
+                v += each.residues[0][channel] * std::exp(-each.decay * t) *
+                     std::cos(each.omega * t);
+            energy += v * v / 2 * step;
+        }
+    return energy;
+}
+
+} // namespace
+
+TEST_CASE("The energy of one mode is A²/4α for the mean of its channels' squares") {
+    CHECK(energyByPowers({mode(6000, 20, 3, 1)}) == Approx((9 + 1) / 2.0 / (4 * 20)));
+}
+
+TEST_CASE("Modes that beat slowly have the energy of their sum, those apart each its own") {
+    for (const double apart : {0.0, 5.0, 30.0, 120.0}) {
+        const std::vector modes{mode(6000, 20, 1, 1), mode(6000 + apart, 25, 0.7, -0.4)};
+        INFO(apart << " rad/s apart");
+        CHECK(energyByPowers(modes) == Approx(energyBySamples(modes)).epsilon(0.01));
+    }
+    const std::vector apart{mode(6000, 20, 1, 1), mode(7000, 25, 0.7, -0.4)};
+    CHECK(energyByPowers(apart) == Approx(1 / 80.0 + (0.49 + 0.16) / 2 / 100));
+}
+
+TEST_CASE("Six modes close together interfere each with each") {
+    std::vector<Mode> modes;
+    for (int k = 0; k < 6; ++k)
+        modes.push_back(mode(9000 + 7 * k, 15 + k, 1 - 0.3 * k, 0.2 * k));
+    CHECK(energyByPowers(modes) == Approx(energyBySamples(modes)).epsilon(0.01));
+}
