@@ -1,0 +1,74 @@
+import csv
+import math
+
+from console import ConsoleTest, midi_file, note
+
+
+def obj_mesh(path):
+    """Points and triangles, numbered from 0."""
+    points, faces = [], []
+    for line in path.read_text().splitlines():
+        kind, *rest = line.split()
+        if kind == "v":
+            points.append([float(number) for number in rest])
+        elif kind == "f":
+            faces.append([int(word.split("/")[0]) - 1 for word in rest])
+    return points, faces
+
+
+class Tune(ConsoleTest):
+    def tuned(self, *options):
+        folder = self.folder / "bars"
+        self.succeed("tune", "marimba", "-o", folder, *options)
+        return folder
+
+    def test_two_bars_sound_at_their_pitches_and_play_as_a_preset(self):
+        folder = self.tuned("--from", "60", "--to", "61", "--a4", "442")
+        for key in (60, 61):
+            wanted = 442 * 2 ** ((key - 69) / 12)
+            modes = self.json("info", folder / f"marimba-{key}.modal")["modes"]
+            self.assertLess(abs(1200 * math.log2(modes[0]["frequency_hz"] / wanted)), 1)
+        midi = self.write("note.mid", midi_file(note(0, 60)))
+        told = self.json("render", "--preset", folder / "marimba.json", "--midi", midi,
+                         "-o", self.folder / "note.wav", "--seconds", "1")
+        self.assertGreater(told["peak_dbfs"], -60)
+
+    def test_the_measures_are_those_of_the_mesh_to_cut(self):
+        folder = self.tuned("--from", "72", "--to", "72")
+        with (folder / "bars.csv").open() as file:
+            bar, = csv.DictReader(file)
+        self.assertLess(abs(float(bar["miss_cents"])), 1)
+        self.assertAlmostEqual(float(bar["second_ratio"]), 4, delta=0.01)
+        points, faces = obj_mesh(folder / "marimba-72.obj")
+        for axis, name in enumerate(("length_mm", "width_mm", "height_mm")):
+            values = [point[axis] for point in points]
+            self.assertAlmostEqual(max(values) - min(values), float(bar[name]), delta=0.01)
+        edges = {}
+        for face in faces:
+            for a, b in zip(face, face[1:] + face[:1]):
+                edges[a, b] = edges.get((a, b), 0) + 1
+        self.assertTrue(all(count == 1 and edges.get((b, a)) == 1
+                            for (a, b), count in edges.items()), "the surface is closed")
+
+    def test_meshes_alone_are_no_keyboard(self):
+        folder = self.tuned("--from", "84", "--to", "84", "--meshes-only")
+        self.assertEqual(sorted(path.name for path in folder.iterdir()),
+                         ["bars.csv", "marimba-84.obj"])
+
+    def test_another_scale_moves_every_bar(self):
+        cents = [0, 90, 204, 294, 408, 498, 588, 702, 792, 906, 996, 1110]
+        folder = self.tuned("--from", "76", "--to", "76", "--meshes-only", "--scale",
+                            ",".join(map(str, cents)))
+        with (folder / "bars.csv").open() as file:
+            bar, = csv.DictReader(file)
+        # E lies 408 cents above a C that makes A, 906 above it, 440 Hz.
+        wanted = 440 * 2 ** ((1200 + 408 - 906) / 1200)
+        self.assertLess(abs(1200 * math.log2(float(bar["frequency_hz"]) / wanted)), 1)
+
+    def test_what_cannot_be_tuned_gets_one_sentence(self):
+        folder = self.folder / "bars"
+        self.refuse("tune", "marimba", "-o", folder, "--from", "70", "--to", "60",
+                    naming="--to", saying="lower than --from")
+        self.refuse("tune", "marimba", "-o", folder, "--scale", "1", "2", "3",
+                    naming="--scale", saying="twelve figures")
+        self.refuse("tune", "bell", "-o", folder, naming="bell")
