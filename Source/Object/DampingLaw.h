@@ -2,7 +2,9 @@
 // nothing of radiation or of a body's thickness (docs/materials.md).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace idiophone {
 
@@ -27,5 +29,12 @@ struct DampingLaw {
 
     bool operator==(const DampingLaw&) const = default;
 };
+
+/// The frequency in Hz at which a mode sounds that loses amplitude at α: √(λ − α²)/2π; 0 where it
+/// is over-damped.
+inline double dampedFrequencyHz(double eigenvalue, double decayPerSecond) noexcept {
+    return std::sqrt(std::max(0.0, eigenvalue - decayPerSecond * decayPerSecond)) /
+           (2 * std::numbers::pi);
+}
 
 } // namespace idiophone

@@ -1,22 +1,16 @@
 #include "Object/Material.h"
 
+#include "Object/NumberText.h"
 #include "Object/OneLine.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 namespace idiophone {
 namespace {
 
-/// Short, and with a point whatever the locale of the host.
-std::string written(double value) {
-    std::array<char, 32> text{};
-    const auto [end, fault] =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
-    return {text.data(), end};
-}
+// Texts go into the header of an object's file, of which there is not more than 1 MiB.
+constexpr std::size_t longestNameBytes = 1000, longestSourceBytes = 32 * 1024;
 
 } // namespace
 
@@ -42,7 +36,13 @@ Result<Material> validated(Material material) {
     for (const auto& rule : rules)
         if (!(rule.value >= rule.lowest && rule.value <= rule.highest)) // also catches NaN
             return failure("material " + inQuotes(material.name) + ": the " + rule.what +
-                           " is out of range: " + written(rule.value));
+                           " is out of range: " + numberText(rule.value));
+    if (material.name.size() > longestNameBytes)
+        return failure("material " + inQuotes(material.name) + ": its name is longer than " +
+                       std::to_string(longestNameBytes) + " bytes");
+    if (material.source.size() > longestSourceBytes)
+        return failure("material " + inQuotes(material.name) + ": its source is longer than " +
+                       std::to_string(longestSourceBytes) + " bytes");
     if (material.grain)
         if (const auto constants =
                 validated(orthotropicElasticity(material.youngsModulusPa, *material.grain));

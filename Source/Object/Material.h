@@ -13,24 +13,25 @@
 
 namespace idiophone {
 
-/// A material (Raghuvanshi & Lin 2006, eq. 1), isotropic but for wood.
+/// A material (Raghuvanshi & Lin 2006, eq. 1), isotropic but for wood. The ranges are those of
+/// `validated`: far wider than nature's.
 struct Material {
-    std::string name;
-    double youngsModulusPa = 0; ///< Y, > 0; of wood along the grain
-    double densityKgPerM3 = 0;  ///< ρ, > 0
-    double poissonRatio = 0;    ///< ν, −1 < ν < 0.5
-    DampingLaw damping;
-    double friction = 0;    ///< Coulomb coefficient against itself, ≥ 0
-    double restitution = 0; ///< 0 (dead) to 1 (elastic)
-    double roughness = 0;   ///< 0 (polished) to 1 (rough-sawn)
-    std::string source;     ///< where the figures come from
+    std::string name;           ///< at most 1000 bytes
+    double youngsModulusPa = 0; ///< Y, 1 to 1e14; of wood along the grain
+    double densityKgPerM3 = 0;  ///< ρ, 0.001 to 1e6
+    double poissonRatio = 0;    ///< ν, −0.999 to 0.4999
+    DampingLaw damping;         ///< γ to 1e6/s, η to 1 s, χ to 10
+    double friction = 0;        ///< Coulomb coefficient against itself, 0 to 100
+    double restitution = 0;     ///< 0 (dead) to 1 (elastic)
+    double roughness = 0;       ///< 0 (polished) to 1 (rough-sawn)
+    std::string source;         ///< where the figures come from; at most 32 KiB
     /// Of wood: finite elements go by it, all else takes the material for isotropic.
     std::optional<GrainRatios> grain = {};
 
     bool operator==(const Material&) const = default;
 };
 
-/// The material unchanged, or which figure is out of its range.
+/// The material unchanged, or which figure is out of its range, or which text too long.
 Result<Material> validated(Material material);
 
 /// The named materials of Resources/Materials/materials.json, in its order: parameters and presets

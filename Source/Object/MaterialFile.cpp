@@ -1,6 +1,7 @@
 #include "Object/MaterialFile.h"
 
-#include "Object/GrainJson.h"
+#include "Object/FileBytes.h"
+#include "Object/MaterialJson.h"
 #include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Object/UntrustedJson.h"
@@ -25,31 +26,8 @@ struct Fault {
     std::string sentence;
 };
 
-struct Figure {
-    const char* key;
-    double& (*member)(Material&);
-};
-
-constexpr Figure elasticity[] = {
-    {"youngs_modulus_pa", [](Material& m) -> double& { return m.youngsModulusPa; }},
-    {"density_kg_per_m3", [](Material& m) -> double& { return m.densityKgPerM3; }},
-    {"poisson_ratio", [](Material& m) -> double& { return m.poissonRatio; }},
-};
-constexpr Figure damping[] = {
-    {"fluid_damping_per_s", [](Material& m) -> double& { return m.damping.fluidPerSecond; }},
-    {"viscoelastic_damping_s",
-     [](Material& m) -> double& { return m.damping.viscoelasticSeconds; }},
-    {"loss_factor", [](Material& m) -> double& { return m.damping.lossFactor; }},
-};
-constexpr Figure contact[] = {
-    {"friction", [](Material& m) -> double& { return m.friction; }},
-    {"restitution", [](Material& m) -> double& { return m.restitution; }},
-    {"roughness", [](Material& m) -> double& { return m.roughness; }},
-};
-constexpr std::span<const Figure> figureGroups[] = {elasticity, damping, contact};
-
-const Figure* findFigure(const std::string& key) {
-    for (const auto group : figureGroups)
+const MaterialFigure* findFigure(const std::string& key) {
+    for (const auto group : materialFigureGroups)
         for (const auto& figure : group)
             if (key == figure.key)
                 return &figure;
@@ -91,11 +69,11 @@ std::string parseSource(const json& value) {
 }
 
 void requireFigures(const json& object) {
-    const auto isThere = [&](const Figure& figure) { return object.contains(figure.key); };
-    for (const auto& figure : elasticity)
+    const auto isThere = [&](const MaterialFigure& figure) { return object.contains(figure.key); };
+    for (const auto& figure : elasticityFigures)
         if (!isThere(figure))
             throw Fault{"it lacks '" + std::string(figure.key) + "'"};
-    if (std::ranges::none_of(damping, isThere))
+    if (std::ranges::none_of(dampingFigures, isThere))
         throw Fault{"it has no damping: 'fluid_damping_per_s', 'viscoelastic_damping_s' or "
                     "'loss_factor'"};
 }
@@ -109,7 +87,7 @@ Material parseObject(const json& object, const std::string& defaultName) {
         if (const auto* figure = findFigure(key)) {
             if (!value.is_number())
                 throw Fault{"'" + key + "' is not a number"};
-            figure->member(material) = value;
+            figure->of(material) = value;
         } else if (key == "name") {
             material.name = parseName(value);
         } else if (key == "source") {
@@ -155,7 +133,7 @@ template <class Parse>
 auto parsed(std::string_view text, const std::filesystem::path& file, const Parse& parse)
     -> Result<decltype(parse(json()))> {
     const auto refuse = [&](const std::string& sentence) {
-        return failure(file.string() + ": " + sentence);
+        return failure(nameOf(file) + ": " + sentence);
     };
     if (text.size() > largestFileBytes)
         return refuse("it is too large for a material");
@@ -175,7 +153,7 @@ auto parsed(std::string_view text, const std::filesystem::path& file, const Pars
 
 Result<Material> parseMaterial(std::string_view text, const std::filesystem::path& file) {
     return parsed(text, file,
-                  [&](const json& root) { return parseObject(root, file.stem().string()); });
+                  [&](const json& root) { return parseObject(root, nameOf(file.stem())); });
 }
 
 Result<Material> readMaterialFile(const std::filesystem::path& file) {
@@ -190,16 +168,9 @@ Result<std::vector<Material>> parseMaterialList(std::string_view text,
 }
 
 std::string encodeMaterial(const Material& material) {
-    ordered_json result{{"name", material.name}};
-    Material figures = material;
-    for (const auto group : figureGroups)
-        for (const auto& figure : group)
-            result[figure.key] = figure.member(figures);
-    if (material.grain)
-        result["grain"] = grainJson<ordered_json>(*material.grain);
-    result["source"] = material.source;
     // Names come from people and files: replace what is not UTF-8 rather than throw.
-    return result.dump(4, ' ', false, ordered_json::error_handler_t::replace);
+    return materialJson<ordered_json>(material).dump(4, ' ', false,
+                                                     ordered_json::error_handler_t::replace);
 }
 
 } // namespace idiophone

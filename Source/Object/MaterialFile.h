@@ -40,7 +40,7 @@ UserMaterials readMaterialFolder(const std::filesystem::path& folder);
 std::filesystem::path userMaterialFolder();
 
 /// The material of that name, in any case: the library's, or one of the user's own folder. The
-/// error says that there is none.
+/// error says that there is none, or what is wrong with a file of that name.
 Result<Material> findAnyMaterial(std::string_view name);
 
 } // namespace idiophone

@@ -95,13 +95,22 @@ std::string scalarsFault(const ModalObject& object) {
     return {};
 }
 
+std::string textsFault(const ModalObject& object) {
+    // JSON inside JSON writes a byte as seven at worst, and a file's header is at most 1 MiB.
+    constexpr std::size_t longestBytes = 128 * 1024;
+    const auto bytes = object.name.size() + object.method.size() + object.material.name.size() +
+                       object.material.source.size() + object.provenance.source.size() +
+                       object.provenance.software.size() + object.provenance.notes.size();
+    return bytes > longestBytes ? "its texts are longer than 128 KiB" : std::string();
+}
+
 } // namespace
 
 Result<ModalObject> validated(ModalObject object) {
     if (auto material = validated(object.material); !material)
         return failure(material.error().message);
-    for (const auto fault :
-         {sizesFault, eigenvaluesFault, decaysFault, geometryFault, radiationFault, scalarsFault})
+    for (const auto fault : {textsFault, sizesFault, eigenvaluesFault, decaysFault, geometryFault,
+                             radiationFault, scalarsFault})
         if (const auto sentence = fault(object); !sentence.empty())
             return failure(sentence);
     return object;

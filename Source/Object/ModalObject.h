@@ -80,6 +80,11 @@ struct ModalObject {
                                        : decaysPerSecond[mode];
     }
 
+    /// The frequency in Hz at which a mode sounds at the reference material. Any thread.
+    double dampedFrequencyHz(std::size_t mode) const noexcept {
+        return idiophone::dampedFrequencyHz(eigenvalues[mode], decayPerSecond(mode));
+    }
+
     /// How many times the damping of a mode is what the material's law says, 2α/d(λ); it stays so
     /// when the material changes. 1 where no decays were measured. Any thread.
     double dampingScale(std::size_t mode) const noexcept {
@@ -95,7 +100,7 @@ struct ModalObject {
 };
 
 /// The object unchanged, or the first thing wrong with it: sizes that disagree, an index out of
-/// range, a value that is not finite or not in order.
+/// range, a value that is not finite or not in order, texts too long for a file.
 Result<ModalObject> validated(ModalObject object);
 
 /// Unit outward normals [N,3], the area-weighted mean over the faces at each mesh vertex

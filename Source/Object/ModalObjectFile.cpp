@@ -1,7 +1,8 @@
 #include "Object/ModalObjectFile.h"
 
-#include "Object/GrainJson.h"
+#include "Object/FileBytes.h"
 #include "Object/HalfFloat.h"
+#include "Object/MaterialJson.h"
 #include "Object/OneLine.h"
 #include "Object/Safetensors.h"
 #include "Object/UntrustedJson.h"
@@ -112,19 +113,16 @@ private:
 
     Material material() const {
         const auto m = section("material");
-        return {.name = word(m, "name"),
-                .youngsModulusPa = number(m, "youngs_modulus_pa"),
-                .densityKgPerM3 = number(m, "density_kg_per_m3"),
-                .poissonRatio = number(m, "poisson_ratio"),
-                .damping = {.fluidPerSecond = number(m, "fluid_damping_per_s"),
-                            .viscoelasticSeconds = number(m, "viscoelastic_damping_s"),
-                            // Files from before there was one have none.
-                            .lossFactor = m.contains("loss_factor") ? number(m, "loss_factor") : 0},
-                .friction = number(m, "friction"),
-                .restitution = number(m, "restitution"),
-                .roughness = number(m, "roughness"),
-                .source = word(m, "source"),
-                .grain = grain(m)};
+        Material material;
+        material.name = word(m, "name");
+        for (const auto group : materialFigureGroups)
+            for (const auto& figure : group)
+                // Files from before there was a loss factor have none.
+                if (m.contains(figure.key) || &figure.of(material) != &material.damping.lossFactor)
+                    figure.of(material) = number(m, figure.key);
+        material.source = word(m, "source");
+        material.grain = grain(m);
+        return material;
     }
 
     static std::optional<GrainRatios> grain(const json& material) {
@@ -215,23 +213,6 @@ private:
     Container container;
 };
 
-json describe(const Material& m) {
-    json described{{"name", m.name},
-                   {"youngs_modulus_pa", m.youngsModulusPa},
-                   {"density_kg_per_m3", m.densityKgPerM3},
-                   {"poisson_ratio", m.poissonRatio},
-                   {"fluid_damping_per_s", m.damping.fluidPerSecond},
-                   {"viscoelastic_damping_s", m.damping.viscoelasticSeconds},
-                   {"loss_factor", m.damping.lossFactor},
-                   {"friction", m.friction},
-                   {"restitution", m.restitution},
-                   {"roughness", m.roughness},
-                   {"source", m.source}};
-    if (m.grain)
-        described["grain"] = grainJson<json>(*m.grain);
-    return described;
-}
-
 json describeMetadata(const ModalObject& object) {
     const json geometry{{"thickness_m", object.thicknessMetres}, {"band_hz", object.bandHz}};
     const json mass{{"mass_kg", object.mass.massKg},
@@ -256,7 +237,7 @@ json describeMetadata(const ModalObject& object) {
             {"method", object.method},
             {"body", object.body == BodyKind::shell ? "shell" : "solid"},
             {"geometry", inner(geometry)},
-            {"material", inner(describe(object.material))},
+            {"material", inner(materialJson<json>(object.material))},
             {"mass", inner(mass)},
             {"provenance", inner(provenance)}};
 }
@@ -282,18 +263,10 @@ Result<ModalObject> readModalObject(std::span<const std::byte> bytes, std::strin
 }
 
 Result<ModalObject> readModalObject(const std::filesystem::path& file) {
-    std::error_code ignored;
-    const auto size = std::filesystem::file_size(file, ignored);
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || ignored || !std::filesystem::is_regular_file(file, ignored))
-        return failure(file.string() + ": the file cannot be opened");
-    if (size > fileLimitBytes)
-        return failure(file.string() + ": it is larger than 4 GiB");
-    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!stream)
-        return failure(file.string() + ": the file cannot be read");
-    return readModalObject(bytes, file.string());
+    const auto bytes = readBytes(file, fileLimitBytes);
+    if (!bytes)
+        return failure(nameOf(file) + ": " + bytes.error().message);
+    return readModalObject(std::as_bytes(std::span(*bytes)), nameOf(file));
 }
 
 std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecision precision) {
@@ -330,7 +303,17 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
 Result<void> writeModalObject(const ModalObject& object,
                               const std::filesystem::path& file,
                               ShapePrecision precision) {
-    const auto bytes = encodeModalObject(object, precision);
+    const auto refuse = [&](const char* sentence) {
+        return failure(nameOf(file) + ": " + sentence);
+    };
+    std::vector<std::byte> bytes;
+    try {
+        bytes = encodeModalObject(object, precision);
+    } catch (const std::bad_alloc&) {
+        return refuse("the object is too large for this machine's memory");
+    }
+    if (!safetensors::hasReadableHeader(bytes))
+        return refuse("the object's texts are too long for a file");
     auto temporary = file;
     temporary += ".part";
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
@@ -342,7 +325,7 @@ Result<void> writeModalObject(const ModalObject& object,
         std::filesystem::rename(temporary, file, fault);
     if (!stream || fault) {
         std::filesystem::remove(temporary, fault);
-        return failure(file.string() + ": the file cannot be written");
+        return refuse("the file cannot be written");
     }
     return {};
 }

@@ -20,11 +20,13 @@ Result<ModalObject> readModalObject(const std::filesystem::path& file);
 /// The same from memory; `name` stands for the file in errors.
 Result<ModalObject> readModalObject(std::span<const std::byte> bytes, std::string_view name);
 
-/// The file's bytes. The same object always gives the same bytes.
+/// The file's bytes, of an object that passed `validated`: the reader refuses others. The same
+/// object always gives the same bytes.
 std::vector<std::byte> encodeModalObject(const ModalObject& object,
                                          ShapePrecision precision = ShapePrecision::single);
 
 /// Writes to a temporary beside `file` and renames, so that a crash never leaves half an object.
+/// Refuses one whose texts are too long to be read again.
 Result<void> writeModalObject(const ModalObject& object,
                               const std::filesystem::path& file,
                               ShapePrecision precision = ShapePrecision::single);

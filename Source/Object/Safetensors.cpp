@@ -73,14 +73,24 @@ void requireContiguous(std::vector<std::span<const std::byte>> parts,
         throw Fault{"it goes on after its last tensor"};
 }
 
+/// Of a file that is long enough to say so.
+std::uint64_t headerLengthOf(std::span<const std::byte> bytes) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, bytes.data(), sizeof length);
+    return length;
+}
+
 } // namespace
 
+bool hasReadableHeader(std::span<const std::byte> bytes) {
+    return bytes.size() >= sizeof(std::uint64_t) && headerLengthOf(bytes) <= headerLimitBytes;
+}
+
 Container parse(std::span<const std::byte> bytes) {
-    std::uint64_t headerLength = 0;
-    if (bytes.size() < sizeof headerLength)
+    if (bytes.size() < sizeof(std::uint64_t))
         throw Fault{"it is too short to be a modal object"};
-    std::memcpy(&headerLength, bytes.data(), sizeof headerLength);
-    bytes = bytes.subspan(sizeof headerLength);
+    const auto headerLength = headerLengthOf(bytes);
+    bytes = bytes.subspan(sizeof(std::uint64_t));
     if (headerLength > headerLimitBytes)
         throw Fault{"it is not a modal object (its header claims " + std::to_string(headerLength) +
                     " bytes)"};

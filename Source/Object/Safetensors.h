@@ -46,6 +46,9 @@ struct Container {
 /// The container's tensors point into `bytes`. Throws Fault.
 Container parse(std::span<const std::byte> bytes);
 
+/// Whether `parse` takes a header of this file's length: it is at most 1 MiB.
+bool hasReadableHeader(std::span<const std::byte> bytes);
+
 /// Builds a file tensor by tensor; the same calls give the same bytes.
 class Writer {
 public:

@@ -1,3 +1,4 @@
+#include "Object/FileBytes.h"
 #include "Object/MaterialFile.h"
 #include "Object/SameName.h"
 
@@ -61,6 +62,11 @@ Result<Material> findAnyMaterial(std::string_view name) {
     for (auto& material : readMaterialFolder(userMaterialFolder()).materials)
         if (sameName(material.name, name))
             return std::move(material);
+    // One that cannot be read has no name but its file's.
+    for (const auto& file : filesOf(userMaterialFolder()))
+        if (sameName(nameOf(file.stem()), name))
+            if (auto material = readMaterialFile(file); !material)
+                return material;
     return failure("There is no material '" + std::string(name) + "'.");
 }
 

@@ -190,6 +190,24 @@ TEST_CASE("A folder gives its materials by name, and a sentence for each file th
 }
 
 #if defined(__linux__)
+TEST_CASE("A damaged file of the user's is named when its material is asked for") {
+    const char* text = std::getenv("XDG_CONFIG_HOME");
+    const std::string configured = text != nullptr ? text : "";
+    const auto settings = folder("settings");
+    const auto materials = settings / "Idiophone" / "Materials";
+    std::filesystem::create_directories(materials);
+    write(materials / "jade.json", good);
+    write(materials / "amber.json", "{");
+    setenv("XDG_CONFIG_HOME", settings.c_str(), 1);
+    CHECK(findAnyMaterial("jade"));
+    CHECK_THAT(findAnyMaterial("Amber").error().message,
+               StartsWith((materials / "amber.json").string() + ": it is not JSON"));
+    CHECK_THAT(findAnyMaterial("Pearl").error().message, StartsWith("There is no material"));
+    unsetenv("XDG_CONFIG_HOME");
+    if (!configured.empty())
+        setenv("XDG_CONFIG_HOME", configured.c_str(), 1);
+}
+
 TEST_CASE("The user's folder is in $XDG_CONFIG_HOME, or else in ~/.config") {
     const auto value = [](const char* name) {
         const char* text = std::getenv(name);

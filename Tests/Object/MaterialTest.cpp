@@ -39,3 +39,12 @@ TEST_CASE("A material out of range is refused by name and figure") {
     refuse([](Material& m) { m.restitution = std::numeric_limits<double>::infinity(); },
            "restitution");
 }
+
+TEST_CASE("A material whose texts would not fit an object's file is refused") {
+    Material material = materialLibrary().front();
+    material.source = std::string(40'000, 'x');
+    CHECK_THAT(validated(material).error().message, ContainsSubstring("its source is longer"));
+    material = materialLibrary().front();
+    material.name = std::string(1001, 'x');
+    CHECK_THAT(validated(material).error().message, ContainsSubstring("its name is longer"));
+}

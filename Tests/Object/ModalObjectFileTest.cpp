@@ -128,6 +128,25 @@ TEST_CASE("A file written to disk reads back, and an unwritable place is one sen
     CHECK_FALSE(readModalObject(directory));
 }
 
+TEST_CASE(
+    "Whatever texts an object may have, its file reads back; with longer ones it is refused") {
+    auto object = syntheticObject({100});
+    object.provenance.notes = std::string(120'000, '\x01'); // seven bytes each in the file
+    REQUIRE(validated(object));
+    const auto file = test::testFolder() / "texts.modal";
+    REQUIRE(writeModalObject(object, file));
+    const auto back = readModalObject(file);
+    REQUIRE(back);
+    CHECK(back->provenance.notes == object.provenance.notes);
+    object.provenance.notes.append(80'000, '\x01');
+    CHECK_THAT(validated(object).error().message, ContainsSubstring("its texts are longer"));
+    const auto other = test::testFolder() / "longer.modal";
+    const auto refused = writeModalObject(object, other);
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message, ContainsSubstring("longer.modal: the object's texts"));
+    CHECK_FALSE(std::filesystem::exists(other));
+}
+
 TEST_CASE("A hostile header is refused with its fault") {
     checkRefused({}, "too short");
     checkRefused(withHeader("{}", {}, std::uint64_t{1} << 60), "claims");

@@ -1,0 +1,48 @@
+#include "Object/FileBytes.h"
+
+#include <fstream>
+#include <new>
+
+namespace idiophone {
+namespace {
+
+/// In the largest unit that the size is a multiple of.
+std::string sizeText(std::uintmax_t bytes) {
+    for (const auto& [shift, unit] : {std::pair{30, " GiB"}, {20, " MiB"}, {10, " KiB"}})
+        if (bytes != 0 && bytes % (std::uintmax_t{1} << shift) == 0)
+            return std::to_string(bytes >> shift) + unit;
+    return std::to_string(bytes) + " bytes";
+}
+
+} // namespace
+
+Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t limitBytes) {
+    std::error_code fault;
+    if (std::filesystem::is_directory(file, fault))
+        return failure("it is a directory");
+    const auto size = std::filesystem::file_size(file, fault);
+    std::ifstream stream(file, std::ios::binary);
+    if (fault || !stream)
+        return failure("the file cannot be opened");
+    if (size > limitBytes)
+        return failure("it is larger than " + sizeText(limitBytes));
+    try {
+        std::string bytes(static_cast<std::size_t>(size), '\0');
+        if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+            return failure("the file cannot be read");
+        return bytes;
+    } catch (const std::bad_alloc&) {
+        return failure("it is too large for this machine's memory");
+    }
+}
+
+std::string nameOf(const std::filesystem::path& file) {
+    try {
+        const auto name = file.u8string();
+        return {name.begin(), name.end()};
+    } catch (const std::exception&) {
+        return "a file whose name is not Unicode";
+    }
+}
+
+} // namespace idiophone

@@ -1,0 +1,19 @@
+// Files whole, and their names in sentences.
+#pragma once
+
+#include "Object/Result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace idiophone {
+
+/// The file's bytes. The error is what is wrong, to be put after the file's name: "it is a
+/// directory", that it cannot be opened or read, or is larger than the limit or than the memory.
+Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t limitBytes);
+
+/// The path in UTF-8, as all our texts are, on every system.
+std::string nameOf(const std::filesystem::path& file);
+
+} // namespace idiophone

@@ -1,0 +1,24 @@
+#include "Object/FileBytes.h"
+#include "Support/TestFolder.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <fstream>
+
+using namespace idiophone;
+
+TEST_CASE("A file's bytes come whole, or the sentence says what is wrong") {
+    const auto file = test::testFolder() / "bytes.bin";
+    const std::string bytes("a\0\r\nb", 5);
+    std::ofstream(file, std::ios::binary) << bytes;
+    CHECK(readBytes(file, 5) == bytes);
+    CHECK(readBytes(file, 4).error().message == "it is larger than 4 bytes");
+    CHECK(readBytes(test::testFolder(), 4).error().message == "it is a directory");
+    CHECK(readBytes(test::testFolder() / "none", 4).error().message == "the file cannot be opened");
+    std::ofstream(file, std::ios::binary) << std::string((1 << 20) + 1, 'x');
+    CHECK(readBytes(file, 1 << 20).error().message == "it is larger than 1 MiB");
+    CHECK(readBytes(file, 3 << 10).error().message == "it is larger than 3 KiB");
+}
+
+TEST_CASE("A file's name is told in UTF-8") {
+    CHECK(nameOf(std::filesystem::path(u8"Glöckchen/γ.obj").filename()) == "\xce\xb3.obj");
+}
