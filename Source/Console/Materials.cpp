@@ -3,6 +3,7 @@
 #include "Console/MaterialChoice.h"
 #include "Object/MaterialFile.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iomanip>
@@ -60,23 +61,19 @@ void print(std::span<const Material> materials) {
         print(material);
 }
 
-void list(std::span<const Material> materials, bool json) {
-    if (!json)
-        return print(materials);
-    ordered_json all = ordered_json::array();
-    for (const auto& material : materials)
-        all.push_back(describeWithDecay(material));
-    std::cout << jsonText(all);
-}
-
 void listAll(bool json) {
     const auto library = materialLibrary();
     std::vector<Material> materials(library.begin(), library.end());
     const auto user = readMaterialFolder(userMaterialFolder());
     materials.insert(materials.end(), user.materials.begin(), user.materials.end());
-    list(materials, json);
-    if (!json)
+    if (json) {
+        auto all = ordered_json::array();
+        std::ranges::transform(materials, std::back_inserter(all), describeWithDecay);
+        std::cout << jsonText(all);
+    } else {
+        print(materials);
         std::cout << "Materials of your own go into " << userMaterialFolder().string() << '\n';
+    }
     for (const auto& fault : user.faults)
         std::cerr << "idiophone: " << fault.message << '\n';
 }
@@ -89,7 +86,10 @@ Result<void> listMaterials(const Options& options) {
     const auto material = findOrReadMaterial(options.material);
     if (!material)
         return tl::unexpected(material.error());
-    list({&*material, 1}, options.json);
+    if (options.json)
+        std::cout << jsonText(describeWithDecay(*material));
+    else
+        print(std::span(&*material, 1));
     return {};
 }
 
@@ -99,7 +99,8 @@ void addMaterials(CLI::App& program, Action& chosen) {
     auto* command = program.add_subcommand("materials", "Lists the materials, or checks one");
     auto options = std::make_shared<Options>();
     command->add_option("MATERIAL", options->material, "A material's name or a JSON file");
-    command->add_flag("--json", options->json, "As JSON, which --material reads");
+    command->add_flag("--json", options->json,
+                      "As JSON: all in a list, or the one, which --material reads");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return listMaterials(*options); }; });
 }

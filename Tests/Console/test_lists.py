@@ -3,7 +3,7 @@ import math
 import pathlib
 import sys
 
-from console import PROGRAM, ConsoleTest
+from console import OBJECTS, PROGRAM, ConsoleTest
 
 DOCS = pathlib.Path(__file__).parents[2] / "docs"
 
@@ -46,11 +46,16 @@ class Lists(ConsoleTest):
     def test_a_material_told_as_json_is_read_back_and_checked(self):
         bronze = next(m for m in self.json("materials") if m["name"] == "Bell bronze")
         file = self.write("bronze.json", json.dumps(bronze))
-        self.assertEqual(self.json("materials", file), [bronze])
-        self.assertEqual(self.json("materials", "bell BRONZE"), [bronze])
+        self.assertEqual(self.json("materials", file), bronze)
+        self.assertEqual(self.json("materials", "bell BRONZE"), bronze)
         text = self.succeed("materials", file).stdout
         for figure in ("Bell bronze", "105", "8800", "0.0002", "25", "11", bronze["source"]):
             self.assertIn(figure, text)
+
+    def test_a_material_told_as_json_is_one_that_objects_can_be_made_of(self):
+        told = self.write("told.json", self.succeed("materials", "bell bronze", "--json").stdout)
+        report = self.json("strike", OBJECTS / "plate.modal", "--material", told, "-o", self.folder / "bar.wav")
+        self.assertEqual(report["material"], "Bell bronze")
 
     def test_materials_of_the_users_folder_are_listed_and_found_by_name(self):
         folder = self.folder / "settings" / "Idiophone" / "Materials"
@@ -59,13 +64,13 @@ class Lists(ConsoleTest):
                 "loss_factor": 1e-4}
         (folder / "Jade.json").write_text(json.dumps(jade))
         self.assertEqual(self.json("materials")[-1]["name"], "Jade")
-        self.assertEqual(self.json("materials", "jade")[0]["density_kg_per_m3"], 3300)
+        self.assertEqual(self.json("materials", "jade")["density_kg_per_m3"], 3300)
         self.assertIn(str(folder), self.succeed("materials").stdout)
         (folder / "broken.json").write_text("{")
         listed = self.succeed("materials")
         self.assertIn("Jade", listed.stdout)
         self.assertEqual(listed.stderr, f"idiophone: {folder / 'broken.json'}: it is not JSON\n")
-        self.assertEqual(self.json("materials", "jade")[0]["name"], "Jade")
+        self.assertEqual(self.json("materials", "jade")["name"], "Jade")
 
     def test_parameters_are_told_with_units_ranges_and_defaults(self):
         parameters = self.json("parameters")
