@@ -1,6 +1,7 @@
 #include "Console/ParameterAssignments.h"
 
-#include <charconv>
+#include <locale>
+#include <sstream>
 
 namespace idiophone {
 namespace {
@@ -20,9 +21,10 @@ std::string valuesOf(const ParameterInfo& info) {
 
 /// The table takes a number beyond the range to its end, which on a command line hides mistakes.
 bool isBeyondRange(const ParameterInfo& info, std::string_view text) {
+    std::istringstream stream{std::string(text)}; // as the table reads it: a unit may follow
+    stream.imbue(std::locale::classic());
     double number = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
-    return parsed.ec == std::errc() && !(number >= info.minimum && number <= info.maximum);
+    return stream >> number && !(number >= info.minimum && number <= info.maximum);
 }
 
 Result<void> assign(const std::string& assignment, ParameterValues& values) {

@@ -243,7 +243,7 @@ class BadArguments(ConsoleTest):
                 (render, "--sample-rate", ("nan", -48000, 0, 7999, 1e9)),
                 (render, "--block-size", (0, -1, "nan", 10 ** 9)),
                 (render, "--bit-depth", (8, 0, -16, "nan")),
-                (render, "--set", ("tau", "tau=", "tau=loud", "tau=-1", "tau=nan", "colour=3",
+                (render, "--set", ("tau", "tau=", "tau=loud", "tau=-1", "tau=nan", "tau=+1e9", "tau= 1e9", "colour=3",
                                    "material=Unobtainium", "=3"))):
             for value in values:
                 self.refuse(*command, option, value, naming=option)
