@@ -49,10 +49,8 @@ Result<void> makeOne(const std::string& name, const std::filesystem::path& folde
 }
 
 Result<void> makeFactory(const Options& options) {
-    std::error_code fault;
-    std::filesystem::create_directories(options.folder, fault);
-    if (!std::filesystem::is_directory(options.folder, fault))
-        return failure(options.folder.string() + ": the directory cannot be made");
+    if (auto made = makeDirectory(options.folder); !made)
+        return made;
     if (!options.only.empty())
         return makeOne(options.only, options.folder);
     for (const auto& name : factoryObjectNames())

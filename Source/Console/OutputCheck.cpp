@@ -18,4 +18,12 @@ Result<void> checkWritable(const std::filesystem::path& file) {
     return {};
 }
 
+Result<void> makeDirectory(const std::filesystem::path& directory) {
+    std::error_code fault;
+    std::filesystem::create_directories(directory, fault);
+    if (!std::filesystem::is_directory(directory, fault))
+        return failure(directory.string() + ": the directory cannot be made");
+    return {};
+}
+
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Asks early whether a file can be written, so that a long task does not fail at its end.
+// Asks early whether what is made can be written, so that a long task does not fail at its end.
 #pragma once
 
 #include "Object/Result.h"
@@ -9,5 +9,8 @@ namespace idiophone {
 
 /// Fails where `file` is a directory, or cannot be created beside where it will stand.
 Result<void> checkWritable(const std::filesystem::path& file);
+
+/// Makes the directory where there is none. The error names it.
+Result<void> makeDirectory(const std::filesystem::path& directory);
 
 } // namespace idiophone

@@ -29,7 +29,8 @@ struct Options {
 Result<Scene> findOrReadScene(const std::string& nameOrFile) {
     if (const auto* factory = findFactoryScene(nameOrFile))
         return *factory;
-    if (!std::filesystem::exists(nameOrFile))
+    std::error_code ignored;
+    if (!std::filesystem::exists(nameOrFile, ignored))
         return failure("'" + nameOrFile + "' is neither a file nor one of the scenes " +
                        factoryScenesInWords());
     return readSceneFile(nameOrFile);

@@ -1,9 +1,10 @@
 #include "Console/SofaHead.h"
 
+#include "Console/JuceFile.h"
 #include "Console/SofaTable.h"
 #include "Object/TextFile.h"
 
-#include <juce_core/juce_core.h>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -18,15 +19,15 @@ constexpr int patienceMilliseconds = 1000 * (2 * sofaPatienceSeconds);
 std::optional<std::string> tableOf(const std::filesystem::path& file, int sampleRateHz) {
     const juce::TemporaryFile table(".table");
     const auto self = juce::File::getSpecialLocation(juce::File::currentExecutableFile);
-    const auto path = std::filesystem::absolute(file); // also no option
+    const auto path = juceFile(file).getFullPathName(); // absolute, so that it is no option
     juce::ChildProcess reader;
-    if (!reader.start({self.getFullPathName(), "sofa-table", juce::String(path.string()),
-                       juce::String(sampleRateHz), table.getFile().getFullPathName()},
+    if (!reader.start({self.getFullPathName(), "sofa-table", path, juce::String(sampleRateHz),
+                       table.getFile().getFullPathName()},
                       0))
         return std::nullopt;
     if (!reader.waitForProcessToFinish(patienceMilliseconds))
         reader.kill();
-    auto read = readTextFile(table.getFile().getFullPathName().toStdString());
+    auto read = readTextFile(pathOf(table.getFile()));
     if (!read)
         return std::nullopt;
     return std::move(*read);
@@ -36,11 +37,17 @@ std::optional<std::string> tableOf(const std::filesystem::path& file, int sample
 
 Result<std::shared_ptr<const HeadResponses>> readSofaHead(const std::filesystem::path& file,
                                                           int sampleRateHz) {
-    if (auto readable = readTextFile(file, largestSofaBytes); !readable)
-        return tl::unexpected(readable.error());
     const auto refuse = [&](const std::string& sentence) {
         return failure(file.string() + ": " + sentence);
     };
+    std::error_code fault;
+    if (std::filesystem::is_directory(file, fault))
+        return refuse("it is a directory");
+    const auto bytes = std::filesystem::file_size(file, fault);
+    if (fault || !std::ifstream(file, std::ios::binary))
+        return refuse("the file cannot be opened");
+    if (bytes > largestSofaBytes)
+        return refuse("it is larger than 256 MiB");
     const auto table = tableOf(file, sampleRateHz);
     if (!table)
         return refuse("reading it failed; it may be damaged");

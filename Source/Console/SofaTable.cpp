@@ -85,8 +85,16 @@ std::string encode(const Result<std::shared_ptr<const HeadResponses>>& read) {
            std::string(reinterpret_cast<const char*>(samples.data()), samples.size_bytes());
 }
 
-/// Damaged files ask for any amount of memory and time. (macOS knows no limit of memory, and
-/// sanitizers want more of it than there is.)
+// Sanitizers want more memory than there is. gcc says by macros what clang says by features.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool isSanitized = true;
+#elif defined(__has_feature)
+constexpr bool isSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool isSanitized = false;
+#endif
+
+/// Damaged files ask for any amount of memory and time. (macOS knows no limit of memory.)
 void limitResources() {
 #if defined(__unix__) || defined(__APPLE__)
     const auto limit = [](auto resource, rlim_t most) {
@@ -95,8 +103,9 @@ void limitResources() {
     };
     limit(RLIMIT_CPU, sofaPatienceSeconds);
     limit(RLIMIT_CORE, 0);
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    limit(RLIMIT_AS, rlim_t{1} << 31);
+#if defined(__linux__)
+    if (!isSanitized)
+        limit(RLIMIT_AS, rlim_t{1} << 31);
 #endif
 #endif
 }

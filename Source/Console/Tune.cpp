@@ -8,6 +8,7 @@
 #include "Geometry/MeshWriter.h"
 #include "Instrument/Preset.h"
 #include "Object/ModalObjectFile.h"
+#include "Object/TextFile.h"
 
 #include <array>
 #include <cmath>
@@ -51,10 +52,6 @@ Result<void> check(const Options& options, const BarInstrument& instrument) {
     if (options.lowestNote.value_or(instrument.lowestNote) >
         options.highestNote.value_or(instrument.highestNote))
         return failure("--to: it is lower than --from");
-    std::error_code fault;
-    std::filesystem::create_directories(options.folder, fault);
-    if (!std::filesystem::is_directory(options.folder, fault))
-        return failure(options.folder.string() + ": the directory cannot be made");
     return {};
 }
 
@@ -162,17 +159,16 @@ writePreset(const Options& options, const BarInstrument& instrument, int from, i
                      .object = (std::filesystem::absolute(options.folder) /
                                 (std::string(instrument.name) + "-{note}.modal"))
                                    .string()};
-    std::ofstream file(options.folder / (std::string(instrument.name) + ".json"));
-    file << encodePreset(preset) << '\n';
-    if (!file.flush())
-        return failure(options.folder.string() + ": the preset cannot be written");
-    return {};
+    return writeTextFile(options.folder / (std::string(instrument.name) + ".json"),
+                         encodePreset(preset) + "\n");
 }
 
 Result<void> tuneKeyboard(const Options& options) {
     const BarInstrument* instrument = findBarInstrument(options.instrument);
     if (auto fine = check(options, *instrument); !fine)
         return fine;
+    if (auto made = makeDirectory(options.folder); !made)
+        return made;
     const auto tablePath = options.folder / "bars.csv";
     if (auto writable = checkWritable(tablePath); !writable)
         return writable;

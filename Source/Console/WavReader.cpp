@@ -1,5 +1,7 @@
 #include "Console/WavReader.h"
 
+#include "Console/JuceFile.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <juce_audio_formats/juce_audio_formats.h>
@@ -75,8 +77,7 @@ Result<MonoRecording> readWav(const std::filesystem::path& file) {
     std::error_code fault;
     if (std::filesystem::is_directory(file, fault))
         return refuse("it is a directory");
-    const auto path = std::filesystem::absolute(file, fault).string();
-    juce::FileInputStream stream(juce::File(juce::String::fromUTF8(path.c_str())));
+    juce::FileInputStream stream(juceFile(file));
     if (!stream.openedOk())
         return refuse("the file cannot be opened");
     if (stream.getTotalLength() > largestFileBytes)

@@ -1,5 +1,7 @@
 #include "Console/WavWriter.h"
 
+#include "Console/JuceFile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <juce_audio_formats/juce_audio_formats.h>
@@ -32,8 +34,7 @@ Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::filesystem::path
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         return failure(file.string() + ": it is a directory");
-    const auto path = std::filesystem::absolute(result->partial, ignored).string();
-    const auto partialFile = juce::File(juce::String::fromUTF8(path.c_str()));
+    const auto partialFile = juceFile(result->partial);
     partialFile.deleteFile();
     auto stream = std::make_unique<juce::FileOutputStream>(partialFile);
     if (!stream->openedOk())

@@ -76,9 +76,14 @@ class Scenes(ConsoleTest):
     def test_what_is_no_head_is_refused_with_a_sentence(self):
         scene = self.scene()
         no_head = self.write("-text.sofa", "RIFF and so on")
+        huge = self.folder / "huge.sofa"
+        with huge.open("wb") as file:
+            file.truncate((1 << 28) + 1)
         for name, sentence in ((HEADS / "endless.sofa", "damaged"),
                                (no_head, "it is no SOFA file"),
-                               (self.folder / "nowhere.sofa", "cannot be opened")):
+                               (self.folder / "nowhere.sofa", "cannot be opened"),
+                               (self.folder, "it is a directory"),
+                               (huge, "it is larger than 256 MiB")):
             self.refuse("scene", scene, "-o", self.folder / "none.wav", "--head", name,
                         naming=name, saying=sentence)
 
@@ -138,6 +143,9 @@ class Scenes(ConsoleTest):
     def test_bad_scenes_get_a_sentence(self):
         self.refuse("scene", "No such scene", "-o", self.folder / "x.wav",
                     naming="No such scene", saying="'Dice on a xylophone'")
+        too_long = 300 * "x"
+        self.refuse("scene", too_long, "-o", self.folder / "x.wav",
+                    naming=too_long, saying="neither a file nor one of the scenes")
         self.refuse("scene", self.scene(gravity="much"), "-o", self.folder / "x.wav",
                     naming="scene.json", saying="gravity is not a number")
         self.refuse("scene", self.write("broken.json", "{"), "-o", self.folder / "x.wav",
