@@ -58,8 +58,8 @@ Result<BenchSection> benchCompression(const BenchContent& content) {
     double largest = 0;
     for (const auto& object : content.factoryObjects) {
         std::vector<std::int32_t> starts(object->modeCount() + 1);
-        const std::size_t after =
-            groupModes(object->eigenvalues, benchPoleLaw(object->material), 1, starts);
+        const std::size_t after = groupModes(
+            object->eigenvalues, PoleLaw{.damping = object->material.damping}, 1, starts);
         const LevelError error = levelError(object);
         modes += static_cast<double>(object->modeCount());
         groups += static_cast<double>(after);

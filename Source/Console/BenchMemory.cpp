@@ -50,7 +50,7 @@ Result<void> measure(const Plate& plate, BenchSection& section) {
 
     std::vector<std::int32_t> starts(object->modeCount() + 1);
     const std::size_t groups =
-        groupModes(object->eigenvalues, benchPoleLaw(object->material), 1, starts);
+        groupModes(object->eigenvalues, PoleLaw{.damping = object->material.damping}, 1, starts);
     std::vector<double> frequencies;
     for (const double eigenvalue : object->eigenvalues)
         frequencies.push_back(std::sqrt(eigenvalue) / (2 * std::numbers::pi));

@@ -99,8 +99,4 @@ longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz) {
     return std::make_shared<const ModalObject>(std::move(object));
 }
 
-PoleLaw benchPoleLaw(const Material& material) {
-    return {.eigenvalueRatio = 1, .damping = material.damping};
-}
-
 } // namespace idiophone

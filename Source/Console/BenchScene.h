@@ -64,7 +64,4 @@ Strike strikeInto(const StrikePoint& point, double newtonSeconds, double contact
 std::shared_ptr<const ModalObject>
 longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz);
 
-/// The object's own pole law at size 1.
-PoleLaw benchPoleLaw(const Material& material);
-
 } // namespace idiophone

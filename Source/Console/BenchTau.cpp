@@ -65,8 +65,8 @@ double latestCutoffSeconds(const ModalObject& bar, const Strike& strike, double 
         scene.nextCell();
         scene.nextCell();
         const double amplitude = scene.synthesiser().status()[0].amplitude;
-        const double decay = decayBound(
-            benchPoleLaw(bar.material).pole(bar.eigenvalues[mode], bar.dampingScale(mode)));
+        const double decay = decayBound(PoleLaw{.damping = bar.material.damping}.pole(
+            bar.eigenvalues[mode], bar.dampingScale(mode)));
         const double threshold = tau * metresPerSecondPerTau;
         if (amplitude > 0)
             latest = std::max(latest, cellSeconds + std::log(amplitude / threshold) / decay);

@@ -28,7 +28,7 @@ struct ModeFigures {
 };
 
 PoleLaw lawOf(const ModalObject& object) {
-    return {.eigenvalueRatio = 1, .damping = object.material.damping};
+    return {.damping = object.material.damping};
 }
 
 ModeFigures figuresOf(const ModalObject& object, std::size_t mode) {

@@ -6,12 +6,12 @@
 #include "Console/SongRender.h"
 #include "Console/StruckModes.h"
 #include "Instrument/MalletStrike.h"
+#include "Instrument/ObjectBox.h"
 #include "Object/ModalObjectFile.h"
 
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 
 namespace idiophone {
 namespace {
@@ -93,24 +93,11 @@ ModalObject withMaterial(ModalObject object, const Material& material) {
 
 /// A key map of one key, which strikes one vertex.
 KeyMap keyMapFor(const std::string& name, const ModalObject& object, std::size_t row) {
-    std::array<double, 3> lowest, highest;
-    lowest.fill(std::numeric_limits<double>::infinity());
-    highest.fill(-std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < object.vertices.size(); ++i) {
-        lowest[i % 3] = std::min<double>(lowest[i % 3], object.vertices[i]);
-        highest[i % 3] = std::max<double>(highest[i % 3], object.vertices[i]);
-    }
-    std::array<double, 3> relative{};
-    const auto vertex = vertexOfRow(object, row);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (highest[axis] > lowest[axis])
-            relative[axis] =
-                (2 * vertex[axis] - highest[axis] - lowest[axis]) / (highest[axis] - lowest[axis]);
     return {.kind = KeyMapKind::zones,
             .lowestNote = struckKey,
             .highestNote = struckKey,
             .object = name,
-            .strikePath = {relative}};
+            .strikePath = {ObjectBox(object).relative(vertexOfRow(object, row))}};
 }
 
 void report(const ModalObject& object,

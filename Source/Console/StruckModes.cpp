@@ -1,5 +1,6 @@
 #include "Console/StruckModes.h"
 
+#include "Analysis/PulseSpectrum.h"
 #include "Instrument/SettingsOfParameters.h"
 #include "Synth/Listening.h"
 #include "Synth/LiveConditions.h"
@@ -11,21 +12,6 @@
 #include <ranges>
 
 namespace idiophone {
-namespace {
-
-constexpr double pi = std::numbers::pi;
-
-/// |F(f)| of the pulse (1 − cos 2πt/T)/T: sin(πx)/(πx(1 − x²)) with x = fT.
-double pulseSpectrum(double x) {
-    if (x < 1e-6)
-        return 1;
-    if (std::abs(x - 1) < 1e-6)
-        return 0.5;
-    return std::abs(std::sin(pi * x) / (pi * x * (1 - x * x)));
-}
-
-} // namespace
-
 StruckModes loudestModes(const ModalObject& object,
                          const Strike& strike,
                          const ParameterValues& parameters,
@@ -40,7 +26,8 @@ StruckModes loudestModes(const ModalObject& object,
     StruckModes modes;
     for (std::size_t i = 0; i < object.modeCount(); ++i) {
         const double frequencyHz =
-            dampedFrequency(law.pole(object.eigenvalues[i], object.dampingScale(i))) / (2 * pi);
+            dampedFrequency(law.pole(object.eigenvalues[i], object.dampingScale(i))) /
+            (2 * std::numbers::pi);
         const double residue =
             std::abs(static_cast<double>(struck[i]) * static_cast<double>(heard[i]));
         const double amplitude = residue * pulseSpectrum(frequencyHz * strike.durationSeconds);
