@@ -88,7 +88,7 @@ double silenceOverSound(const std::vector<SynthesiserSlot>& slots) {
 Result<BenchSection> benchCallback(const BenchContent& content) {
     const auto bars = objectsNamed(content, "xylophone-");
     if (bars.size() < objectCount)
-        return failure("The callback benchmark needs the factory's 37 xylophone bars.");
+        return failure("The callback benchmark needs 37 of the factory's xylophone bars.");
     std::vector<SynthesiserSlot> asTheyAre, longRinging;
     for (std::size_t k = 0; k < objectCount; ++k) {
         asTheyAre.push_back({bars[k]});

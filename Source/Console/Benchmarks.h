@@ -15,7 +15,7 @@ namespace idiophone {
 
 /// What the benchmarks play, from the factory and the command line.
 struct BenchContent {
-    /// All factory objects by their names: "xylophone-72" to "xylophone-108", others.
+    /// All factory objects by their names: "xylophone-65" to "xylophone-108", others.
     std::vector<std::shared_ptr<const ModalObject>> factoryObjects;
 
     /// A song on the factory's xylophone; empty where none was given.

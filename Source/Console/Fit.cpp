@@ -30,7 +30,7 @@ struct Options {
     bool json = false;
 };
 
-struct Strike {
+struct RecordedStrike {
     std::filesystem::path file;
     StruckPlace place;
 };
@@ -38,7 +38,7 @@ struct Strike {
 constexpr double farthestMetres = 1e4;
 
 /// The last @ parts file from place, for a file's name may hold some.
-Result<Strike> parseStrike(const std::string& text) {
+Result<RecordedStrike> parseStrike(const std::string& text) {
     const auto refuse = [&] {
         return failure(text + ": it is not a recording, an @ and a place: X,Y,Z or a radius, in "
                               "metres");
@@ -58,7 +58,7 @@ Result<Strike> parseStrike(const std::string& text) {
             break;
         rest.remove_prefix(comma + 1);
     }
-    Strike strike{.file = text.substr(0, at), .place = numbers[0]};
+    RecordedStrike strike{.file = text.substr(0, at), .place = numbers[0]};
     if (numbers.size() == 3)
         strike.place = std::array{numbers[0], numbers[1], numbers[2]};
     else if (numbers.size() != 1 || numbers[0] < 0)
@@ -67,7 +67,7 @@ Result<Strike> parseStrike(const std::string& text) {
 }
 
 Result<MeasuredObjectSettings> settingsFrom(const Options& options,
-                                            const std::vector<Strike>& strikes) {
+                                            const std::vector<RecordedStrike>& strikes) {
     MeasuredObjectSettings settings;
     settings.name = options.name.empty() ? options.output.stem().string() : options.name;
     for (const auto& strike : strikes)
@@ -88,7 +88,7 @@ Result<MeasuredObjectSettings> settingsFrom(const Options& options,
     return settings;
 }
 
-Result<RecordingFit> fitFiles(const std::vector<Strike>& strikes,
+Result<RecordingFit> fitFiles(const std::vector<RecordedStrike>& strikes,
                               const RecordingFitSettings& settings) {
     std::vector<MonoRecording> recordings;
     for (const auto& strike : strikes) {
@@ -154,7 +154,7 @@ void report(const ModalObject& object, const RecordingFit& fit, const Options& o
 }
 
 Result<void> fitAndWrite(const Options& options) {
-    std::vector<Strike> strikes;
+    std::vector<RecordedStrike> strikes;
     for (const auto& text : options.strikes) {
         auto strike = parseStrike(text);
         if (!strike)

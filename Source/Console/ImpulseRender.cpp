@@ -23,7 +23,7 @@ struct Contact {
     Strike strike;
 };
 
-struct Scene {
+struct ImpulseScore {
     std::vector<SynthesiserSlot> slots;
     std::vector<Contact> contacts; ///< in order of time
 };
@@ -35,8 +35,8 @@ std::string resolved(const std::string& object, const std::filesystem::path& imp
     return (impulseFile.parent_path() / object).string();
 }
 
-Result<Scene> arrange(std::span<const Impulse> impulses, const std::filesystem::path& file) {
-    Scene scene;
+Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::filesystem::path& file) {
+    ImpulseScore score;
     std::map<std::string, std::shared_ptr<const ModalObject>> objects;
     std::map<std::string, ObjectSurface> surfaces;
     std::map<std::pair<std::string, std::string>, std::size_t> slotOfBody;
@@ -51,10 +51,10 @@ Result<Scene> arrange(std::span<const Impulse> impulses, const std::filesystem::
             surfaces.try_emplace(impulse.object, *object);
         }
         const auto [body, isNew] =
-            slotOfBody.try_emplace({impulse.object, impulse.body}, scene.slots.size());
+            slotOfBody.try_emplace({impulse.object, impulse.body}, score.slots.size());
         if (isNew)
-            scene.slots.push_back({.object = object, .sizeRatio = impulse.sizeRatio});
-        else if (scene.slots[body->second].sizeRatio != impulse.sizeRatio)
+            score.slots.push_back({.object = object, .sizeRatio = impulse.sizeRatio});
+        else if (score.slots[body->second].sizeRatio != impulse.sizeRatio)
             return failure(place + "its 'size' is another one than before of the same body");
 
         const auto& surface = surfaces.at(impulse.object);
@@ -69,16 +69,16 @@ Result<Scene> arrange(std::span<const Impulse> impulses, const std::filesystem::
         std::ranges::transform(impulse.impulseNewtonSeconds,
                                contact.strike.impulseNewtonSeconds.begin(),
                                [](double component) { return static_cast<float>(component); });
-        scene.contacts.push_back(contact);
+        score.contacts.push_back(contact);
     }
-    return scene;
+    return score;
 }
 
 /// The grid's cells one after another, each with the contacts that begin in it.
 class CellPlayer {
 public:
-    CellPlayer(const Scene& scene, const SynthesisSettings& settings, double sampleRateHz)
-        : contacts(scene.contacts), synth(scene.slots, sampleRateHz, 2) {
+    CellPlayer(const ImpulseScore& score, const SynthesisSettings& settings, double sampleRateHz)
+        : contacts(score.contacts), synth(score.slots, sampleRateHz, 2) {
         synth.setSettings(settings);
     }
 
@@ -123,16 +123,16 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
     const auto impulses = readImpulses(file);
     if (!impulses)
         return tl::unexpected(impulses.error());
-    const auto scene = arrange(*impulses, file);
-    if (!scene)
-        return tl::unexpected(scene.error());
+    const auto score = arrange(*impulses, file);
+    if (!score)
+        return tl::unexpected(score.error());
 
     RenderTally tally;
-    CellPlayer player(*scene, synthesisSettings(parameters), format.sampleRateHz);
+    CellPlayer player(*score, synthesisSettings(parameters), format.sampleRateHz);
     if (auto done =
             renderTo(recording, format,
                      {.name = file.filename().string(),
-                      .lastSample = static_cast<std::int64_t>(scene->contacts.back().seconds *
+                      .lastSample = static_cast<std::int64_t>(score->contacts.back().seconds *
                                                               format.sampleRateHz),
                       .pieceSamples = cellSamples,
                       .render =

@@ -12,6 +12,14 @@ namespace idiophone {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+double decibelsFullScale(double amplitude) {
+    return 20 * std::log10(amplitude);
+}
+
+} // namespace
+
 void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
     command.add_option("-o,--output", format.file, "The WAV file to write")->required();
     command.add_option("--sample-rate", format.sampleRateHz, "In Hz")
@@ -25,10 +33,6 @@ void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
         ->capture_default_str();
     command.add_option("--seconds", format.seconds, "Length of the file; else until silence")
         ->check(numberBetween(0.001, 36000));
-}
-
-double decibelsFullScale(double amplitude) {
-    return 20 * std::log10(amplitude);
 }
 
 void Recording::FreeMeter::operator()(ebur128_state* state) const {

@@ -47,8 +47,6 @@ public:
 
     void hush() { output.hush(); }
     bool silent() const { return output.silent(); } ///< nothing sounds on of what was added
-    std::int64_t sampleCount() const { return written; }
-    double peak() const { return highest; } ///< full scale 1
     /// Integrated loudness after ITU-R BS.1770; nothing for silence.
     std::optional<double> loudnessLufs() const;
 
@@ -74,10 +72,7 @@ private:
     std::unique_ptr<ebur128_state, FreeMeter> meter;
     std::int64_t written = 0;
     std::int64_t heldBack = 0; ///< zeros not written yet
-    double highest = 0;
+    double highest = 0;        ///< full scale 1
 };
-
-/// 20 lg of an amplitude, full scale 1.
-double decibelsFullScale(double amplitude);
 
 } // namespace idiophone
