@@ -1,5 +1,7 @@
 #include "Instrument/PitchBend.h"
 
+#include "Instrument/MidiControllers.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -9,16 +11,6 @@ namespace {
 constexpr int lowerManager = 0, upperManager = 15;
 constexpr int mostMembers = 15;
 constexpr double memberSemitones = 48; // what a configured zone begins with
-
-enum ControllerNumber {
-    dataEntryMsb = 6,
-    dataEntryLsb = 38,
-    unregisteredLsb = 98,
-    unregisteredMsb,
-    registeredLsb = 100,
-    registeredMsb = 101,
-    resetControllers = 121
-};
 
 enum RegisteredParameter { bendSensitivity = 0, mpeConfiguration = 6 };
 
@@ -92,27 +84,27 @@ void PitchBend::controller(int channel, int number, int value) noexcept {
     const bool isConfiguration =
         parameterMsb[at(channel)] == 0 && parameterLsb[at(channel)] == mpeConfiguration;
     switch (number) {
-    case registeredMsb:
+    case midi::registeredMsb:
         parameterMsb[at(channel)] = small;
         break;
-    case registeredLsb:
+    case midi::registeredLsb:
         parameterLsb[at(channel)] = small;
         break;
-    case unregisteredLsb:
-    case unregisteredMsb:
+    case midi::unregisteredLsb:
+    case midi::unregisteredMsb:
         forgetParameter(channel);
         break;
-    case dataEntryMsb:
+    case midi::dataEntryMsb:
         if (isSensitivity)
             giveRange(channel, value, 0);
         else if (isConfiguration)
             configure(channel, value);
         break;
-    case dataEntryLsb:
+    case midi::dataEntryLsb:
         if (isSensitivity)
             giveRange(channel, static_cast<int>(rangeOf(channel).semitones()), value);
         break;
-    case resetControllers:
+    case midi::resetControllers:
         if (!isMember(channel))
             commonBend = 0;
         for (int each = reachOf(channel).first; each <= reachOf(channel).last; ++each) {

@@ -78,8 +78,7 @@ private:
     void forgetNotes() noexcept;
 
     bool mpeParameter = false;
-    /// As MIDI and the parameters have them.
-    std::optional<Zones> configured;
+    std::optional<Zones> configured; ///< by MIDI, since the parameter moved last
     Range commonRange, memberRange;
     double commonBend = 0;                                  ///< −1 to 1
     std::array<double, 16> memberBends{};                   ///< −1 to 1

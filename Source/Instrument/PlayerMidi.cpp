@@ -1,21 +1,11 @@
 // How a player follows keys, pedals and wheels.
+#include "Instrument/MidiControllers.h"
 #include "Instrument/Player.h"
 
 #include <algorithm>
 
 namespace idiophone {
 namespace {
-
-enum ControllerNumber {
-    modulationController = 1,
-    sustainController = 64,
-    sostenutoController = 66,
-    softController = 67,
-    placeController = 74,
-    allSoundOff = 120,
-    resetControllers,
-    allNotesOff = 123
-};
 
 constexpr double softestShare = 0.5; // of the mallet's speed, with the soft pedal all down
 
@@ -137,27 +127,27 @@ void Player::controller(int channel, int number, int value) {
     bend.controller(channel, number, value);
     const auto [first, last] = bend.reachOf(channel);
     switch (number) {
-    case modulationController:
+    case midi::modulation:
         for (int each = first; each <= last; ++each)
             held.setSpeedController(each, value);
         loudness.setSpeedController(value);
         break;
-    case placeController:
+    case midi::place:
         for (int each = first; each <= last; ++each)
             held.setPlaceController(each, value);
         break;
-    case sustainController:
+    case midi::sustainPedal:
         sustainPedal = value >= 64;
         if (!sustainPedal)
             keysSustained.reset();
         break;
-    case sostenutoController:
+    case midi::sostenutoPedal:
         catchKeys(value >= 64);
         break;
-    case softController:
+    case midi::softPedal:
         softness = 1 - (1 - softestShare) * value / 127.0;
         break;
-    case allSoundOff:
+    case midi::allSoundOff:
         std::fill(slotSilenced.begin(), slotSilenced.end(), true);
         allSoundOffCame = true;
         if (performance)
@@ -166,7 +156,11 @@ void Player::controller(int channel, int number, int value) {
         late.clear();
         surfaceStrikes.clear();
         [[fallthrough]];
-    case allNotesOff:
+    case midi::allNotesOff:
+    case midi::omniOff:
+    case midi::omniOn:
+    case midi::monoOn:
+    case midi::polyOn:
         liftHands();
         held.releaseAll();
         bend.releaseNotes();
@@ -175,7 +169,7 @@ void Player::controller(int channel, int number, int value) {
         keysSustained.reset();
         keysCaught.reset();
         break;
-    case resetControllers:
+    case midi::resetControllers:
         liftPedals();
         for (int each = first; each <= last; ++each) {
             held.resetControllers(each);

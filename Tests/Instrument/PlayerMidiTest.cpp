@@ -150,3 +150,21 @@ TEST_CASE("A program change is reported once") {
     CHECK(player.takeProgramChange() == 5);
     CHECK_FALSE(player.takeProgramChange());
 }
+
+TEST_CASE("All notes off lets keys go, and so does every message that changes the channel's mode") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.05);
+    const auto after = [&](int number) {
+        Player player(bars(), sampleRateHz);
+        const auto sound =
+            render(player, {midi(0, 0x90, 69, 100), midi(4800, 0xb0, number, 0)}, 14400, 256,
+                   parameters);
+        return rms(std::span(sound).subspan(9600, 4800)) / rms(std::span(sound).first(4800));
+    };
+    CHECK(after(122) > 0.3); // local control: not a player's
+    for (const int number : {123, 124, 125, 126, 127}) {
+        INFO("controller " << number);
+        CHECK(after(number) < 0.001);
+    }
+}

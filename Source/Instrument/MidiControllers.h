@@ -1,0 +1,28 @@
+// The numbers of MIDI's controllers and channel mode messages that a player follows (MIDI 1.0).
+#pragma once
+
+namespace idiophone::midi {
+
+enum Controller {
+    modulation = 1,
+    dataEntryMsb = 6,
+    dataEntryLsb = 38,
+    sustainPedal = 64,
+    sostenutoPedal = 66,
+    softPedal = 67,
+    place = 74, ///< "brightness", and MPE's third dimension
+    unregisteredLsb = 98,
+    unregisteredMsb = 99,
+    registeredLsb = 100,
+    registeredMsb = 101,
+    allSoundOff = 120,
+    resetControllers = 121,
+    allNotesOff = 123,
+    // These are all notes off, too, whatever else they ask for.
+    omniOff = 124,
+    omniOn = 125,
+    monoOn = 126,
+    polyOn = 127
+};
+
+} // namespace idiophone::midi
