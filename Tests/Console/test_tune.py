@@ -1,7 +1,7 @@
 import csv
 import math
 
-from console import ConsoleTest, midi_file, note
+from console import ConsoleTest, midi_file, note, run
 
 
 def obj_mesh(path):
@@ -64,6 +64,14 @@ class Tune(ConsoleTest):
         # E lies 408 cents above a C that makes A, 906 above it, 440 Hz.
         wanted = 440 * 2 ** ((1200 + 408 - 906) / 1200)
         self.assertLess(abs(1200 * math.log2(float(bar["frequency_hz"]) / wanted)), 1)
+
+    def test_a_preset_that_cannot_be_written_is_named(self):
+        folder = self.folder / "bars"
+        (folder / "marimba.json").mkdir(parents=True)
+        result = run("tune", "marimba", "-o", folder, "--from", "84", "--to", "84",
+                     environment=self.environment)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(f"{folder / 'marimba.json'}: ", result.stderr)
 
     def test_what_cannot_be_tuned_gets_one_sentence(self):
         folder = self.folder / "bars"
