@@ -4,6 +4,7 @@ if(TARGET hwy::hwy)
 endif()
 set(HWY_ENABLE_TESTS OFF)
 set(HWY_ENABLE_EXAMPLES OFF)
+set(HWY_ENABLE_CONTRIB OFF)
 # Programs on Idiophone::Synth link to it, too: where it is fetched it is installed with ours.
 set(HWY_ENABLE_INSTALL ON)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
