@@ -8,10 +8,10 @@
 
 namespace idiophone {
 
-/// The velocity, for a residue of 1, with which a mode that falls as e^(−αt) (`decay` α, `omega`
-/// its damped frequency [rad/s]) rings after the blow, as its complex amplitude at the start of it.
-/// A raised cosine (I/T)(1 − cos Ωt) leaves, at its end, I (e^x − 1) 4π²/(x (x² + 4π²)), x = pT, at
-/// the pole p.
+/// The velocity, for a residue of 1, with which a mode that falls as e^(−αt) (`decay` α [1/s],
+/// `omega` its damped frequency [rad/s]) rings after the blow, as its complex amplitude at the
+/// start of it. A raised cosine (I/T)(1 − cos Ωt) leaves, at its end, I (e^x − 1) 4π²/(x (x² +
+/// 4π²)), x = pT, at the pole p.
 std::complex<double>
 ringingVelocity(const ContactTrain& train, double decay, double omega) noexcept;
 

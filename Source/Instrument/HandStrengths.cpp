@@ -2,9 +2,9 @@
 
 #include "Instrument/HeldContacts.h"
 #include "Instrument/PhrasePrediction.h"
+#include "Instrument/SpreadNotes.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace idiophone {
@@ -17,10 +17,7 @@ constexpr double scrapeConstantDb = 34;
 constexpr int keysTried = 8;
 
 double lufs(const Phrase& phrase, const ParameterValues& values) {
-    PhrasePrediction prediction;
-    prediction.begin(phrase, values, HeldContacts::controllerAtRest);
-    prediction.advance(std::numeric_limits<std::size_t>::max());
-    return prediction.lufs()[PhrasePrediction::middleVelocity];
+    return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
 }
 
 ParameterValues scraping(ParameterValues values) {
@@ -57,7 +54,7 @@ std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instr
     const auto scraped = scraping(own);
     std::map<int, double> weakerDb; // of keys
     for (int i = 0; i < keysTried; ++i) {
-        const int note = map.lowestNote + (map.highestNote - map.lowestNote) * i / (keysTried - 1);
+        const int note = spreadNote(map.lowestNote, map.highestNote, i, keysTried);
         if (instrument->key(note).slot < 0 || weakerDb.contains(note))
             continue;
         const Phrase phrase(instrument, surface, sampleRateHz, note, note);

@@ -1,5 +1,6 @@
 #include "Instrument/HeldForceSpectrum.h"
 
+#include "Instrument/PhraseMeter.h"
 #include "Synth/SurfaceProfile.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace idiophone {
 namespace {
 
 constexpr double fullTurn = 2 * std::numbers::pi;
-constexpr double noteSeconds = 0.5; // PhraseMeter.h
+constexpr double noteSeconds = PhraseMeter::noteSeconds;
 
 /// The energy of (h + gt) e^(−αt) over that of e^(−αt), for noise that lasts as long as a note:
 /// what came in at t before its end counts for t, and for how long the mode rings on.
@@ -79,7 +80,7 @@ double HeldForceSpectrum::smoothPower(double omega) const noexcept {
 
 double HeldForceSpectrum::powerTakenBy(double omega, double decay, double release) const noexcept {
     if (coupled == 0)
-        return scrapePower(omega) * std::norm(mix(omega));
+        return smoothPower(omega);
     auto mean = mix(omega);
     double spread = 0, ownDamping = 0;
     for (const auto& mode : std::span(modes).first(modeCount)) {

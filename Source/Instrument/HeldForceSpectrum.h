@@ -30,11 +30,12 @@ public:
     /// smooth.
     double smoothPower(double omega) const noexcept;
 
-    /// What a mode of `decay` α at ω_i = `omega` takes from the force of a note, and `release`
-    /// [1/s] more after it: the mean of the power spectrum over its resonance (α/π)/((ω − ω_i)² +
-    /// α²). A coupled mode's filter d/(d + i(ω − ω_k)) has the mean d/(d + α + i(ω_i − ω_k)) there,
-    /// as it is analytic on one side, and its square d (d + α)/|d + α + i(ω_i − ω_k)|². The mode
-    /// that is coupled itself answers as (h + c d t) e^(−αt), which a note may be too short for.
+    /// What a mode of `decay` α [1/s] at ω_i = `omega` takes from the force of a note, and
+    /// `release` [1/s] more after it: the mean of the power spectrum over its resonance (α/π)/((ω −
+    /// ω_i)² + α²). A coupled mode's filter d/(d + i(ω − ω_k)) has the mean d/(d + α + i(ω_i −
+    /// ω_k)) there, as it is analytic on one side, and its square d (d + α)/|d + α + i(ω_i −
+    /// ω_k)|². The mode that is coupled itself answers as (h + c d t) e^(−αt), which a note may be
+    /// too short for.
     double powerTakenBy(double omega, double decay, double release) const noexcept;
 
 private:

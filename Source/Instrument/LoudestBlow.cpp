@@ -1,6 +1,7 @@
 #include "Instrument/LoudestBlow.h"
 
 #include "Instrument/Player.h"
+#include "Instrument/SpreadNotes.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ double loudestBlowPeak(const std::shared_ptr<const Instrument>& instrument,
     const auto& map = instrument->keyMap();
     double peak = 0;
     for (int i = 0; i < keys; ++i) {
-        const int note = map.lowestNote + (map.highestNote - map.lowestNote) * i / (keys - 1);
+        const int note = spreadNote(map.lowestNote, map.highestNote, i, keys);
         player.reset();
         player.prepare(parameters);
         player.process({left, right},

@@ -35,7 +35,8 @@ void copyInto(ParameterValues& to,
 /// `now` with the preset's material and mallet.
 ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcept {
     copyInto(now, own, materialFigures);
-    copyInto(now, own, {material, mallet, malletHardness, malletMass, malletRadius});
+    copyInto(now, own, malletFigures);
+    copyInto(now, own, {material, mallet});
     return now;
 }
 
@@ -58,7 +59,7 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     }
     copyInto(result, values, {mallet, malletSpeed, velocityCurve, chatter, modalPulse});
     if (static_cast<int>(values[mallet]) == customMallet)
-        copyInto(result, values, {malletHardness, malletMass, malletRadius});
+        copyInto(result, values, malletFigures);
     return result;
 }
 
@@ -70,10 +71,7 @@ LoudnessMatch::LoudnessMatch(std::shared_ptr<const Instrument> instrument,
 
 PhrasePrediction::Loudness
 LoudnessMatch::predictedLufs(const ParameterValues& values) const noexcept {
-    PhrasePrediction whole;
-    whole.begin(phrase, values, wheel);
-    whole.advance(std::numeric_limits<std::size_t>::max());
-    return whole.lufs();
+    return predictedLoudness(phrase, values, wheel);
 }
 
 void LoudnessMatch::prepare(const ParameterValues& now) noexcept {

@@ -15,6 +15,7 @@ double kWeightingPower(double hz) noexcept;
 class PhraseMeter {
 public:
     static constexpr std::size_t notes = 8;
+    static constexpr double noteSeconds = 0.5;
 
     /// One figure for each note.
     using NoteFigures = std::array<double, notes>;
@@ -24,8 +25,8 @@ public:
 
     /// Adds a lightly damped mode that the notes excite to those K-weighted powers (the mean square
     /// at its start, of a decaying sinusoid half its squared amplitude). Its amplitude falls as
-    /// e^(−αt) with the `decay` α > 0, and from the end of each note on with `release` ≥ 0 [1/s]
-    /// more.
+    /// e^(−αt) with the `decay` α > 0 [1/s], and from the end of each note on with `release` ≥ 0
+    /// [1/s] more.
     void addMode(Note note, const NoteFigures& powers, double decay, double release) noexcept;
 
     /// Adds K-weighted energies, power times seconds, at the start of each note.
@@ -42,7 +43,7 @@ private:
     // Blocks of four hops every hop are the standard's: 0.4 s with 75 % of overlap.
     static constexpr double hopSeconds = 0.1;
     static constexpr std::size_t blockHops = 4;
-    static constexpr std::size_t noteHops = 5;
+    static constexpr auto noteHops = static_cast<std::size_t>(noteSeconds / hopSeconds + 0.5);
     static constexpr std::size_t phraseHops = (notes + 1) * noteHops;
 
     std::array<double, phraseHops> hopEnergies{};

@@ -1,15 +1,18 @@
 #include "Instrument/PhrasePrediction.h"
 
 #include "Instrument/DecayTime.h"
+#include "Instrument/DraggedForce.h"
 #include "Instrument/HeldContacts.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/RollCoupling.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Instrument/SpreadNotes.h"
 #include "Synth/Listening.h"
 #include "Synth/PointShapes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -19,15 +22,6 @@ namespace {
 using enum ParameterId;
 
 constexpr double slowestDecay = 1e-3; // [1/s] far slower than the phrase
-
-/// Into the surface, and along the path by the friction, as HeldContacts pushes.
-std::array<float, 3> pushOf(const StripPlace& place, double friction) noexcept {
-    std::array<float, 3> push;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        push[axis] =
-            static_cast<float>(friction) * place.direction[axis] - place.point.normal[axis];
-    return push;
-}
 
 } // namespace
 
@@ -45,15 +39,31 @@ Phrase::Phrase(std::shared_ptr<const Instrument> played,
                int highestNote)
     : instrument(std::move(played)), surface(std::move(scraped)), sampleRateHz(rateHz) {
     for (std::size_t i = 0; i < notes.size(); ++i) {
-        const int above =
-            (highestNote - lowestNote) * static_cast<int>(i) / static_cast<int>(notes.size() - 1);
-        notes[i].key = instrument->key(lowestNote + above);
+        notes[i].key = instrument->key(spreadNote(lowestNote, highestNote, static_cast<int>(i),
+                                                  static_cast<int>(notes.size())));
         if (notes[i].key.slot < 0)
             continue;
         const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
         notes[i].lowestModes = LowestModes(*slot.object, slot.sizeRatio);
-        notes[i].weightScale = radiationScale(*slot.object);
+        const auto* known = noteOf(slot.object.get(), i);
+        notes[i].weightScale = known != nullptr ? known->weightScale : radiationScale(*slot.object);
     }
+}
+
+const Phrase::Note* Phrase::noteOf(const ModalObject* object, std::size_t before) const {
+    for (std::size_t i = 0; i < before; ++i)
+        if (const int slot = notes[i].key.slot;
+            slot >= 0 && instrument->slots()[static_cast<std::size_t>(slot)].object.get() == object)
+            return &notes[i];
+    return nullptr;
+}
+
+PhrasePrediction::Loudness
+predictedLoudness(const Phrase& phrase, const ParameterValues& values, int wheel) noexcept {
+    PhrasePrediction prediction;
+    prediction.begin(phrase, values, wheel);
+    prediction.advance(std::numeric_limits<std::size_t>::max());
+    return prediction.lufs();
 }
 
 void PhrasePrediction::begin(const Phrase& played,
@@ -159,7 +169,7 @@ void PhrasePrediction::beginForce(const ParameterValues& values,
         const auto aimed = aimedPlace(noteKey.along, values);
         const auto place = phrase->instrument->strip(noteKey).between(aimed.along, aimed.across);
         points[note] = place.point;
-        pushes[note] = pushOf(place, friction);
+        pushes[note] = draggedForce(place.point, place.direction, friction).direction;
         for (float& component : pushes[note])
             component *= static_cast<float>(noteKey.malletScale * noteKey.malletScale);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Instrument/BlowSpectrum.h"
+#include "Instrument/HeldContacts.h"
 #include "Instrument/HeldForceSpectrum.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/LowestModes.h"
@@ -41,6 +42,10 @@ struct Phrase {
     Surface surface;
     double sampleRateHz;
     std::array<Note, PhraseMeter::notes> notes;
+
+private:
+    /// The first of the notes up to there that plays an object, or nullptr.
+    const Note* noteOf(const ModalObject* object, std::size_t before) const;
 };
 
 /// Nothing allocates, locks or throws, and all depends on the arguments alone.
@@ -99,5 +104,10 @@ private:
     StiffMotion stiff;
     NearModes<levels> nearModes;
 };
+
+/// Of a whole phrase at once, for a modulation wheel at 0 to 127. Not for the audio thread.
+PhrasePrediction::Loudness predictedLoudness(const Phrase& phrase,
+                                             const ParameterValues& values,
+                                             int wheel = HeldContacts::controllerAtRest) noexcept;
 
 } // namespace idiophone

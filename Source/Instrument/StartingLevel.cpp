@@ -1,8 +1,8 @@
 #include "Instrument/StartingLevel.h"
 
 #include "Instrument/LoudestBlow.h"
-#include "Instrument/LoudnessMatch.h"
 #include "Instrument/Mallet.h"
+#include "Instrument/PhrasePrediction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,17 @@ namespace {
 constexpr double wantedLufs = -42;
 constexpr double hardestBlowDecibels = -18;
 
+double lufsOf(const Phrase& phrase, const ParameterValues& values) {
+    return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
+}
+
 } // namespace
 
 double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values) {
-    const LoudnessMatch match(instrument, surface, sampleRateHz, values);
-    return match.predictedLufs(values)[PhrasePrediction::middleVelocity];
+    return lufsOf(Phrase(instrument, surface, sampleRateHz), values);
 }
 
 ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
@@ -29,15 +32,13 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
                                   double sampleRateHz,
                                   const ParameterValues& values) {
     constexpr double faintestLufs = wantedLufs - 12; // what the level has to make up for
-    const auto loudnessOf = [&](const ParameterValues& with) {
-        return predictedLufs(instrument, surface, sampleRateHz, with);
-    };
-    double loudest = loudnessOf(values);
+    const Phrase phrase(instrument, surface, sampleRateHz);
+    double loudest = lufsOf(phrase, values);
     auto best = values;
     for (std::size_t k = 0; k < malletRack().size() && !(loudest >= faintestLufs); ++k) {
         auto with = values;
         with.set(ParameterId::mallet, static_cast<double>(firstRackMallet + k));
-        if (const double lufs = loudnessOf(with); lufs > loudest) {
+        if (const double lufs = lufsOf(phrase, with); lufs > loudest) {
             loudest = lufs;
             best = with;
         }

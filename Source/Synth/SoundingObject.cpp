@@ -1,6 +1,5 @@
 #include "Synth/SoundingObject.h"
 
-#include "Synth/Listening.h"
 #include "Synth/ModeCompression.h"
 
 #include <algorithm>
@@ -20,12 +19,13 @@ constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
 SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
                                double sizeRatio,
+                               double radiationWeightScale,
                                std::size_t channels,
                                double sampleRateHz,
                                SynthesisScratch& sharedScratch)
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
       slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
-      cellSeconds(cellSamples / sampleRateHz), weightScale(radiationScale(*object)),
+      cellSeconds(cellSamples / sampleRateHz), weightScale(radiationWeightScale),
       modeWeights(summedSquareShapes(*object)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
       fader(bank, sampleRateHz), scratch(sharedScratch) {

@@ -34,9 +34,11 @@ public:
 
     /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
     /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
+    /// `radiationWeightScale` is the object's radiationScale (Listening.h), which takes time.
     /// `scratch` has room for this object and outlives it; objects on one thread share it.
     SoundingObject(std::shared_ptr<const ModalObject> object,
                    double sizeRatio,
+                   double radiationWeightScale,
                    std::size_t channels,
                    double sampleRateHz,
                    SynthesisScratch& scratch);

@@ -1,10 +1,12 @@
 #include "Synth/Synthesiser.h"
 
+#include "Synth/Listening.h"
 #include "Synth/QualityScaling.h"
 #include "Synth/SoundingObject.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace idiophone {
 
@@ -94,9 +96,14 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
     all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
     all.objects.reserve(slots.size());
-    for (SynthesiserSlot& slot : slots)
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, channels, sampleRateHz,
-                                 *all.scratch);
+    std::map<const ModalObject*, double> weightScales; // once for all slots of an object
+    for (SynthesiserSlot& slot : slots) {
+        const auto [scale, isNew] = weightScales.try_emplace(slot.object.get(), 0);
+        if (isNew && slot.object)
+            scale->second = radiationScale(*slot.object);
+        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, scale->second, channels,
+                                 sampleRateHz, *all.scratch);
+    }
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());
     all.isSounding.resize(slots.size());

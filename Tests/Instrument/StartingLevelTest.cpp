@@ -1,0 +1,93 @@
+// Loudness as it is predicted and heard for what nobody has set by ear: starting levels, the
+// loudest blow, and the strength of hands.
+#include "Instrument/StartingLevel.h"
+
+#include "Instrument/HandStrengths.h"
+#include "Instrument/LoudestBlow.h"
+#include "Instrument/LoudnessMatch.h"
+#include "Instrument/SpreadNotes.h"
+#include "TestInstruments.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using enum ParameterId;
+using Catch::Approx;
+
+namespace {
+
+constexpr double sampleRateHz = 48000;
+
+/// Whose shapes are so much larger.
+std::shared_ptr<const Instrument> sheet(float gain) {
+    return keysOn(syntheticObject({300, 820, 1600}, {gain, gain, gain}), KeyMapKind::zones, 48, 72);
+}
+
+ParameterValues still() {
+    ParameterValues values;
+    values.set(strikeSpread, 0);
+    return values;
+}
+
+} // namespace
+
+TEST_CASE("Eight keys stand for all, from the lowest to the highest") {
+    CHECK(spreadNote(36, 96, 0, 8) == 36);
+    CHECK(spreadNote(36, 96, 7, 8) == 96);
+    CHECK(spreadNote(36, 96, 3, 8) == 61);
+    CHECK(spreadNote(60, 60, 5, 8) == 60);
+}
+
+TEST_CASE("The loudest blow peaks four times as high where shapes are twice as large") {
+    const double own = loudestBlowPeak(sheet(1), {}, sampleRateHz, still());
+    CHECK(own > 0);
+    CHECK(loudestBlowPeak(sheet(2), {}, sampleRateHz, still()) == Approx(4 * own).epsilon(1e-4));
+    CHECK(loudestBlowPeak(sheet(0), {}, sampleRateHz, still()) == 0);
+}
+
+TEST_CASE("A starting level makes sheets that differ in loudness alike, and is no higher than the "
+          "highest") {
+    const auto levelOf = [](float gain) {
+        return startingLevel(sheet(gain), {}, sampleRateHz, still());
+    };
+    CHECK(levelOf(0.5f) - levelOf(1) == Approx(40 * std::log10(2)).margin(1e-3));
+    for (const float gain : {0.25f, 1.0f, 4.0f}) {
+        const double level = levelOf(gain);
+        const double highest = highestLevel(sheet(gain), {}, sampleRateHz, still());
+        CHECK(level <= highest);
+        const double lufs = predictedLufs(sheet(gain), {}, sampleRateHz, still());
+        CHECK((level == highest || lufs + level == Approx(-42)));
+    }
+}
+
+TEST_CASE("What does not sound keeps its level and its mallet has nothing to win") {
+    auto values = still();
+    values.set(level, -7);
+    CHECK(startingLevel(sheet(0), {}, sampleRateHz, values) == -7);
+    CHECK(withAudibleMallet(sheet(0), {}, sampleRateHz, values) == values);
+    CHECK(withAudibleMallet(sheet(4), {}, sampleRateHz, values) == values);
+}
+
+TEST_CASE("The predicted loudness is the loudness match's own at its middle velocity") {
+    const LoudnessMatch match(sheet(1), {}, sampleRateHz, still());
+    CHECK(predictedLufs(sheet(1), {}, sampleRateHz, still()) ==
+          match.predictedLufs(still())[PhrasePrediction::middleVelocity]);
+}
+
+TEST_CASE("Hands scrape stronger where scrapes are fainter beside blows, and alike where keys do") {
+    const auto strengths = handStrengths(sheet(1), {}, sampleRateHz, still());
+    REQUIRE(strengths.size() == sheet(1)->slots().size());
+    CHECK(strengths[0] > 1);
+    // A blow and a scrape are both heard through the same shapes.
+    CHECK(handStrengths(sheet(2), {}, sampleRateHz, still())[0] == Approx(strengths[0]));
+    auto harder = still();
+    harder.set(malletSpeed, 2 * harder[malletSpeed]);
+    CHECK(handStrengths(sheet(1), {}, sampleRateHz, harder)[0] > 1.5 * strengths[0]);
+    auto rolls = still();
+    rolls.set(contact, rollContact);
+    CHECK(handStrengths(sheet(1), {}, sampleRateHz, rolls)[0] == 1);
+    CHECK(handStrengths(sheet(0), {}, sampleRateHz, still())[0] == 1);
+}
