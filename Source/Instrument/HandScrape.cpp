@@ -2,7 +2,7 @@
 
 #include "Instrument/GainRamp.h"
 #include "Instrument/SettingsOfParameters.h"
-#include "Instrument/StrikePlace.h"
+#include "Instrument/StrikePointMetres.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ HandScrape::HandScrape(const Instrument& played,
 }
 
 SurfacePath::Point HandScrape::metresOf(const SurfaceTouch& touch) const noexcept {
-    return strikePlaceMetres(*instrument.slots()[touch.slot].object, touch.point);
+    return strikePointMetres(*instrument.slots()[touch.slot].object, touch.point);
 }
 
 void HandScrape::touch(const SurfaceTouch& touch) noexcept {

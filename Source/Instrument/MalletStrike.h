@@ -1,6 +1,7 @@
 // From a key's velocity and the mallet's parameters to a contact: where, how hard, how long.
 #pragma once
 
+#include "Instrument/StrikePlace.h"
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Strike.h"
@@ -8,11 +9,6 @@
 #include <cstdint>
 
 namespace idiophone {
-
-struct StrikePlace {
-    double along = 0;  ///< 0 to 1 on the strip
-    double across = 0; ///< −1 to 1
-};
 
 /// The key's own place, moved by "strike position". Any thread.
 StrikePlace aimedPlace(double keyAlong, const ParameterValues& parameters);

@@ -2,7 +2,7 @@
 // and by. Scene has such stages; players know them by this.
 #pragma once
 
-#include "Instrument/ImpulseLine.h"
+#include "Instrument/PlacedBlow.h"
 #include "Synth/CellOutput.h"
 #include "Synth/Synthesiser.h"
 

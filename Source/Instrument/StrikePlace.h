@@ -1,15 +1,11 @@
-// Where on its mesh an object is struck.
+// A place on a key's strip.
 #pragma once
-
-#include "Object/ModalObject.h"
-#include "Synth/Strike.h"
-
-#include <array>
 
 namespace idiophone {
 
-/// In metres, in the mesh's coordinates; the point's rows are the object's. For any thread.
-std::array<double, 3> strikePlaceMetres(const ModalObject& object,
-                                        const StrikePoint& point) noexcept;
+struct StrikePlace {
+    double along = 0;  ///< 0 to 1 on the strip
+    double across = 0; ///< −1 to 1
+};
 
 } // namespace idiophone

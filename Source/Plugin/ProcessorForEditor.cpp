@@ -3,7 +3,7 @@
 #include "Plugin/Processor.h"
 
 #include "Instrument/SettingsOfParameters.h"
-#include "Instrument/StrikePlace.h"
+#include "Instrument/StrikePointMetres.h"
 #include "Object/MaterialFile.h"
 
 #include <algorithm>
@@ -219,7 +219,7 @@ std::vector<std::array<double, 3>> Processor::struckPlaces(std::size_t index) co
             continue;
         const auto& strip = playing->strip(key);
         for (int along = 0; along < strip.alongCount; ++along)
-            places.push_back(strikePlaceMetres(
+            places.push_back(strikePointMetres(
                 object,
                 strip.at(static_cast<double>(along) / std::max(strip.alongCount - 1, 1), 0)));
         break; // the keys of one object share its path

@@ -5,7 +5,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Instrument.h"
 #include "Instrument/PresetFile.h"
-#include "Instrument/StrikePlace.h"
+#include "Instrument/StrikePointMetres.h"
 
 #include <algorithm>
 #include <numbers>
@@ -130,7 +130,7 @@ Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
         bars.push_back({.role = allRoles.size() - 1, .motion = {.pose = pose}});
         const auto place = instrument.strip(key).between(key.along, 0).point;
         targets[static_cast<std::size_t>(note)] =
-            pose * Eigen::Vector3d(strikePlaceMetres(*object, place).data());
+            pose * Eigen::Vector3d(strikePointMetres(*object, place).data());
     }
     return {};
 }

@@ -1,8 +1,8 @@
-#include "Instrument/StrikePlace.h"
+#include "Instrument/StrikePointMetres.h"
 
 namespace idiophone {
 
-std::array<double, 3> strikePlaceMetres(const ModalObject& object,
+std::array<double, 3> strikePointMetres(const ModalObject& object,
                                         const StrikePoint& point) noexcept {
     std::array<double, 3> place{};
     for (std::size_t k = 0; k < point.weights.size(); ++k) {

@@ -1,0 +1,18 @@
+// A blow that was struck: when, on which object, how and where.
+#pragma once
+
+#include "Synth/Strike.h"
+
+#include <array>
+#include <cstddef>
+
+namespace idiophone {
+
+struct PlacedBlow {
+    double seconds = 0;
+    std::size_t slot = 0;
+    Strike strike;
+    std::array<double, 3> pointMetres{}; ///< on the object's mesh, not scaled
+};
+
+} // namespace idiophone
