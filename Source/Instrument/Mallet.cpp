@@ -7,8 +7,8 @@ namespace idiophone {
 namespace {
 
 // Masses and radii are those of mallets in use. The moduli of the heads are set so that contact
-// times on rosewood (brass: on steel) are those of the Hertz table the project is held to. They are
-// below those of the bulk materials, as heads are: wound, across the grain, flattened by use.
+// times on rosewood (brass: on steel) at 1 m/s are those of docs/decisions/0012. They are below
+// those of the bulk materials, as heads are: wound, across the grain, flattened by use.
 constexpr std::array rack{
     Mallet{.name = "Yarn",
            .source = "A wound vibraphone mallet; contact time 5.1 ms on wood at 1 m/s",
@@ -55,6 +55,10 @@ std::span<const Mallet> malletRack() {
 
 double contactModulusPa(const Mallet& mallet, double surfaceCompliancePerPa) {
     return 1 / (1 / mallet.effectiveModulusPa + surfaceCompliancePerPa);
+}
+
+double elasticCompliancePerPa(double youngsModulusPa, double poissonRatio) {
+    return (1 - poissonRatio * poissonRatio) / youngsModulusPa;
 }
 
 double hertzContactSeconds(double massKg,

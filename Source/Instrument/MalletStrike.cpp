@@ -32,14 +32,11 @@ strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t st
 }
 
 double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters) {
-    const auto compliance = [](double modulusPa, double poissonRatio) {
-        return (1 - poissonRatio * poissonRatio) / modulusPa;
-    };
     if (const auto* chosen = chosenLibraryMaterial(parameters))
-        return compliance(chosen->youngsModulusPa, chosen->poissonRatio);
+        return elasticCompliancePerPa(chosen->youngsModulusPa, chosen->poissonRatio);
     if (static_cast<int>(parameters[material]) == customMaterial)
-        return compliance(parameters[youngsModulus] * 1e9, own.poissonRatio);
-    return compliance(own.youngsModulusPa, own.poissonRatio);
+        return elasticCompliancePerPa(parameters[youngsModulus] * 1e9, own.poissonRatio);
+    return elasticCompliancePerPa(own.youngsModulusPa, own.poissonRatio);
 }
 
 Strike malletStrike(const StrikePoint& point,

@@ -17,17 +17,27 @@ using enum ParameterId;
 // Chosen, not derived: at full strength a damping or a hardness moves by a factor of three to six,
 // so that a few mutations reach another instrument and one does not.
 constexpr MutationStep steps[] = {
-    {fluidDamping, 0.1, 0.05, 200}, {viscoelasticDamping, 0.08, 0.001, 20},
-    {lossFactor, 0.08, 0, 0.05},    {malletHardness, 0.15, 2, 60000},
-    {malletMass, 0.12, 5, 120},     {malletRadius, 0.1, 5, 40},
-    {malletSpeed, 0.05, 1, 6},      {velocityCurve, 0.05, 1, 2.2},
-    {strikeAlong, 0.2, -90, 90},    {strikeAcross, 0.2, -90, 90},
-    {strikeSpread, 0.05, 0, 20},    {chatter, 0.15, 0, 60},
-    {radiation, 0.2, 0, 100},       {width, 0.1, 50, 150},
-    {releaseTime, 0.1, 0.02, 3},    {contactForce, 0.1, 0.5, 30},
-    {contactSpeed, 0.1, 0.2, 4},    {roughness, 0.1, 0.2, 5},
-    {rollCoupling, 0.15, 0, 100},   {motorSpeed, 0.15, 1, 9},
-    {motorDepth, 0.15, 0, 100},
+    {.parameter = fluidDamping, .step = 0.1, .lowest = 0.05, .highest = 200},
+    {.parameter = viscoelasticDamping, .step = 0.08, .lowest = 0.001, .highest = 20},
+    {.parameter = lossFactor, .step = 0.08, .lowest = 0, .highest = 0.05},
+    {.parameter = malletHardness, .step = 0.15, .lowest = 2, .highest = 60000},
+    {.parameter = malletMass, .step = 0.12, .lowest = 5, .highest = 120},
+    {.parameter = malletRadius, .step = 0.1, .lowest = 5, .highest = 40},
+    {.parameter = malletSpeed, .step = 0.05, .lowest = 1, .highest = 6},
+    {.parameter = velocityCurve, .step = 0.05, .lowest = 1, .highest = 2.2},
+    {.parameter = strikeAlong, .step = 0.2, .lowest = -90, .highest = 90},
+    {.parameter = strikeAcross, .step = 0.2, .lowest = -90, .highest = 90},
+    {.parameter = strikeSpread, .step = 0.05, .lowest = 0, .highest = 20},
+    {.parameter = chatter, .step = 0.15, .lowest = 0, .highest = 60},
+    {.parameter = radiation, .step = 0.2, .lowest = 0, .highest = 100},
+    {.parameter = width, .step = 0.1, .lowest = 50, .highest = 150},
+    {.parameter = releaseTime, .step = 0.1, .lowest = 0.02, .highest = 3},
+    {.parameter = contactForce, .step = 0.1, .lowest = 0.5, .highest = 30},
+    {.parameter = contactSpeed, .step = 0.1, .lowest = 0.2, .highest = 4},
+    {.parameter = roughness, .step = 0.1, .lowest = 0.2, .highest = 5},
+    {.parameter = rollCoupling, .step = 0.15, .lowest = 0, .highest = 100},
+    {.parameter = motorSpeed, .step = 0.15, .lowest = 1, .highest = 9},
+    {.parameter = motorDepth, .step = 0.15, .lowest = 0, .highest = 100},
 };
 
 constexpr double mostLouderDb = 6;
@@ -45,18 +55,12 @@ ParameterValues withPlayedMaterial(const ParameterValues& now, const ModalObject
     return withCustomMaterial(now, chosen != nullptr ? *chosen : object.material);
 }
 
-ParameterValues withPlayedMallet(ParameterValues now, const ModalObject& object) {
-    const int index = static_cast<int>(now[mallet]) - firstRackMallet;
-    const auto rack = malletRack();
-    if (index < 0 || index >= static_cast<int>(rack.size()))
+ParameterValues withPlayedMallet(const ParameterValues& now, const ModalObject& object) {
+    const auto* chosen = chosenMallet(now);
+    if (chosen == nullptr)
         return now;
-    const auto& chosen = rack[static_cast<std::size_t>(index)];
-    const double contactPa = contactModulusPa(chosen, surfaceCompliancePerPa(object.material, now));
-    now.set(mallet, customMallet);
-    now.set(malletHardness, contactPa / 1e6);
-    now.set(malletMass, chosen.massKg * 1e3);
-    now.set(malletRadius, chosen.headRadiusMetres * 1e3);
-    return now;
+    const double compliance = surfaceCompliancePerPa(object.material, now);
+    return withCustomMallet(now, *chosen, contactModulusPa(*chosen, compliance));
 }
 
 double moved(const MutationStep& row, double value, double strength, std::mt19937& random) {

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace idiophone {
 namespace {
 
 using enum ParameterId;
 
-constexpr double pascalsPerGigapascal = 1e9;
+constexpr double pascalsPerGigapascal = 1e9, pascalsPerMegapascal = 1e6;
 constexpr double secondsPerMicrosecond = 1e-6;
 
 std::optional<LiveMaterial> liveMaterial(const ParameterValues& values) {
@@ -41,6 +42,14 @@ ParameterValues withCustomMaterial(ParameterValues values, const Material& own) 
     return values;
 }
 
+ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, double contactPa) {
+    values.set(mallet, customMallet);
+    values.set(malletHardness, contactPa / pascalsPerMegapascal);
+    values.set(malletMass, played.massKg * 1e3);
+    values.set(malletRadius, played.headRadiusMetres * 1e3);
+    return values;
+}
+
 bool isFigure(ParameterId parameter) {
     return std::ranges::find(materialFigures, parameter) != materialFigures.end() ||
            std::ranges::find(malletFigures, parameter) != malletFigures.end();
@@ -54,9 +63,9 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own) {
     }
     if (const auto* racked = chosenMallet(values)) {
         const double compliance = own != nullptr ? surfaceCompliancePerPa(*own, values) : 0;
-        values.set(malletHardness, contactModulusPa(*racked, compliance) * 1e-6);
-        values.set(malletMass, racked->massKg * 1e3);
-        values.set(malletRadius, racked->headRadiusMetres * 1e3);
+        const double chosenMallet = values[mallet];
+        values = withCustomMallet(values, *racked, contactModulusPa(*racked, compliance));
+        values.set(mallet, chosenMallet);
     }
     return values;
 }

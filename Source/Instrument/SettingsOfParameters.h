@@ -31,6 +31,10 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own);
 /// Poisson ratio and contact figures are not among them. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
 
+/// The values with that mallet as the custom one, whose contact has that modulus whatever it meets.
+/// Any thread.
+ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, double contactPa);
+
 /// The settings that the values stand for, with every frequency bent by so many semitones on top of
 /// "tune" and concert pitch. Any thread.
 SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones = 0);

@@ -1,6 +1,5 @@
 #include "Scene/ContactReader.h"
 
-#include "Instrument/Mallet.h"
 #include "Scene/BulletMath.h"
 
 #include <algorithm>
@@ -28,15 +27,28 @@ bool moves(const btRigidBody& body) {
 struct ContactReader::Point {
     const BodyInStep *first, *second;
     std::size_t firstNumber, secondNumber;
-    Eigen::Vector3d place;   ///< in the world
+    Eigen::Vector3d place;   ///< in the world, in metres
     Eigen::Vector3d normal;  ///< unit, from the second to the first
-    Eigen::Vector3d impulse; ///< on the first
-    double normalImpulse;
-    double approach;    ///< m/s, before the step
-    double depthMetres; ///< by which they overlapped when it began
+    Eigen::Vector3d impulse; ///< [N s] on the first
+    double normalImpulse;    ///< [N s]
+    double approach;         ///< m/s, before the step
+    double depthMetres;      ///< by which they overlapped when it began
     double effectiveMassKg;
 
     double speedChange() const { return normalImpulse / effectiveMassKg; }
+};
+
+/// The points of a contact that lasts, by how hard they press.
+struct ContactReader::Pressing {
+    double newtonSeconds = 0;
+    Eigen::Vector3d weightedPlace = Eigen::Vector3d::Zero();
+    Eigen::Vector3d weightedNormal = Eigen::Vector3d::Zero();
+
+    void add(const Point& point) {
+        newtonSeconds += point.normalImpulse;
+        weightedPlace += point.normalImpulse * point.place;
+        weightedNormal += point.normalImpulse * point.normal;
+    }
 };
 
 ContactReader::ContactReader(double step, double gravityMetresPerSecond2)
@@ -56,55 +68,66 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
     if (!moves(*first.rigid) && !moves(*second.rigid))
         return; // what it says is of the step in which they fell asleep
 
-    double pressing = 0; // N s
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero(), normalSum = Eigen::Vector3d::Zero();
+    Pressing pressing;
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
         const auto& contact = manifold.getContactPoint(k);
         // The solver takes on what overlaps; of other points the impulse is an old one.
         if (contact.getDistance() > 0 || !(contact.getAppliedImpulse() > 0))
             continue;
-        Point point{.first = &first,
-                    .second = &second,
-                    .firstNumber = firstNumber,
-                    .secondNumber = secondNumber,
-                    .place = toEigen(contact.getPositionWorldOnB()),
-                    .normal = toEigen(contact.m_normalWorldOnB),
-                    .impulse = {},
-                    .normalImpulse = contact.getAppliedImpulse(),
-                    .approach = 0,
-                    .depthMetres = -contact.getDistance(),
-                    .effectiveMassKg = 0};
-        const auto place = contact.getPositionWorldOnB();
-        point.effectiveMassKg =
-            1 / (first.rigid->computeImpulseDenominator(place, contact.m_normalWorldOnB) +
-                 second.rigid->computeImpulseDenominator(place, contact.m_normalWorldOnB));
-        point.impulse = point.normalImpulse * point.normal +
-                        contact.m_appliedImpulseLateral1 * toEigen(contact.m_lateralFrictionDir1) +
-                        contact.m_appliedImpulseLateral2 * toEigen(contact.m_lateralFrictionDir2);
-        point.approach =
-            point.normal.dot(second.velocityAt(point.place) - first.velocityAt(point.place));
-        if (point.approach > slowestBlow || point.speedChange() > stepsOfGravity * restingSpeed) {
+        const auto point = pointOf(contact, bodies, firstNumber, secondNumber);
+        if (point.approach > slowestBlow || point.speedChange() > stepsOfGravity * restingSpeed)
             addImpact(point);
-            continue;
-        }
-        pressing += point.normalImpulse;
-        middle += point.normalImpulse * point.place;
-        normalSum += point.normalImpulse * point.normal;
+        else
+            pressing.add(point);
     }
-    if (!(pressing > 0))
-        return;
-    middle /= pressing;
-    const Eigen::Vector3d normal = normalSum.normalized();
+    if (pressing.newtonSeconds > 0)
+        addTouch(pressing, bodies, firstNumber, secondNumber);
+}
+
+ContactReader::Point ContactReader::pointOf(const btManifoldPoint& contact,
+                                            std::span<const BodyInStep> bodies,
+                                            std::size_t firstNumber,
+                                            std::size_t secondNumber) {
+    const auto &first = bodies[firstNumber], &second = bodies[secondNumber];
+    const auto place = contact.getPositionWorldOnB();
+    Point point{.first = &first,
+                .second = &second,
+                .firstNumber = firstNumber,
+                .secondNumber = secondNumber,
+                .place = toEigen(place),
+                .normal = toEigen(contact.m_normalWorldOnB),
+                .impulse = {},
+                .normalImpulse = contact.getAppliedImpulse(),
+                .approach = 0,
+                .depthMetres = -contact.getDistance(),
+                .effectiveMassKg = 0};
+    point.effectiveMassKg =
+        1 / (first.rigid->computeImpulseDenominator(place, contact.m_normalWorldOnB) +
+             second.rigid->computeImpulseDenominator(place, contact.m_normalWorldOnB));
+    point.impulse = point.normalImpulse * point.normal +
+                    contact.m_appliedImpulseLateral1 * toEigen(contact.m_lateralFrictionDir1) +
+                    contact.m_appliedImpulseLateral2 * toEigen(contact.m_lateralFrictionDir2);
+    point.approach =
+        point.normal.dot(second.velocityAt(point.place) - first.velocityAt(point.place));
+    return point;
+}
+
+void ContactReader::addTouch(const Pressing& pressing,
+                             std::span<const BodyInStep> bodies,
+                             std::size_t firstNumber,
+                             std::size_t secondNumber) {
+    const auto &first = bodies[firstNumber], &second = bodies[secondNumber];
+    const Eigen::Vector3d middle = pressing.weightedPlace / pressing.newtonSeconds;
+    const Eigen::Vector3d normal = pressing.weightedNormal.normalized();
     const Eigen::Vector3d apart = first.velocityAt(middle) - second.velocityAt(middle);
     const Eigen::Vector3d turning = first.spin - second.spin;
-    const double radius =
-        1 / (1 / first.model->contactRadiusMetres + 1 / second.model->contactRadiusMetres);
+    const double radius = relativeRadiusMetres(*first.model, *second.model);
     Touch touch{.bodies = {firstNumber, secondNumber},
                 .pointMetres = {first.worldFromMesh.inverse() * middle,
                                 second.worldFromMesh.inverse() * middle},
                 .inward = {first.worldFromMesh.linear().transpose() * normal,
                            second.worldFromMesh.linear().transpose() * -normal},
-                .forceNewtons = pressing / stepSeconds,
+                .forceNewtons = pressing.newtonSeconds / stepSeconds,
                 .slideMetresPerSecond = (apart - apart.dot(normal) * normal).norm(),
                 .rollMetresPerSecond = radius * (turning - turning.dot(normal) * normal).norm()};
     if (firstNumber > secondNumber) {
@@ -118,19 +141,17 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
 void ContactReader::addImpact(const Point& point) {
     const auto &first = *point.first->model, &second = *point.second->model;
     const double speed = point.approach > slowestBlow ? point.approach : point.speedChange();
-    const double radius = 1 / (1 / first.contactRadiusMetres + 1 / second.contactRadiusMetres);
-    const double modulus = 1 / (first.compliancePerPa + second.compliancePerPa);
     // Since they met they have come closer by the depth.
     const double sinceSeconds =
         point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
-    Impact impact{
-        .seconds = std::max(startSeconds - sinceSeconds, 0.0),
-        .body = point.firstNumber,
-        .other = point.secondNumber,
-        .pointMetres = point.first->worldFromMesh.inverse() * point.place,
-        .impulseNewtonSeconds = point.first->worldFromMesh.linear().transpose() * point.impulse,
-        .contactSeconds = hertzContactSeconds(point.effectiveMassKg, radius, modulus, speed),
-        .speedMetresPerSecond = speed};
+    Impact impact{.seconds = std::max(startSeconds - sinceSeconds, 0.0),
+                  .body = point.firstNumber,
+                  .other = point.secondNumber,
+                  .pointMetres = point.first->worldFromMesh.inverse() * point.place,
+                  .impulseNewtonSeconds =
+                      point.first->worldFromMesh.linear().transpose() * point.impulse,
+                  .contactSeconds = contactSeconds(first, second, point.effectiveMassKg, speed),
+                  .speedMetresPerSecond = speed};
     blows.push_back(impact);
     std::swap(impact.body, impact.other);
     impact.pointMetres = point.second->worldFromMesh.inverse() * point.place;

@@ -16,21 +16,23 @@ struct BodyInStep {
     const RigidBodyModel* model = nullptr;
     const btRigidBody* rigid = nullptr;
     Eigen::Isometry3d worldFromMesh = Eigen::Isometry3d::Identity();
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of mass
-    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-    Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< of mass, in metres
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s, of it
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();     ///< rad/s
 
     Eigen::Vector3d velocityAt(const Eigen::Vector3d& place) const {
         return velocity + spin.cross(place - centre);
     }
 };
 
+/// For each step `begin`, `read` for every pair of bodies, `finish`; from then on `impacts` and
+/// `touches` are the step's. One thread at a time; allocates.
 class ContactReader {
 public:
     ContactReader(double stepSeconds, double gravityMetresPerSecond2);
 
-    /// `bodies` by the user index of Bullet's; the step began at `seconds`.
-    void begin(double seconds);
+    void begin(double seconds); ///< at which the step began
+    /// `bodies` are found by the user index of Bullet's.
     void read(const btPersistentManifold& manifold, std::span<const BodyInStep> bodies);
     void finish(); ///< puts what was read in order
 
@@ -39,8 +41,17 @@ public:
 
 private:
     struct Point;
+    struct Pressing;
 
+    static Point pointOf(const btManifoldPoint& contact,
+                         std::span<const BodyInStep> bodies,
+                         std::size_t firstNumber,
+                         std::size_t secondNumber);
     void addImpact(const Point& point);
+    void addTouch(const Pressing& pressing,
+                  std::span<const BodyInStep> bodies,
+                  std::size_t firstNumber,
+                  std::size_t secondNumber);
 
     double stepSeconds;
     double restingSpeed; ///< what a step of gravity gives

@@ -1,7 +1,5 @@
 #include "Scene/RecordedHand.h"
 
-#include "Instrument/Mallet.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -38,8 +36,6 @@ RecordedHand::touchAt(double seconds, std::size_t body, std::size_t handBody) co
 std::vector<Impact>
 RecordedHand::tapsBetween(double from, double until, std::size_t body, std::size_t handBody) const {
     const auto &model = *object.kind.model, &tool = *head.kind.model;
-    const double radius = 1 / (1 / model.contactRadiusMetres + 1 / tool.contactRadiusMetres);
-    const double modulus = 1 / (model.compliancePerPa + tool.compliancePerPa);
     const double rebound = std::sqrt(model.restitution * tool.restitution);
     std::vector<Impact> impacts;
     for (auto tap = std::ranges::lower_bound(recorded.taps, from, {}, &Hand::Tap::seconds);
@@ -51,8 +47,7 @@ RecordedHand::tapsBetween(double from, double until, std::size_t body, std::size
              .pointMetres = tap->pointMetres,
              .impulseNewtonSeconds =
                  (1 + rebound) * tool.massKg * tap->metresPerSecond * inwardAt(tap->pointMetres),
-             .contactSeconds =
-                 hertzContactSeconds(tool.massKg, radius, modulus, tap->metresPerSecond),
+             .contactSeconds = contactSeconds(model, tool, tool.massKg, tap->metresPerSecond),
              .speedMetresPerSecond = tap->metresPerSecond});
     return impacts;
 }

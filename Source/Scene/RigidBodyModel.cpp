@@ -1,5 +1,7 @@
 #include "Scene/RigidBodyModel.h"
 
+#include "Instrument/Mallet.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -37,18 +39,18 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
     const auto& own = *object;
     const double s = kind.sizeRatio;
     const auto& material = own.material;
-    RigidBodyModel model{.object = object,
-                         .form = kind.form,
-                         .isFixed = kind.isFixed,
-                         .sizeRatio = s,
-                         .massKg = own.mass.massKg * s * s * s,
-                         .inertiaKgM2 = Eigen::Vector3d::Zero(),
-                         .meshFromBody = Eigen::Isometry3d::Identity(),
-                         .friction = kind.friction.value_or(material.friction),
-                         .restitution = kind.restitution.value_or(material.restitution),
-                         .rollingFrictionMetres = kind.rollingFrictionMetres,
-                         .compliancePerPa = (1 - material.poissonRatio * material.poissonRatio) /
-                                            material.youngsModulusPa};
+    RigidBodyModel model{
+        .object = object,
+        .form = kind.form,
+        .isFixed = kind.isFixed,
+        .sizeRatio = s,
+        .massKg = own.mass.massKg * s * s * s,
+        .inertiaKgM2 = Eigen::Vector3d::Zero(),
+        .meshFromBody = Eigen::Isometry3d::Identity(),
+        .friction = kind.friction.value_or(material.friction),
+        .restitution = kind.restitution.value_or(material.restitution),
+        .rollingFrictionMetres = kind.rollingFrictionMetres,
+        .compliancePerPa = elasticCompliancePerPa(material.youngsModulusPa, material.poissonRatio)};
     if (!kind.isFixed) {
         const Eigen::Matrix3d inertia =
             Eigen::Map<const Eigen::Matrix3d>(own.mass.inertiaKgM2.data()) * std::pow(s, 5);
@@ -83,6 +85,19 @@ std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model) {
             points.emplace_back(model.sizeRatio * (vertex - out));
     }
     return points;
+}
+
+double relativeRadiusMetres(const RigidBodyModel& first, const RigidBodyModel& second) {
+    return 1 / (1 / first.contactRadiusMetres + 1 / second.contactRadiusMetres);
+}
+
+double contactSeconds(const RigidBodyModel& first,
+                      const RigidBodyModel& second,
+                      double effectiveMassKg,
+                      double metresPerSecond) {
+    const double modulusPa = 1 / (first.compliancePerPa + second.compliancePerPa);
+    return hertzContactSeconds(effectiveMassKg, relativeRadiusMetres(first, second), modulusPa,
+                               metresPerSecond);
 }
 
 Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points) {

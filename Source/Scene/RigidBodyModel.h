@@ -36,6 +36,15 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
 /// The vertices of the surface in mesh coordinates; of a shell those of both sides.
 std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model);
 
+/// Of the curvatures of two bodies that touch, together.
+double relativeRadiusMetres(const RigidBodyModel& first, const RigidBodyModel& second);
+
+/// How long two bodies touch that meet at a speed > 0, after Hertz (Mallet.h).
+double contactSeconds(const RigidBodyModel& first,
+                      const RigidBodyModel& second,
+                      double effectiveMassKg,
+                      double metresPerSecond);
+
 /// Around all of them.
 Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points);
 
