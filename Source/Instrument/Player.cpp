@@ -79,9 +79,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
     if (playedInstrument->stage()) {
         performance = playedInstrument->stage()->perform(sampleRateHz, seed);
         slotSamples.resize(synth.slotCount() * cellSamples);
-        for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
-            slotCells.emplace_back(
-                std::span<float, cellSamples>(&slotSamples[slot * cellSamples], cellSamples));
+        slotCells = cellsOfSlotsIn(slotSamples);
     } else
         slotCells.assign(synth.slotCount(), cell());
     late.reserve(lateCapacity);

@@ -10,12 +10,8 @@ SceneSound::SceneSound(const SceneCast& cast,
     : synth(std::move(slots), sampleRateHz, 1),
       ears(cast.scene().listener, head, synth.slotCount(), sampleRateHz),
       voices(cast, sampleRateHz, seed), samples(synth.slotCount() * cellSamples),
-      crowded(crowdedCapacity), cellSeconds(cellSamples / sampleRateHz),
-      startSeconds(-cellSeconds) {
-    for (std::size_t slot = 0; slot < synth.slotCount(); ++slot)
-        cells.emplace_back(
-            std::span<float, cellSamples>(&samples[slot * cellSamples], cellSamples));
-}
+      cells(cellsOfSlotsIn(samples)), crowded(crowdedCapacity),
+      cellSeconds(cellSamples / sampleRateHz), startSeconds(-cellSeconds) {}
 
 void SceneSound::beginCell() noexcept {
     startSeconds = static_cast<double>(cellsBegun++) * cellSeconds;

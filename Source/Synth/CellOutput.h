@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace idiophone {
 
@@ -26,5 +27,13 @@ private:
     std::array<float*, 2> samples;
     std::size_t count;
 };
+
+/// A cell of one channel for each of some slots, in `samples` [slots, 64]. Allocates.
+inline std::vector<CellOutput> cellsOfSlotsIn(std::span<float> samples) {
+    std::vector<CellOutput> cells;
+    for (; samples.size() >= cellSamples; samples = samples.subspan(cellSamples))
+        cells.emplace_back(samples.first<cellSamples>());
+    return cells;
+}
 
 } // namespace idiophone
