@@ -73,8 +73,9 @@ const char* kindName(KeyMapKind wanted) {
 }
 
 std::vector<std::array<double, 3>> parsePath(const json& path) {
-    if (!path.is_array() || path.empty() || path.size() > 1000)
-        throw Fault{"'strikePath' is not a list of 1 to 1000 points"};
+    if (!path.is_array() || path.empty() || path.size() > mostPathPoints)
+        throw Fault{"'strikePath' is not a list of 1 to " + std::to_string(mostPathPoints) +
+                    " points"};
     std::vector<std::array<double, 3>> points;
     for (const auto& point : path) {
         if (!point.is_array() || point.size() != 3)
@@ -207,7 +208,7 @@ Result<Preset> parsePreset(std::string_view text, std::string_view name) {
     const auto refuse = [&](const std::string& sentence) {
         return failure(std::string(name) + ": " + sentence);
     };
-    if (text.size() > 1 << 20)
+    if (text.size() > largestPresetBytes)
         return refuse("it is too large for a preset");
     try {
         const auto root = parseUntrusted(text);

@@ -8,6 +8,7 @@
 #include "Synth/Surface.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -65,11 +66,16 @@ struct Preset {
 };
 
 inline constexpr int presetFormatVersion = 1;
+inline constexpr std::size_t largestPresetBytes = 1 << 20;
+inline constexpr std::size_t mostPathPoints = 1000; ///< of KeyMap::strikePath
 
-/// Parses a preset file; `name` stands for it in errors.
+/// Parses a preset file; `name` stands for it in errors: it is too large, no JSON, lacks something
+/// or has something that it cannot be. Objects and scenes are named, not looked for. Not for the
+/// audio thread.
 Result<Preset> parsePreset(std::string_view text, std::string_view name);
 
-/// The preset as JSON text that `parsePreset` reads back to an equal preset.
+/// The preset as JSON text that `parsePreset` reads back to an equal preset. Any thread but
+/// audio.
 std::string encodePreset(const Preset& preset);
 
 } // namespace idiophone

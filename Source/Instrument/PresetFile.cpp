@@ -6,13 +6,12 @@
 namespace idiophone {
 namespace {
 
-constexpr std::uintmax_t largestFileBytes = 1 << 20;
 constexpr int foldersAbove = 4;
 
 } // namespace
 
 Result<Preset> readPresetFile(const std::filesystem::path& file) {
-    return readTextFile(file, largestFileBytes).and_then([&](const std::string& text) {
+    return readTextFile(file, largestPresetBytes).and_then([&](const std::string& text) {
         return parsePreset(text, file.filename().string());
     });
 }

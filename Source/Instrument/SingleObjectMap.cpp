@@ -7,6 +7,7 @@
 #include "Instrument/PlaceBetween.h"
 #include "Instrument/StrikeStrip.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,7 +18,6 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-constexpr std::size_t mostPathPoints = 1000; // what a preset may hold
 constexpr int lowestKey = 36, highestKey = 96;
 
 /// The sum over the lowest modes of how far a push into the surface moves it there.
@@ -52,7 +52,7 @@ double liveliestPlace(const ModalObject& object, const KeyMap& map) {
 }
 
 Eigen::Vector3d vectorOf(const Point& point) {
-    return {point[0], point[1], point[2]};
+    return Eigen::Vector3d(point.data());
 }
 
 /// Where rays have missed between two places, round the hole they went through: places in metres.

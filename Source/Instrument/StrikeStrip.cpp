@@ -79,9 +79,8 @@ Vector tangent(const Vector& normal, const Point& direction) {
     return normalised(direction - unit * rise);
 }
 
-/// Of unit length, or zero.
-Vector towards(const Vector& sum) {
-    return normalised({sum[0], sum[1], sum[2]});
+Vector normalised(const Vector& a) {
+    return normalised(Point{a[0], a[1], a[2]});
 }
 
 } // namespace
@@ -160,7 +159,7 @@ StripPlace StrikeStrip::between(double along, double across) const {
     }
     const auto heaviest =
         static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
-    const auto mean = towards(direction);
+    const auto mean = normalised(direction);
     return {.point = point.point(),
             .direction = mean == Vector{} ? directions[corners[heaviest]] : mean};
 }
