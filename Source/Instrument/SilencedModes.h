@@ -20,12 +20,13 @@ struct SilencedModes {
 };
 
 /// By what mode sets know the object of a slot: the lowest note that plays it where there is one
-/// object a key, else "all". Files of objects may be renamed, and finished analyses take the place
-/// of previews.
+/// object a key, the object's name on a stage, else "all". Where it can be it is not the name, for
+/// files of objects may be renamed, and finished analyses take the place of previews. For any
+/// thread but audio.
 std::string modeSetKey(const Instrument& instrument, std::size_t slot);
 
-/// Of every object the muted modes; of one with modes heard alone all others, muted or not. Modes
-/// and objects that the instrument does not have are passed over.
+/// [any thread but audio] Of every object the muted modes; of one with modes heard alone all
+/// others, muted or not. Modes and objects that the instrument does not have are passed over.
 SilencedModes
 silencedModes(const Instrument& instrument, const ModeSet& muted, const ModeSet& heardAlone);
 

@@ -10,7 +10,8 @@
 namespace idiophone {
 
 /// A shape in body coordinates together with what it is made of. Immutable; bodies of a kind share
-/// it.
+/// it, on one thread: Bullet's shapes cache. Not for the audio thread, nor does it check the model,
+/// which makeRigidBodyModel has.
 class CollisionShape {
 public:
     explicit CollisionShape(const RigidBodyModel& model);

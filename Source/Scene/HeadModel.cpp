@@ -10,21 +10,22 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double headRadiusMetres = 0.0875, speedOfSound = 343;
-constexpr double headSeconds = headRadiusMetres / speedOfSound;
+constexpr double headRadiusMetres = 0.0875, soundMetresPerSecond = 343;
+constexpr double headSeconds = headRadiusMetres / soundMetresPerSecond;
 constexpr double earDegrees = 100; // from straight ahead: a little behind the middle
 constexpr double leastHighGain = 0.1, darkestDegrees = 150;
 constexpr double airDecibelsAMetre = 0.16;
 
 /// Around the sphere on its far side (Woodworth); 0 where the sound comes straight at the ear.
-double delaySeconds(double incidence) {
-    const double arrival = incidence < pi / 2 ? -std::cos(incidence) : incidence - pi / 2;
+double delaySeconds(double incidenceRadians) {
+    const double arrival =
+        incidenceRadians < pi / 2 ? -std::cos(incidenceRadians) : incidenceRadians - pi / 2;
     return headSeconds * (1 + arrival);
 }
 
-double highFrequencyGain(double incidence) {
+double highFrequencyGain(double incidenceRadians) {
     return 1 + leastHighGain / 2 +
-           (1 - leastHighGain / 2) * std::cos(incidence * 180 / darkestDegrees);
+           (1 - leastHighGain / 2) * std::cos(incidenceRadians * 180 / darkestDegrees);
 }
 
 } // namespace
@@ -62,9 +63,10 @@ HeardPath HeadModel::path(const Eigen::Vector3d& placeMetres) const {
                    .gain = 1 / metres,
                    .airGain = std::pow(10, -airDecibelsAMetre * metres / 20)};
     for (std::size_t ear = 0; ear < 2; ++ear) {
-        const double incidence = std::acos(std::clamp(way.dot(ears[ear]) / metres, -1.0, 1.0));
-        path.ears[ear] = {.delaySeconds = delaySeconds(incidence),
-                          .highFrequencyGain = highFrequencyGain(incidence)};
+        const double incidenceRadians =
+            std::acos(std::clamp(way.dot(ears[ear]) / metres, -1.0, 1.0));
+        path.ears[ear] = {.delaySeconds = delaySeconds(incidenceRadians),
+                          .highFrequencyGain = highFrequencyGain(incidenceRadians)};
     }
     return path;
 }

@@ -39,6 +39,7 @@ public:
     bool has(std::size_t body) const;
     BodyMotion motion(std::size_t body) const;      ///< of one that is there
     Eigen::Vector3d centre(std::size_t body) const; ///< of mass, likewise
+    /// m/s and rad/s, of one that is there.
     void
     setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
 

@@ -1,5 +1,5 @@
 // A scene as people write it: what things there are, where they begin, what is done to them, and
-// who listens. Plain data; SceneFile reads it and RigidWorld moves it. Metres, z points up.
+// who listens. Plain data; SceneText reads it and SceneRun moves it. Metres, z points up.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -17,7 +17,7 @@ namespace idiophone {
 /// What a body is to the others that meet it.
 enum class BodyForm {
     hull,     ///< the convex hull of its mesh; of a shell with half the thickness all around
-    ring,     ///< hulls of sectors about the mesh's z axis, open in the middle
+    ring,     ///< round about the mesh's z axis, open in the middle: capsules or hulls of sectors
     sphere,   ///< as wide as the bounding box is on average, about its centre
     cylinder, ///< round about the mesh's z axis, closed at its ends
     surface,  ///< the mesh, smoothed; for fixed bodies that are hollow

@@ -7,8 +7,7 @@
 namespace idiophone {
 
 Result<Scene> readSceneFile(const std::filesystem::path& file) {
-    constexpr std::uintmax_t largestFileBytes = 1 << 22;
-    auto scene = readTextFile(file, largestFileBytes).and_then([&](const std::string& text) {
+    auto scene = readTextFile(file, largestSceneBytes).and_then([&](const std::string& text) {
         return parseScene(text, file.filename().string());
     });
     if (!scene)

@@ -294,6 +294,8 @@ Result<Scene> parseScene(std::string_view text, std::string_view file) {
     const auto refuse = [&](const std::string& sentence) {
         return failure(std::string(file) + ": " + sentence);
     };
+    if (text.size() > largestSceneBytes)
+        return refuse("it is too large for a scene");
     try {
         const auto root = parseUntrusted(text);
         if (root.is_discarded())

@@ -137,3 +137,9 @@ TEST_CASE("Kinds are checked one by one") {
     CHECK(faultOfKind(R"({"name": "a", "object": "ring", "surface": {"format": "x"}})")
               .starts_with("test.json: kinds[0].surface is no surface: "));
 }
+
+TEST_CASE("A scene that is too large is refused before it is parsed") {
+    const std::string blanks(largestSceneBytes, ' ');
+    CHECK(faultOf(blanks + sceneWith("")) == "test.json: it is too large for a scene");
+    CHECK(faultOf(sceneWith("")).empty());
+}
