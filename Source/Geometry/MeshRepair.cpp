@@ -84,12 +84,6 @@ void orientAndCut(Mesh& mesh, bool cut, RepairReport& report) {
 
 } // namespace
 
-bool RepairReport::changedAnything() const {
-    return weldedVertices + degenerateFaces + duplicateFaces + joinedVertices +
-               unreferencedVertices + flippedFaces + cutVertices + droppedComponents >
-           0;
-}
-
 std::string RepairReport::text() const {
     std::string text;
     const auto say = [&](int count, const char* before, const char* one, const char* many) {

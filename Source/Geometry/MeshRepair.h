@@ -37,7 +37,6 @@ struct RepairReport {
     int nonManifoldEdges = 0; ///< edges of more than two faces
     int oneSidedEdges = 0;    ///< where no turning made neighbours agree
 
-    bool changedAnything() const;
     /// Sentences for people, such as "Welded 36 vertices. Open: 40 boundary edges."; may be empty.
     std::string text() const;
 };

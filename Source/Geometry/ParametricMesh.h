@@ -1,4 +1,4 @@
-// Generated meshes: the bars, plates, rings and spheres that instruments and tests are made of.
+// Generated meshes: the bars, plates, rings and spheres that instruments are made of.
 // Triangles are as nearly equilateral as the outline allows, because springs on other triangles are
 // anisotropic; the box is the exception, for it exists to show the zero modes of flat faces.
 #pragma once
@@ -21,20 +21,8 @@ SheetGrid sheetGrid(double lengthMetres, double widthMetres, int targetVertices)
 Mesh sheetMesh(double lengthMetres, double widthMetres, const SheetGrid& grid);
 Mesh sheetMesh(double lengthMetres, double widthMetres, int targetVertices);
 
-/// A flat rectangle of columns × rows squares or rectangles, each cut in two along the same
-/// diagonal: (columns+1)(rows+1) vertices. For tests of the models; sheets sound better.
-Mesh gridPlateMesh(double lengthMetres, double widthMetres, int columns, int rows);
-
 /// A flat disc in the xy plane: rings of 6, 12, 18, … vertices about the middle.
 Mesh discMesh(double radiusMetres, int rings);
-
-/// A flat ring in the xy plane: `rows` + 1 circles of `around` vertices, every other one turned by
-/// half a spacing.
-Mesh annulusMesh(double innerRadiusMetres, double outerRadiusMetres, int around, int rows);
-
-/// The closed surface of a solid sheet: the flat mesh at z = ± thickness/2 and walls of `layers`
-/// rows along its boundary. Vertices are those of the top, those of the bottom, then the walls'.
-Mesh extrudedMesh(const Mesh& flatMesh, double thicknessMetres, int layers = 1);
 
 /// The closed surface of a box centred at the origin, each side a grid cut into triangles.
 Mesh boxMesh(const Eigen::Vector3d& sizeMetres, const Eigen::Vector3i& segments);
@@ -52,8 +40,5 @@ Mesh hoopMesh(double radiusMetres, double heightMetres, int around, int rows);
 /// The closed surface of a thick tube about the z axis: four circles of `around` vertices, centred
 /// at the origin.
 Mesh tubeMesh(double outerRadiusMetres, double innerRadiusMetres, double lengthMetres, int around);
-
-/// Two closed surfaces with a solid wall between: a hollow sphere of this mean radius.
-Mesh hollowSphereMesh(double radiusMetres, double thicknessMetres, int level);
 
 } // namespace idiophone

@@ -2,6 +2,7 @@
 
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/TestMeshes.h"
+#include "Support/GeneratedMeshes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "Analysis/Radiation.h"
 #include "Analysis/TwoLayerShell.h"
 #include "Geometry/ParametricMesh.h"
+#include "Support/GeneratedMeshes.h"
 #include "TestMaterials.h"
 
 #include <catch2/catch_test_macros.hpp>

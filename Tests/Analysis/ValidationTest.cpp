@@ -4,6 +4,7 @@
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/Remesh.h"
 #include "SolvedBody.h"
+#include "Support/GeneratedMeshes.h"
 #include "TestMaterials.h"
 #include "ValidationTable.h"
 

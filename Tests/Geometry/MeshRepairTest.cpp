@@ -14,13 +14,24 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
 
+namespace {
+
+bool changedAnything(const RepairReport& report) {
+    return report.weldedVertices + report.degenerateFaces + report.duplicateFaces +
+               report.joinedVertices + report.unreferencedVertices + report.flippedFaces +
+               report.cutVertices + report.droppedComponents >
+           0;
+}
+
+} // namespace
+
 TEST_CASE("A sound mesh comes out of repair as it went in") {
     for (const auto& mesh : {icosphereMesh(0.1, 3), sheetMesh(0.4, 0.05, 500)}) {
         const auto repaired = repairMesh(mesh);
         REQUIRE(repaired);
         CHECK(repaired->mesh.vertices == mesh.vertices);
         CHECK(repaired->mesh.faces == mesh.faces);
-        CHECK_FALSE(repaired->report.changedAnything());
+        CHECK_FALSE(changedAnything(repaired->report));
     }
 }
 
@@ -105,7 +116,7 @@ TEST_CASE("A second repair finds nothing where the first dropped what reached fa
     const auto again = repairMesh(repaired->mesh);
     REQUIRE(again);
     INFO(again->report.text());
-    CHECK_FALSE(again->report.changedAnything());
+    CHECK_FALSE(changedAnything(again->report));
 }
 
 TEST_CASE("Degenerate and duplicate faces and unreferenced vertices are dropped and counted") {
@@ -212,7 +223,7 @@ TEST_CASE("T-junctions are joined until there are none, however many rounds that
     const auto again = repairMesh(repaired->mesh);
     REQUIRE(again);
     INFO(again->report.text());
-    CHECK_FALSE(again->report.changedAnything());
+    CHECK_FALSE(changedAnything(again->report));
 }
 
 TEST_CASE("A cap, a face with its apex on its longest side, is replaced without a gap") {

@@ -1,4 +1,5 @@
 #include "Geometry/ParametricMesh.h"
+#include "Support/GeneratedMeshes.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -7,6 +8,7 @@
 #include <numbers>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
 namespace {
