@@ -1,32 +1,27 @@
 #include "Geometry/EdgePairing.h"
 
+#include "Geometry/FaceSides.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <tuple>
 
 namespace idiophone {
 namespace {
 
-struct HalfEdge {
-    int low = 0, high = 0, face = 0, corner = 0;
+struct HalfEdge : FaceSide {
     bool ascending = false;  ///< the face runs from low to high
     double angleRadians = 0; ///< of the face about the edge, where that is asked for
 };
 
 std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh) {
+    const auto sides = sortedFaceSides(mesh);
     std::vector<HalfEdge> halfEdges;
-    halfEdges.reserve(static_cast<std::size_t>(mesh.faceCount()) * 3);
-    for (int face = 0; face < mesh.faceCount(); ++face)
-        for (int corner = 0; corner < 3; ++corner) {
-            const int a = mesh.faces(face, corner), b = mesh.faces(face, (corner + 1) % 3);
-            halfEdges.push_back({std::min(a, b), std::max(a, b), face, corner, a < b, 0});
-        }
-    std::ranges::sort(halfEdges, {}, [](const HalfEdge& h) {
-        return std::tuple{h.low, h.high, h.face};
-    });
+    halfEdges.reserve(sides.size());
+    for (const auto& side : sides)
+        halfEdges.push_back({side, mesh.faces(side.face, side.corner) == side.low, 0});
     return halfEdges;
 }
 
@@ -91,11 +86,11 @@ void pairStraightest(EdgePairing& pairing, std::vector<HalfEdge> around) {
 }
 
 void pairAbout(EdgePairing& pairing, const Mesh& mesh, std::span<HalfEdge> around) {
-    // Beyond a few dozen pages no order is meant, and the straightest pairs cost a cube of them.
-    constexpr std::size_t mostPages = 64;
+    // Beyond a few dozen faces no order is meant, and the straightest pairs cost a cube of them.
+    constexpr std::size_t mostFaces = 64;
     const std::size_t n = around.size();
     sortAboutEdge(mesh, around);
-    if (n % 2 == 1 && n <= mostPages) {
+    if (n % 2 == 1 && n <= mostFaces) {
         pairStraightest(pairing, {around.begin(), around.end()});
         return;
     }
@@ -111,8 +106,7 @@ EdgePairing pairEdges(const Mesh& mesh) {
     auto halfEdges = sortedHalfEdges(mesh);
     EdgePairing result{.partners = std::vector<std::array<EdgePartner, 3>>(mesh.faceCount())};
     for (std::size_t i = 0, end = 0; i < halfEdges.size(); i = end) {
-        while (end < halfEdges.size() && halfEdges[end].low == halfEdges[i].low &&
-               halfEdges[end].high == halfEdges[i].high)
+        while (end < halfEdges.size() && halfEdges[end].isAlong(halfEdges[i]))
             ++end;
         if (end - i == 2)
             pair(result, halfEdges[i], halfEdges[i + 1]);

@@ -1,22 +1,14 @@
 #include "Geometry/ManifoldCut.h"
 
+#include "Geometry/DisjointSets.h"
 #include "Geometry/EdgeSplit.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <unordered_map>
 
 namespace idiophone {
 namespace {
-
-int rootOf(std::vector<int>& parents, int corner) {
-    while (parents[corner] != corner) {
-        parents[corner] = parents[parents[corner]];
-        corner = parents[corner];
-    }
-    return corner;
-}
 
 int cornerOf(const Mesh& mesh, int face, int vertex) {
     int corner = 0;
@@ -27,8 +19,7 @@ int cornerOf(const Mesh& mesh, int face, int vertex) {
 
 /// For each corner of a face (3·face + corner) the first corner of its fan.
 std::vector<int> fansOfCorners(const Mesh& mesh, const EdgePairing& pairing) {
-    std::vector<int> parents(static_cast<std::size_t>(mesh.faceCount()) * 3);
-    std::iota(parents.begin(), parents.end(), 0);
+    DisjointSets fans(static_cast<std::size_t>(mesh.faceCount()) * 3);
     for (int face = 0; face < mesh.faceCount(); ++face)
         for (int corner = 0; corner < 3; ++corner) {
             const int partner = pairing.partners[face][corner].face;
@@ -36,15 +27,13 @@ std::vector<int> fansOfCorners(const Mesh& mesh, const EdgePairing& pairing) {
                 continue;
             for (const int end : {corner, (corner + 1) % 3}) {
                 const int vertex = mesh.faces(face, end);
-                const auto [low, high] =
-                    std::minmax({rootOf(parents, 3 * face + end),
-                                 rootOf(parents, cornerOf(mesh, partner, vertex))});
-                parents[high] = low;
+                fans.join(3 * face + end, cornerOf(mesh, partner, vertex));
             }
         }
-    for (int corner = 0; corner < static_cast<int>(parents.size()); ++corner)
-        parents[corner] = rootOf(parents, corner);
-    return parents;
+    std::vector<int> firstCorners(static_cast<std::size_t>(mesh.faceCount()) * 3);
+    for (int corner = 0; corner < static_cast<int>(firstCorners.size()); ++corner)
+        firstCorners[corner] = fans.nameOf(corner);
+    return firstCorners;
 }
 
 void separateFans(Mesh& mesh, const std::vector<int>& fans, std::vector<int>& copyOf) {

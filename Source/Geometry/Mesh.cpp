@@ -1,8 +1,10 @@
 #include "Geometry/Mesh.h"
 
+#include "Geometry/DisjointSets.h"
+#include "Geometry/FaceSides.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace idiophone {
@@ -14,14 +16,6 @@ Eigen::RowVector3d areaVector(const Mesh& mesh, Eigen::Index face) {
     const Eigen::RowVector3d b = mesh.vertices.row(mesh.faces(face, 1));
     const Eigen::RowVector3d c = mesh.vertices.row(mesh.faces(face, 2));
     return (b - a).cross(c - a);
-}
-
-int rootOf(std::vector<int>& parents, int vertex) {
-    while (parents[vertex] != vertex) {
-        parents[vertex] = parents[parents[vertex]];
-        vertex = parents[vertex];
-    }
-    return vertex;
 }
 
 } // namespace
@@ -62,26 +56,13 @@ Eigen::MatrixXd vertexNormals(const Mesh& mesh) {
 std::vector<MeshEdge> uniqueEdges(const Mesh& mesh) {
     const Eigen::VectorXd areas = faceAreas(mesh);
     std::vector<MeshEdge> edges;
-    edges.reserve(static_cast<std::size_t>(mesh.faceCount()) * 3);
-    for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto [a, b] =
-                std::minmax({mesh.faces(face, corner), mesh.faces(face, (corner + 1) % 3)});
-            edges.push_back({a, b, 1, areas(face)});
-        }
-    // Stable, so that areas add up in the order of the faces: the same mesh, the same bits.
-    std::ranges::stable_sort(edges, {}, [](const MeshEdge& e) { return std::array{e.a, e.b}; });
-    std::size_t last = 0;
-    for (std::size_t i = 1; i < edges.size(); ++i) {
-        if (edges[i].a == edges[last].a && edges[i].b == edges[last].b) {
-            edges[last].faceCount += 1;
-            edges[last].adjacentAreaM2 += edges[i].adjacentAreaM2;
-        } else {
-            edges[++last] = edges[i];
-        }
+    // Areas add up in the order of the faces: the same mesh, the same bits.
+    for (const auto& side : sortedFaceSides(mesh)) {
+        if (edges.empty() || edges.back().a != side.low || edges.back().b != side.high)
+            edges.push_back({side.low, side.high, 0, 0});
+        edges.back().faceCount += 1;
+        edges.back().adjacentAreaM2 += areas(side.face);
     }
-    if (!edges.empty())
-        edges.resize(last + 1);
     return edges;
 }
 
@@ -96,6 +77,12 @@ double meanEdgeLengthMetres(const Mesh& mesh) {
 bool isClosed(const std::vector<MeshEdge>& edges) {
     return !edges.empty() &&
            std::ranges::all_of(edges, [](const MeshEdge& e) { return e.faceCount == 2; });
+}
+
+std::vector<int> allVertices(const Mesh& mesh) {
+    std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
 }
 
 double boundingDiagonalMetres(const Mesh& mesh) {
@@ -116,20 +103,18 @@ double signedVolumeM3(const Mesh& mesh) {
 }
 
 Components connectedComponents(const Mesh& mesh) {
-    std::vector<int> parents(static_cast<std::size_t>(mesh.vertexCount()));
-    std::iota(parents.begin(), parents.end(), 0);
+    DisjointSets sets(static_cast<std::size_t>(mesh.vertexCount()));
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-        for (int corner = 1; corner < 3; ++corner) {
-            const auto [low, high] = std::minmax(
-                {rootOf(parents, mesh.faces(face, 0)), rootOf(parents, mesh.faces(face, corner))});
-            parents[high] = low;
-        }
-    Components components{.componentOfVertex = std::vector<int>(parents.size()), .count = 0};
-    for (int vertex = 0; vertex < static_cast<int>(parents.size()); ++vertex) {
-        // The root is the lowest vertex of its component, so it has been numbered before.
-        const int root = rootOf(parents, vertex);
+        for (int corner = 1; corner < 3; ++corner)
+            sets.join(mesh.faces(face, 0), mesh.faces(face, corner));
+    Components components{.componentOfVertex =
+                              std::vector<int>(static_cast<std::size_t>(mesh.vertexCount())),
+                          .count = 0};
+    for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+        // The lowest vertex of a component has been numbered before its others.
+        const int lowest = sets.nameOf(vertex);
         components.componentOfVertex[vertex] =
-            root == vertex ? components.count++ : components.componentOfVertex[root];
+            lowest == vertex ? components.count++ : components.componentOfVertex[lowest];
     }
     return components;
 }

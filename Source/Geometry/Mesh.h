@@ -42,6 +42,9 @@ double meanEdgeLengthMetres(const Mesh& mesh);
 /// True when every edge has exactly two faces.
 bool isClosed(const std::vector<MeshEdge>& edges);
 
+/// 0, 1, … N − 1.
+std::vector<int> allVertices(const Mesh& mesh);
+
 /// The diagonal of the bounding box in metres; 0 for a mesh without vertices.
 double boundingDiagonalMetres(const Mesh& mesh);
 

@@ -1,11 +1,11 @@
 #include "Geometry/TJunctions.h"
 
 #include "Geometry/EdgeSplit.h"
+#include "Geometry/FaceSides.h"
 #include "Geometry/VertexTree.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -13,30 +13,15 @@
 namespace idiophone {
 namespace {
 
-struct BoundaryEdge {
-    int face = 0, corner = 0; ///< from this corner to the next
-};
-
-std::vector<BoundaryEdge> boundaryEdgesOf(const Mesh& mesh) {
-    std::vector<std::array<int, 4>> halfEdges; // low, high, face, corner
-    halfEdges.reserve(static_cast<std::size_t>(mesh.faceCount()) * 3);
-    for (int face = 0; face < mesh.faceCount(); ++face)
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto [low, high] =
-                std::minmax({mesh.faces(face, corner), mesh.faces(face, (corner + 1) % 3)});
-            halfEdges.push_back({low, high, face, corner});
-        }
-    std::ranges::sort(halfEdges);
-    std::vector<BoundaryEdge> result;
-    const auto sameEdge = [&](std::size_t i, std::size_t j) {
-        return j < halfEdges.size() && halfEdges[i][0] == halfEdges[j][0] &&
-               halfEdges[i][1] == halfEdges[j][1];
-    };
-    for (std::size_t i = 0, end = 0; i < halfEdges.size(); i = end) {
-        for (end = i + 1; sameEdge(i, end);)
+/// Those along which no other face has a side.
+std::vector<FaceSide> boundaryEdgesOf(const Mesh& mesh) {
+    const auto sides = sortedFaceSides(mesh);
+    std::vector<FaceSide> result;
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+        while (end < sides.size() && sides[end].isAlong(sides[i]))
             ++end;
         if (end - i == 1)
-            result.push_back({halfEdges[i][2], halfEdges[i][3]});
+            result.push_back(sides[i]);
     }
     return result;
 }
@@ -79,9 +64,7 @@ private:
     double radius_;
 };
 
-void plantBoundaryVertices(VertexTree& tree,
-                           const Mesh& mesh,
-                           const std::vector<BoundaryEdge>& edges) {
+void plantBoundaryVertices(VertexTree& tree, const Mesh& mesh, const std::vector<FaceSide>& edges) {
     std::vector<char> isBoundary(mesh.vertexCount(), 0);
     for (const auto& edge : edges)
         for (const int end : {0, 1})
@@ -93,10 +76,8 @@ void plantBoundaryVertices(VertexTree& tree,
 }
 
 /// The vertices on the edge, from its beginning to its end.
-std::vector<int> verticesOn(const Mesh& mesh,
-                            const VertexTree& tree,
-                            const BoundaryEdge& edge,
-                            double toleranceMetres) {
+std::vector<int>
+verticesOn(const Mesh& mesh, const VertexTree& tree, const FaceSide& edge, double toleranceMetres) {
     const int a = mesh.faces(edge.face, edge.corner),
               b = mesh.faces(edge.face, (edge.corner + 1) % 3),
               apex = mesh.faces(edge.face, (edge.corner + 2) % 3);

@@ -1,0 +1,36 @@
+// Sets that are joined and never parted (union-find). Internal to Geometry.
+#pragma once
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace idiophone {
+
+/// Of 0 … count − 1, each in a set of its own at first. A set is named after its lowest member.
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t count) : parents(count) {
+        std::iota(parents.begin(), parents.end(), 0);
+    }
+
+    int nameOf(int member) {
+        while (parents[member] != member) {
+            parents[member] = parents[parents[member]];
+            member = parents[member];
+        }
+        return member;
+    }
+
+    void join(int one, int other) {
+        int low = nameOf(one), high = nameOf(other);
+        if (high < low)
+            std::swap(low, high);
+        parents[high] = low;
+    }
+
+private:
+    std::vector<int> parents;
+};
+
+} // namespace idiophone
