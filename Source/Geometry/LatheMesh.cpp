@@ -15,10 +15,10 @@ Eigen::Vector2d placeOf(const LathePoint& point) {
     return {point.radiusMetres, point.heightMetres};
 }
 
-LathePoint between(const LathePoint& a, const LathePoint& b, double way) {
-    return {std::lerp(a.radiusMetres, b.radiusMetres, way),
-            std::lerp(a.heightMetres, b.heightMetres, way),
-            std::lerp(a.thicknessMetres, b.thicknessMetres, way)};
+LathePoint between(const LathePoint& a, const LathePoint& b, double share) {
+    return {std::lerp(a.radiusMetres, b.radiusMetres, share),
+            std::lerp(a.heightMetres, b.heightMetres, share),
+            std::lerp(a.thicknessMetres, b.thicknessMetres, share)};
 }
 
 bool isCorner(const std::vector<LathePoint>& section, std::size_t i) {

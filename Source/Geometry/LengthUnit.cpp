@@ -1,9 +1,9 @@
 #include "Geometry/LengthUnit.h"
 
+#include "Object/NumberText.h"
+
 #include <array>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 namespace idiophone {
 namespace {
@@ -14,14 +14,8 @@ constexpr std::array units{metres, LengthUnit{"centimetres", "cm", 1e-2}, millim
 
 /// To three figures, or to whole units where it has more.
 std::string figureOf(double length) {
-    std::ostringstream stream;
-    stream.imbue(std::locale::classic());
-    if (length >= 100 && length < 1e9)
-        stream.precision(9);
-    else
-        stream.precision(3);
-    stream << (length >= 100 && length < 1e9 ? std::round(length) : length);
-    return stream.str();
+    return length >= 100 && length < 1e9 ? numberText(std::round(length), 9)
+                                         : numberText(length, 3);
 }
 
 } // namespace
@@ -31,6 +25,10 @@ std::optional<LengthUnit> lengthUnitNamed(std::string_view word) {
         if (word == unit.symbol || word == unit.name)
             return unit;
     return std::nullopt;
+}
+
+std::string millimetresText(double lengthMetres) {
+    return numberText(lengthMetres / millimetres.metresPerUnit, 3) + " mm";
 }
 
 UnitGuess guessLengthUnit(const Mesh& mesh) {

@@ -21,6 +21,9 @@ struct LengthUnit {
 /// millimetres, inches, feet; nothing for any other word.
 std::optional<LengthUnit> lengthUnitNamed(std::string_view symbolOrName);
 
+/// A length for a sentence: "12.5 mm", to three figures.
+std::string millimetresText(double lengthMetres);
+
 struct UnitGuess {
     LengthUnit unit;
     bool isSure = false; ///< false where the size fits no sounding thing in any unit

@@ -1,14 +1,14 @@
 #include "Geometry/MeshReader.h"
 
 #include "Geometry/MeshFile.h"
+#include "Object/FileBytes.h"
+#include "Object/SameName.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <string>
 
@@ -85,33 +85,17 @@ Result<RawMesh> readTextStl(std::string_view bytes) {
     return mesh;
 }
 
-Result<std::string> readBytes(const std::filesystem::path& file) {
-    std::error_code fault;
-    const auto size = std::filesystem::file_size(file, fault);
-    std::ifstream stream(file, std::ios::binary);
-    if (fault || !stream)
-        return failure("it cannot be opened");
-    if (size == 0)
-        return failure("it is empty");
-    if (size > largestFileBytes)
-        return failure("it is larger than 2 GB");
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-        return failure("it cannot be read to its end");
-    return bytes;
-}
-
 Result<RawMesh> readRawMesh(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto extension = nameOf(file.extension());
     constexpr std::array<std::pair<std::string_view, Result<RawMesh> (*)(std::string_view)>, 4>
         formats{{{".obj", readObj}, {".off", readOff}, {".ply", readPly}, {".stl", readStl}}};
     for (const auto& [name, read] : formats)
-        if (extension == name) {
-            const auto bytes = readBytes(file);
+        if (sameName(extension, name)) {
+            const auto bytes = readBytes(file, largestFileBytes);
             if (!bytes)
                 return failure(bytes.error().message);
+            if (bytes->empty())
+                return failure("it is empty");
             return read(*bytes);
         }
     return failure("its extension is none of .obj, .off, .ply and .stl");
@@ -121,8 +105,11 @@ Result<RawMesh> readRawMesh(const std::filesystem::path& file) {
 std::string faultOf(const RawMesh& raw, double metresPerUnit) {
     if (raw.triangles.empty())
         return "it has no faces";
+    // Corners of faces and coordinates are counted in int.
     if (raw.coordinates.size() > std::numeric_limits<int>::max())
         return "it has too many vertices";
+    if (raw.triangles.size() > std::numeric_limits<int>::max())
+        return "it has too many faces";
     for (std::size_t i = 0; i < raw.coordinates.size(); ++i)
         if (!std::isfinite(raw.coordinates[i]) ||
             std::abs(raw.coordinates[i]) * metresPerUnit > 1e6)
@@ -237,7 +224,7 @@ Result<RawMesh> readStl(std::string_view bytes) {
 
 Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit) {
     const auto fail = [&](const std::string& fault) {
-        return failure("The mesh file \"" + file.filename().string() +
+        return failure("The mesh file \"" + nameOf(file.filename()) +
                        "\" cannot be used: " + fault + ".");
     };
     if (!(metresPerUnit > 0) || !std::isfinite(metresPerUnit))

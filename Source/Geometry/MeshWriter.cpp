@@ -1,11 +1,18 @@
 #include "Geometry/MeshWriter.h"
 
+#include "Object/FileBytes.h"
+#include "Object/SameName.h"
+
 #include <fstream>
 #include <limits>
 #include <locale>
 
 namespace idiophone {
 namespace {
+
+bool hasExtension(const std::filesystem::path& file, std::string_view extension) {
+    return sameName(nameOf(file.extension()), extension);
+}
 
 std::ofstream openForNumbers(const std::filesystem::path& file) {
     std::ofstream stream(file, std::ios::binary);
@@ -50,19 +57,19 @@ void writeObj(const Mesh& mesh, std::ostream& stream) {
 Result<void> closed(std::ofstream& stream, const std::filesystem::path& file) {
     stream.close();
     if (!stream)
-        return failure("The mesh file \"" + file.filename().string() + "\" cannot be written.");
+        return failure("The mesh file \"" + nameOf(file.filename()) + "\" cannot be written.");
     return {};
 }
 
 } // namespace
 
 Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file) {
-    const auto extension = file.extension();
-    if (extension != ".ply" && extension != ".obj")
-        return failure("The mesh cannot be written to \"" + file.filename().string() +
+    const bool isPly = hasExtension(file, ".ply");
+    if (!isPly && !hasExtension(file, ".obj"))
+        return failure("The mesh cannot be written to \"" + nameOf(file.filename()) +
                        "\": its extension is neither .obj nor .ply.");
     auto stream = openForNumbers(file);
-    if (extension == ".ply")
+    if (isPly)
         writePly(mesh, nullptr, stream);
     else
         writeObj(mesh, stream);
@@ -72,8 +79,8 @@ Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file) {
 Result<void> writeColouredMesh(const Mesh& mesh,
                                const VertexFigures& figures,
                                const std::filesystem::path& file) {
-    if (file.extension() != ".ply")
-        return failure("Colours cannot be written to \"" + file.filename().string() +
+    if (!hasExtension(file, ".ply"))
+        return failure("Colours cannot be written to \"" + nameOf(file.filename()) +
                        "\": its extension is not .ply.");
     auto stream = openForNumbers(file);
     writePly(mesh, &figures, stream);

@@ -202,10 +202,10 @@ PointCarrier carriedBy(Mesh mesh, std::span<const double> radiiMetres) {
             std::max<std::ptrdiff_t>(above == radiiMetres.end() ? upper : upper - 1, 0);
         const double span = radiiMetres[static_cast<std::size_t>(upper)] -
                             radiiMetres[static_cast<std::size_t>(lower)];
-        const double way =
+        const double share =
             span > 0 ? (radius - radiiMetres[static_cast<std::size_t>(lower)]) / span : 0;
-        weights(vertex, lower) += 1 - way;
-        weights(vertex, upper) += way;
+        weights(vertex, lower) += 1 - share;
+        weights(vertex, upper) += share;
     }
     return {.mesh = std::move(mesh), .weights = std::move(weights)};
 }

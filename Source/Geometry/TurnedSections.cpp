@@ -20,22 +20,22 @@ std::vector<LathePoint> bellSection(const BellMeasures& bell) {
     std::vector<LathePoint> section;
     const double sideHeight = bell.heightMetres - bell.shoulderCurveMetres;
     for (int k = 0; k <= steps; ++k) {
-        const double way = static_cast<double>(k) / steps;
-        const double flare = std::pow(1 - way, flareExponent);
-        const double inLip = std::max(0.0, 1 - way * sideHeight / (lipShare * bell.heightMetres));
+        const double share = static_cast<double>(k) / steps;
+        const double flare = std::pow(1 - share, flareExponent);
+        const double inLip = std::max(0.0, 1 - share * sideHeight / (lipShare * bell.heightMetres));
         section.push_back(
             {.radiusMetres = std::lerp(bell.shoulderRadiusMetres, bell.lipRadiusMetres, flare),
-             .heightMetres = way * sideHeight,
+             .heightMetres = share * sideHeight,
              .thicknessMetres =
                  std::lerp(bell.sideThicknessMetres, bell.lipThicknessMetres, inLip)});
     }
     for (int k = 1; k <= steps; ++k) {
-        const double way = static_cast<double>(k) / steps, angle = way * quarterTurn;
+        const double share = static_cast<double>(k) / steps, angle = share * quarterTurn;
         section.push_back({.radiusMetres = bell.shoulderRadiusMetres -
                                            bell.shoulderCurveMetres * (1 - std::cos(angle)),
                            .heightMetres = sideHeight + bell.shoulderCurveMetres * std::sin(angle),
                            .thicknessMetres = std::lerp(bell.sideThicknessMetres,
-                                                        bell.crownThicknessMetres, way)});
+                                                        bell.crownThicknessMetres, share)});
     }
     section.push_back({.radiusMetres = 0,
                        .heightMetres = bell.heightMetres,
@@ -46,12 +46,12 @@ std::vector<LathePoint> bellSection(const BellMeasures& bell) {
 std::vector<LathePoint> bowlSection(const BowlMeasures& bowl) {
     std::vector<LathePoint> section{{0, 0, bowl.footThicknessMetres}};
     for (int k = 0; k <= steps; ++k) {
-        const double way = static_cast<double>(k) / steps, angle = way * quarterTurn;
-        section.push_back(
-            {.radiusMetres =
-                 std::lerp(bowl.footRadiusMetres, bowl.rimRadiusMetres, std::sin(angle)),
-             .heightMetres = bowl.heightMetres * (1 - std::cos(angle)),
-             .thicknessMetres = std::lerp(bowl.footThicknessMetres, bowl.rimThicknessMetres, way)});
+        const double share = static_cast<double>(k) / steps, angle = share * quarterTurn;
+        section.push_back({.radiusMetres = std::lerp(bowl.footRadiusMetres, bowl.rimRadiusMetres,
+                                                     std::sin(angle)),
+                           .heightMetres = bowl.heightMetres * (1 - std::cos(angle)),
+                           .thicknessMetres = std::lerp(bowl.footThicknessMetres,
+                                                        bowl.rimThicknessMetres, share)});
     }
     return section;
 }
@@ -74,12 +74,12 @@ std::vector<LathePoint> caseSection(const CaseMeasures& measures) {
     const double corner = measures.cornerMetres;
     std::vector<LathePoint> section{{0, 0, measures.baseThicknessMetres}};
     for (int k = 0; k <= steps; ++k) {
-        const double way = static_cast<double>(k) / steps, angle = way * quarterTurn;
+        const double share = static_cast<double>(k) / steps, angle = share * quarterTurn;
         section.push_back(
             {.radiusMetres = measures.baseRadiusMetres - corner * (1 - std::sin(angle)),
              .heightMetres = corner * (1 - std::cos(angle)),
              .thicknessMetres =
-                 std::lerp(measures.baseThicknessMetres, measures.wallThicknessMetres, way)});
+                 std::lerp(measures.baseThicknessMetres, measures.wallThicknessMetres, share)});
     }
     const double wall = measures.heightMetres - corner;
     const double taper = wall - measures.mouthHeightMetres;

@@ -2,14 +2,17 @@
 #include "Geometry/ColourMap.h"
 #include "Geometry/MeshReader.h"
 #include "Geometry/ParametricMesh.h"
+#include "Support/GeneratedMeshes.h"
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 using namespace idiophone;
+using namespace idiophone::test;
 
 namespace {
 
@@ -52,12 +55,28 @@ TEST_CASE("Colours go into PLY files only, and a file that cannot be written is 
     CHECK(nowhere.error().message.find("folder.ply") != std::string::npos);
 }
 
+TEST_CASE("Extensions are told in any case") {
+    const Mesh mesh = gridPlateMesh(0.3, 0.1, 1, 1);
+    for (const char* name : {"out.PLY", "out.Obj"}) {
+        const auto file = scratch(name);
+        REQUIRE(writeMesh(mesh, file));
+        const auto back = readMesh(file, 1);
+        REQUIRE(back);
+        CHECK(back->faces == mesh.faces);
+        std::filesystem::remove(file);
+    }
+    const VertexFigures figures{
+        .name = "x", .values = std::vector<double>(4), .colours = std::vector(4, viridis(0))};
+    CHECK(writeColouredMesh(mesh, figures, scratch("map.Ply")));
+}
+
 TEST_CASE("Viridis goes from violet over green to yellow, ever lighter") {
     using Colour = std::array<std::uint8_t, 3>;
     CHECK(viridis(0) == Colour{68, 1, 84});
     CHECK(viridis(-3) == viridis(0));
     CHECK(viridis(1) == Colour{253, 231, 37});
     CHECK(viridis(7) == viridis(1));
+    CHECK(viridis(std::nan("")) == viridis(0));
     const auto lightness = [](const Colour& c) {
         return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
     };
