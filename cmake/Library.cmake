@@ -29,7 +29,7 @@ install_rooms(IdiophoneTargets
     TARGETS idiophone_object idiophone_synth
     HEADERS
         Object/DampingLaw Object/Material Object/ModalObject Object/ModalObjectFile
-        Object/OrthotropicElasticity Object/RadiationTable Object/Result
+        Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
         Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/ModalPole Synth/Reson
         Synth/SoundingGroups Synth/Strike Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
         Synth/SynthesisSettings)
@@ -38,7 +38,7 @@ install_rooms(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS
         Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/ParametricMesh
-        Analysis/AnalysisControl Analysis/AnalysisMethod Analysis/ModalAnalysis
+        Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/ModalAnalysis
         Analysis/Radiation)
 find_file(expected_header tl/expected.hpp HINTS "${expected_SOURCE_DIR}/include" REQUIRED)
 install(FILES "${expected_header}" DESTINATION "${headers}/tl" COMPONENT development)

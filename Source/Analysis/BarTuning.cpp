@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace idiophone {
 namespace {
@@ -57,14 +56,12 @@ double targetHz(const PartialTargets& targets, int partial) {
 }
 
 /// The bending partials among the lowest modes, as many as there are targets.
-Result<std::vector<double>> lowestPartialsHz(const BarSpecification& bar,
-                                             const SolidBar& solid,
-                                             const AnalysisControl& control) {
+Result<std::vector<double>>
+lowestPartialsHz(const BarSpecification& bar, const SolidBar& solid, const WorkControl& control) {
     const int count = targetCount(bar.targets);
     const auto body = bodyOf(bar, solid);
-    const auto modes = solveModes(
-        body.model, {.lowestHz = 20, .highestHz = 1.3 * targetHz(bar.targets, count - 1)},
-        {.progress = {}, .cancelled = control.cancelled});
+    const auto modes = solveModes(body.model, {.highestHz = 1.3 * targetHz(bar.targets, count - 1)},
+                                  control.quiet());
     if (!modes)
         return failure(modes.error().message);
     std::vector<double> partials;
@@ -106,7 +103,7 @@ Result<ModalObject> withOutline(ModalObject object, const BarOutline& outline) {
 }
 
 Result<TunedBar>
-analysed(const BarSpecification& bar, const UndercutBar& shape, const AnalysisControl& control) {
+analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkControl& control) {
     const SolidBar solid = solidBar(shape, bar.grid);
     const auto top = solid.outline.surfaceVertices.begin();
     auto object = solveBody(bodyOf(bar, solid),
@@ -120,8 +117,7 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const AnalysisCo
     TunedBar result{.shape = shape, .surface = solid.surface};
     result.bendingModes = verticalBendingModes(*object);
     for (const auto mode : result.bendingModes)
-        result.partialsHz.push_back(
-            dampedFrequencyHz(object->eigenvalues[static_cast<std::size_t>(mode)], bar.material));
+        result.partialsHz.push_back(object->dampedFrequencyHz(static_cast<std::size_t>(mode)));
     if (bar.resonator)
         addResonator(*object, *bar.resonator, faceAreas(solid.surface).sum());
     auto light = withOutline(std::move(*object), solid.outline);
@@ -140,7 +136,7 @@ double estimatedLengthMetres(const BarSpecification& bar) {
     return std::sqrt(1.02792 * bar.shape.heightMetres * speed * share / bar.targets.fundamentalHz);
 }
 
-Result<TunedBar> tune(const BarSpecification& bar, const AnalysisControl& control) {
+Result<TunedBar> tune(const BarSpecification& bar, const WorkControl& control) {
     if (const auto material = validated(bar.material); !material)
         return failure(material.error().message);
     if (!(bar.targets.fundamentalHz >= 20) ||
@@ -178,15 +174,6 @@ std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar) {
     return bending;
 }
 
-double cents(double frequencyHz, double referenceHz) {
-    return 1200 * std::log2(frequencyHz / referenceHz);
-}
-
-double dampedFrequencyHz(double eigenvalue, const Material& material) {
-    const double alpha = material.damping.perSecond(eigenvalue) / 2;
-    return std::sqrt(std::max(0.0, eigenvalue - alpha * alpha)) / (2 * std::numbers::pi);
-}
-
 BeamMaterial beamMaterial(const Material& material) {
     const double y = material.youngsModulusPa, nu = material.poissonRatio;
     return {.youngsModulusPa = y,
@@ -196,9 +183,9 @@ BeamMaterial beamMaterial(const Material& material) {
             .densityKgPerM3 = material.densityKgPerM3};
 }
 
-Result<TunedBar> tuneBar(const BarSpecification& bar, const AnalysisControl& control) {
+Result<TunedBar> tuneBar(const BarSpecification& bar, const WorkControl& control) {
     return tune(bar, control).map_error([&](Error fault) {
-        if (fault.message != cancelledMessage)
+        if (!isCancellation(fault))
             fault.message = "The bar \"" + bar.name + "\" cannot be tuned: " + fault.message;
         return fault;
     });

@@ -2,11 +2,12 @@
 // know. From a specification to the object that is played and the mesh that could be cut.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
+#include "Analysis/Pitch.h"
 #include "Analysis/Resonator.h"
 #include "Analysis/SolidBar.h"
 #include "Analysis/UndercutBar.h"
 #include "Object/ModalObject.h"
+#include "Object/WorkControl.h"
 
 #include <optional>
 
@@ -40,16 +41,10 @@ inline constexpr double fundamentalToleranceCents = 0.5, partialToleranceCents =
 
 /// The bar as tuned, analysed up to `maxFrequencyHz`. Errors: those of tunedArch, solveModes and
 /// `validated`, named after the bar; a band that does not hold the targets; `cancelledMessage`.
-Result<TunedBar> tuneBar(const BarSpecification& bar, const AnalysisControl& control = {});
+Result<TunedBar> tuneBar(const BarSpecification& bar, const WorkControl& control = {});
 
 /// Which modes of a tuned bar's object bend up and down, ascending.
 std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar);
-
-/// Frequency ratio as 1/100 of an equal-tempered semitone.
-double cents(double frequencyHz, double referenceHz);
-
-/// The damped frequency of a mode: √(λ − α²)/2π; 0 when over-damped.
-double dampedFrequencyHz(double eigenvalue, const Material& material);
 
 /// What the beam needs to know of a material whose grain runs along it.
 BeamMaterial beamMaterial(const Material& material);

@@ -9,13 +9,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace idiophone {
 namespace {
-
-constexpr int rowsOfTwoLayers = 6;
 
 std::string notesOn(const BodyModel& body, const SolveSettings& settings, const Modes& modes) {
     std::string notes = body.notes;
@@ -39,7 +36,7 @@ std::vector<double>
 bendingParts(const BodyModel& body, const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd shapes) {
     constexpr double ratio = 1.25;
     const auto thicker = twoLayerShell(body.surface, body.material, ratio * body.thicknessMetres);
-    for (Eigen::Index row = 0; row < shapes.rows(); row += rowsOfTwoLayers) {
+    for (Eigen::Index row = 0; row < shapes.rows(); row += 6) {
         const Eigen::MatrixXd upper = shapes.middleRows(row, 3),
                               lower = shapes.middleRows(row + 3, 3);
         const Eigen::MatrixXd middle = (upper + lower) / 2, apart = ratio * (upper - lower) / 2;
@@ -75,22 +72,17 @@ void storeModes(const Eigen::VectorXd& eigenvalues,
     object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
 }
 
-std::vector<int> allVertices(const Mesh& mesh) {
-    std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-}
-
-} // namespace
-
+/// [3N×M] the displacement of the surface for shapes of the model.
 Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shapes) {
-    if (body.model.rowsPerVertex == rowsOfTwoLayers)
+    if (body.kind == ModelKind::twoLayers)
         return midSurfaceShapes(shapes);
     return shapes.topRows(3 * body.surface.vertexCount());
 }
 
+} // namespace
+
 Result<ModalObject>
-solveBody(const BodyModel& body, const SolveSettings& settings, const AnalysisControl& control) {
+solveBody(const BodyModel& body, const SolveSettings& settings, const WorkControl& control) {
     const auto start = std::chrono::steady_clock::now();
     const auto modes = solveModes(body.model,
                                   {.lowestHz = settings.lowestFrequencyHz,
@@ -115,7 +107,7 @@ solveBody(const BodyModel& body, const SolveSettings& settings, const AnalysisCo
     storeModes(modes->eigenvalues, shapes,
                settings.shapeVertices.empty() ? allVertices(body.surface) : settings.shapeVertices,
                object);
-    if (body.model.rowsPerVertex == rowsOfTwoLayers)
+    if (body.kind == ModelKind::twoLayers)
         object.bending = bendingParts(body, modes->eigenvalues, modes->shapes);
     setMesh(object, body.surface);
     object.mass = massPropertiesOf(body.model, body.pointsMetres);

@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -53,13 +55,11 @@ struct Slice {
 
 class BandSolver {
 public:
-    BandSolver(const VibrationModel& model,
-               const FrequencyBand& band,
-               const AnalysisControl& control)
+    BandSolver(const VibrationModel& model, const FrequencyBand& band, const WorkControl& control)
         : model_(model), space_(model.mass), factor_(model, control), band_(band),
           control_(control) {}
 
-    Result<EigenBlock> solve();
+    EigenBlock solve();
     Index zeroModes() const { return zeroModes_; }
     Index factoriseAndCount(double lambda);
 
@@ -78,7 +78,7 @@ private:
     MassSpace space_;
     ShiftedFactor factor_;
     FrequencyBand band_;
-    const AnalysisControl& control_;
+    const WorkControl& control_;
     Index zeroModes_ = 0;
     double operations_ = 0, expectedOperations_ = 1, counts_ = 0;
 };
@@ -193,9 +193,8 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
         if (fresh.values.size() == 0) {
             // Modes crowd too far from the shift: nearer to either end of the slice by turns.
             ++stalls;
-            const double share = std::exp2(-(stalls / 2 + 1)),
-                         way = share * (slice.high - slice.low);
-            factoriseAndCount(stalls % 2 == 1 ? slice.high - way : slice.low + way);
+            const double inward = std::exp2(-(stalls / 2 + 1)) * (slice.high - slice.low);
+            factoriseAndCount(stalls % 2 == 1 ? slice.high - inward : slice.low + inward);
             continue;
         }
         space_.projectOut(found, fresh.vectors);
@@ -218,55 +217,86 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
     return {small.eigenvalues(), std::move(mixed)};
 }
 
-Result<EigenBlock> BandSolver::solve() {
-    try {
-        control_.report(0, "Counting modes");
-        const double norm = factor_.norm();
-        const double lowest = lambdaOf(band_.lowestHz), highest = lambdaOf(band_.highestHz);
-        const double zeroEdge =
-            std::min(lowest, std::max(lambdaOf(band_.lowestHz / 20), 1e-14 * norm));
-        zeroModes_ = factoriseAndCount(zeroEdge);
-        const double bottom = factor_.shift();
-        const Index upTo = factoriseAndCount(highest);
-        const double top = factor_.shift();
-        const Index count = upTo - zeroModes_;
-        if (count < 0)
-            throw Fault{"The modes of the mesh cannot be counted in this band; check its size, its "
-                        "unit and its proportions."};
-        if (count > band_.maximumModes)
-            throw Fault{"The object has " + std::to_string(count) + " modes below " +
-                        std::to_string(std::lround(band_.highestHz)) +
-                        " Hz, more than the limit of " + std::to_string(band_.maximumModes) +
-                        "; lower the highest frequency or choose a coarser mesh."};
-        const Index n = rows();
-        if (n <= denseUpTo || upTo > n * 3 / 4) {
-            if (n > 3000)
-                throw Fault{"Nearly all modes of the mesh lie in the band; lower the highest "
-                            "frequency."};
-            return solveDense();
-        }
-        EigenBlock all{VectorXd(count), Vectors(n, count)};
-        if (count == 0)
-            return all;
-        expectedOperations_ = 0.6 * static_cast<double>(count) + 10; // blocks of vectors
-        std::vector<Slice> slices;
-        split({bottom, top, zeroModes_, count}, slices);
-        const Vectors zeros = zeroSpace();
-        Index filled = 0, previous = 0;
-        for (const auto& slice : slices) {
-            // Modes of the slice before lie near enough for what the iteration leaves of them to be
-            // seen; those further off are orthogonal by themselves.
-            const EigenBlock block =
-                solveSlice(slice, filled == 0 ? zeros : Vectors(n, 0),
-                           all.vectors.middleCols(filled - previous, previous));
-            all.values.segment(filled, slice.count) = block.values;
-            all.vectors.middleCols(filled, slice.count) = block.vectors;
-            filled += slice.count;
-            previous = slice.count;
-        }
+EigenBlock BandSolver::solve() {
+    control_.report(0, "Counting modes");
+    const double norm = factor_.norm();
+    const double lowest = lambdaOf(band_.lowestHz), highest = lambdaOf(band_.highestHz);
+    const double zeroEdge = std::min(lowest, std::max(lambdaOf(band_.lowestHz / 20), 1e-14 * norm));
+    zeroModes_ = factoriseAndCount(zeroEdge);
+    const double bottom = factor_.shift();
+    const Index upTo = factoriseAndCount(highest);
+    const double top = factor_.shift();
+    const Index count = upTo - zeroModes_;
+    if (count < 0)
+        throw Fault{"The modes of the mesh cannot be counted in this band; check its size, its "
+                    "unit and its proportions."};
+    if (count > band_.maximumModes)
+        throw Fault{"The object has " + std::to_string(count) + " modes below " +
+                    std::to_string(std::lround(band_.highestHz)) + " Hz, more than the limit of " +
+                    std::to_string(band_.maximumModes) +
+                    "; lower the highest frequency or choose a coarser mesh."};
+    const Index n = rows();
+    if (n <= denseUpTo || upTo > n * 3 / 4) {
+        if (n > 3000)
+            throw Fault{"Nearly all modes of the mesh lie in the band; lower the highest "
+                        "frequency."};
+        return solveDense();
+    }
+    EigenBlock all{VectorXd(count), Vectors(n, count)};
+    if (count == 0)
         return all;
+    expectedOperations_ = 0.6 * static_cast<double>(count) + 10; // blocks of vectors
+    std::vector<Slice> slices;
+    split({bottom, top, zeroModes_, count}, slices);
+    const Vectors zeros = zeroSpace();
+    Index filled = 0, previous = 0;
+    for (const auto& slice : slices) {
+        // Modes of the slice before lie near enough for what the iteration leaves of them to be
+        // seen; those further off are orthogonal by themselves.
+        const EigenBlock block = solveSlice(slice, filled == 0 ? zeros : Vectors(n, 0),
+                                            all.vectors.middleCols(filled - previous, previous));
+        all.values.segment(filled, slice.count) = block.values;
+        all.vectors.middleCols(filled, slice.count) = block.vectors;
+        filled += slice.count;
+        previous = slice.count;
+    }
+    return all;
+}
+
+Modes modesInBand(const VibrationModel& model,
+                  const FrequencyBand& band,
+                  const WorkControl& control) {
+    BandSolver solver(model, band, control);
+    const EigenBlock all = solver.solve();
+    Modes modes;
+    modes.zeroModes = solver.zeroModes();
+    std::vector<Index> inBand;
+    for (Index i = 0; i < all.values.size(); ++i)
+        if (all.values(i) >= lambdaOf(band.lowestHz) && all.values(i) <= lambdaOf(band.highestHz))
+            inBand.push_back(i);
+    // Rounding may put equal ones, each with a quotient of its own, in any order.
+    std::ranges::stable_sort(inBand, {}, [&](Index i) { return all.values(i); });
+    const Index lowerThanBand = (all.values.array() < lambdaOf(band.lowestHz)).count();
+    const bool holdsZeroModes = all.values.size() == model.mass.rows(); // the dense solver's
+    modes.belowBand = lowerThanBand - (holdsZeroModes ? modes.zeroModes : 0);
+    modes.eigenvalues = all.values(inBand);
+    modes.shapes = all.vectors(Eigen::all, inBand);
+    for (auto shape : modes.shapes.colwise()) {
+        Index largest = 0;
+        shape.cwiseAbs().maxCoeff(&largest);
+        if (shape(largest) < 0)
+            shape = -shape;
+    }
+    return modes;
+}
+
+/// What `work` gives, with all that it throws as a sentence.
+template <class Work>
+auto sentenceOrResultOf(const Work& work) -> Result<decltype(work())> {
+    try {
+        return work();
     } catch (const Cancelled&) {
-        return failure(std::string(cancelledMessage));
+        return cancellation();
     } catch (const Fault& fault) {
         return failure(fault.message);
     } catch (const std::bad_alloc&) {
@@ -279,39 +309,18 @@ Result<EigenBlock> BandSolver::solve() {
 } // namespace
 
 Result<Modes>
-solveModes(const VibrationModel& model, const FrequencyBand& band, const AnalysisControl& control) {
-    BandSolver solver(model, band, control);
-    auto all = solver.solve();
-    if (!all)
-        return failure(all.error().message);
-    Modes modes;
-    modes.zeroModes = solver.zeroModes();
-    std::vector<Index> inBand;
-    for (Index i = 0; i < all->values.size(); ++i)
-        if (all->values(i) >= lambdaOf(band.lowestHz) && all->values(i) <= lambdaOf(band.highestHz))
-            inBand.push_back(i);
-    // Rounding may put equal ones, each with a quotient of its own, in any order.
-    std::ranges::stable_sort(inBand, {}, [&](Index i) { return all->values(i); });
-    const Index lowerThanBand = (all->values.array() < lambdaOf(band.lowestHz)).count();
-    const bool holdsZeroModes = all->values.size() == model.mass.rows(); // the dense solver's
-    modes.belowBand = lowerThanBand - (holdsZeroModes ? modes.zeroModes : 0);
-    modes.eigenvalues = all->values(inBand);
-    modes.shapes = all->vectors(Eigen::all, inBand);
-    for (auto shape : modes.shapes.colwise()) {
-        Index largest = 0;
-        shape.cwiseAbs().maxCoeff(&largest);
-        if (shape(largest) < 0)
-            shape = -shape;
-    }
-    return modes;
+solveModes(const VibrationModel& model, const FrequencyBand& band, const WorkControl& control) {
+    return sentenceOrResultOf([&] { return modesInBand(model, band, control); });
 }
 
 Result<Index> countModesBelow(const VibrationModel& model, double frequencyHz) {
-    const AnalysisControl control;
-    ShiftedFactor factor(model, control);
-    if (factor.factorise(lambdaOf(frequencyHz)) != ShiftedFactor::Outcome::done)
-        return failure(std::string(cannotFactorise));
-    return factor.eigenvaluesBelow();
+    return sentenceOrResultOf([&] {
+        const WorkControl control;
+        ShiftedFactor factor(model, control);
+        if (factor.factorise(lambdaOf(frequencyHz)) != ShiftedFactor::Outcome::done)
+            throw Fault{std::string(cannotFactorise)};
+        return factor.eigenvaluesBelow();
+    });
 }
 
 } // namespace idiophone

@@ -2,24 +2,27 @@
 // number, and proved complete by counting.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
+#include "Analysis/AnalysedBand.h"
 #include "Analysis/VibrationModel.h"
 #include "Object/Result.h"
+#include "Object/WorkControl.h"
 
 namespace idiophone {
 
 struct FrequencyBand {
-    double lowestHz = 20;
-    double highestHz = 44000;
-    Eigen::Index maximumModes = 5000; ///< more than this in the band is an error
+    double lowestHz = lowestAnalysedHz;
+    double highestHz = highestAnalysedHz;
+    Eigen::Index maximumModes = mostAnalysedModes; ///< more than this in the band is an error
 };
 
 /// M modes of n degrees of freedom.
 struct Modes {
     Eigen::VectorXd eigenvalues; ///< [M] λ = ω² in rad²/s², ascending
     Eigen::MatrixXd shapes;      ///< [n×M] G in 1/√kg, with GᵀMG = I and GᵀKG = Λ
-    Eigen::Index zeroModes = 0;  ///< rigid and spurious modes: below a twentieth of the lowest Hz
-    Eigen::Index belowBand = 0;  ///< modes between those and the band
+    /// Rigid and spurious modes: below a twentieth of the lowest Hz, or in a stiff model below what
+    /// rounding leaves of zero, as far as that lies below the lowest Hz.
+    Eigen::Index zeroModes = 0;
+    Eigen::Index belowBand = 0; ///< modes between those and the band
 };
 
 /// Every mode of K x = λ M x with lowestHz ≤ √λ/2π ≤ highestHz (undamped frequency), none twice and
@@ -28,7 +31,7 @@ struct Modes {
 /// gives the same bits on the same machine. Errors: cancelled, too many modes, a matrix that cannot
 /// be factorised, no convergence.
 Result<Modes>
-solveModes(const VibrationModel& model, const FrequencyBand& band, const AnalysisControl& = {});
+solveModes(const VibrationModel& model, const FrequencyBand& band, const WorkControl& = {});
 
 /// How many modes lie below a frequency, zero modes included.
 Result<Eigen::Index> countModesBelow(const VibrationModel& model, double frequencyHz);

@@ -6,10 +6,6 @@
 
 namespace idiophone {
 
-double wallThicknessMetres(const Mesh& closedSurface) {
-    return 2 * std::abs(signedVolumeM3(closedSurface)) / faceAreas(closedSurface).sum();
-}
-
 double shortestWavelengthMetres(const ElasticLaw& law,
                                 double densityKgPerM3,
                                 double frequencyHz,

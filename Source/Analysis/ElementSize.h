@@ -7,14 +7,10 @@
 
 namespace idiophone {
 
-/// The wall of a closed body, 2V/A in metres: the thickness of a plate, tube or bowl; a third of a
-/// cube's edge.
-double wallThicknessMetres(const Mesh& closedSurface);
-
-/// The shortest wavelength that a body of this wall carries at a frequency: the bending wave of
-/// Timoshenko's beam (lower branch, κ = 5/6) with the law's least Young's modulus and slowest
-/// shear wave. Low down that is √(2π h/f) (E/12ρ)^¼; high up it tends to 0.91 c_s/f, nearly a
-/// Rayleigh wave.
+/// The shortest wavelength that a body of this wall (MeshCheck) carries at a frequency: the bending
+/// wave of Timoshenko's beam (lower branch, κ = 5/6) with the law's least Young's modulus and
+/// slowest shear wave. Low down that is √(2π h/f) (E/12ρ)^¼; high up it tends to 0.91 c_s/f, nearly
+/// a Rayleigh wave.
 double shortestWavelengthMetres(const ElasticLaw& law,
                                 double densityKgPerM3,
                                 double frequencyHz,

@@ -2,18 +2,18 @@
 // `idiophone factory` writes into Resources/Objects.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
 #include "Object/ModalObject.h"
+#include "Object/WorkControl.h"
 
 #include <string>
 #include <vector>
 
 namespace idiophone {
 
-/// Those of FactoryBars, FactoryShapes and FactoryStage.
+/// Those of FactoryBars, FactoryShapes and FactoryProps.
 std::vector<std::string> factoryObjectNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.
-Result<ModalObject> makeFactoryObject(const std::string& name, const AnalysisControl& control = {});
+Result<ModalObject> makeFactoryObject(const std::string& name, const WorkControl& control = {});
 
 } // namespace idiophone

@@ -8,17 +8,10 @@
 #include "Geometry/TurnedSections.h"
 
 #include <chrono>
-#include <numeric>
 #include <string_view>
 
 namespace idiophone {
 namespace {
-
-std::vector<int> allVertices(const Mesh& mesh) {
-    std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-}
 
 struct Sheet {
     std::string_view name, source, material;
@@ -28,7 +21,7 @@ struct Sheet {
 };
 
 Result<ModalObject>
-analysedSheet(const Mesh& mesh, const Sheet& sheet, const AnalysisControl& control) {
+analysedSheet(const Mesh& mesh, const Sheet& sheet, const WorkControl& control) {
     return analyse(
         mesh,
         {.name = std::string(sheet.name),
@@ -51,7 +44,7 @@ struct Turned {
 
 Result<ModalObject> analysedTurned(const std::vector<LathePoint>& section,
                                    const Turned& turned,
-                                   const AnalysisControl& control) {
+                                   const WorkControl& control) {
     const auto start = std::chrono::steady_clock::now();
     const LatheMesh lathe = latheMesh(section, turned.edgeMetres);
     auto object =
@@ -70,7 +63,7 @@ Result<ModalObject> analysedTurned(const std::vector<LathePoint>& section,
 }
 
 /// A steel baking tray's worth of sheet, struck all over.
-Result<ModalObject> makePlate(const AnalysisControl& control) {
+Result<ModalObject> makePlate(const WorkControl& control) {
     return analysedSheet(sheetMesh(0.30, 0.20, 1900),
                          {.name = "plate",
                           .source = "generated steel plate, 300 x 200 x 3 mm",
@@ -82,7 +75,7 @@ Result<ModalObject> makePlate(const AnalysisControl& control) {
                          control);
 }
 
-Result<ModalObject> makeTable(const AnalysisControl& control) {
+Result<ModalObject> makeTable(const WorkControl& control) {
     return analysedSheet(
         sheetMesh(0.9, 0.6, 1400),
         {.name = "table",
@@ -95,7 +88,7 @@ Result<ModalObject> makeTable(const AnalysisControl& control) {
 }
 
 /// A flat steel band bent to a hoop.
-Result<ModalObject> makeRing(const AnalysisControl& control) {
+Result<ModalObject> makeRing(const WorkControl& control) {
     return analysedSheet(hoopMesh(0.07, 0.015, 132, 5),
                          {.name = "ring",
                           .source = "generated steel hoop, radius 70 mm, 15 x 4 mm",
@@ -106,7 +99,7 @@ Result<ModalObject> makeRing(const AnalysisControl& control) {
                          control);
 }
 
-Result<ModalObject> makeHandbell(const AnalysisControl& control) {
+Result<ModalObject> makeHandbell(const WorkControl& control) {
     return analysedTurned(bellSection({.lipRadiusMetres = 0.06734,
                                        .heightMetres = 0.08744,
                                        .shoulderRadiusMetres = 0.04382,
@@ -124,7 +117,7 @@ Result<ModalObject> makeHandbell(const AnalysisControl& control) {
                           control);
 }
 
-Result<ModalObject> makeGlassBowl(const AnalysisControl& control) {
+Result<ModalObject> makeGlassBowl(const WorkControl& control) {
     return analysedTurned(
         bowlSection({.rimRadiusMetres = 0.083,
                      .heightMetres = 0.073,
@@ -140,7 +133,7 @@ Result<ModalObject> makeGlassBowl(const AnalysisControl& control) {
         control);
 }
 
-Result<ModalObject> makeWok(const AnalysisControl& control) {
+Result<ModalObject> makeWok(const WorkControl& control) {
     return analysedTurned(
         capSection(0.178, 0.1, 0.002),
         {.name = "wok",
@@ -152,7 +145,7 @@ Result<ModalObject> makeWok(const AnalysisControl& control) {
         control);
 }
 
-Result<ModalObject> makeShellCase(const AnalysisControl& control) {
+Result<ModalObject> makeShellCase(const WorkControl& control) {
     return analysedTurned(caseSection({.baseRadiusMetres = 0.049,
                                        .mouthRadiusMetres = 0.045,
                                        .heightMetres = 0.292,
@@ -174,18 +167,20 @@ Result<ModalObject> makeShellCase(const AnalysisControl& control) {
 
 struct Shape {
     std::string_view name;
-    Result<ModalObject> (*make)(const AnalysisControl&);
+    Result<ModalObject> (*make)(const WorkControl&);
 };
 constexpr Shape shapes[] = {
     {"plate", makePlate},          {"ring", makeRing}, {"handbell", makeHandbell},
     {"glass-bowl", makeGlassBowl}, {"wok", makeWok},   {"table", makeTable},
     {"shell-case", makeShellCase}};
 
+constexpr int lowestTubularBell = 60, highestTubularBell = 77; // MIDI, as they are written
+
 std::string tubularBellName(int note) {
     return "tubular-bell-" + std::to_string(note);
 }
 
-Result<ModalObject> makeTubularBell(int note, const AnalysisControl& control) {
+Result<ModalObject> makeTubularBell(int note, const WorkControl& control) {
     return tuneTube({.name = tubularBellName(note),
                      .source = "generated brass tube, 38 x 1.5 mm as symphonic chimes; mode 4 an "
                                "octave above its note",
@@ -206,7 +201,7 @@ std::vector<std::string> factoryShapeNames() {
     return names;
 }
 
-Result<ModalObject> makeFactoryShape(const std::string& name, const AnalysisControl& control) {
+Result<ModalObject> makeFactoryShape(const std::string& name, const WorkControl& control) {
     for (const auto& shape : shapes)
         if (shape.name == name)
             return shape.make(control);

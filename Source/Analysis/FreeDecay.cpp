@@ -9,6 +9,7 @@ namespace idiophone {
 namespace {
 
 constexpr double faintestPeak = 1e-6; // of full scale
+constexpr double nearFullScale = 0.9;
 constexpr double riseSeconds = 0.01, attackSeconds = 0.05;
 constexpr double shortestContactSeconds = 0.0002, longestContactSeconds = 0.008;
 // What counts as a strike, against the strongest: as little as a beat rarely rises to.
@@ -85,13 +86,22 @@ public:
         return false;
     }
 
-    /// Three samples in a row at the greatest value of all.
+    /// Three samples in a row at the greatest value of all, near full scale, or where the recording
+    /// was made quieter since, with a fall beside them that is more than one step of 16 bits: in
+    /// what is quiet and low, steps make flat tops as well.
     bool clipped() const {
         const double highest = peakLevel() * (1 - 1e-6);
-        int run = 0;
-        for (std::size_t i = 0; i < samples.size() && run < 3; ++i)
-            run = std::abs(at(i)) >= highest ? run + 1 : 0;
-        return run == 3;
+        const double leastFall = std::max(0.01 * peakLevel(), 4.0 / 32768);
+        const auto isHighest = [&](std::size_t i) { return std::abs(at(i)) >= highest; };
+        for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end + 1) {
+            for (end = begin; end < samples.size() && isHighest(end);)
+                ++end;
+            const bool isFlat = end - begin >= 3;
+            const double beside = std::min(std::abs(at(begin - 1)), std::abs(at(end)));
+            if (isFlat && (highest >= nearFullScale || highest - beside >= leastFall))
+                return true;
+        }
+        return false;
     }
 
     std::size_t count(double seconds) const {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace idiophone {
 namespace {
@@ -129,8 +128,8 @@ massOf(const Mesh& mesh, const Material& material, const MeasuredObjectSettings&
 
 void setGeometry(const Mesh& mesh, ModalObject& object) {
     setMesh(object, mesh);
-    object.shapeVertices.resize(object.vertexCount());
-    std::iota(object.shapeVertices.begin(), object.shapeVertices.end(), 0);
+    const auto all = allVertices(mesh);
+    object.shapeVertices.assign(all.begin(), all.end());
 }
 
 /// Along the normals, as what strikes push along them.
@@ -171,6 +170,13 @@ Result<ModalObject> measuredObject(const RecordingFit& fit,
                                    const MeasuredObjectSettings& settings) {
     if (settings.mesh && settings.mesh->faceCount() == 0)
         return failure("The mesh has no faces.");
+    if (fit.modes.empty())
+        return failure("There are no modes to make an object of.");
+    if (places.empty() || std::ranges::any_of(fit.modes, [&](const MeasuredMode& mode) {
+            return mode.amplitudes.size() != places.size();
+        }))
+        return failure("Every recording needs the place that it was struck at, and there are " +
+                       std::to_string(places.size()) + " places.");
     const auto carried = carriedModes(fit, places, settings.mesh);
     if (!carried)
         return tl::unexpected(carried.error());

@@ -36,7 +36,8 @@ DampingLaw fittedDamping(std::span<const MeasuredMode> modes);
 /// mass: the strongest mode's mean square over the places is 1/mass.
 ///
 /// Recordings and `places` come in the same order; places are all points or all radii. Fails, in
-/// one sentence, where they are not, or the material has no damping or the mesh no faces.
+/// one sentence, where they are not, or are not as many, where there are no modes, or the material
+/// has no damping or the mesh no faces.
 Result<ModalObject> measuredObject(const RecordingFit& fit,
                                    std::span<const StruckPlace> places,
                                    const MeasuredObjectSettings& settings);

@@ -1,8 +1,8 @@
 #include "Analysis/MethodChoice.h"
 
+#include "Geometry/LengthUnit.h"
+
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace idiophone {
@@ -14,14 +14,8 @@ constexpr std::array<std::pair<AnalysisMethod, std::string_view>, 4> methodNames
      {AnalysisMethod::springMass, "spring-mass"},
      {AnalysisMethod::vanGelder, "van-gelder"}}};
 
-std::string millimetres(double metres) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g mm", 1000 * metres);
-    return text.data();
-}
-
 std::string shellOf(double thicknessMetres) {
-    return "Taken as a shell of " + millimetres(thicknessMetres) + " (two-layer springs)";
+    return "Taken as a shell of " + millimetresText(thicknessMetres) + " (two-layer springs)";
 }
 
 } // namespace
@@ -65,7 +59,7 @@ MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres) {
         return {AnalysisMethod::twoLayer, shell + whyNotSolid(check) + "."};
     if (check.isThin())
         return {AnalysisMethod::twoLayer,
-                shell + "its walls are thin, " + millimetres(check.meanThicknessMetres) +
+                shell + "its walls are thin, " + millimetresText(check.meanThicknessMetres) +
                     " on average; a mesh of the middle surface with that thickness would be nearer "
                     "the truth."};
     return {AnalysisMethod::tetrahedra,

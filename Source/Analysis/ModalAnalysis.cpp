@@ -19,20 +19,6 @@
 namespace idiophone {
 namespace {
 
-std::string faultOf(const AnalysisSettings& settings) {
-    if (!(settings.thicknessMetres > 0) || !(settings.thicknessMetres < 1e3))
-        return "The thickness must be a positive number of metres.";
-    if (!(settings.lowestFrequencyHz > 0) ||
-        !(settings.maxFrequencyHz > settings.lowestFrequencyHz) || !(settings.maxFrequencyHz < 1e7))
-        return "The band of the analysis must reach from a positive frequency up to less than "
-               "10 MHz.";
-    if (settings.maximumModes < 1)
-        return "The limit on the number of modes must be positive.";
-    if (settings.elementBudget < 1)
-        return "The number of elements must be positive.";
-    return {};
-}
-
 /// The sentences that are not empty, one after another.
 std::string joined(std::initializer_list<std::string> sentences) {
     std::string text;
@@ -55,16 +41,10 @@ methodFor(const Mesh& mesh, const AnalysisSettings& settings, const std::atomic<
     return MethodChoice{AnalysisMethod::tetrahedra, {}};
 }
 
-/// The vertices of the repaired mesh that carry shapes, ascending; all when none are named.
+/// The vertices of the repaired mesh that are named to carry shapes, ascending.
 Result<std::vector<int>> shapeVertices(const AnalysisSettings& settings,
                                        const RepairedMesh& repaired) {
     std::vector<int> chosen;
-    if (settings.shapeVertices.empty()) {
-        chosen.resize(static_cast<std::size_t>(repaired.mesh.vertexCount()));
-        for (std::size_t i = 0; i < chosen.size(); ++i)
-            chosen[i] = static_cast<int>(i);
-        return chosen;
-    }
     for (const int vertex : settings.shapeVertices) {
         if (vertex < 0 || vertex >= static_cast<int>(repaired.vertexOfInput.size()))
             return failure("A vertex chosen to carry shapes does not exist.");
@@ -74,7 +54,7 @@ Result<std::vector<int>> shapeVertices(const AnalysisSettings& settings,
     std::ranges::sort(chosen);
     const auto repeated = std::ranges::unique(chosen);
     chosen.erase(repeated.begin(), repeated.end());
-    if (chosen.empty())
+    if (chosen.empty() && !settings.shapeVertices.empty())
         return failure("No vertex chosen to carry shapes is part of the repaired mesh.");
     return chosen;
 }
@@ -88,7 +68,7 @@ void noteBand(const AnalysisSettings& settings, BodyModel& body) {
 }
 
 Result<BodyModel>
-preparedShell(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+preparedShell(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     auto shell = shellBody(mesh,
                            {.material = settings.material,
                             .thicknessMetres = settings.thicknessMetres,
@@ -120,7 +100,7 @@ preparedSprings(const Mesh& mesh, AnalysisMethod method, const AnalysisSettings&
 }
 
 Result<BodyModel>
-preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     const GrainAxes axes = grainAlong(mesh);
     auto solid = solidBody(mesh,
                            {.material = settings.material,
@@ -144,7 +124,7 @@ preparedSolid(const Mesh& mesh, const AnalysisSettings& settings, const Analysis
 Result<BodyModel> bodyBy(AnalysisMethod method,
                          const Mesh& mesh,
                          const AnalysisSettings& settings,
-                         const AnalysisControl& control) {
+                         const WorkControl& control) {
     switch (method) {
     case AnalysisMethod::tetrahedra:
         return preparedSolid(mesh, settings, control);
@@ -175,7 +155,7 @@ std::string noteOnParts(const BodyModel& body, const RepairReport& report) {
 Result<BodyModel> preparedBody(const Mesh& mesh,
                                MethodChoice& choice,
                                const AnalysisSettings& settings,
-                               const AnalysisControl& control) {
+                               const WorkControl& control) {
     auto prepared = bodyBy(choice.method, mesh, settings, control);
     if (prepared || settings.method || choice.method != AnalysisMethod::tetrahedra ||
         control.isCancelled())
@@ -203,11 +183,9 @@ nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int
 }
 
 Result<ModalObject>
-analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
-    if (const auto fault = faultOf(settings); !fault.empty())
-        return failure(fault);
-    if (const auto material = validated(settings.material); !material)
-        return failure(material.error().message);
+analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
+    if (const auto usable = validate(settings); !usable)
+        return tl::unexpected(usable.error());
     control.report(0, "Repairing the mesh");
     const auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
                                             .largestComponentOnly = settings.largestComponentOnly});
@@ -220,7 +198,7 @@ analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const Analysi
     if (!choice)
         return failure(choice.error().message);
     if (control.isCancelled())
-        return failure(std::string(cancelledMessage));
+        return cancellation();
 
     auto body = preparedBody(repaired->mesh, *choice, settings, control);
     if (!body)
@@ -229,24 +207,35 @@ analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const Analysi
     body->components = componentsOf(*body, repaired->report);
     body->notes = joined({repaired->report.text(), choice->reason, body->notes,
                           noteOnParts(*body, repaired->report)});
-    return solveBody(
-        *body,
-        {.name = settings.name,
-         .source = settings.source,
-         .lowestFrequencyHz = settings.lowestFrequencyHz,
-         .maxFrequencyHz = body->servedBandHz,
-         .maximumModes = settings.maximumModes,
-         .shapeVertices = settings.shapeVertices.empty()
-                              ? std::vector<int>{}
-                              : nearestVertices(body->surface, repaired->mesh, *vertices),
-         .listeningDirections = settings.listeningDirections},
-        control);
+    return solveBody(*body,
+                     {.name = settings.name,
+                      .source = settings.source,
+                      .lowestFrequencyHz = settings.lowestFrequencyHz,
+                      .maxFrequencyHz = body->servedBandHz,
+                      .maximumModes = settings.maximumModes,
+                      .shapeVertices = nearestVertices(body->surface, repaired->mesh, *vertices),
+                      .listeningDirections = settings.listeningDirections},
+                     control);
 }
 
 } // namespace
 
+Result<void> validate(const AnalysisSettings& settings) {
+    if (!(settings.thicknessMetres > 0) || !(settings.thicknessMetres < 1e3))
+        return failure("The thickness must be a positive number of metres.");
+    if (!(settings.lowestFrequencyHz > 0) ||
+        !(settings.maxFrequencyHz > settings.lowestFrequencyHz) || !(settings.maxFrequencyHz < 1e7))
+        return failure("The band of the analysis must reach from a positive frequency up to less "
+                       "than 10 MHz.");
+    if (settings.maximumModes < 1)
+        return failure("The limit on the number of modes must be positive.");
+    if (settings.elementBudget < 1)
+        return failure("The number of elements must be positive.");
+    return validated(settings.material).map([](const Material&) {});
+}
+
 Result<ModalObject>
-analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+analyse(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     const auto start = std::chrono::steady_clock::now();
     try {
         auto object = analyseOrThrow(mesh, settings, control);

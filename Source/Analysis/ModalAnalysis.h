@@ -2,11 +2,12 @@
 // window goes through here.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
+#include "Analysis/AnalysedBand.h"
 #include "Analysis/AnalysisMethod.h"
 #include "Analysis/Radiation.h"
 #include "Geometry/Mesh.h"
 #include "Object/ModalObject.h"
+#include "Object/WorkControl.h"
 
 #include <optional>
 #include <vector>
@@ -19,16 +20,19 @@ struct AnalysisSettings {
     Material material;
     std::optional<AnalysisMethod> method = {}; ///< empty: the one that suits the mesh
     double thicknessMetres = 0.005;            ///< of a shell
-    double lowestFrequencyHz = 20;
-    double maxFrequencyHz = 44000;
-    int maximumModes = 5000;             ///< an object with more in the band is refused
-    int elementBudget = 8000;            ///< tetrahedra, about: see SolidBodySettings
-    bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
-    double weldTolerance = 1e-7;         ///< see RepairSettings
-    std::vector<int> shapeVertices = {}; ///< input vertices whose shapes to keep; empty: all
+    double lowestFrequencyHz = lowestAnalysedHz;
+    double maxFrequencyHz = highestAnalysedHz;
+    int maximumModes = mostAnalysedModes; ///< an object with more in the band is refused
+    int elementBudget = 8000;             ///< tetrahedra, about: see SolidBodySettings
+    bool largestComponentOnly = false;    ///< leave smaller components of the mesh out
+    double weldTolerance = 1e-7;          ///< see RepairSettings
+    std::vector<int> shapeVertices = {};  ///< input vertices whose shapes to keep; empty: all
     /// From where it can be heard; `directionsAllAround` for what turns in scenes.
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections();
 };
+
+/// Fails with a sentence where a setting, or a figure of the material, is out of range.
+Result<void> validate(const AnalysisSettings& settings);
 
 /// Shells of more vertices (after repair) are remeshed; the paper's springs, which want every
 /// vertex as it is, are refused: they would take minutes to hours.
@@ -44,6 +48,6 @@ inline constexpr int springMassVertexLimit = 40000;
 /// time it took. Errors are one sentence: settings out of range, an unusable or too large mesh, no
 /// mode in the band, too many modes, or `cancelledMessage`.
 Result<ModalObject>
-analyse(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control = {});
+analyse(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control = {});
 
 } // namespace idiophone

@@ -24,7 +24,7 @@ public:
 
     /// Modes of those poles join, still without amplitudes. What is no mode that can be heard to
     /// ring stays out: below 20 Hz, above 0.49 times a sample rate, T60 over 5 minutes or under 2
-    /// ms.
+    /// ms, an amplitude that falls to less than 1/e within a period.
     void add(std::span<const DecayPole> poles);
 
     /// Whether each cluster may also have a part that is linear in frequency, for what is not

@@ -2,6 +2,7 @@
 
 #include "Analysis/BodyModel.h"
 #include "Analysis/ElasticLaw.h"
+#include "Analysis/MethodChoice.h"
 #include "Analysis/ShellBody.h"
 #include "Analysis/SolidBody.h"
 #include "Geometry/Decimation.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -21,19 +23,18 @@ namespace {
 constexpr int elementBudget = 300, shellVertexBudget = 300;
 
 Result<Mesh>
-lightened(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+lightened(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
                                       .largestComponentOnly = settings.largestComponentOnly});
     if (!repaired)
         return tl::unexpected(repaired.error());
     if (repaired->mesh.vertexCount() <= previewVertices)
         return std::move(repaired->mesh);
-    return decimate(repaired->mesh, previewVertices,
-                    {.progress = {}, .cancelled = control.cancelled});
+    return decimate(repaired->mesh, previewVertices, control.quiet());
 }
 
 Result<BodyModel>
-coarseShell(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+coarseShell(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     auto shell = shellBody(mesh,
                            {.material = settings.material,
                             .thicknessMetres = settings.thicknessMetres,
@@ -47,7 +48,7 @@ coarseShell(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCo
 }
 
 Result<BodyModel>
-coarseSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+coarseSolid(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     auto solid = solidBody(mesh,
                            {.material = settings.material,
                             .law = elasticLaw(settings.material, grainAlong(mesh)),
@@ -60,11 +61,12 @@ coarseSolid(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCo
 }
 
 Result<BodyModel>
-coarseBody(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
-    if (settings.method && *settings.method != AnalysisMethod::tetrahedra)
-        return coarseShell(mesh, settings, control);
-    const MeshCheck check = checkMesh(mesh, control.cancelled);
-    if (!settings.method && (!check.isSolid() || check.isThin()))
+coarseBody(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
+    const auto method =
+        settings.method
+            ? *settings.method
+            : chooseMethod(checkMesh(mesh, control.cancelled), settings.thicknessMetres).method;
+    if (method != AnalysisMethod::tetrahedra)
         return coarseShell(mesh, settings, control);
     auto solid = coarseSolid(mesh, settings, control);
     if (solid || settings.method || control.isCancelled())
@@ -75,7 +77,7 @@ coarseBody(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisCon
 /// Where nothing vibrates as low as the elements serve, as in a stiff hollow ball, the band reaches
 /// higher: a mode that is some per cent off is better than none.
 Result<ModalObject>
-solved(const BodyModel& coarse, const AnalysisSettings& settings, const AnalysisControl& control) {
+solved(const BodyModel& coarse, const AnalysisSettings& settings, const WorkControl& control) {
     constexpr double least = 100;
     for (double highestHz = std::max(coarse.servedBandHz, least);; highestHz *= 4) {
         const double bandHz = std::min(highestHz, settings.maxFrequencyHz);
@@ -94,23 +96,23 @@ solved(const BodyModel& coarse, const AnalysisSettings& settings, const Analysis
 } // namespace
 
 Result<ModalObject>
-analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const AnalysisControl& control) {
+analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     try {
-        if (const auto material = validated(settings.material); !material)
-            return tl::unexpected(material.error());
+        if (const auto usable = validate(settings); !usable)
+            return tl::unexpected(usable.error());
         control.report(0, "Simplifying the mesh");
         const auto light = lightened(mesh, settings, control);
         if (!light)
-            return failure(control.isCancelled() ? std::string(cancelledMessage)
-                                                 : light.error().message);
-        auto coarse = coarseBody(*light, settings, control);
+            return tl::unexpected(light.error());
+        const auto coarse = coarseBody(*light, settings, control);
         if (!coarse)
             return tl::unexpected(coarse.error());
-        coarse->components = connectedComponents(coarse->surface).count;
         auto object = solved(*coarse, settings, control);
         if (object)
             object->provenance.notes = "A preview of few elements.";
         return object;
+    } catch (const std::bad_alloc&) {
+        return failure("The preview needs more memory than this machine has.");
     } catch (const std::exception& fault) {
         return failure(std::string("The preview failed: ") + fault.what() + ".");
     }

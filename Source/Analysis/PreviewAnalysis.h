@@ -13,9 +13,8 @@ namespace idiophone {
 /// `weldTolerance`, `largestComponentOnly` and the band.
 /// Errors are those of `analyse`, and a mesh that cannot be brought down. Any thread; not for the
 /// audio thread.
-Result<ModalObject> analysePreview(const Mesh& mesh,
-                                   const AnalysisSettings& settings,
-                                   const AnalysisControl& control = {});
+Result<ModalObject>
+analysePreview(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control = {});
 
 inline constexpr int previewVertices = 400;
 

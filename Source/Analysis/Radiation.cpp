@@ -270,7 +270,7 @@ std::vector<double> halfOctaveRatios() {
 
 Result<RadiationTable> radiationOf(const RadiatingBody& body,
                                    const RadiationSettings& settings,
-                                   const AnalysisControl& control) {
+                                   const WorkControl& control) {
     const auto surface = radiatingSurface(body);
     if (const auto fault = faultOf(body, settings, surface.areaM2); !fault.empty())
         return failure(fault);
@@ -290,7 +290,7 @@ Result<RadiationTable> radiationOf(const RadiatingBody& body,
                          static_cast<std::size_t>(modeCount));
     for (Eigen::Index first = 0, next = 0; first < modeCount; first = next) {
         if (control.isCancelled())
-            return failure(std::string(cancelledMessage));
+            return cancellation();
         const double eigenvalue = body.eigenvalues(first);
         while (next < modeCount && body.eigenvalues(next) <= eigenvalue * (1 + samePole))
             ++next;

@@ -2,10 +2,10 @@
 // direction and frequency. The air neither loads the modes nor bends around the object.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
 #include "Geometry/Mesh.h"
 #include "Object/RadiationTable.h"
 #include "Object/Result.h"
+#include "Object/WorkControl.h"
 
 #include <Eigen/Core>
 #include <vector>
@@ -58,6 +58,6 @@ struct RadiationSettings {
 /// Errors: sizes that disagree, a surface without area, `cancelledMessage`.
 Result<RadiationTable> radiationOf(const RadiatingBody& body,
                                    const RadiationSettings& settings = {},
-                                   const AnalysisControl& control = {});
+                                   const WorkControl& control = {});
 
 } // namespace idiophone

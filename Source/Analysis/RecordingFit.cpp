@@ -3,18 +3,18 @@
 #include "Analysis/BandPoles.h"
 #include "Analysis/FreeDecay.h"
 #include "Analysis/PoleRefinement.h"
+#include "Analysis/PulseSpectrum.h"
+#include "Object/NumberText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <random>
 
 namespace idiophone {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double narrowestBandHz = 200;
 // A decay that is 14 dB down where its band's filter first lies within it.
 constexpr double fastestDecayPerWidth = 0.35;
@@ -47,8 +47,10 @@ Result<Decays> decaysOf(std::span<const StrikeRecording> recordings,
             result.remarks.push_back(recording.name +
                                      " is clipped, which adds partials that it has not.");
         if (decay->others)
-            result.remarks.push_back(recording.name + " holds several strikes; the strongest at " +
-                                     std::to_string(decay->onset) + " samples was taken.");
+            result.remarks.push_back(
+                recording.name + " holds several strikes; the strongest at " +
+                numberText(static_cast<double>(decay->onset) / recording.sampleRateHz, 3) +
+                " s was taken.");
         const auto longest =
             static_cast<std::size_t>(settings.longestSeconds * recording.sampleRateHz);
         const auto samples =
@@ -91,15 +93,6 @@ void search(PoleRefinement& refinement, double highestHz) {
     refinement.refine(3, none);
     refinement.dropDoubtful();
     refinement.refine(2, none);
-}
-
-/// |F(f)| of the pulse (1 − cos 2πt/T)/T, with x = fT.
-double pulseSpectrum(double x) {
-    if (x < 1e-6)
-        return 1;
-    if (std::abs(x - 1) < 1e-6)
-        return 0.5;
-    return std::abs(std::sin(pi * x) / (pi * x * (1 - x * x)));
 }
 
 double energy(const MeasuredMode& mode) {

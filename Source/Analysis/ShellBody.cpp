@@ -12,7 +12,7 @@ namespace idiophone {
 namespace {
 
 constexpr double edgesPerWavelength = 10, fewestEdgesPerWavelength = 4;
-/// Of the vertices a triangulation of equilateral triangles has, and their area in edges.
+/// Of equilateral triangles, in squares of their edge: √3/2.
 constexpr double areaPerVertex = 0.866;
 
 /// The two layers must not pass through each other where the surface curves.
@@ -35,7 +35,7 @@ bool isTooThick(const Mesh& mesh, double thicknessMetres) {
 Result<double> fitMesh(Mesh& mesh,
                        std::string& notes,
                        const ShellBodySettings& settings,
-                       const AnalysisControl& control) {
+                       const WorkControl& control) {
     const ElasticLaw law = elasticLaw(settings.material);
     const double wavelengthMetres = shortestWavelengthMetres(
         law, settings.material.densityKgPerM3, settings.maxFrequencyHz, settings.thicknessMetres);
@@ -53,11 +53,11 @@ Result<double> fitMesh(Mesh& mesh,
                            "shell; simplify the mesh, or check its proportions and its unit.");
         auto remeshed = remesh(
             mesh, {.edgeLengthMetres = edge},
-            {.progress = [&](double fraction) { control.report(0.1 * fraction, "Remeshing"); },
+            {.progress = [&](double fraction,
+                             std::string_view step) { control.report(0.1 * fraction, step); },
              .cancelled = control.cancelled});
         if (!remeshed)
-            return failure(control.isCancelled() ? std::string(cancelledMessage)
-                                                 : remeshed.error().message);
+            return tl::unexpected(remeshed.error());
         mesh = std::move(*remeshed);
         given = meanEdgeLengthMetres(mesh);
         notes = "The surface was remeshed to " + std::to_string(mesh.vertexCount()) + " vertices.";
@@ -69,7 +69,7 @@ Result<double> fitMesh(Mesh& mesh,
 } // namespace
 
 Result<BodyModel>
-shellBody(const Mesh& surface, const ShellBodySettings& settings, const AnalysisControl& control) {
+shellBody(const Mesh& surface, const ShellBodySettings& settings, const WorkControl& control) {
     BodyModel body;
     body.servedBandHz = settings.maxFrequencyHz;
     body.surface = surface;
@@ -82,6 +82,7 @@ shellBody(const Mesh& surface, const ShellBodySettings& settings, const Analysis
     const Mesh& mesh = body.surface;
     body.thicknessMetres = settings.thicknessMetres;
     body.material = settings.material;
+    body.kind = ModelKind::twoLayers;
     body.model = twoLayerShell(mesh, settings.material, settings.thicknessMetres);
     const Eigen::MatrixXd offsets =
         layerOffsetMetres(settings.thicknessMetres) * vertexNormals(mesh);

@@ -9,7 +9,7 @@ namespace idiophone {
 struct ShellBodySettings {
     Material material;
     double thicknessMetres = 0.005;
-    double maxFrequencyHz = 44000;
+    double maxFrequencyHz = highestAnalysedHz;
     int vertexBudget = 4000; ///< about; where the band asks for more they are coarser
     bool fitsMesh = true;    ///< false leaves the mesh and the band as they are
 };
@@ -17,8 +17,7 @@ struct ShellBodySettings {
 /// The surface is remeshed where its triangles are much coarser or finer than they should be; edges
 /// over 40° stay; four serve the shortest wavelength. `surface` is as repairMesh leaves it. Errors,
 /// one sentence each: those of remesh, `cancelledMessage`.
-Result<BodyModel> shellBody(const Mesh& surface,
-                            const ShellBodySettings& settings,
-                            const AnalysisControl& control = {});
+Result<BodyModel>
+shellBody(const Mesh& surface, const ShellBodySettings& settings, const WorkControl& control = {});
 
 } // namespace idiophone

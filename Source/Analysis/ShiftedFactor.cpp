@@ -18,7 +18,7 @@ double oneNorm(const Eigen::SparseMatrix<double>& lower) {
 
 } // namespace
 
-ShiftedFactor::ShiftedFactor(const VibrationModel& model, const AnalysisControl& control)
+ShiftedFactor::ShiftedFactor(const VibrationModel& model, const WorkControl& control)
     : model_(model), control_(control),
       factor_(model.stiffness.cwiseAbs() + model.mass.cwiseAbs(), model.rowsPerVertex),
       norm_(oneNorm(model.stiffness) / model.mass.diagonal().minCoeff()) {}

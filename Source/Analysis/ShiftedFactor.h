@@ -2,10 +2,10 @@
 // counts eigenvalues below σ. Internal to Analysis.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
 #include "Analysis/MassSpace.h"
 #include "Analysis/SupernodalLdlt.h"
 #include "Analysis/VibrationModel.h"
+#include "Object/WorkControl.h"
 
 #include <Eigen/SparseCore>
 
@@ -14,7 +14,7 @@ namespace idiophone {
 class ShiftedFactor {
 public:
     /// Keeps references to the model, and to the control. Orders the matrices once for all shifts.
-    ShiftedFactor(const VibrationModel& model, const AnalysisControl& control);
+    ShiftedFactor(const VibrationModel& model, const WorkControl& control);
 
     enum class Outcome { done, failed, cancelled };
 
@@ -43,7 +43,7 @@ private:
     bool isAccurate(const Eigen::SparseMatrix<double>& shifted) const;
 
     const VibrationModel& model_;
-    const AnalysisControl& control_;
+    const WorkControl& control_;
     SupernodalLdlt factor_;
     double shift_ = 0, asked_ = 0;
     bool isDone_ = false;

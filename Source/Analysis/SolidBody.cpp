@@ -3,13 +3,12 @@
 #include "Analysis/ElementSize.h"
 #include "Analysis/QuadraticTetrahedra.h"
 #include "Geometry/Decimation.h"
+#include "Geometry/LengthUnit.h"
 #include "Geometry/MeshCheck.h"
 #include "Geometry/Remesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -32,12 +31,6 @@ double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
                     std::sqrt(check.areaM2 / 2 * 3 / 0.433 / static_cast<double>(elementBudget)));
 }
 
-std::string millimetres(double metres) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g mm", 1000 * metres);
-    return text.data();
-}
-
 struct CoveredSurface {
     std::optional<Mesh> mesh; ///< nothing where no edge length kept the body what it was
     double edgeMetres = 0;
@@ -49,7 +42,7 @@ struct CoveredSurface {
 Result<CoveredSurface> coveredAnew(const Mesh& surface,
                                    const MeshCheck& check,
                                    double edgeMetres,
-                                   const AnalysisControl& control) {
+                                   const WorkControl& control) {
     const double longest = std::min(edgeMetres, boundingDiagonalMetres(surface) / 4);
     for (const double share : {1.0, 0.63, finestEdgeShare}) {
         const double edge = share * longest;
@@ -58,15 +51,13 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
             if (share < 1)
                 break;
             return failure("The mesh is too long and thin to be covered with triangles of " +
-                           millimetres(edge) +
+                           millimetresText(edge) +
                            ", as a solid needs them; check its proportions and its unit.");
         }
         control.report(0, "Remeshing");
-        auto remeshed = remesh(surface, {.edgeLengthMetres = edge},
-                               {.progress = {}, .cancelled = control.cancelled});
+        auto remeshed = remesh(surface, {.edgeLengthMetres = edge}, control.quiet());
         if (!remeshed)
-            return failure(control.isCancelled() ? std::string(cancelledMessage)
-                                                 : remeshed.error().message);
+            return tl::unexpected(remeshed.error());
         const MeshCheck after = checkMesh(*remeshed, control.cancelled);
         if (after.isSolid() && std::abs(after.volumeM3 / check.volumeM3 - 1) < 0.02)
             return CoveredSurface{std::move(*remeshed), edge};
@@ -79,13 +70,12 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
 Mesh lightened(const Mesh& surface,
                const MeshCheck& check,
                double edgeMetres,
-               const AnalysisControl& control) {
+               const WorkControl& control) {
     for (const double share : {1.0, 0.63, finestEdgeShare}) {
         const double wanted = check.areaM2 / (0.866 * std::pow(share * edgeMetres, 2));
         if (!(wanted < static_cast<double>(surface.vertexCount())))
             break;
-        auto lighter = decimate(surface, std::max(4, static_cast<int>(wanted)),
-                                {.progress = {}, .cancelled = control.cancelled});
+        auto lighter = decimate(surface, std::max(4, static_cast<int>(wanted)), control.quiet());
         if (!lighter)
             continue;
         const MeshCheck after = checkMesh(*lighter, control.cancelled);
@@ -104,7 +94,7 @@ GrainAxes grainAlong(const Mesh& mesh) {
 }
 
 Result<BodyModel>
-solidBody(const Mesh& surface, const SolidBodySettings& settings, const AnalysisControl& control) {
+solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkControl& control) {
     const MeshCheck check = checkMesh(surface, control.cancelled);
     const double wall = check.meanThicknessMetres;
     const double wanted = targetEdgeMetres(settings.law, settings.material.densityKgPerM3,
@@ -121,8 +111,8 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
             return failure(covered.error().message);
         if (covered->mesh) {
             mesh = *covered->mesh;
-            body.notes =
-                "The surface was remeshed to edges of " + millimetres(covered->edgeMetres) + ".";
+            body.notes = "The surface was remeshed to edges of " +
+                         millimetresText(covered->edgeMetres) + ".";
         } else {
             keepSurface = given < edge;
             if (keepSurface)
@@ -130,7 +120,7 @@ solidBody(const Mesh& surface, const SolidBodySettings& settings, const Analysis
         }
     }
     if (control.isCancelled())
-        return failure(std::string(cancelledMessage));
+        return cancellation();
     control.report(0, "Filling the body with tetrahedra");
     const auto elements = tetrahedralise(
         mesh,

@@ -13,7 +13,7 @@ GrainAxes grainAlong(const Mesh& mesh);
 struct SolidBodySettings {
     Material material;
     ElasticLaw law; ///< of that material in the body's axes
-    double maxFrequencyHz = 44000;
+    double maxFrequencyHz = highestAnalysedHz;
     int elementBudget = 8000; ///< tetrahedra, about; where the band asks for more they are coarser
 };
 
@@ -21,8 +21,7 @@ struct SolidBodySettings {
 /// be; edges over 40° stay; three elements serve the shortest wavelength. Precondition: `surface`
 /// is as repairMesh leaves it and its MeshCheck says that it is solid. Errors, one sentence each:
 /// those of remesh and tetrahedralise, `cancelledMessage`.
-Result<BodyModel> solidBody(const Mesh& surface,
-                            const SolidBodySettings& settings,
-                            const AnalysisControl& control = {});
+Result<BodyModel>
+solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkControl& control = {});
 
 } // namespace idiophone

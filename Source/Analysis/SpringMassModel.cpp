@@ -3,7 +3,9 @@
 #include "Analysis/SpringAssembly.h"
 
 namespace idiophone {
+namespace {
 
+/// In N/m.
 double springStiffness(const MeshEdge& edge,
                        double lengthMetres,
                        double youngsModulusPa,
@@ -14,6 +16,8 @@ double springStiffness(const MeshEdge& edge,
         return k;
     return k * edge.adjacentAreaM2 / (lengthMetres * lengthMetres);
 }
+
+} // namespace
 
 VibrationModel springMassModel(const Mesh& mesh,
                                const Material& material,

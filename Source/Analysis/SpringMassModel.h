@@ -1,6 +1,6 @@
 // The spring-mass model of Raghuvanshi & Lin 2006, section 3: masses at the vertices, springs along
-// the edges. Flat parts have no stiffness against bending (REFERENCE 1.3 is their zero-mode law),
-// so TwoLayerShell is what instruments use.
+// the edges. Flat parts have no stiffness against bending (each of their vertices can move along
+// the normal for nothing), so TwoLayerShell is what instruments use.
 #pragma once
 
 #include "Analysis/VibrationModel.h"
@@ -20,12 +20,5 @@ VibrationModel springMassModel(const Mesh& mesh,
                                const Material& material,
                                double thicknessMetres,
                                SpringStiffness stiffness);
-
-/// The stiffness of an edge's spring in N/m.
-double springStiffness(const MeshEdge& edge,
-                       double lengthMetres,
-                       double youngsModulusPa,
-                       double thicknessMetres,
-                       SpringStiffness stiffness);
 
 } // namespace idiophone

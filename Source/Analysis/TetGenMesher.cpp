@@ -1,7 +1,7 @@
 #include "Analysis/TetGenMesher.h"
 
-#include "Analysis/AnalysisControl.h"
 #include "Analysis/TetGenWatch.h"
+#include "Object/WorkControl.h"
 
 #define TETLIBRARY // else the header ends the process on an error
 #include <tetgen.h>

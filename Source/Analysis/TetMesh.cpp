@@ -1,13 +1,14 @@
 #include "Analysis/TetMesh.h"
 
 #include "Analysis/TetGenMesher.h"
+#include "Geometry/LengthUnit.h"
+#include "Geometry/MeshCheck.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <igl/winding_number.h>
 #include <limits>
 #include <map>
@@ -51,7 +52,7 @@ double radiusEdgeRatio(const Mesh& surface, const TetMeshSettings& settings) {
     if (!settings.keepSurface)
         return chunkyRatio;
     const double area = faceAreas(surface).sum();
-    const double wall = 2 * std::abs(signedVolumeM3(surface)) / area;
+    const double wall = wallThicknessMetres(area, std::abs(signedVolumeM3(surface)));
     const double edge = meanEdgeLengthMetres(surface) / std::max(wall, 1e-12 * std::sqrt(area));
     return std::max(chunkyRatio, 1.5 * std::sqrt(edge * edge / 3 + 0.25));
 }
@@ -159,10 +160,8 @@ Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings&
     if (const auto fault = faultOf(closedSurface, settings); !fault.empty())
         return failure(fault);
     const auto tooMany = [&] {
-        std::array<char, 32> edge{};
-        std::snprintf(edge.data(), edge.size(), "%.3g", 1000 * settings.targetEdgeMetres);
-        return failure("At an element size of " + std::string(edge.data()) +
-                       " mm the body needs more than " + std::to_string(settings.maximumNodes) +
+        return failure("At an element size of " + millimetresText(settings.targetEdgeMetres) +
+                       " the body needs more than " + std::to_string(settings.maximumNodes) +
                        " nodes; lower the highest frequency or simplify the mesh.");
     };
     const double regular = std::pow(settings.targetEdgeMetres, 3) / (6 * std::sqrt(2.0));
@@ -194,7 +193,7 @@ double volumeM3(const TetMesh& mesh) {
 }
 
 double meanEdgeLengthMetres(const TetMesh& mesh) {
-    // Mid-edge nodes are the last of the numbering, one for each edge.
+    // An edge is known by the node in its middle, which all of its elements share.
     std::unordered_map<int, double> lengths;
     for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t)
         for (int e = 0; e < 6; ++e) {

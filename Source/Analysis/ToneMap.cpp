@@ -21,10 +21,8 @@ struct Tone {
 std::vector<Tone> audibleTones(const ModalObject& object) {
     std::vector<Tone> tones;
     for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
-        const double eigenvalue = object.eigenvalues[mode];
         const double decay = object.decayPerSecond(mode);
-        const double frequencyHz =
-            std::sqrt(std::max(eigenvalue - decay * decay, 0.0)) / (2 * std::numbers::pi);
+        const double frequencyHz = object.dampedFrequencyHz(mode);
         if (frequencyHz >= lowestToneHz && frequencyHz <= highestToneHz)
             tones.push_back({.mode = mode,
                              .frequencyHz = frequencyHz,

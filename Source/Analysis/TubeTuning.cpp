@@ -1,9 +1,9 @@
 #include "Analysis/TubeTuning.h"
 
-#include "Analysis/BarTuning.h"
 #include "Analysis/Eigensolver.h"
 #include "Analysis/LighterMesh.h"
 #include "Analysis/ModalAnalysis.h"
+#include "Analysis/Pitch.h"
 #include "Analysis/Radiation.h"
 #include "Analysis/TwoLayerShell.h"
 #include "Geometry/LatheMesh.h"
@@ -27,7 +27,7 @@ double meanRadius(const TubeSpecification& tube) {
     return (tube.outerDiameterMetres - tube.wallMetres) / 2;
 }
 
-Mesh tubeMesh(const TubeSpecification& tube, double lengthMetres) {
+Mesh midSurface(const TubeSpecification& tube, double lengthMetres) {
     return hoopMesh(meanRadius(tube), lengthMetres, around, rows);
 }
 
@@ -48,9 +48,10 @@ bool isBending(const Eigen::Ref<const Eigen::VectorXd>& middle,
 Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
                                                  double lengthMetres,
                                                  double highestHz,
-                                                 const AnalysisControl& control) {
-    const auto model = twoLayerShell(tubeMesh(tube, lengthMetres), tube.material, tube.wallMetres);
-    const auto modes = solveModes(model, {.lowestHz = 20, .highestHz = highestHz}, control);
+                                                 const WorkControl& control) {
+    const auto model =
+        twoLayerShell(midSurface(tube, lengthMetres), tube.material, tube.wallMetres);
+    const auto modes = solveModes(model, {.highestHz = highestHz}, control);
     if (!modes)
         return failure(modes.error().message);
     const Eigen::MatrixXd shapes = midSurfaceShapes(modes->shapes);
@@ -72,7 +73,7 @@ Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
 /// What the tube radiates with its ends closed, as chimes have a cap and the air within moves with
 /// the wall: from the outside alone, where a sheet's other side would nearly cancel it.
 Result<RadiationTable>
-outerRadiation(const Mesh& tube, const ModalObject& object, const AnalysisControl& control) {
+outerRadiation(const Mesh& tube, const ModalObject& object, const WorkControl& control) {
     const auto count = static_cast<int>(tube.vertexCount());
     const int bottom = count, top = count + 1, lastCircle = count - around;
     const auto modes = static_cast<Eigen::Index>(object.modeCount());
@@ -121,8 +122,8 @@ std::vector<int> struckVertices(const Mesh& mesh, const TubeSpecification& tube)
 }
 
 Result<ModalObject>
-analysedTube(const TubeSpecification& tube, double lengthMetres, const AnalysisControl& control) {
-    const Mesh mesh = tubeMesh(tube, lengthMetres);
+analysedTube(const TubeSpecification& tube, double lengthMetres, const WorkControl& control) {
+    const Mesh mesh = midSurface(tube, lengthMetres);
     auto object = analyse(mesh,
                           {.name = tube.name,
                            .source = tube.source,
@@ -156,14 +157,13 @@ double slenderTubeLengthMetres(const TubeSpecification& tube, double modeFourHz)
     return betaL * std::sqrt(gyration * speed / (2 * pi * modeFourHz));
 }
 
-Result<TunedTube> tuneTube(const TubeSpecification& tube, const AnalysisControl& control) {
+Result<TunedTube> tuneTube(const TubeSpecification& tube, const WorkControl& control) {
     if (const auto material = validated(tube.material); !material)
         return failure(material.error().message);
     if (!isUsable(tube))
         return failure("The tube \"" + tube.name +
                        "\" needs a note of 20 Hz or more, a wall thinner than a quarter of its "
                        "diameter and a band of more than five times its note.");
-    const AnalysisControl quiet{.progress = {}, .cancelled = control.cancelled};
     const double targetHz = 2 * tube.noteFrequencyHz;
     TunedTube result;
     result.lengthMetres = slenderTubeLengthMetres(tube, targetHz);
@@ -171,7 +171,8 @@ Result<TunedTube> tuneTube(const TubeSpecification& tube, const AnalysisControl&
     double previousLength = 0, previousCents = 0;
     for (int step = 0; step < 12; ++step) {
         control.report(0.03 * step, "Tuning the tube");
-        const auto bending = bendingEigenvalues(tube, result.lengthMetres, 2.3 * targetHz, quiet);
+        const auto bending =
+            bendingEigenvalues(tube, result.lengthMetres, 2.3 * targetHz, control.quiet());
         if (!bending)
             return failure(bending.error().message);
         for (std::size_t mode = 0; mode < bending->size(); ++mode)

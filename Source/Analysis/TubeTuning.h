@@ -2,8 +2,8 @@
 // of a tubular bell, which none of its modes has.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
 #include "Object/ModalObject.h"
+#include "Object/WorkControl.h"
 
 #include <array>
 #include <string>
@@ -31,7 +31,7 @@ struct TunedTube {
 
 /// Mode 4 is met within 0.1 cent. Errors: measures that no tube has, or whose bending modes are not
 /// found; `cancelledMessage`.
-Result<TunedTube> tuneTube(const TubeSpecification& tube, const AnalysisControl& control = {});
+Result<TunedTube> tuneTube(const TubeSpecification& tube, const WorkControl& control = {});
 
 /// The length at which mode 4 of a slender free tube has this frequency (Euler and Bernoulli).
 double slenderTubeLengthMetres(const TubeSpecification& tube, double modeFourHz);

@@ -1,7 +1,6 @@
 #include "Analysis/TwoLayerShell.h"
 
 #include "Analysis/SpringAssembly.h"
-#include "Analysis/SpringMassModel.h"
 
 #include <Eigen/Geometry>
 #include <array>

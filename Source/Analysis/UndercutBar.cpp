@@ -1,5 +1,7 @@
 #include "Analysis/UndercutBar.h"
 
+#include "Object/NumberText.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -111,11 +113,11 @@ tunedArch(const UndercutBar& start, const BeamMaterial& material, const PartialT
             moved(k) -= h; // towards a deeper arch, which always exists
             slope.col(k) = (miss - missAt(moved)) / h;
         }
-        const Eigen::VectorXd way = slope.partialPivLu().solve(-miss);
+        const Eigen::VectorXd direction = slope.partialPivLu().solve(-miss);
         // Halved until it leads somewhere possible that is nearer.
-        double share = std::min(1.0, 0.5 / std::max(way.cwiseAbs().maxCoeff(), 1e-12));
+        double share = std::min(1.0, 0.5 / std::max(direction.cwiseAbs().maxCoeff(), 1e-12));
         for (; share > 1e-3; share /= 2) {
-            const Eigen::VectorXd there = unknowns + share * way;
+            const Eigen::VectorXd there = unknowns + share * direction;
             if (!isPossible(withUnknowns(start, there)))
                 continue;
             const Eigen::VectorXd missThere = missAt(there);
@@ -128,9 +130,11 @@ tunedArch(const UndercutBar& start, const BeamMaterial& material, const PartialT
         if (share <= 1e-3)
             break;
     }
-    return failure("No arch of this kind brings the partials of the bar to 1 : " +
-                   std::to_string(targets.secondRatio) + " : " +
-                   std::to_string(targets.thirdRatio) + ".");
+    std::string ratios = "1";
+    for (const double ratio : {targets.secondRatio, targets.thirdRatio})
+        if (ratio > 0)
+            ratios += " : " + numberText(ratio);
+    return failure("No arch of this kind brings the partials of the bar to " + ratios + ".");
 }
 
 } // namespace idiophone

@@ -26,7 +26,7 @@ struct Options {
     std::string material = "Steel";
     std::string method = "auto";
     double thicknessMetres = 0.005;
-    double maxFrequencyHz = 44000;
+    double maxFrequencyHz = highestAnalysedHz;
     int elementBudget = AnalysisSettings{}.elementBudget;
     std::optional<std::string> unit;
     bool largestPart = false;

@@ -1,6 +1,6 @@
-#include "Analysis/AnalysisControl.h"
 #include "Console/Command.h"
 #include "Console/Interrupt.h"
+#include "Object/WorkControl.h"
 
 #include <cstdlib>
 #include <exception>

@@ -14,11 +14,7 @@ Eigen::RowVector3d UnitSurface::unitPoint(Surface::Vertex_index vertex) const {
     return {point.x(), point.y(), point.z()};
 }
 
-Result<UnitSurface> unitSurfaceOf(const Mesh& mesh) {
-    auto repaired = repairMesh(mesh, {.cutIntoManifold = true});
-    if (!repaired)
-        return tl::unexpected(std::move(repaired.error()));
-    const Mesh& sound = repaired->mesh;
+UnitSurface unitSurfaceOf(const Mesh& sound) {
     UnitSurface result;
     result.centreMetres =
         (sound.vertices.colwise().maxCoeff() + sound.vertices.colwise().minCoeff()) / 2;

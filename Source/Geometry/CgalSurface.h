@@ -23,8 +23,8 @@ struct UnitSurface {
     Eigen::RowVector3d unitPoint(Surface::Vertex_index vertex) const;
 };
 
-/// Repairs the mesh and cuts it into a manifold (MeshRepair); fails as that does.
-Result<UnitSurface> unitSurfaceOf(const Mesh& mesh);
+/// Of a mesh that repairMesh has cut into a manifold.
+UnitSurface unitSurfaceOf(const Mesh& sound);
 
 /// The mesh in metres of a surface, of which removed parts may be left: a manifold without
 /// degenerate faces. Fails, in one sentence, where nothing of it is left.

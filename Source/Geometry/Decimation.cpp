@@ -1,24 +1,28 @@
 #include "Geometry/Decimation.h"
 
 #include "Geometry/CgalSurface.h"
+#include "Geometry/MeshRepair.h"
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_probabilistic_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <string>
 #include <utility>
 
 namespace idiophone {
 namespace {
 
+constexpr std::string_view decimating = "Simplifying the mesh";
+
 namespace sms = CGAL::Surface_mesh_simplification;
 
 /// Stops at the budget, or when asked to.
 class BudgetReached {
 public:
-    BudgetReached(std::size_t initialVertices, std::size_t budget, const MeshingControl& control)
+    BudgetReached(std::size_t initialVertices, std::size_t budget, const WorkControl& control)
         : initial_(initialVertices), budget_(budget), control_(control) {}
 
     template <class Cost, class Profile>
@@ -26,13 +30,14 @@ public:
         const std::size_t vertices = profile.surface_mesh().number_of_vertices();
         if (edges % 1024 == 0 && initial_ > budget_)
             control_.report(static_cast<double>(initial_ - std::max(vertices, budget_)) /
-                            static_cast<double>(initial_ - budget_));
+                                static_cast<double>(initial_ - budget_),
+                            decimating);
         return vertices <= budget_ || control_.isCancelled();
     }
 
 private:
     std::size_t initial_, budget_;
-    const MeshingControl& control_;
+    const WorkControl& control_;
 };
 
 using Policies = sms::GarlandHeckbert_probabilistic_plane_policies<Surface, SurfaceKernel>;
@@ -48,7 +53,7 @@ Policies policiesFor(Surface& surface) {
                 {variance, variance})};
 }
 
-void collapseEdges(UnitSurface& unit, std::size_t budget, const MeshingControl& control) {
+void collapseEdges(UnitSurface& unit, std::size_t budget, const WorkControl& control) {
     const BudgetReached stop(unit.surface.number_of_vertices(), budget, control);
     {
         const auto policies = policiesFor(unit.surface);
@@ -69,25 +74,28 @@ void collapseEdges(UnitSurface& unit, std::size_t budget, const MeshingControl& 
 
 } // namespace
 
-Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const MeshingControl& control) {
+Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& control) {
     if (vertexBudget < 4)
         return failure("A mesh cannot be decimated to fewer than 4 vertices.");
     try {
-        auto unit = unitSurfaceOf(mesh);
-        if (!unit)
-            return tl::unexpected(std::move(unit.error()));
+        const auto repaired = repairMesh(mesh, {.cutIntoManifold = true});
+        if (!repaired)
+            return tl::unexpected(repaired.error());
+        auto unit = unitSurfaceOf(repaired->mesh);
         const auto budget = static_cast<std::size_t>(vertexBudget);
-        if (unit->surface.number_of_vertices() > budget)
-            collapseEdges(*unit, budget, control);
+        if (unit.surface.number_of_vertices() > budget)
+            collapseEdges(unit, budget, control);
         if (control.isCancelled())
-            return failure(std::string(meshingCancelledMessage));
-        control.report(1);
-        auto result = meshOf(*unit);
+            return cancellation();
+        control.report(1, decimating);
+        auto result = meshOf(unit);
         if (result && result->vertexCount() > vertexBudget)
             return failure("The mesh cannot be decimated to " + std::to_string(vertexBudget) +
                            " vertices: its holes and components need " +
                            std::to_string(result->vertexCount()) + ".");
         return result;
+    } catch (const std::bad_alloc&) {
+        return failure("The mesh needs more memory to be decimated than this machine has.");
     } catch (const std::exception& error) {
         return failure(std::string("The mesh cannot be decimated: ") + error.what() + ".");
     }

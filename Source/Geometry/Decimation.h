@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Geometry/Mesh.h"
-#include "Geometry/MeshingControl.h"
 #include "Object/Result.h"
+#include "Object/WorkControl.h"
 
 namespace idiophone {
 
@@ -16,6 +16,6 @@ namespace idiophone {
 /// Fails, in one sentence, where repair does, when the topology (many components, holes, handles)
 /// needs more vertices than the budget, or once cancelled. Never throws. Any thread; not for the
 /// audio thread.
-Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const MeshingControl& control = {});
+Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& control = {});
 
 } // namespace idiophone

@@ -23,7 +23,7 @@ MeshCheck checkMesh(const Mesh& mesh, const std::atomic<bool>* cancelled) {
     check.intersectsItself = intersectsItself(mesh, cancelled);
     check.areaM2 = faceAreas(mesh).sum();
     check.volumeM3 = check.isOriented ? std::max(0.0, signedVolumeM3(mesh)) : 0;
-    check.meanThicknessMetres = check.areaM2 > 0 ? 2 * check.volumeM3 / check.areaM2 : 0;
+    check.meanThicknessMetres = wallThicknessMetres(check.areaM2, check.volumeM3);
     check.slenderness = check.meanThicknessMetres > 0
                             ? std::sqrt(check.areaM2) / check.meanThicknessMetres
                             : std::numeric_limits<double>::infinity();

@@ -9,6 +9,12 @@
 
 namespace idiophone {
 
+/// 2 V / A: of a plate or a wall its thickness, of a ball 2/3 of its radius, of a long rod its
+/// radius; 0 of what has no area.
+inline double wallThicknessMetres(double areaM2, double volumeM3) {
+    return areaM2 > 0 ? 2 * volumeM3 / areaM2 : 0;
+}
+
 struct MeshCheck {
     int boundaryEdges = 0;    ///< edges of one face
     int nonManifoldEdges = 0; ///< edges of more than two faces
@@ -18,9 +24,7 @@ struct MeshCheck {
     std::optional<bool> intersectsItself;
     double areaM2 = 0;
     double volumeM3 = 0; ///< enclosed, hollows taken off; 0 where not closed and oriented
-    /// 2 V / A: of a plate or a wall its thickness, of a ball 2/3 of its radius, of a long rod its
-    /// radius; 0 where the volume is.
-    double meanThicknessMetres = 0;
+    double meanThicknessMetres = 0; ///< see wallThicknessMetres; 0 where the volume is
     /// √A / meanThickness: how many mean thicknesses the surface is wide. A ball has 5.3, a cube
     /// 7.3, a ring of radius 10 times that of its section 20; infinite where there is no volume.
     double slenderness = 0;

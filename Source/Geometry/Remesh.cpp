@@ -2,6 +2,7 @@
 
 #include "Geometry/CgalSurface.h"
 #include "Geometry/Decimation.h"
+#include "Geometry/MeshRepair.h"
 #include "Geometry/SurfaceQuery.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -33,7 +35,7 @@ struct TooLong {};
 /// way.
 class Patience {
 public:
-    Patience(const MeshingControl& control, std::int64_t questions)
+    Patience(const WorkControl& control, std::int64_t questions)
         : control_(control), left_(questions) {}
 
     void spend() {
@@ -44,7 +46,7 @@ public:
     }
 
 private:
-    const MeshingControl& control_;
+    const WorkControl& control_;
     std::int64_t left_;
 };
 
@@ -137,7 +139,7 @@ public:
     Projection(const UnitSurface& unit,
                const Features& features,
                const std::vector<SurfaceQuery>& patches,
-               const MeshingControl& control)
+               const WorkControl& control)
         : unit_(unit), features_(features), patches_(patches), control_(control) {}
 
     Surface::Point operator()(Vertex vertex) const {
@@ -155,7 +157,7 @@ private:
     const UnitSurface& unit_;
     const Features& features_;
     const std::vector<SurfaceQuery>& patches_;
-    const MeshingControl& control_;
+    const WorkControl& control_;
 };
 
 /// A scan of 500,000 triangles takes 1.6 million, a tube of triangles as long as itself 3 million;
@@ -167,12 +169,12 @@ std::int64_t questionsAllowed(const UnitSurface& unit) {
 void remeshUnit(UnitSurface& unit,
                 double edgeLength,
                 const RemeshSettings& settings,
-                const MeshingControl& control) {
+                const WorkControl& control) {
     const auto features = findFeatures(unit, settings.sharpAngleDegrees);
     const auto patches = patchesOf(unit, features);
     Patience patience(control, questionsAllowed(unit));
     for (int pass = 0; pass < settings.passes; ++pass) {
-        control.report(static_cast<double>(pass) / settings.passes);
+        control.report(static_cast<double>(pass) / settings.passes, "Remeshing");
         if (control.isCancelled())
             throw Cancelled{};
         pmp::isotropic_remeshing(
@@ -183,7 +185,7 @@ void remeshUnit(UnitSurface& unit,
                 .face_patch_map(features.patchOf)
                 .projection_functor(Projection(unit, features, patches, control)));
     }
-    control.report(1);
+    control.report(1, "Remeshing");
 }
 
 /// Vertices for each that remeshing leaves: enough that decimation moves the surface by far less
@@ -192,16 +194,20 @@ constexpr double verticesKept = 8;
 
 /// Nothing where the mesh is not dense enough for it to pay, or its topology does not allow it.
 std::optional<Mesh>
-decimatedFor(double edgeLengthMetres, const Mesh& mesh, const MeshingControl& control) {
+decimatedFor(double edgeLengthMetres, const Mesh& mesh, const WorkControl& control) {
     const double areaPerVertexM2 = std::sqrt(3.0) / 2 * edgeLengthMetres * edgeLengthMetres;
     const double wanted = verticesKept * faceAreas(mesh).sum() / areaPerVertexM2;
     if (!(2 * wanted < static_cast<double>(mesh.vertexCount())))
         return {};
-    auto decimated = decimate(mesh, std::max(1000, static_cast<int>(wanted)),
-                              {.progress = {}, .cancelled = control.cancelled});
+    const auto decimated =
+        decimate(mesh, std::max(1000, static_cast<int>(wanted)), control.quiet());
     if (!decimated)
         return {};
-    return std::move(*decimated);
+    // Collapsing may bring vertices together.
+    auto repaired = repairMesh(*decimated, {.cutIntoManifold = true});
+    if (!repaired)
+        return {};
+    return std::move(repaired->mesh);
 }
 
 } // namespace
@@ -220,34 +226,37 @@ double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres) {
     return triangles;
 }
 
-Result<Mesh>
-remesh(const Mesh& mesh, const RemeshSettings& settings, const MeshingControl& control) {
+Result<Mesh> remesh(const Mesh& mesh, const RemeshSettings& settings, const WorkControl& control) {
     if (!(settings.passes >= 1 && settings.passes <= 20) ||
         !(settings.sharpAngleDegrees > 0 && settings.sharpAngleDegrees <= 180))
         return failure("Remeshing takes 1 to 20 passes and a sharp angle of 0 to 180 degrees.");
     try {
-        const auto lighter = decimatedFor(settings.edgeLengthMetres, mesh, control);
-        auto unit = unitSurfaceOf(lighter ? *lighter : mesh);
-        if (!unit)
-            return tl::unexpected(std::move(unit.error()));
-        if (control.isCancelled())
-            return failure(std::string(meshingCancelledMessage));
-        const double edgeLength = settings.edgeLengthMetres / unit->diagonalMetres;
-        if (!(edgeLength > 0 && edgeLength <= 0.5))
+        const auto repaired = repairMesh(mesh, {.cutIntoManifold = true});
+        if (!repaired)
+            return tl::unexpected(repaired.error());
+        const Mesh& sound = repaired->mesh;
+        if (!(settings.edgeLengthMetres > 0 &&
+              settings.edgeLengthMetres <= boundingDiagonalMetres(sound) / 2))
             return failure("The edge length of a remeshing must be above 0 and at most half of the "
                            "mesh's bounding diagonal.");
-        if (!(remeshedTriangles(mesh, settings.edgeLengthMetres) <= settings.maximumTriangles))
+        if (!(remeshedTriangles(sound, settings.edgeLengthMetres) <= settings.maximumTriangles))
             return failure("The mesh would need more than " +
                            std::to_string(std::llround(settings.maximumTriangles)) +
                            " triangles at this edge length; choose a longer one.");
-        remeshUnit(*unit, edgeLength, settings, control);
-        return meshOf(*unit);
+        const auto lighter = decimatedFor(settings.edgeLengthMetres, sound, control);
+        if (control.isCancelled())
+            return cancellation();
+        auto unit = unitSurfaceOf(lighter ? *lighter : sound);
+        remeshUnit(unit, settings.edgeLengthMetres / unit.diagonalMetres, settings, control);
+        return meshOf(unit);
     } catch (const Cancelled&) {
-        return failure(std::string(meshingCancelledMessage));
+        return cancellation();
     } catch (const TooLong&) {
         return failure("The mesh cannot be remeshed in reasonable time: its faces are too thin.");
     } catch (const LostInArithmetic&) {
         return failure("The mesh cannot be remeshed: its faces are too thin for arithmetic.");
+    } catch (const std::bad_alloc&) {
+        return failure("The mesh needs more memory to be remeshed than this machine has.");
     } catch (const std::exception& error) {
         return failure(std::string("The mesh cannot be remeshed: ") + error.what() + ".");
     }

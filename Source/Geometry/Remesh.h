@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Geometry/Mesh.h"
-#include "Geometry/MeshingControl.h"
 #include "Object/Result.h"
+#include "Object/WorkControl.h"
 
 namespace idiophone {
 
@@ -33,6 +33,6 @@ double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres);
 /// in one sentence, where repair does, for settings outside their ranges, when it would take more
 /// than `maximumTriangles`, or once cancelled. Never throws. Any thread; not for the audio thread.
 Result<Mesh>
-remesh(const Mesh& mesh, const RemeshSettings& settings, const MeshingControl& control = {});
+remesh(const Mesh& mesh, const RemeshSettings& settings, const WorkControl& control = {});
 
 } // namespace idiophone

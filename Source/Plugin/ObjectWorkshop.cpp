@@ -193,7 +193,7 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
                                     .method = choices->method,
                                     .thicknessMetres = job.settings.thicknessMetres};
     const auto control = [&](double from, double to, std::string_view prefix) {
-        return AnalysisControl{.progress =
+        return WorkControl{.progress =
                                    [=, this, &job](double share, std::string_view step) {
                                        report(job, from + (to - from) * share,
                                               std::string(prefix) + std::string(step));

@@ -43,7 +43,7 @@ VibrationModel copiedModel(int different, int copies) {
 TEST_CASE("The modes nearest to a shift equal the dense solution's, M-orthonormal") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.3, 100), referenceWood(), 0.008);
     const auto dense = denseModes(model);
-    const AnalysisControl control;
+    const WorkControl control;
     ShiftedFactor factor(model, control);
     const MassSpace space(model.mass);
     const Index first = GENERATE(6, 40), wanted = 30;
@@ -66,7 +66,7 @@ TEST_CASE("The modes nearest to a shift equal the dense solution's, M-orthonorma
 TEST_CASE("Modes that were found before are not found again") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.3, 100), referenceWood(), 0.008);
     const auto dense = denseModes(model);
-    const AnalysisControl control;
+    const WorkControl control;
     ShiftedFactor factor(model, control);
     const MassSpace space(model.mass);
     const double low = -1e4, high = (dense.values(25) + dense.values(26)) / 2;
@@ -84,7 +84,7 @@ TEST_CASE("Modes that were found before are not found again") {
 
 TEST_CASE("Copies beyond a block's columns come when asked for again, and no others") {
     const auto model = copiedModel(40, 15);
-    const AnalysisControl control;
+    const WorkControl control;
     ShiftedFactor factor(model, control);
     const MassSpace space(model.mass);
     REQUIRE(factor.factorise(0.5e6) == ShiftedFactor::Outcome::done);
@@ -108,7 +108,7 @@ TEST_CASE("Copies beyond a block's columns come when asked for again, and no oth
 
 TEST_CASE("An exception of the step function comes through") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.3, 100), referenceWood(), 0.008);
-    const AnalysisControl control;
+    const WorkControl control;
     ShiftedFactor factor(model, control);
     REQUIRE(factor.factorise(-1e4) == ShiftedFactor::Outcome::done);
     const auto stop = [] { throw std::runtime_error("stop"); };

@@ -145,14 +145,14 @@ TEST_CASE("A solve stops at the next step once cancelled, and progress never fal
         double last = 0;
         int reportsAfter = 0;
         bool fell = false;
-        const AnalysisControl control{.progress =
-                                          [&](double fraction, std::string_view) {
-                                              fell = fell || fraction < last || fraction > 1;
-                                              last = fraction;
-                                              reportsAfter += cancelled ? 1 : 0;
-                                              cancelled = cancelled || fraction >= cancelAt;
-                                          },
-                                      .cancelled = &cancelled};
+        const WorkControl control{.progress =
+                                      [&](double fraction, std::string_view) {
+                                          fell = fell || fraction < last || fraction > 1;
+                                          last = fraction;
+                                          reportsAfter += cancelled ? 1 : 0;
+                                          cancelled = cancelled || fraction >= cancelAt;
+                                      },
+                                  .cancelled = &cancelled};
         const auto modes = solveModes(model, {.lowestHz = 20, .highestHz = 15000}, control);
         REQUIRE_FALSE(modes);
         CHECK(modes.error().message == cancelledMessage);

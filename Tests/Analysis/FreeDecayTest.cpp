@@ -79,3 +79,29 @@ TEST_CASE("A strike cut off at full scale is called clipped") {
     REQUIRE(decay);
     CHECK(decay->clipped);
 }
+
+TEST_CASE("A clipped strike that was made quieter since is called clipped as well") {
+    std::vector<float> samples(48000);
+    strike(samples, 1000, 3);
+    for (float& sample : samples)
+        sample = std::round(0.1f * std::clamp(sample, -1.0f, 1.0f) * 32767) / 32767;
+    const auto decay = findFreeDecay(samples, rate);
+    REQUIRE(decay);
+    CHECK(decay->clipped);
+}
+
+TEST_CASE("The flat tops that steps of 16 bits make of a quiet low tone are not called clipped") {
+    for (const double level : {0.002, 0.02, 0.2}) {
+        std::vector<float> samples(48000);
+        for (std::size_t i = 1000; i < samples.size(); ++i) {
+            const double t = static_cast<double>(i - 1000) / rate;
+            samples[i] = static_cast<float>(std::round(32767 * level * std::exp(-3 * t) *
+                                                       std::sin(2 * std::numbers::pi * 60 * t)) /
+                                            32767);
+        }
+        const auto decay = findFreeDecay(samples, rate);
+        REQUIRE(decay);
+        CAPTURE(level);
+        CHECK_FALSE(decay->clipped);
+    }
+}

@@ -150,3 +150,15 @@ TEST_CASE("What cannot be one object is refused in a sentence") {
     empty.mesh = Mesh{};
     refused({0.1, 0.2, 0.3}, empty, "no faces");
 }
+
+TEST_CASE("A measured object of no modes, of no places or of too few is refused in a sentence") {
+    const std::vector<StruckPlace> three{0.0, 0.05, 0.1};
+    const auto sentence = [](const RecordingFit& fit, std::span<const StruckPlace> places) {
+        const auto object = measuredObject(fit, places, {});
+        REQUIRE_FALSE(object);
+        return object.error().message;
+    };
+    CHECK_THAT(sentence({}, three), ContainsSubstring("no modes"));
+    CHECK_THAT(sentence(threeStrikes, {}), ContainsSubstring("0 places"));
+    CHECK_THAT(sentence(threeStrikes, std::span(three).first(2)), ContainsSubstring("2 places"));
+}

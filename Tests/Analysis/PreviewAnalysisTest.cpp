@@ -3,6 +3,7 @@
 #include "Analysis/PreviewAnalysis.h"
 
 #include "Geometry/ParametricMesh.h"
+#include "Support/GeneratedMeshes.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -10,6 +11,7 @@
 #include <numbers>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -83,4 +85,9 @@ TEST_CASE("A preview that is cancelled, or of no mesh, is one sentence") {
     auto steel = settings();
     steel.material.densityKgPerM3 = 0;
     CHECK_FALSE(analysePreview(icosphereMesh(0.1, 1), steel));
+    auto endless = settings();
+    endless.maxFrequencyHz = std::nan("");
+    const auto refused = analysePreview(icosphereMesh(0.1, 1), endless);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message.starts_with("The band of the analysis"));
 }

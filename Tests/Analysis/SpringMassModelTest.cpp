@@ -2,6 +2,7 @@
 
 #include "Analysis/Eigensolver.h"
 #include "Geometry/ParametricMesh.h"
+#include "Support/GeneratedMeshes.h"
 #include "TestMaterials.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -18,7 +19,7 @@ namespace {
 constexpr double thickness = 0.005;
 
 /// Lower root W of the thin spherical membrane's W⁴ − (1+3ν+l(l+1))W² + (l−1)(l+2)(1−ν²) = 0, as a
-/// frequency for the membrane stiffness E t (REFERENCE 4.8).
+/// frequency for the membrane stiffness E t.
 double membraneFrequencyHz(int l, double radius, double stiffness, double massPerArea) {
     const double nu = 1.0 / 3, b = 1 + 3 * nu + l * (l + 1), c = (l - 1) * (l + 2) * (1 - nu * nu);
     const double w2 = (b - std::sqrt(b * b - 4 * c)) / 2;

@@ -8,7 +8,7 @@
 
 namespace idiophone::test {
 
-/// REFERENCE 1.3's bar.
+/// A soft wood in round numbers.
 inline Material referenceWood(double poissonRatio = 0.25) {
     Material material;
     material.name = "Reference wood";

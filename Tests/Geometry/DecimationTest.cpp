@@ -4,6 +4,7 @@
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/SurfaceQuery.h"
 #include "Geometry/TestMeshes.h"
+#include "Support/GeneratedMeshes.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -80,14 +81,14 @@ TEST_CASE("A decimation tells its progress and can be cancelled") {
     const auto ball = scan(5, 0);
     std::vector<double> told;
     std::atomic<bool> cancelled = false;
-    MeshingControl control{.progress = [&](double f) { told.push_back(f); },
-                           .cancelled = &cancelled};
+    WorkControl control{.progress = [&](double f, std::string_view) { told.push_back(f); },
+                        .cancelled = &cancelled};
     REQUIRE(decimate(ball, 200, control));
     CHECK(std::ranges::is_sorted(told));
     CHECK(told.size() > 10);
     CHECK(told.back() == 1);
-    control.progress = [&](double f) { cancelled = f > 0.5; };
+    control.progress = [&](double f, std::string_view) { cancelled = f > 0.5; };
     const auto stopped = decimate(ball, 200, control);
     REQUIRE_FALSE(stopped);
-    CHECK(stopped.error().message == meshingCancelledMessage);
+    CHECK(stopped.error().message == cancelledMessage);
 }

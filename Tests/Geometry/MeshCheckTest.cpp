@@ -3,14 +3,17 @@
 #include "Geometry/MeshRepair.h"
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/TestMeshes.h"
+#include "Support/GeneratedMeshes.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <numbers>
 
 using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Approx;
+using Catch::Matchers::WithinRel;
 
 TEST_CASE("Bars, cubes, balls, rings and rods are chunky solids") {
     const Mesh rod = boxMesh({1, 0.01, 0.01}, {100, 1, 1});
@@ -84,4 +87,13 @@ TEST_CASE("Faces that disagree and edges of many faces are no solid") {
     CHECK_FALSE(checkMesh(mesh).isSolid());
     CHECK(checkMesh(book(3)).nonManifoldEdges == 1);
     CHECK_FALSE(checkMesh(insideOut(icosphereMesh(1, 2))).isSolid());
+}
+
+TEST_CASE(
+    "The wall of a plate, a hollow sphere and a cube is its thickness, its wall and a third") {
+    CHECK_THAT(checkMesh(extrudedMesh(sheetMesh(1, 1, 100), 0.01)).meanThicknessMetres,
+               WithinRel(0.01, 0.03));
+    CHECK_THAT(checkMesh(hollowSphereMesh(1, 0.02, 3)).meanThicknessMetres, WithinRel(0.02, 0.02));
+    CHECK_THAT(checkMesh(boxMesh({1, 1, 1}, {1, 1, 1})).meanThicknessMetres,
+               WithinRel(1.0 / 3, 1e-12));
 }

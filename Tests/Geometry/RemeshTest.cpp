@@ -4,6 +4,7 @@
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/SurfaceQuery.h"
 #include "Geometry/TestMeshes.h"
+#include "Support/GeneratedMeshes.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -138,8 +139,13 @@ TEST_CASE("Settings out of range and sizes out of reason are refused with a sent
     CHECK_THAT(errorOf({.edgeLengthMetres = 0}), ContainsSubstring("edge length"));
     CHECK_THAT(errorOf({.edgeLengthMetres = std::nan("")}), ContainsSubstring("edge length"));
     CHECK_THAT(errorOf({.edgeLengthMetres = 1}), ContainsSubstring("edge length"));
+    CHECK_THAT(errorOf({.edgeLengthMetres = std::nan("")}), ContainsSubstring("edge length"));
     CHECK_THAT(errorOf({.edgeLengthMetres = 1e-5}), ContainsSubstring("4000000 triangles"));
     CHECK_THAT(errorOf({.edgeLengthMetres = 0.01, .passes = 0}), ContainsSubstring("passes"));
+    auto broken = ball;
+    broken.faces(3, 1) = 1 << 30;
+    CHECK_THAT(remesh(broken, {.edgeLengthMetres = 0.1}).error().message,
+               ContainsSubstring("does not exist"));
     CHECK_THAT(remesh({}, {.edgeLengthMetres = 0.1}).error().message,
                ContainsSubstring("no faces"));
 }
@@ -148,16 +154,16 @@ TEST_CASE("A remeshing tells its progress and can be cancelled between and withi
     const auto ball = icosphereMesh(0.1, 3);
     std::vector<double> told;
     std::atomic<bool> cancelled = false;
-    MeshingControl control{.progress = [&](double f) { told.push_back(f); },
-                           .cancelled = &cancelled};
+    WorkControl control{.progress = [&](double f, std::string_view) { told.push_back(f); },
+                        .cancelled = &cancelled};
     REQUIRE(remesh(ball, {.edgeLengthMetres = 0.01}, control));
     CHECK(std::ranges::is_sorted(told));
     CHECK(told.size() == 6);
     CHECK(told.back() == 1);
-    control.progress = [&](double f) { cancelled = f > 0.3; };
+    control.progress = [&](double f, std::string_view) { cancelled = f > 0.3; };
     const auto stopped = remesh(ball, {.edgeLengthMetres = 0.01}, control);
     REQUIRE_FALSE(stopped);
-    CHECK(stopped.error().message == meshingCancelledMessage);
+    CHECK(stopped.error().message == cancelledMessage);
 }
 
 TEST_CASE("A dense noisy scan comes out as a closed body of its volume, with triangles as wanted") {

@@ -1,4 +1,4 @@
-#include "Analysis/FactoryStage.h"
+#include "Analysis/FactoryProps.h"
 
 #include "Analysis/ModalAnalysis.h"
 #include "Geometry/LatheMesh.h"
@@ -6,20 +6,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <string_view>
 
 namespace idiophone {
 namespace {
 
 std::vector<int> someVertices(const Mesh& mesh, std::size_t count) {
-    std::vector<int> all(static_cast<std::size_t>(mesh.vertexCount()));
-    std::iota(all.begin(), all.end(), 0);
-    return spreadVertices(mesh, all, count);
+    return spreadVertices(mesh, allVertices(mesh), count);
 }
 
 /// As hollow as a curtain ring.
-Result<ModalObject> makeSmallRing(const AnalysisControl& control) {
+Result<ModalObject> makeSmallRing(const WorkControl& control) {
     return analyse(torusMesh(0.05, 0.006, 20, 10),
                    {.name = "small-ring",
                     .source = "generated hollow steel ring, radius 50 mm, round section of 12 mm, "
@@ -32,7 +29,7 @@ Result<ModalObject> makeSmallRing(const AnalysisControl& control) {
                    control);
 }
 
-Result<ModalObject> makeLongTable(const AnalysisControl& control) {
+Result<ModalObject> makeLongTable(const WorkControl& control) {
     const Mesh mesh = sheetMesh(1.2, 0.8, 600);
     return analyse(mesh,
                    {.name = "long-table",
@@ -46,7 +43,7 @@ Result<ModalObject> makeLongTable(const AnalysisControl& control) {
                    control);
 }
 
-Result<ModalObject> makeCylinder(const AnalysisControl& control) {
+Result<ModalObject> makeCylinder(const WorkControl& control) {
     const Mesh mesh = tubeMesh(0.030, 0.026, 0.120, 32);
     return analyse(mesh,
                    {.name = "cylinder",
@@ -61,7 +58,7 @@ Result<ModalObject> makeCylinder(const AnalysisControl& control) {
                    control);
 }
 
-Result<ModalObject> makeFloor(const AnalysisControl& control) {
+Result<ModalObject> makeFloor(const WorkControl& control) {
     const Mesh mesh = sheetMesh(1.6, 1.6, 2500);
     return analyse(mesh,
                    {.name = "floor",
@@ -74,7 +71,7 @@ Result<ModalObject> makeFloor(const AnalysisControl& control) {
                    control);
 }
 
-Result<ModalObject> makeDie(const AnalysisControl& control) {
+Result<ModalObject> makeDie(const WorkControl& control) {
     return analyse(boxMesh(Eigen::Vector3d::Constant(0.019), Eigen::Vector3i::Constant(4)),
                    {.name = "die",
                     .source = "generated die, 19 mm",
@@ -85,7 +82,7 @@ Result<ModalObject> makeDie(const AnalysisControl& control) {
                    control);
 }
 
-Result<ModalObject> makePebble(const AnalysisControl& control) {
+Result<ModalObject> makePebble(const WorkControl& control) {
     Mesh mesh = icosphereMesh(1, 3);
     for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i) {
         const Eigen::RowVector3d unit = mesh.vertices.row(i);
@@ -106,7 +103,7 @@ Result<ModalObject> makePebble(const AnalysisControl& control) {
 }
 
 /// Ribs across, on a sheet that is bent along: what rolls on it goes to and fro.
-Result<ModalObject> makeWashboard(const AnalysisControl& control) {
+Result<ModalObject> makeWashboard(const WorkControl& control) {
     constexpr double ribMetres = 0.016, ribHeightMetres = 0.0006, bendRadiusMetres = 1.5;
     Mesh mesh = sheetMesh(0.40, 0.12, 2600);
     for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i) {
@@ -126,31 +123,31 @@ Result<ModalObject> makeWashboard(const AnalysisControl& control) {
                    control);
 }
 
-struct Stage {
+struct Prop {
     std::string_view name;
-    Result<ModalObject> (*make)(const AnalysisControl&);
+    Result<ModalObject> (*make)(const WorkControl&);
 };
-constexpr Stage stages[] = {{"small-ring", makeSmallRing},
-                            {"long-table", makeLongTable},
-                            {"cylinder", makeCylinder},
-                            {"floor", makeFloor},
-                            {"die", makeDie},
-                            {"pebble", makePebble},
-                            {"washboard", makeWashboard}};
+constexpr Prop props[] = {{"small-ring", makeSmallRing},
+                          {"long-table", makeLongTable},
+                          {"cylinder", makeCylinder},
+                          {"floor", makeFloor},
+                          {"die", makeDie},
+                          {"pebble", makePebble},
+                          {"washboard", makeWashboard}};
 
 } // namespace
 
-std::vector<std::string> factoryStageNames() {
+std::vector<std::string> factoryPropNames() {
     std::vector<std::string> names;
-    for (const auto& stage : stages)
-        names.emplace_back(stage.name);
+    for (const auto& prop : props)
+        names.emplace_back(prop.name);
     return names;
 }
 
-Result<ModalObject> makeFactoryStage(const std::string& name, const AnalysisControl& control) {
-    for (const auto& stage : stages)
-        if (stage.name == name)
-            return stage.make(control);
+Result<ModalObject> makeFactoryProp(const std::string& name, const WorkControl& control) {
+    for (const auto& prop : props)
+        if (prop.name == name)
+            return prop.make(control);
     return failure("there is no factory object '" + name + "'");
 }
 

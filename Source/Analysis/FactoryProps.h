@@ -2,8 +2,8 @@
 // from generated meshes. docs/scenes.md has their measures.
 #pragma once
 
-#include "Analysis/AnalysisControl.h"
 #include "Object/ModalObject.h"
+#include "Object/WorkControl.h"
 
 #include <string>
 #include <vector>
@@ -11,9 +11,9 @@
 namespace idiophone {
 
 /// "small-ring", "long-table", "cylinder", "floor", "die", "pebble" and "washboard".
-std::vector<std::string> factoryStageNames();
+std::vector<std::string> factoryPropNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.
-Result<ModalObject> makeFactoryStage(const std::string& name, const AnalysisControl& control = {});
+Result<ModalObject> makeFactoryProp(const std::string& name, const WorkControl& control = {});
 
 } // namespace idiophone
