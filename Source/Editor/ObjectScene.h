@@ -5,6 +5,7 @@
 #include "Editor/ProcessorView.h"
 #include "Geometry/SurfaceQuery.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -56,9 +57,8 @@ public:
     const std::vector<ScenePlace>& outline() const { return boxCorners; }
     /// The same of bodies on a stage.
     std::vector<ScenePlace> outline(std::span<const BodyNow> bodies) const;
-    ScenePlace highestCorner() const { return highest; } ///< of all; 0 for an empty scene
     /// Half of the way across everything; 0 for an empty scene.
-    float radius() const;
+    float radius() const { return reach; }
 
     /// A place in metres of an object's own mesh, in the scene. The object exists.
     ScenePlace placeOf(std::size_t object, const std::array<double, 3>& pointMetres) const;
@@ -76,10 +76,13 @@ public:
                                   std::span<const BodyNow> bodies) const;
 
 private:
-    /// scene = origin + axes · (own − pivot) · scale, the axes being columns: own x, y, z.
+    /// scene = origin + axes · (own − pivot) · scale.
     struct Placement {
-        std::array<double, 3> pivot{}, origin{};
-        std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+        Eigen::Vector3d inScene(const Eigen::Vector3d& own) const;
+        Eigen::Vector3d onMesh(const Eigen::Vector3d& place) const; ///< back again
+
+        Eigen::Vector3d pivot = Eigen::Vector3d::Zero(), origin = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< own x, y, z as columns
         double scale = 1;
         double nearest = 0, farthest = 0; ///< y in the scene
     };
@@ -98,7 +101,7 @@ private:
     std::vector<ScenePlace> boxCorners;
     std::optional<SurfaceQuery> surface; ///< all faces, but of a stage
     std::vector<SurfaceQuery> surfaces;  ///< of a stage's objects
-    ScenePlace lowest{}, highest{};
+    float reach = 0;
 };
 
 } // namespace idiophone

@@ -16,29 +16,25 @@ constexpr float farthestMove = 1;
 constexpr float thinnest = 1e-4f; // metres: a scene without depth still has a distance
 constexpr float lowestElevation = 0.03f, highestElevation = 1.5f;
 
-ScenePlace cross(const ScenePlace& a, const ScenePlace& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+using Eigen::Vector3f;
+
+Vector3f vectorOf(const ScenePlace& place) {
+    return Vector3f(place.data());
 }
 
-float dot(const ScenePlace& a, const ScenePlace& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+ScenePlace scenePlace(const Vector3f& vector) {
+    return {vector.x(), vector.y(), vector.z()};
 }
 
 } // namespace
 
 void OrbitCamera::lookAt(std::vector<ScenePlace> points) {
     seen = std::move(points);
-    ScenePlace lowest = seen.front(), highest = seen.front();
+    Eigen::AlignedBox3f box;
     for (const auto& point : seen)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            lowest[axis] = std::min(lowest[axis], point[axis]);
-            highest[axis] = std::max(highest[axis], point[axis]);
-        }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        middle[axis] = (lowest[axis] + highest[axis]) / 2;
-    reach = std::max(
-        std::hypot(highest[0] - lowest[0], highest[1] - lowest[1], highest[2] - lowest[2]) / 2,
-        thinnest);
+        box.extend(vectorOf(point));
+    middle = box.center();
+    reach = std::max(box.diagonal().norm() / 2, thinnest);
 }
 
 void OrbitCamera::turnBy(float aroundRadians, float upRadians) {
@@ -63,10 +59,10 @@ void OrbitCamera::reset() {
 }
 
 OrbitCamera::Axes OrbitCamera::axes() const {
-    const ScenePlace forward{std::cos(elevation) * std::sin(-around),
-                             std::cos(elevation) * std::cos(around), -std::sin(elevation)};
-    const ScenePlace right{std::cos(around), std::sin(around), 0};
-    return {right, cross(right, forward), forward};
+    const Vector3f forward(std::cos(elevation) * std::sin(-around),
+                           std::cos(elevation) * std::cos(around), -std::sin(elevation));
+    const Vector3f right(std::cos(around), std::sin(around), 0);
+    return {right, right.cross(forward), forward};
 }
 
 /// Where each of the window's four sides touches a point: two planes facing each other leave the
@@ -77,67 +73,59 @@ OrbitCamera::Eye OrbitCamera::place(float aspect) const {
     constexpr float none = std::numeric_limits<float>::max();
     float fromLeft = none, fromRight = -none, fromBelow = none, fromAbove = -none;
     for (const auto& point : seen) {
-        const float x = dot(point, right), y = dot(point, up), z = dot(point, forward);
+        const auto at = vectorOf(point);
+        const float x = at.dot(right), y = at.dot(up), z = at.dot(forward);
         fromLeft = std::min(fromLeft, x + slopeX * z);
         fromRight = std::max(fromRight, x - slopeX * z);
         fromBelow = std::min(fromBelow, y + slopeY * z);
         fromAbove = std::max(fromAbove, y - slopeY * z);
     }
     const float z = std::min((fromLeft - fromRight) / slopeX, (fromBelow - fromAbove) / slopeY) / 2;
-    const float whole = std::max(dot(middle, forward) - z, thinnest), depth = whole / zoom;
+    const float whole = std::max(middle.dot(forward) - z, thinnest), depth = whole / zoom;
     const float height = 2 * slopeY * whole;
     const float x = (fromLeft + fromRight) / 2 - movedRight * height;
     const float y = (fromBelow + fromAbove) / 2 - movedUp * height;
-    const float along = dot(middle, forward) - depth;
-    Eye eye{.depthOfMiddle = depth};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        eye.place[axis] = x * right[axis] + y * up[axis] + along * forward[axis];
-    return eye;
+    const float along = middle.dot(forward) - depth;
+    return {.place = x * right + y * up + along * forward, .depthOfMiddle = depth};
 }
 
 ScenePlace OrbitCamera::eye(float aspect) const {
-    return place(aspect).place;
+    return scenePlace(place(aspect).place);
 }
 
 std::array<float, 16> OrbitCamera::viewProjection(float aspect) const {
     const auto [right, up, forward] = axes();
-    const auto [from, depth] = place(aspect);
-    const float far = depth + 1.1f * reach;
-    const float near = std::max(depth - 1.1f * reach, far / 2000);
+    const Eye from = place(aspect);
+    const float far = from.depthOfMiddle + 1.1f * reach;
+    const float near = std::max(from.depthOfMiddle - 1.1f * reach, far / 2000);
     const float scaleY = 1 / std::tan(halfFieldRadians), scaleX = scaleY / aspect;
     const float depthScale = (far + near) / (far - near);
     const float depthShift = -2 * far * near / (far - near);
-    std::array<float, 16> matrix{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        matrix[4 * axis] = scaleX * right[axis];
-        matrix[4 * axis + 1] = scaleY * up[axis];
-        matrix[4 * axis + 2] = depthScale * forward[axis];
-        matrix[4 * axis + 3] = forward[axis];
-    }
-    matrix[12] = -scaleX * dot(right, from);
-    matrix[13] = -scaleY * dot(up, from);
-    matrix[14] = -depthScale * dot(forward, from) + depthShift;
-    matrix[15] = -dot(forward, from);
-    return matrix;
+    std::array<float, 16> result{};
+    Eigen::Map<Eigen::Matrix4f> matrix(result.data());
+    const auto row = [&](int index, const Vector3f& axis, float shift) {
+        matrix.row(index) << axis.transpose(), shift - axis.dot(from.place);
+    };
+    row(0, scaleX * right, 0);
+    row(1, scaleY * up, 0);
+    row(2, depthScale * forward, depthShift);
+    row(3, forward, 0);
+    return result;
 }
 
 ViewRay OrbitCamera::rayThrough(float x, float y, float aspect) const {
     const auto [right, up, forward] = axes();
     const float sideways = x * std::tan(halfFieldRadians) * aspect;
     const float upwards = y * std::tan(halfFieldRadians);
-    ViewRay ray{.origin = eye(aspect), .direction = {}};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        ray.direction[axis] = forward[axis] + sideways * right[axis] + upwards * up[axis];
-    return ray;
+    return {.origin = eye(aspect),
+            .direction = scenePlace(forward + sideways * right + upwards * up)};
 }
 
 std::array<float, 2> OrbitCamera::seenAt(const ScenePlace& place, float aspect) const {
     const auto matrix = viewProjection(aspect);
-    const auto row = [&](std::size_t index) {
-        return matrix[index] * place[0] + matrix[4 + index] * place[1] +
-               matrix[8 + index] * place[2] + matrix[12 + index];
-    };
-    return {row(0) / row(3), row(1) / row(3)};
+    const Eigen::Vector4f clip =
+        Eigen::Map<const Eigen::Matrix4f>(matrix.data()) * vectorOf(place).homogeneous();
+    return {clip.x() / clip.w(), clip.y() / clip.w()};
 }
 
 } // namespace idiophone

@@ -3,6 +3,7 @@
 
 #include "Editor/ObjectScene.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <vector>
 
@@ -38,17 +39,17 @@ public:
 
 private:
     struct Axes {
-        ScenePlace right, up, forward;
+        Eigen::Vector3f right, up, forward;
     };
     Axes axes() const;
     struct Eye {
-        ScenePlace place{};
+        Eigen::Vector3f place;
         float depthOfMiddle = 0; ///< along the line of sight
     };
     Eye place(float aspect) const;
 
     std::vector<ScenePlace> seen{{}};
-    ScenePlace middle{};
+    Eigen::Vector3f middle = Eigen::Vector3f::Zero();
     float reach = 1; ///< from the middle
     float around = initialAround, elevation = initialElevation, zoom = 1;
     float movedRight = 0, movedUp = 0;
