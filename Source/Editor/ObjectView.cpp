@@ -41,6 +41,7 @@ ObjectView::ObjectView(ProcessorView& processor) : view(processor) {
 }
 
 ObjectView::~ObjectView() {
+    lift();
     context.detach();
 }
 
@@ -79,6 +80,9 @@ void ObjectView::newScene() {
         }
         path.paths.push_back(std::move(line));
     }
+    drawn.clear();
+    drawnOn.reset();
+    path.drawn.clear();
     glow = 0;
     lights.clear();
     slowMotion.reset();

@@ -6,8 +6,8 @@
 #include "Editor/ObjectScene.h"
 #include "Editor/OrbitCamera.h"
 #include "Editor/PathOverlay.h"
+#include "Editor/PictureRenderer.h"
 #include "Editor/ProcessorView.h"
-#include "Editor/SceneRenderer.h"
 #include "Editor/SlowMotion.h"
 #include "Editor/SurfaceMotion.h"
 
@@ -96,7 +96,7 @@ private:
     OrbitCamera camera;
     PathOverlay path;
     juce::OpenGLContext context;
-    SceneRenderer renderer{context};
+    PictureRenderer renderer{context};
     int ticksWithoutContext = 0;
 
     // The hand.

@@ -143,6 +143,8 @@ void ObjectView::mouseDown(const juce::MouseEvent& event) {
 void ObjectView::mouseDrag(const juce::MouseEvent& event) {
     if (drawnOn)
         return drawTo(event.position);
+    if (!turningFrom && drawsPath && !onStage)
+        return; // the path was of what has gone since
     if (!turningFrom) {
         if (scraping || event.getDistanceFromDragStart() > pixelsToDrag)
             dragTo(event.position,

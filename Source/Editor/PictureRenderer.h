@@ -20,9 +20,9 @@ struct SceneMotion {
     /// a new pointer.
     std::shared_ptr<const std::vector<ScenePlace>> offsets;
     float scale = 1;
-    /// Where the offsets go out and in are coloured apart, with lines where they do neither.
+    /// Where the offsets, 1 being the largest, go out and in are coloured apart, with lines where
+    /// they do neither.
     bool showsNodes = false;
-    float largestOffset = 1; ///< > 0; for the colours
 };
 
 /// An object where its body is on a stage; as often as there are bodies.
@@ -45,11 +45,11 @@ struct SceneFrame {
     std::optional<std::vector<SceneBody>> bodies; ///< instead of every object once, as laid out
 };
 
-/// The message thread shows frames, the OpenGL thread draws the last one; a mutex is held while the
-/// frame, a few words, is copied.
-class SceneRenderer final : public juce::OpenGLRenderer {
+/// The message thread shows frames, the OpenGL thread draws the last one; a mutex is held while a
+/// frame is copied, whose large parts are shared.
+class PictureRenderer final : public juce::OpenGLRenderer {
 public:
-    explicit SceneRenderer(juce::OpenGLContext& drawsInto) : context(drawsInto) {}
+    explicit PictureRenderer(juce::OpenGLContext& drawsInto) : context(drawsInto) {}
 
     /// [message thread] To be drawn at the context's next repaint.
     void show(const SceneFrame& next);

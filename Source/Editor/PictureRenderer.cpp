@@ -1,4 +1,4 @@
-#include "Editor/SceneRenderer.h"
+#include "Editor/PictureRenderer.h"
 
 #include <cstddef>
 #include <span>
@@ -41,7 +41,6 @@ uniform vec3 ink;
 uniform float glow;
 uniform float glowRadius;
 uniform float light;
-uniform float largestOffset;
 uniform float nodes;
 varying vec3 seenPlace;
 varying vec3 seenNormal;
@@ -60,7 +59,7 @@ void main()
     float rim = pow(1.0 - max(dot(n, view), 0.0), 3.0);
     vec3 off = (seenPlace - glowPlace) / glowRadius;
 
-    float far = clamp(outward / largestOffset, -1.0, 1.0);
+    float far = clamp(outward, -1.0, 1.0);
     vec3 swing = far > 0.0 ? vec3(0.90, 0.38, 0.25) : vec3(0.25, 0.52, 0.90);
     vec3 own = mix(colour, swing, nodes * 0.85 * sqrt(abs(far)));
     float width = 1.5 * fwidth(far);
@@ -87,12 +86,12 @@ void clear(juce::Colour colour) {
 
 } // namespace
 
-void SceneRenderer::show(const SceneFrame& next) {
+void PictureRenderer::show(const SceneFrame& next) {
     const std::scoped_lock lock(frameMutex);
     frame = next;
 }
 
-void SceneRenderer::newOpenGLContextCreated() {
+void PictureRenderer::newOpenGLContextCreated() {
     auto made = std::make_unique<juce::OpenGLShaderProgram>(context);
     if (!made->addVertexShader(translated(vertexShader, true)) ||
         !made->addFragmentShader(translated(fragmentShader, false)))
@@ -107,13 +106,13 @@ void SceneRenderer::newOpenGLContextCreated() {
     ready = true;
 }
 
-void SceneRenderer::upload(const ObjectScene& scene) {
+void PictureRenderer::upload(const ObjectScene& scene) {
     const auto vertices = scene.vertices();
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(),
                  GL_STATIC_DRAW);
 }
 
-void SceneRenderer::renderOpenGL() {
+void PictureRenderer::renderOpenGL() {
     SceneFrame shown;
     {
         const std::scoped_lock lock(frameMutex);
@@ -138,14 +137,14 @@ void SceneRenderer::renderOpenGL() {
     glDisable(GL_DEPTH_TEST);
 }
 
-void SceneRenderer::uploadOffsets(std::shared_ptr<const std::vector<ScenePlace>> offsets) {
+void PictureRenderer::uploadOffsets(std::shared_ptr<const std::vector<ScenePlace>> offsets) {
     glBindBuffer(GL_ARRAY_BUFFER, offsetBuffer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(std::span(*offsets).size_bytes()),
                  offsets->data(), GL_STREAM_DRAW);
     uploadedOffsets = std::move(offsets);
 }
 
-void SceneRenderer::draw(const SceneFrame& shown) {
+void PictureRenderer::draw(const SceneFrame& shown) {
     program->use();
     const auto set = [&](const char* name, const ScenePlace& value) {
         program->setUniform(name, value[0], value[1], value[2]);
@@ -174,12 +173,12 @@ void SceneRenderer::draw(const SceneFrame& shown) {
     glDisableVertexAttribArray(attribute("normal"));
 }
 
-GLuint SceneRenderer::attribute(const char* name) const {
+GLuint PictureRenderer::attribute(const char* name) const {
     return static_cast<GLuint>(glGetAttribLocation(program->getProgramID(), name));
 }
 
 /// From a vertex of the bound buffer on.
-void SceneRenderer::readVertices(std::size_t first) const {
+void PictureRenderer::readVertices(std::size_t first) const {
     for (const auto& [name, part] : {std::pair("place", offsetof(SceneVertex, place)),
                                      {"normal", offsetof(SceneVertex, normal)}}) {
         glEnableVertexAttribArray(attribute(name));
@@ -188,9 +187,9 @@ void SceneRenderer::readVertices(std::size_t first) const {
     }
 }
 
-void SceneRenderer::drawObject(const SceneFrame& shown,
-                               std::size_t index,
-                               const std::array<float, 16>& pose) {
+void PictureRenderer::drawObject(const SceneFrame& shown,
+                                 std::size_t index,
+                                 const std::array<float, 16>& pose) {
     const auto& object = shown.scene->objects()[index];
     const auto offset = attribute("offset");
     const bool moves = shown.motion && shown.motion->object == index &&
@@ -199,7 +198,6 @@ void SceneRenderer::drawObject(const SceneFrame& shown,
     program->setUniform("colour", object.colour[0], object.colour[1], object.colour[2]);
     program->setUniform("light", index < shown.lights.size() ? shown.lights[index] : 0.0f);
     program->setUniform("offsetScale", moves ? shown.motion->scale : 0.0f);
-    program->setUniform("largestOffset", moves ? shown.motion->largestOffset : 1.0f);
     program->setUniform("nodes", moves && shown.motion->showsNodes ? 1.0f : 0.0f);
     const auto count = static_cast<GLsizei>(object.vertexCount);
     if (!moves) {
@@ -218,7 +216,7 @@ void SceneRenderer::drawObject(const SceneFrame& shown,
     readVertices(0);
 }
 
-void SceneRenderer::openGLContextClosing() {
+void PictureRenderer::openGLContextClosing() {
     ready = false;
     program.reset();
     glDeleteBuffers(1, &buffer);
