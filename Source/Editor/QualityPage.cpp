@@ -1,7 +1,9 @@
 #include "Editor/QualityPage.h"
 
+#include "Editor/DescribedValue.h"
 #include "Editor/Look.h"
 
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -18,25 +20,29 @@ std::vector<ParameterGroup> groups() {
 
 } // namespace
 
-QualityPage::QualityPage(ProcessorView& view) : DeckPage("Quality"), columns(groups(), view) {
-    for (auto* child : std::initializer_list<juce::Component*>{&columns, &ramp, &meters})
-        addAndMakeVisible(child);
+QualityPage::Counts::Counts() {
+    setTitle("Modes");
 }
 
-void QualityPage::showSound(const SoundFrame& frame) {
+void QualityPage::Counts::show(const SoundFrame& frame) {
     const std::array now{frame.modesMixed, frame.modesDropped, frame.modesMerged,
                          frame.modesBeyond};
     for (std::size_t k = 0; k < counts.size(); ++k)
-        if (counts[k].modes != now[k]) {
-            counts[k].modes = now[k];
-            repaint(countArea);
-        }
-    ramp.show(frame);
-    meters.show(frame);
+        if (std::exchange(counts[k].modes, now[k]) != now[k])
+            repaint();
 }
 
-void QualityPage::paint(juce::Graphics& g) {
-    auto area = countArea;
+std::unique_ptr<juce::AccessibilityHandler> QualityPage::Counts::createAccessibilityHandler() {
+    return describedValue(*this, juce::AccessibilityRole::staticText, [this] {
+        juce::StringArray parts;
+        for (const Count& count : counts)
+            parts.add(juce::String(count.modes) + " " + count.name);
+        return parts.joinIntoString(", ");
+    });
+}
+
+void QualityPage::Counts::paint(juce::Graphics& g) {
+    auto area = getLocalBounds().reduced(0, gap);
     const int width = area.getWidth() / static_cast<int>(counts.size());
     for (const Count& count : counts) {
         auto tile = area.removeFromLeft(width).reduced(2, 0);
@@ -52,13 +58,22 @@ void QualityPage::paint(juce::Graphics& g) {
     }
 }
 
+QualityPage::QualityPage(ProcessorView& view) : DeckPage("Quality"), columns(groups(), view) {
+    for (auto* child : std::initializer_list<juce::Component*>{&columns, &counts, &ramp, &meters})
+        addAndMakeVisible(child);
+}
+
+void QualityPage::showSound(const SoundFrame& frame) {
+    counts.show(frame);
+    ramp.show(frame);
+    meters.show(frame);
+}
+
 void QualityPage::resized() {
     auto area = getLocalBounds().reduced(padding);
     columns.setBounds(area.removeFromTop(getHeight() < heightForTall ? columnsHeight + 12
                                                                      : tallColumnsHeight + 12));
-    area.removeFromTop(gap);
-    countArea = area.removeFromTop(countHeight);
-    area.removeFromTop(gap);
+    counts.setBounds(area.removeFromTop(countHeight + 2 * gap));
     meters.setBounds(area.removeFromBottom(metersHeight));
     area.removeFromBottom(2);
     ramp.setBounds(area);

@@ -8,6 +8,7 @@
 #include "Editor/SoundMeters.h"
 
 #include <array>
+#include <memory>
 
 namespace idiophone {
 
@@ -18,18 +19,30 @@ public:
     void refresh() override { columns.refresh(); }
     void showSound(const SoundFrame& frame) override;
 
-    void paint(juce::Graphics& g) override;
     void resized() override;
 
 private:
-    struct Count {
-        const char* name;
-        std::int32_t modes = 0;
+    /// How many modes sound, and how many do not and why.
+    class Counts final : public juce::Component {
+    public:
+        Counts();
+
+        void show(const SoundFrame& frame);
+
+        void paint(juce::Graphics& g) override;
+        std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
+
+    private:
+        struct Count {
+            const char* name;
+            std::int32_t modes = 0;
+        };
+
+        std::array<Count, 4> counts{{{"sounding"}, {"dropped"}, {"merged"}, {"over budget"}}};
     };
 
     ParameterColumns columns;
-    std::array<Count, 4> counts{{{"sounding"}, {"dropped"}, {"merged"}, {"over budget"}}};
-    juce::Rectangle<int> countArea;
+    Counts counts;
     BudgetRamp ramp;
     SoundMeters meters;
 };

@@ -1,6 +1,8 @@
 #include "Editor/StatusBar.h"
 
+#include "Editor/DescribedValue.h"
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -16,19 +18,34 @@ int widthOf(const juce::String& text) {
 
 } // namespace
 
+StatusBar::StatusBar() {
+    setTitle("Status");
+}
+
 void StatusBar::show(ProcessorView::Status status) {
     constexpr int fallPerUpdate = 2; // dB: a peak can be seen
     const auto now = static_cast<int>(std::lround(
         juce::Decibels::gainToDecibels(status.peak, static_cast<float>(silentDecibels))));
     const int decibels = juce::jmax(now, shownDecibels - fallPerUpdate, silentDecibels);
+    const bool sameSentence = status.isError == shown.isError && status.sentence == shown.sentence;
     const bool same = decibels == shownDecibels && status.modesMixed == shown.modesMixed &&
-                      status.isError == shown.isError && status.sentence == shown.sentence &&
-                      status.delaySeconds == shown.delaySeconds &&
+                      sameSentence && status.delaySeconds == shown.delaySeconds &&
                       status.lateBlows == shown.lateBlows;
     shown = std::move(status);
     shownDecibels = decibels;
     if (!same)
         repaint();
+    if (sameSentence)
+        return;
+    if (auto* handler = getAccessibilityHandler())
+        handler->notifyAccessibilityEvent(juce::AccessibilityEvent::valueChanged);
+    if (shown.isError)
+        juce::AccessibilityHandler::postAnnouncement(
+            fromUtf8(shown.sentence), juce::AccessibilityHandler::AnnouncementPriority::high);
+}
+
+juce::String StatusBar::modesText() const {
+    return juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes");
 }
 
 juce::String StatusBar::delayText() const {
@@ -39,6 +56,17 @@ juce::String StatusBar::delayText() const {
     return shown.lateBlows == 0 ? delay
                                 : delay + ", " + juce::String(shown.lateBlows) +
                                       (shown.lateBlows == 1 ? " blow late" : " blows late");
+}
+
+juce::String StatusBar::description() const {
+    juce::StringArray parts{fromUtf8(shown.sentence), delayText(), modesText()};
+    parts.removeEmptyStrings();
+    return parts.joinIntoString("; ");
+}
+
+std::unique_ptr<juce::AccessibilityHandler> StatusBar::createAccessibilityHandler() {
+    return describedValue(*this, juce::AccessibilityRole::staticText,
+                          [this] { return description(); });
 }
 
 void StatusBar::paint(juce::Graphics& g) {
@@ -54,15 +82,13 @@ void StatusBar::paint(juce::Graphics& g) {
 
     g.setFont(Look::textFont());
     g.setColour(colourOf(*this, LookColour::dimText));
-    g.drawText(juce::String(shown.modesMixed) + (shown.modesMixed == 1 ? " mode" : " modes"), modes,
-               juce::Justification::centredRight);
+    g.drawText(modesText(), modes, juce::Justification::centredRight);
     if (const auto delay = delayText(); delay.isNotEmpty())
         g.drawText(delay, area.removeFromRight(widthOf(delay) + 24).withTrimmedRight(12),
                    juce::Justification::centredRight);
     g.setColour(shown.isError ? colourOf(*this, LookColour::error)
                               : colourOf(*this, LookColour::text));
-    g.drawFittedText(juce::String::fromUTF8(shown.sentence.c_str()), area,
-                     juce::Justification::centredLeft, 2, 0.85f);
+    g.drawFittedText(fromUtf8(shown.sentence), area, juce::Justification::centredLeft, 2, 0.85f);
 }
 
 } // namespace idiophone

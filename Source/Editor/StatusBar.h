@@ -5,17 +5,24 @@
 #include "Editor/ProcessorView.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <memory>
 
 namespace idiophone {
 
 class StatusBar final : public juce::Component {
 public:
+    StatusBar();
+
+    /// A new error is read out, too.
     void show(ProcessorView::Status status);
 
     void paint(juce::Graphics& g) override;
+    std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
 
 private:
+    juce::String modesText() const;
     juce::String delayText() const;
+    juce::String description() const;
 
     ProcessorView::Status shown;
     int shownDecibels = silentDecibels;
