@@ -1,13 +1,11 @@
 #include "Editor/CaptureButton.h"
 
+#include "Editor/Utf8.h"
+
 namespace idiophone {
 namespace {
 
 constexpr int pixelsToDrag = 6;
-
-std::filesystem::path pathOf(const juce::File& file) {
-    return std::filesystem::u8path(file.getFullPathName().toStdString());
-}
 
 } // namespace
 

@@ -1,5 +1,8 @@
 #include "Editor/ChoiceList.h"
 
+#include "Editor/ParameterChange.h"
+#include "Editor/Utf8.h"
+
 #include <set>
 
 namespace idiophone {
@@ -16,15 +19,15 @@ juce::String ownMaterialText(const ProcessorView& view) {
     const juce::String own("Own");
     return names.size() != 1 || names.begin()->empty()
                ? own
-               : own + " (" + juce::String::fromUTF8(names.begin()->c_str()) + ")";
+               : own + " (" + fromUtf8(*names.begin()) + ")";
 }
 
 } // namespace
 
 ChoiceList::ChoiceList(const ParameterInfo& row, ProcessorView& processor)
     : info(row), view(processor) {
-    setTitle(juce::String::fromUTF8(info.name));
-    setTooltip(juce::String::fromUTF8(info.description));
+    setTitle(fromUtf8(info.name));
+    setTooltip(fromUtf8(info.description));
     fill();
     onChange = [this] { choose(); };
     refresh();
@@ -34,7 +37,7 @@ void ChoiceList::fill() {
     clear(juce::dontSendNotification);
     int item = firstChoiceItem;
     for (const auto name : choiceNames(info.parameter))
-        addItem(juce::String::fromUTF8(name.data(), static_cast<int>(name.size())), item++);
+        addItem(fromUtf8(name), item++);
     if (info.parameter != ParameterId::material)
         return;
     instrument = -1;
@@ -43,7 +46,7 @@ void ChoiceList::fill() {
         addSeparator();
     item = firstUserItem;
     for (const auto& name : own)
-        addItem(juce::String::fromUTF8(name.c_str()), item++);
+        addItem(fromUtf8(name), item++);
 }
 
 void ChoiceList::showPopup() {
@@ -58,9 +61,7 @@ void ChoiceList::choose() {
     const int item = getSelectedId();
     if (item >= firstUserItem)
         return view.chooseUserMaterial(item - firstUserItem);
-    view.beginParameterChange(info.parameter);
-    view.changeParameter(info.parameter, item - firstChoiceItem);
-    view.endParameterChange(info.parameter);
+    changeOnce(view, info.parameter, item - firstChoiceItem);
 }
 
 /// The first choice is what the objects themselves are made of, and says what that is.

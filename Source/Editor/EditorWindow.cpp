@@ -7,6 +7,7 @@
 #include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
 #include "Editor/TuningPage.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <vector>
@@ -28,7 +29,7 @@ constexpr int tooltipMilliseconds = 600;
 
 juce::String firstReadable(const juce::StringArray& files, const ProcessorView& view) {
     for (const auto& file : files)
-        if (view.canOpen(file.toStdString()) || view.isTuningFile(file.toStdString()))
+        if (view.canOpen(pathOf(file)) || view.isTuningFile(pathOf(file)))
             return file;
     return {};
 }
@@ -67,6 +68,7 @@ EditorWindow::~EditorWindow() {
     browser.settle();
     preferences.setWindowSize({getWidth(), getHeight()});
     setLookAndFeel(nullptr);
+    view.windowClosed();
 }
 
 void EditorWindow::makePages() {
@@ -101,7 +103,7 @@ void EditorWindow::setLook(LookScheme scheme) {
     look.setScheme(scheme);
     preferences.setLook(scheme);
     const bool dark = scheme == LookScheme::dark;
-    lookButton.setButtonText(juce::String::fromUTF8(dark ? "\xe2\x98\xbe" : "\xe2\x98\x80"));
+    lookButton.setButtonText(fromUtf8(dark ? "\xe2\x98\xbe" : "\xe2\x98\x80"));
     lookButton.setTitle(dark ? "Light look" : "Dark look");
     lookButton.setTooltip(dark ? "Change to the light look" : "Change to the dark look");
     sendLookAndFeelChange();
@@ -189,14 +191,14 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     const auto file = firstReadable(files, view);
     if (file.isEmpty())
         return;
-    const bool isTuning = view.isTuningFile(file.toStdString());
+    const bool isTuning = view.isTuningFile(pathOf(file));
     if (isTuning) // a scale and its mapping come together
         for (const auto& each : files) {
-            if (view.isTuningFile(each.toStdString()))
-                view.openTuning(each.toStdString());
+            if (view.isTuningFile(pathOf(each)))
+                view.openTuning(pathOf(each));
         }
     else
-        view.openFile(file.toStdString());
+        view.openFile(pathOf(file));
     deck.show(isTuning ? tuningPage : importPage);
 }
 

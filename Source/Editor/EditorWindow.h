@@ -40,7 +40,8 @@ public:
 
     void setLook(LookScheme scheme);
 
-    /// Files that the workshop reads may be dropped anywhere on the window.
+    /// Files that the workshop reads, scales and keyboard mappings may be dropped anywhere on the
+    /// window.
     bool isInterestedInFileDrag(const juce::StringArray& files) override;
     void fileDragEnter(const juce::StringArray& files, int x, int y) override;
     void fileDragExit(const juce::StringArray& files) override;

@@ -1,5 +1,7 @@
 #include "Editor/FileButton.h"
 
+#include "Editor/Utf8.h"
+
 #include <utility>
 
 namespace idiophone {
@@ -8,7 +10,7 @@ FileButton::FileButton(const juce::String& label,
                        const juce::String& title,
                        const juce::String& tooltip,
                        const juce::String& filePatterns,
-                       std::function<void(const std::string& path)> onChosen)
+                       std::function<void(const std::filesystem::path& file)> onChosen)
     : TextButton(label), patterns(filePatterns), chosen(std::move(onChosen)) {
     setTitle(title);
     setTooltip(tooltip);
@@ -21,7 +23,7 @@ void FileButton::choose() {
                              juce::FileBrowserComponent::canSelectFiles,
                          [this](const juce::FileChooser& done) {
                              if (const auto file = done.getResult(); file != juce::File())
-                                 chosen(file.getFullPathName().toStdString());
+                                 chosen(pathOf(file));
                          });
 }
 

@@ -1,27 +1,27 @@
 // A button that lets one file be chosen.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <juce_gui_basics/juce_gui_basics.h>
 #include <memory>
-#include <string>
 
 namespace idiophone {
 
 class FileButton final : public juce::TextButton {
 public:
-    /// The patterns are separated by semicolons: "*.scl;*.kbm". `onChosen` is told the path.
+    /// The patterns are separated by semicolons: "*.scl;*.kbm".
     FileButton(const juce::String& label,
                const juce::String& title,
                const juce::String& tooltip,
                const juce::String& filePatterns,
-               std::function<void(const std::string& path)> onChosen);
+               std::function<void(const std::filesystem::path& file)> onChosen);
 
 private:
     void choose();
 
     juce::String patterns;
-    std::function<void(const std::string& path)> chosen;
+    std::function<void(const std::filesystem::path& file)> chosen;
     std::unique_ptr<juce::FileChooser> chooser;
 };
 

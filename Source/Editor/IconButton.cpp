@@ -1,6 +1,7 @@
 #include "Editor/IconButton.h"
 
 #include "Editor/Look.h"
+#include "Editor/ParameterMenu.h"
 
 namespace idiophone {
 
@@ -44,8 +45,7 @@ void IconButton::mouseDown(const juce::MouseEvent& event) {
 }
 
 bool IconButton::keyPressed(const juce::KeyPress& key) {
-    if (onMenu == nullptr ||
-        key != juce::KeyPress(juce::KeyPress::F10Key, juce::ModifierKeys::shiftModifier, 0))
+    if (onMenu == nullptr || !asksForMenu(key))
         return Button::keyPressed(key);
     onMenu();
     return true;

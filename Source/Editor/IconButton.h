@@ -12,7 +12,8 @@ class IconButton final : public juce::Button {
 public:
     IconButton(const juce::String& title, juce::Path icon);
 
-    /// Shows a menu on a right click, Shift+F10 and a click with the Alt key. Optional.
+    /// Shows a menu on a right click, a click with the Alt key and the keys of `asksForMenu`.
+    /// Optional.
     std::function<void()> onMenu;
 
     /// The picture while a toggle is off, where it is another one.

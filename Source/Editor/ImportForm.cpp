@@ -1,6 +1,7 @@
 #include "Editor/ImportForm.h"
 
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <span>
@@ -56,10 +57,6 @@ void select(juce::ComboBox& list,
     const int item = wanted == nullptr ? 1 : static_cast<int>(wanted - choices.data()) + 1;
     if (list.getSelectedId() != item)
         list.setSelectedId(item, juce::dontSendNotification);
-}
-
-juce::String utf8(std::string_view text) {
-    return juce::String::fromUTF8(text.data(), static_cast<int>(text.size()));
 }
 
 } // namespace
@@ -139,13 +136,13 @@ void ImportForm::fillMaterials() {
     int item = 1;
     const auto library = choiceNames(ParameterId::material);
     for (const auto name : library.subspan(firstLibraryMaterial))
-        material.addItem(utf8(name), item++);
+        material.addItem(fromUtf8(name), item++);
     const auto own = view.readUserMaterials();
     if (!own.empty())
         material.addSeparator();
     for (const auto& name : own)
-        material.addItem(utf8(name), item++);
-    material.setText(utf8(settings.material), juce::dontSendNotification);
+        material.addItem(fromUtf8(name), item++);
+    material.setText(fromUtf8(settings.material), juce::dontSendNotification);
 }
 
 void ImportForm::typedThickness() {
@@ -167,8 +164,8 @@ void ImportForm::show(const ImportStatus& status) {
     settings = status.settings;
     select(unit, units, settings.unit, status.unit);
     select(method, methods, settings.method, status.method);
-    if (material.getText() != utf8(settings.material))
-        material.setText(utf8(settings.material), juce::dontSendNotification);
+    if (material.getText() != fromUtf8(settings.material))
+        material.setText(fromUtf8(settings.material), juce::dontSendNotification);
     if (!thickness.isBeingEdited())
         thickness.setText(thicknessText(settings.thicknessMetres), juce::dontSendNotification);
     thickness.setColour(juce::Label::outlineColourId, colourOf(*this, LookColour::outline));

@@ -1,6 +1,7 @@
 #include "Editor/ImportPage.h"
 
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 #include <utility>
 
@@ -9,16 +10,12 @@ namespace {
 
 using Stage = ImportStatus::Stage;
 
-juce::String utf8(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
-}
-
 juce::String stepText(const ImportStatus& status) {
     switch (status.stage) {
     case Stage::working:
-        return utf8(status.step) + "...";
+        return fromUtf8(status.step) + "...";
     case Stage::previewed:
-        return "A preview plays. " + utf8(status.step) + "...";
+        return "A preview plays. " + fromUtf8(status.step) + "...";
     case Stage::cancelled:
         return "Cancelled.";
     default:
@@ -39,8 +36,8 @@ ImportPage::ImportPage(ProcessorView& processor)
            "Open a mesh (OBJ, PLY, STL, OFF) or a modal object; dropping it on the window does the "
            "same",
            "*.obj;*.ply;*.stl;*.off;*.modal",
-           [this](const std::string& path) {
-               view.openFile(path);
+           [this](const std::filesystem::path& chosen) {
+               view.openFile(chosen);
                refresh();
            }),
       form(processor) {
@@ -102,7 +99,7 @@ void ImportPage::showKeys() {
 void ImportPage::showStatus() {
     const bool isWorking = shown.isWorking();
     setTextOf(file, shown.stage == Stage::none ? juce::String("Drop a mesh here, or")
-                                               : utf8(shown.fileName));
+                                               : fromUtf8(shown.fileName));
     setTextOf(step, stepText(shown));
     cancel.setVisible(isWorking);
     again.setVisible(!isWorking);
@@ -124,11 +121,11 @@ juce::String ImportPage::words() const {
                "moment as a preview, then as it is. The settings above may be changed at any time.";
     juce::StringArray lines;
     if (shown.stage == Stage::failed)
-        lines.add(utf8(shown.error));
+        lines.add(fromUtf8(shown.error));
     if (!shown.summary.empty())
-        lines.add(utf8(shown.summary) + ".");
+        lines.add(fromUtf8(shown.summary) + ".");
     if (!shown.notes.empty())
-        lines.add(utf8(shown.notes));
+        lines.add(fromUtf8(shown.notes));
     return lines.joinIntoString("\n");
 }
 

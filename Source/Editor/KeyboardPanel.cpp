@@ -44,6 +44,7 @@ void KeyboardPanel::lookAndFeelChanged() {
 }
 
 KeyboardPanel::~KeyboardPanel() {
+    state.allNotesOff(0);
     state.removeListener(this);
 }
 

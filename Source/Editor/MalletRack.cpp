@@ -1,6 +1,8 @@
 #include "Editor/MalletRack.h"
 
 #include "Editor/Look.h"
+#include "Editor/ParameterChange.h"
+#include "Editor/Utf8.h"
 
 #include <array>
 
@@ -84,15 +86,12 @@ MalletRack::MalletRack(ProcessorView& processor) : view(processor) {
     setFocusContainerType(FocusContainerType::focusContainer);
     const auto names = choiceNames(ParameterId::mallet);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto name =
-            juce::String::fromUTF8(names[i].data(), static_cast<int>(names[i].size()));
+        const auto name = fromUtf8(names[i]);
         auto mallet = std::make_unique<MalletButton>(name, heads.at(i));
         mallet->onClick = [this, i, button = mallet.get()] {
             if (!button->getToggleState() || view.parameterValue(ParameterId::mallet) == double(i))
                 return;
-            view.beginParameterChange(ParameterId::mallet);
-            view.changeParameter(ParameterId::mallet, double(i));
-            view.endParameterChange(ParameterId::mallet);
+            changeOnce(view, ParameterId::mallet, double(i));
             refresh();
         };
         addAndMakeVisible(*mallet);

@@ -3,6 +3,8 @@
 #include "Editor/DescribedValue.h"
 #include "Editor/Look.h"
 #include "Editor/MaterialColour.h"
+#include "Editor/ParameterChange.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -83,9 +85,7 @@ std::optional<std::size_t> MaterialPad::namedAt(juce::Point<float> position) con
 }
 
 void MaterialPad::choose(std::size_t named) {
-    view.beginParameterChange(ParameterId::material);
-    view.changeParameter(ParameterId::material, double(firstLibraryMaterial) + double(named));
-    view.endParameterChange(ParameterId::material);
+    changeOnce(view, ParameterId::material, double(firstLibraryMaterial) + double(named));
     refresh();
 }
 
@@ -201,7 +201,7 @@ void MaterialPad::paintNamed(juce::Graphics& g) const {
         g.setColour(colourOf(*this, hovered == i ? LookColour::text : LookColour::dimText));
         g.drawEllipse(dot, hovered == i ? 1.6f : 0.6f);
         // A name where there is room for it; the others' show under the mouse.
-        const auto name = juce::String::fromUTF8(library[i].name.c_str());
+        const auto name = fromUtf8(library[i].name);
         const float width = juce::GlyphArrangement::getStringWidth(font, name) + 2;
         juce::Rectangle<float> label(dot.getRight() + 2, dot.getCentreY() - 6, width, 12);
         if (label.getRight() > area.getRight() + 6)
@@ -232,9 +232,8 @@ void MaterialPad::paint(juce::Graphics& g) {
     g.setFont(Look::textFont(12));
     g.setColour(colourOf(*this, LookColour::dimText));
     const auto library = materialLibrary();
-    g.drawFittedText(hovered ? juce::String::fromUTF8(library[*hovered].name.c_str())
-                             : description(),
-                     legend, juce::Justification::centred, 1, 0.75f);
+    g.drawFittedText(hovered ? fromUtf8(library[*hovered].name) : description(), legend,
+                     juce::Justification::centred, 1, 0.75f);
 }
 
 } // namespace idiophone

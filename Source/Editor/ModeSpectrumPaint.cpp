@@ -1,6 +1,7 @@
 // How the spectrum of modes looks.
 #include "Editor/Look.h"
 #include "Editor/ModeSpectrum.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -55,8 +56,7 @@ void ModeSpectrum::paintTau(juce::Graphics& g) const {
     g.setColour(colourOf(*this, LookColour::error));
     g.drawDashedLine({{levels.getX(), y}, {levels.getRight(), y}}, dashes.data(), 2, 1);
     g.setFont(Look::textFont(11.5f));
-    g.drawText(juce::String::fromUTF8("\xcf\x84"),
-               juce::Rectangle<float>(levels.getRight() - 12, y - 13, 12, 12),
+    g.drawText(fromUtf8("\xcf\x84"), juce::Rectangle<float>(levels.getRight() - 12, y - 13, 12, 12),
                juce::Justification::centred, false);
 }
 

@@ -2,6 +2,7 @@
 
 #include "Editor/Look.h"
 #include "Editor/ModeText.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -17,7 +18,7 @@ juce::String noteName(int note) {
 }
 
 juce::String nameOf(const ProcessorView::PlayedObject& played) {
-    const auto name = juce::String::fromUTF8(played.object->name.c_str());
+    const auto name = fromUtf8(played.object->name);
     return played.lowestNote == played.highestNote ? noteName(played.lowestNote) + "  " + name
                                                    : name;
 }

@@ -26,10 +26,8 @@ public:
     /// How wide the deck is that shows this many pages, at their least.
     static int widthFor(int pages);
     int pageCount() const { return static_cast<int>(pages.size()); }
-    int shownCount() const { return shown; }
     /// Of those shown the leftmost. What does not exist is ignored.
     void show(int page);
-    int firstShown() const { return first; }
 
     void paint(juce::Graphics& g) override;
     void resized() override;

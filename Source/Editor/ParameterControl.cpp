@@ -1,7 +1,10 @@
 #include "Editor/ParameterControl.h"
 
+#include "Editor/LeftClicked.h"
 #include "Editor/Look.h"
+#include "Editor/ParameterChange.h"
 #include "Editor/ParameterMenu.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <functional>
@@ -81,7 +84,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
     : info(row), view(processor), shown(std::numeric_limits<double>::quiet_NaN()),
       burst([this] { view.beginParameterChange(info.parameter); },
             [this] { view.endParameterChange(info.parameter); }) {
-    const auto title = juce::String::fromUTF8(info.name);
+    const auto title = fromUtf8(info.name);
     setTitle(title);
     name.setFont(Look::textFont());
     name.setBorderSize({0, 0, 0, 0});
@@ -109,7 +112,7 @@ void ParameterControl::makeSlider() {
     slider->setDoubleClickReturnValue(true, info.defaultValue);
     slider->setTooltip(parameterTooltip(info));
     slider->textFromValueFunction = [this](double number) {
-        return juce::String::fromUTF8(formatParameter(info, number).c_str());
+        return fromUtf8(formatParameter(info, number));
     };
     slider->onDragStart = [this] { beginDrag(); };
     slider->onDragEnd = [this] { endDrag(); };
@@ -121,7 +124,7 @@ void ParameterControl::makeSwitch() {
     toggle = std::make_unique<LeftClicked<juce::ToggleButton>>();
     toggle->setTitle(getTitle());
     toggle->setTooltip(parameterTooltip(info));
-    toggle->onClick = [this] { changeOnce(toggle->getToggleState() ? 1 : 0); };
+    toggle->onClick = [this] { changeTo(toggle->getToggleState() ? 1 : 0); };
     addAndMakeVisible(*toggle);
 }
 
@@ -160,17 +163,14 @@ void ParameterControl::slid() {
     refresh();
 }
 
-void ParameterControl::changeOnce(double number) {
+void ParameterControl::changeTo(double number) {
     burst.finish();
-    view.beginParameterChange(info.parameter);
-    view.makeCustom(info.parameter);
-    view.changeParameter(info.parameter, number);
-    view.endParameterChange(info.parameter);
+    changeOnce(view, info.parameter, number);
 }
 
 void ParameterControl::typed() {
     if (const auto parsed = parseParameter(info, value.getText().toStdString()))
-        changeOnce(*parsed);
+        changeTo(*parsed);
     shown = std::numeric_limits<double>::quiet_NaN(); // what was typed gives way to what holds
     refresh();
 }
@@ -187,8 +187,7 @@ void ParameterControl::refresh() {
     isLive = live;
     setEnabled(live);
     if (!value.isBeingEdited())
-        value.setText(live ? juce::String::fromUTF8(formatParameter(info, now).c_str())
-                           : juce::String("re-analyse"),
+        value.setText(live ? fromUtf8(formatParameter(info, now)) : juce::String("re-analyse"),
                       juce::dontSendNotification);
     if (slider != nullptr) {
         slider->setValue(now, juce::dontSendNotification);
@@ -274,7 +273,7 @@ void ParameterControl::placeName(juce::Rectangle<int> area) {
     const auto full = getTitle();
     const bool fits = juce::GlyphArrangement::getStringWidth(name.getFont(), full) <=
                       static_cast<float>(area.getWidth());
-    name.setText(fits ? full : juce::String::fromUTF8(info.shortName), juce::dontSendNotification);
+    name.setText(fits ? full : fromUtf8(info.shortName), juce::dontSendNotification);
     name.setBounds(area);
 }
 

@@ -37,7 +37,7 @@ private:
     void beginDrag();
     void endDrag();
     void slid();
-    void changeOnce(double value);
+    void changeTo(double value);
     void typed();
     void placeName(juce::Rectangle<int> area);
     void refreshController();

@@ -1,17 +1,13 @@
 #include "Editor/ParameterMenu.h"
 
+#include "Editor/ParameterChange.h"
+#include "Editor/Utf8.h"
+
 namespace idiophone {
 namespace {
 
 juce::String valueText(const ParameterInfo& info, double value) {
-    return juce::String::fromUTF8(formatParameter(info, value).c_str());
-}
-
-void setOnce(const ParameterInfo& info, ProcessorView& view, double value) {
-    view.beginParameterChange(info.parameter);
-    view.makeCustom(info.parameter);
-    view.changeParameter(info.parameter, value);
-    view.endParameterChange(info.parameter);
+    return fromUtf8(formatParameter(info, value));
 }
 
 } // namespace
@@ -22,12 +18,12 @@ parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void
     const auto parameter = info.parameter;
     const bool live = view.isLive(parameter);
     juce::PopupMenu menu;
-    menu.addSectionHeader(juce::String::fromUTF8(info.name) + ": " +
+    menu.addSectionHeader(fromUtf8(info.name) + ": " +
                           valueText(info, view.effectiveValue(parameter)));
     if (typeValue != nullptr)
         menu.addItem("Type a value...", live, false, std::move(typeValue));
     menu.addItem("Reset to " + valueText(info, info.defaultValue), live, false,
-                 [&info, &view] { setOnce(info, view, info.defaultValue); });
+                 [&info, &view] { changeOnce(view, info.parameter, info.defaultValue); });
     menu.addSeparator();
     if (midi.learningParameter() == parameter)
         menu.addItem("Stop waiting for a MIDI controller", [&midi] { midi.stopLearning(); });
@@ -41,12 +37,10 @@ parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void
 }
 
 juce::String parameterTooltip(const ParameterInfo& info) {
-    const auto description = juce::String::fromUTF8(info.description);
+    const auto description = fromUtf8(info.description);
     if (info.scale == ParameterScale::onOff || info.scale == ParameterScale::choice)
         return description;
-    const auto text = [&](double value) {
-        return juce::String::fromUTF8(formatParameter(info, value).c_str());
-    };
+    const auto text = [&](double value) { return fromUtf8(formatParameter(info, value)); };
     return description + "\n" + text(info.minimum) + " to " + text(info.maximum);
 }
 

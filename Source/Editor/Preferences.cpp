@@ -1,6 +1,6 @@
 #include "Editor/Preferences.h"
 
-#include "Object/MaterialFile.h"
+#include "Editor/SettingsFolder.h"
 
 namespace idiophone {
 namespace {
@@ -10,14 +10,13 @@ constexpr const char *lookKey = "look", *widthKey = "width", *heightKey = "heigh
 } // namespace
 
 Preferences::Preferences() {
-    const auto folder = userMaterialFolder().parent_path();
-    if (folder.empty())
+    const auto folder = userSettingsFolder();
+    if (folder == juce::File())
         return;
     juce::PropertiesFile::Options options;
     options.millisecondsBeforeSaving = 2000;
     options.storageFormat = juce::PropertiesFile::storeAsXML;
-    file = std::make_unique<juce::PropertiesFile>(
-        juce::File(juce::String::fromUTF8((folder / "Window.settings").string().c_str())), options);
+    file = std::make_unique<juce::PropertiesFile>(folder.getChildFile("Window.settings"), options);
 }
 
 LookScheme Preferences::look() const {

@@ -2,6 +2,7 @@
 
 #include "Editor/Icons.h"
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 
@@ -12,8 +13,13 @@ constexpr int gap = 6, button = 28, compareWidth = 52, logoWidth = 112;
 constexpr int mostForName = 420;
 constexpr double slightly = 0.1, clearly = 0.3, boldly = 1;
 
-juce::String shown(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
+/// As this system writes it.
+juce::String commandKey(const char* letter, bool shift = false) {
+#if JUCE_MAC
+    return fromUtf8(shift ? "\xe2\x87\xa7\xe2\x8c\x98" : "\xe2\x8c\x98") + letter; // ⇧⌘
+#else
+    return juce::String(shift ? "Ctrl+Shift+" : "Ctrl+") + letter;
+#endif
 }
 
 bool isCommand(const juce::KeyPress& key, int letter, bool shift) {
@@ -76,7 +82,7 @@ PresetBar::PresetBar(ProcessorView& processor)
     favourite.setPictureOff(icons::starOutline());
     favourite.onClick = [this] { toggleFavourite(); };
     saving.onClick = [this] { save(); };
-    saving.describe("Save", "Save the sound as a preset (Ctrl+S)");
+    saving.describe("Save", "Save the sound as a preset (" + commandKey("S") + ")");
     mutation.onClick = [this] { mutate(clearly); };
     mutation.onMenu = [this] { showMutationMenu(); };
     mutation.describe("Mutate", "Play a new sound near this one. Right click: how near.");
@@ -163,8 +169,8 @@ void PresetBar::refresh() {
 
 void PresetBar::refreshPreset() {
     const auto details = view.presetShelf().soundDetails();
-    name->show(shown(details.name), view.presetShelf().soundIsChanged(),
-               shown(details.description));
+    name->show(fromUtf8(details.name), view.presetShelf().soundIsChanged(),
+               fromUtf8(details.description));
     const auto* preset = chosen();
     favourite.setEnabled(preset != nullptr);
     favourite.setToggleState(preset != nullptr && preset->isFavourite, juce::dontSendNotification);
@@ -177,8 +183,9 @@ void PresetBar::refreshHistory() {
     auto& history = view.editHistory();
     undo.setEnabled(history.canUndo());
     redo.setEnabled(history.canRedo());
-    undo.describe("Undo", "Undo " + shown(history.undoName()) + " (Ctrl+Z)");
-    redo.describe("Redo", "Redo " + shown(history.redoName()) + " (Ctrl+Shift+Z)");
+    undo.describe("Undo", "Undo " + fromUtf8(history.undoName()) + " (" + commandKey("Z") + ")");
+    redo.describe("Redo",
+                  "Redo " + fromUtf8(history.redoName()) + " (" + commandKey("Z", true) + ")");
     const bool isB = view.soundVariants().playsB();
     compare.setToggleState(isB, juce::dontSendNotification);
     copying.describe(isB ? "Copy B to A" : "Copy A to B",

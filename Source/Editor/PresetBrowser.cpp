@@ -2,6 +2,7 @@
 
 #include "Editor/Look.h"
 #include "Editor/PresetSearch.h"
+#include "Editor/Utf8.h"
 
 namespace idiophone {
 namespace {
@@ -9,10 +10,6 @@ namespace {
 constexpr int padding = 10, gap = 8, rowHeight = 28;
 constexpr int leastSources = 130, mostSources = 220;
 constexpr int leastListHeight = 60; ///< with less, a form has the place alone
-
-juce::String shown(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
-}
 
 } // namespace
 
@@ -35,7 +32,7 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
         const auto starred = shelf.setFavourite(id, !preset.isFavourite);
         refill();
         if (!starred)
-            say(shown(starred.error().message), true);
+            say(fromUtf8(starred.error().message), true);
     };
     form.onCancel = [this] { ask(Question::none); };
     form.onAnswer = [this](const PresetDetails& details) { answer(details); };
@@ -59,15 +56,15 @@ void PresetBrowser::showActions() {
     action(reveal, "Show the folder where your presets lie", [this] {
         const auto folder = shelf.presetFolder();
         if (folder)
-            juce::File(shown(*folder)).revealToUser();
+            juce::File(fromUtf8(*folder)).revealToUser();
         else
-            say(shown(folder.error().message), true);
+            say(fromUtf8(folder.error().message), true);
     });
     action(init, "Start from a plain sound", [this] {
         shelf.keepAudition();
         const auto loaded = shelf.loadInitialSound();
         refill();
-        say(loaded ? "A plain sound plays." : shown(loaded.error().message), !loaded);
+        say(loaded ? "A plain sound plays." : fromUtf8(loaded.error().message), !loaded);
     });
     action(back, "Play again what played before (Escape)", [this] { close(false); });
     action(keep, "Keep what plays (Return)", [this] { close(true); });
@@ -127,7 +124,7 @@ void PresetBrowser::refill() {
 
 void PresetBrowser::audition(const ShelvedPreset& preset) {
     const auto played = shelf.auditionPreset(preset.id);
-    say(played ? juce::String() : shown(played.error().message), !played);
+    say(played ? juce::String() : fromUtf8(played.error().message), !played);
     arrangeHint();
 }
 
@@ -154,9 +151,9 @@ void PresetBrowser::ask(Question next) {
             details.author.clear(); // what is made of it is somebody else's
         form.askForDetails(details);
     } else if (question == Question::rename && preset != nullptr) {
-        form.askForName("Rename " + shown(preset->name), preset->name);
+        form.askForName("Rename " + fromUtf8(preset->name), preset->name);
     } else if (question == Question::remove && preset != nullptr) {
-        form.askWhether("Move '" + shown(preset->name) + "' to the bin?", "Delete");
+        form.askWhether("Move '" + fromUtf8(preset->name) + "' to the bin?", "Delete");
     } else {
         question = Question::none;
     }
@@ -180,7 +177,7 @@ void PresetBrowser::answer(const PresetDetails& details) {
                       : question == Question::rename ? shelf.renamePreset(preset->id, details.name)
                                                      : shelf.deletePreset(preset->id);
     if (!done)
-        return form.object(shown(done.error().message));
+        return form.object(fromUtf8(done.error().message));
     const auto said = question == Question::save     ? "Saved."
                       : question == Question::rename ? "Renamed."
                                                      : "In the bin.";

@@ -1,15 +1,12 @@
 #include "Editor/PresetForm.h"
 
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 namespace idiophone {
 namespace {
 
 constexpr int rowHeight = 26, gap = 5, padding = 10, labelWidth = 88, buttonWidth = 96;
-
-juce::String shown(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
-}
 
 } // namespace
 
@@ -76,12 +73,12 @@ void PresetForm::askForDetails(const PresetDetails& first) {
     setTitle("Save the sound");
     juce::StringArray tags;
     for (const auto& tag : first.tags)
-        tags.add(shown(tag));
-    editor(nameField).setText(shown(first.name), false);
-    editor(folderField).setText(shown(first.folder), false);
+        tags.add(fromUtf8(tag));
+    editor(nameField).setText(fromUtf8(first.name), false);
+    editor(folderField).setText(fromUtf8(first.folder), false);
     editor(tagField).setText(tags.joinIntoString(", "), false);
-    editor(authorField).setText(shown(first.author), false);
-    editor(descriptionField).setText(shown(first.description), false);
+    editor(authorField).setText(fromUtf8(first.author), false);
+    editor(descriptionField).setText(fromUtf8(first.description), false);
     sentence.setText({}, juce::dontSendNotification);
     name("Save", "Save");
     show({nameField, folderField, tagField, authorField, descriptionField});
@@ -89,7 +86,7 @@ void PresetForm::askForDetails(const PresetDetails& first) {
 
 void PresetForm::askForName(const juce::String& title, const std::string& first) {
     setTitle(title);
-    editor(nameField).setText(shown(first), false);
+    editor(nameField).setText(fromUtf8(first), false);
     sentence.setText({}, juce::dontSendNotification);
     name("Rename", "Rename preset");
     show({nameField});
@@ -108,7 +105,7 @@ void PresetForm::object(const juce::String& text) {
 }
 
 void PresetForm::objectToName(const PresetDetails& wanted) {
-    object("There is already a preset '" + shown(wanted.name) + "'.");
+    object("There is already a preset '" + fromUtf8(wanted.name) + "'.");
     name("Replace", "Replace");
     offersToReplace = true;
 }

@@ -9,7 +9,8 @@
 
 namespace idiophone {
 
-/// Return answers, Escape cancels. As high as `heightFor` says; whole from 440 pixels of width on.
+/// Return answers, Escape cancels. As high as `neededHeight` says; whole from 440 pixels of width
+/// on.
 class PresetForm final : public juce::Component {
 public:
     PresetForm();

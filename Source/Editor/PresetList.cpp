@@ -2,6 +2,7 @@
 
 #include "Editor/Icons.h"
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 
@@ -10,14 +11,10 @@ namespace {
 
 constexpr int rowHeightPixels = 42, starWidth = 34;
 
-juce::String shown(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
-}
-
 juce::String tagLine(const ShelvedPreset& preset) {
     juce::StringArray tags;
     for (const auto& tag : preset.tags)
-        tags.add(shown(tag));
+        tags.add(fromUtf8(tag));
     return tags.joinIntoString(", ");
 }
 
@@ -87,16 +84,16 @@ void PresetList::paintListBoxItem(
     g.setColour(colourOf(*this, LookColour::dimText));
     g.setFont(Look::textFont(12.5f));
     g.drawText(tags, first.removeFromRight(tagWidth), juce::Justification::centredRight, true);
-    g.drawText(shown(preset->fault.empty() ? preset->description : std::string()), area,
+    g.drawText(fromUtf8(preset->fault.empty() ? preset->description : std::string()), area,
                juce::Justification::centredLeft, true);
     if (!preset->fault.empty()) {
         g.setColour(colourOf(*this, LookColour::error));
-        g.drawText(shown(preset->fault), area, juce::Justification::centredLeft, true);
+        g.drawText(fromUtf8(preset->fault), area, juce::Justification::centredLeft, true);
     }
     g.setColour(colourOf(*this, LookColour::text));
     g.setFont(Look::headingFont(14));
-    const auto place = preset->folder.empty() ? juce::String() : shown(preset->folder) + " / ";
-    g.drawText(place + shown(preset->name), first, juce::Justification::centredLeft, true);
+    const auto place = preset->folder.empty() ? juce::String() : fromUtf8(preset->folder) + " / ";
+    g.drawText(place + fromUtf8(preset->name), first, juce::Justification::centredLeft, true);
 }
 
 void PresetList::listBoxItemClicked(int row, const juce::MouseEvent& event) {
@@ -124,9 +121,9 @@ juce::String PresetList::getNameForRow(int row) {
     const auto* preset = at(row);
     if (preset == nullptr)
         return {};
-    return shown(preset->name) + (preset->isFavourite ? ", favourite" : "") +
-           (preset->fault.empty() ? ". " + shown(preset->description)
-                                  : ". " + shown(preset->fault));
+    return fromUtf8(preset->name) + (preset->isFavourite ? ", favourite" : "") +
+           (preset->fault.empty() ? ". " + fromUtf8(preset->description)
+                                  : ". " + fromUtf8(preset->fault));
 }
 
 juce::String PresetList::getTooltipForRow(int row) {
@@ -134,10 +131,10 @@ juce::String PresetList::getTooltipForRow(int row) {
     if (preset == nullptr)
         return {};
     if (!preset->fault.empty())
-        return shown(preset->fault);
-    const auto by = preset->author.empty() ? juce::String() : "\nBy " + shown(preset->author);
+        return fromUtf8(preset->fault);
+    const auto by = preset->author.empty() ? juce::String() : "\nBy " + fromUtf8(preset->author);
     const auto tags = preset->tags.empty() ? juce::String() : "\nTags: " + tagLine(*preset);
-    return shown(preset->description) + by + tags;
+    return fromUtf8(preset->description) + by + tags;
 }
 
 } // namespace idiophone

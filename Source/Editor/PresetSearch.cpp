@@ -1,5 +1,7 @@
 #include "Editor/PresetSearch.h"
 
+#include "Editor/Utf8.h"
+
 #include <algorithm>
 #include <map>
 
@@ -30,7 +32,7 @@ juce::String small(const juce::String& text) {
 }
 
 juce::String small(const std::string& text) {
-    return small(juce::String::fromUTF8(text.c_str()));
+    return small(fromUtf8(text));
 }
 
 } // namespace

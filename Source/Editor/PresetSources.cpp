@@ -2,6 +2,7 @@
 
 #include "Editor/Look.h"
 #include "Editor/PresetSearch.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 #include <set>
@@ -10,10 +11,6 @@ namespace idiophone {
 namespace {
 
 constexpr int rowHeightPixels = 22, headingHeight = 22;
-
-juce::String shown(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
-}
 
 } // namespace
 
@@ -61,7 +58,7 @@ void PresetSources::show(const std::vector<ShelvedPreset>& presets) {
     for (const auto& preset : presets) {
         hasOwn = hasOwn || !preset.isFactory;
         if (!preset.folder.empty())
-            folders.insert(shown(preset.folder));
+            folders.insert(fromUtf8(preset.folder));
     }
     sources = {{Kind::all, "All"}, {Kind::favourites, "Favourites"}, {Kind::factory, "Factory"}};
     if (hasOwn)
@@ -104,7 +101,7 @@ void PresetSources::followChoice() {
 }
 
 bool PresetSources::passes(const ShelvedPreset& preset) const {
-    const auto folder = shown(preset.folder);
+    const auto folder = fromUtf8(preset.folder);
     const bool isHere = chosen.kind == Kind::all ||
                         (chosen.kind == Kind::favourites && preset.isFavourite) ||
                         (chosen.kind == Kind::factory && preset.isFactory) ||

@@ -118,6 +118,9 @@ public:
     virtual EditHistory& editHistory() = 0;
     virtual SoundVariants& soundVariants() = 0;
     virtual MidiLearnView& midiLearn() = 0;
+
+    /// The window is gone: whatever changes by hand it had begun are over.
+    virtual void windowClosed() = 0;
 };
 
 } // namespace idiophone

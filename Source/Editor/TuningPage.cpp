@@ -1,6 +1,7 @@
 #include "Editor/TuningPage.h"
 
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 #include <utility>
 #include <vector>
@@ -17,15 +18,11 @@ std::vector<ParameterGroup> groups() {
     return {{"Pitch", 0, {concertPitch, tune, bendRange}}, {"MPE", 1, {mpe, mpeBendRange}}};
 }
 
-juce::String utf8(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
-}
-
 juce::String originOf(const TuningStatus& status) {
     switch (status.source) {
     case Source::files:
         return status.mappingFile.empty() ? juce::String("A scale of your own, from note 60 on")
-                                          : "Keys as in " + utf8(status.mappingFile);
+                                          : "Keys as in " + fromUtf8(status.mappingFile);
     case Source::session:
         return "As the session has it (MTS-ESP)";
     case Source::messages:
@@ -44,8 +41,8 @@ TuningPage::TuningPage(ProcessorView& processor)
            "Open a Scala scale (.scl) or a keyboard mapping (.kbm); dropping it on the window does "
            "the same",
            "*.scl;*.kbm",
-           [this](const std::string& path) {
-               view.openTuning(path);
+           [this](const std::filesystem::path& file) {
+               view.openTuning(file);
                refresh();
            }),
       columns(groups(), processor) {
@@ -78,7 +75,7 @@ void TuningPage::refresh() {
 }
 
 void TuningPage::showTuning() {
-    const auto name = utf8(shown.scale);
+    const auto name = fromUtf8(shown.scale);
     scale.setText(name.isEmpty() ? juce::String("A scale without a name") : name,
                   juce::dontSendNotification);
     scale.setTooltip(name);

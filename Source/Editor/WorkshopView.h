@@ -42,7 +42,7 @@ struct ImportStatus {
     std::string step;        ///< what is being done, such as "Solving for modes"
     std::string error;       ///< a sentence
     // Of the object made last, empty before.
-    std::string summary; ///< such as "171 modes up to 44.0 kHz, 1.6 kg"
+    std::string summary; ///< such as "171 modes from 412 Hz to 44.0 kHz; 1.60 kg of Steel, ..."
     std::string notes;   ///< what repair and analysis chose and why, in sentences
     std::string unit;    ///< symbol of the unit taken
     std::string method;  ///< the method taken
@@ -84,11 +84,9 @@ public:
     virtual void setKeyLayout(KeyLayout layout) = 0;
 
     /// The path along which keys strike one of `ProcessorView::playedObjects`, in metres of its own
-    /// mesh, from the lowest key's end; empty where there is no such object.
-    virtual std::vector<std::array<double, 3>> strikePath(std::size_t index) const = 0;
-    /// Draws it anew; the places on the surface nearest to it are struck. Of a keyboard the path of
-    /// one object is that of all, to the proportions of each. At most 1000 points are kept, evenly;
-    /// a path without a finite point changes nothing.
+    /// mesh, from the lowest key's end: the places on the surface nearest to it are struck. Of a
+    /// keyboard the path of one object is that of all, to the proportions of each. At most 1000
+    /// points are kept, evenly; a path without a finite point changes nothing.
     virtual void setStrikePath(std::size_t index,
                                const std::vector<std::array<double, 3>>& pathMetres) = 0;
 };
