@@ -22,7 +22,7 @@ void BlockPieces::begin(const juce::MidiBuffer& midi, NoteQueue& notes, int bloc
     position = 0;
     samples = blockSamples;
     finished = false;
-    if (eventCount + NoteQueue::capacity <= events.size())
+    if (eventCount + NoteQueue::mostEvents <= events.size())
         notes.read([this](const MidiEvent& event) { events[eventCount++] = event; });
 }
 

@@ -48,7 +48,7 @@ private:
     bool finished = true;
     std::array<MidiEvent, maximumEvents> events{};
     std::size_t eventCount = 0; ///< collected and not yet handed out
-    static_assert(NoteQueue::capacity <= maximumEvents);
+    static_assert(NoteQueue::mostEvents <= maximumEvents);
 };
 
 } // namespace idiophone

@@ -1,14 +1,15 @@
 #include "Plugin/FileKinds.h"
 
+#include "Editor/Utf8.h"
+
 #include <algorithm>
 #include <initializer_list>
-#include <juce_core/juce_core.h>
 
 namespace idiophone {
 namespace {
 
 bool hasExtension(const std::filesystem::path& file, std::initializer_list<const char*> known) {
-    const juce::String extension = juce::String::fromUTF8(file.extension().string().c_str());
+    const auto extension = textOf(file.extension());
     return std::ranges::any_of(known,
                                [&](const char* each) { return extension.equalsIgnoreCase(each); });
 }
@@ -31,8 +32,8 @@ bool isKeyboardMapping(const std::filesystem::path& file) {
     return hasExtension(file, {".kbm"});
 }
 
-std::string nameOf(const std::filesystem::path& file) {
-    return file.filename().string();
+std::string fileNameOf(const std::filesystem::path& file) {
+    return textOf(file.filename()).toStdString();
 }
 
 } // namespace idiophone

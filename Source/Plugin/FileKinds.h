@@ -11,7 +11,7 @@ bool isMeshFile(const std::filesystem::path& file);        ///< .obj, .off, .ply
 bool isScale(const std::filesystem::path& file);           ///< .scl
 bool isKeyboardMapping(const std::filesystem::path& file); ///< .kbm
 
-/// Without its folder.
-std::string nameOf(const std::filesystem::path& file);
+/// Without its folder, in UTF-8.
+std::string fileNameOf(const std::filesystem::path& file);
 
 } // namespace idiophone

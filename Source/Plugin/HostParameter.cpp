@@ -1,12 +1,14 @@
 #include "Plugin/HostParameter.h"
 
+#include "Editor/Utf8.h"
+
 namespace idiophone {
 namespace {
 
 // The host shows the label behind the text.
 juce::String withoutUnit(const std::string& text, const ParameterInfo& info) {
-    const auto full = juce::String::fromUTF8(text.c_str());
-    const auto suffix = " " + juce::String::fromUTF8(info.unit);
+    const auto full = fromUtf8(text);
+    const auto suffix = " " + fromUtf8(info.unit);
     return *info.unit != '\0' && full.endsWith(suffix) ? full.dropLastCharacters(suffix.length())
                                                        : full;
 }
@@ -14,10 +16,10 @@ juce::String withoutUnit(const std::string& text, const ParameterInfo& info) {
 } // namespace
 
 HostParameter::HostParameter(const ParameterInfo& info)
-    : AudioProcessorParameterWithID(juce::ParameterID(info.id, info.versionAdded),
-                                    juce::String::fromUTF8(info.name),
-                                    juce::AudioProcessorParameterWithIDAttributes().withLabel(
-                                        juce::String::fromUTF8(info.unit))),
+    : AudioProcessorParameterWithID(
+          juce::ParameterID(info.id, info.versionAdded),
+          fromUtf8(info.name),
+          juce::AudioProcessorParameterWithIDAttributes().withLabel(fromUtf8(info.unit))),
       row(info), exact(info.defaultValue) {}
 
 float HostParameter::getValue() const {

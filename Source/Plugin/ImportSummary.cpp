@@ -1,12 +1,13 @@
 #include "Plugin/ImportSummary.h"
 
+#include "Editor/Utf8.h"
 #include "Instrument/ObjectBox.h"
 #include "Object/ModalObjectFile.h"
+#include "Plugin/ContentHash.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <juce_core/juce_core.h>
 #include <numbers>
 #include <string_view>
 
@@ -38,8 +39,8 @@ std::string summaryOf(const ModalObject& object) {
             frequency(lowestHz) +
             (modes == 1 ? juce::String() : " to " + frequency(object.bandHz)) + "; " +
             (kilograms < 1 ? figure(1000 * kilograms) + " g" : figure(kilograms) + " kg") + " of " +
-            juce::String::fromUTF8(object.material.name.c_str()) + ", " + millimetres(0) + " x " +
-            millimetres(1) + " x " + millimetres(2) + " mm")
+            fromUtf8(object.material.name) + ", " + millimetres(0) + " x " + millimetres(1) +
+            " x " + millimetres(2) + " mm")
         .toStdString();
 }
 
@@ -49,12 +50,8 @@ std::string notesOf(const ModalObject& object, const std::string& unitSentence) 
 }
 
 std::string uniqueName(const ModalObject& object) {
-    const auto bytes = encodeModalObject(object);
-    std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a
-    for (const auto byte : bytes)
-        hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3;
-    return "imported/" + object.name + "-" +
-           juce::String::toHexString(static_cast<juce::int64>(hash)).toStdString();
+    const auto hash = static_cast<juce::int64>(contentHash(encodeModalObject(object)));
+    return "imported/" + object.name + "-" + juce::String::toHexString(hash).toStdString();
 }
 
 } // namespace idiophone

@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// "171 modes from 12.5 to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200 mm".
+/// "171 modes from 412 Hz to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200 mm".
 std::string summaryOf(const ModalObject& object);
 
 /// The sentences on its unit and of its analysis, one after the other.

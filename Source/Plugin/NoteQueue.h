@@ -4,29 +4,57 @@
 #include "Instrument/Player.h"
 #include "Plugin/OneWayQueue.h"
 
+#include <atomic>
+#include <bitset>
+
 namespace idiophone {
 
 class NoteQueue {
 public:
     static constexpr int capacity = 256;
+    /// That one `read` hands over: what waits, and releases of all keys.
+    static constexpr int mostEvents = capacity + 128;
 
-    /// [message thread] Velocity 0 releases. Returns false, and forgets the note, where the queue
-    /// is full.
+    /// [message thread] Velocity 0 releases. Of a full queue a note is lost, and false returned;
+    /// but never a release: then all notes of the queue are released.
     bool push(int note, int velocity) noexcept {
-        const auto status = static_cast<std::uint8_t>(velocity > 0 ? 0x90 : 0x80);
-        return queue.push({.sampleOffset = 0,
-                           .bytes = {status, static_cast<std::uint8_t>(note & 127),
-                                     static_cast<std::uint8_t>(velocity & 127)}});
+        const bool isRelease = velocity <= 0;
+        const bool isQueued = queue.push(isRelease ? release(note) : strike(note, velocity));
+        if (!isQueued && isRelease)
+            releaseLost = true;
+        return isQueued;
     }
 
-    /// [audio thread] Hands each waiting note to `take`, oldest first; at most `capacity` of them.
+    /// [audio thread] Hands each waiting note to `take`, oldest first; at most `mostEvents`.
     template <class Take>
     void read(Take&& take) noexcept {
-        queue.read(take);
+        queue.read([&](const MidiEvent& event) {
+            held.set(event.bytes[1], event.bytes[0] == noteOn);
+            take(event);
+        });
+        if (!releaseLost.exchange(false))
+            return;
+        for (std::size_t note = 0; note < held.size(); ++note)
+            if (held.test(note))
+                take(release(static_cast<int>(note)));
+        held.reset();
     }
 
 private:
+    static constexpr std::uint8_t noteOn = 0x90, noteOff = 0x80;
+
+    static MidiEvent strike(int note, int velocity) noexcept {
+        return {.sampleOffset = 0,
+                .bytes = {noteOn, static_cast<std::uint8_t>(note & 127),
+                          static_cast<std::uint8_t>(velocity & 127)}};
+    }
+    static MidiEvent release(int note) noexcept {
+        return {.sampleOffset = 0, .bytes = {noteOff, static_cast<std::uint8_t>(note & 127), 0}};
+    }
+
     OneWayQueue<MidiEvent, capacity> queue;
+    std::atomic<bool> releaseLost{false}; ///< for want of room
+    std::bitset<128> held;                ///< the audio thread's
 };
 
 } // namespace idiophone

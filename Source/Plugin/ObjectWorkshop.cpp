@@ -2,6 +2,7 @@
 
 #include "Analysis/FewerShapes.h"
 #include "Analysis/PreviewAnalysis.h"
+#include "Editor/Utf8.h"
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
 #include "Object/MaterialFile.h"
@@ -84,37 +85,42 @@ void ObjectWorkshop::analyse(Mesh meshMetres,
 }
 
 void ObjectWorkshop::start(std::shared_ptr<Job> job) {
+    ImportStatus status{.stage = ImportStatus::Stage::working,
+                        .fileName =
+                            job->source != nullptr ? job->source->name : fileNameOf(job->file),
+                        .followsSettings = false,
+                        .settings = job->settings,
+                        .progress = 0,
+                        .step = "Waiting",
+                        .error = {},
+                        .summary = {},
+                        .notes = {},
+                        .unit = {},
+                        .method = {}};
+    auto formerMesh = job->source;
+    std::optional<Product> former; // destroyed without the mutex, as the mesh
     {
         const std::scoped_lock lock(mutex);
         if (current != nullptr)
             current->cancelled = true;
-        product.reset();
-        mesh = job->source;
-        shown = {.stage = ImportStatus::Stage::working,
-                 .fileName = job->source != nullptr ? job->source->name : nameOf(job->file),
-                 .followsSettings = false,
-                 .settings = job->settings,
-                 .progress = 0,
-                 .step = "Waiting",
-                 .error = {},
-                 .summary = {},
-                 .notes = {},
-                 .unit = {},
-                 .method = {}};
+        former.swap(product);
+        mesh.swap(formerMesh);
+        shown = std::move(status);
         current = waiting = std::move(job);
-        if (!worker.joinable())
-            worker = std::thread([this] { run(); });
     }
+    if (!worker.joinable())
+        worker = std::thread([this] { run(); });
     wake.notify_all();
 }
 
 void ObjectWorkshop::cancel() {
+    std::optional<Product> former; // destroyed without the mutex
     const std::scoped_lock lock(mutex);
+    former.swap(product);
     if (current == nullptr || !shown.isWorking())
         return;
     current->cancelled = true;
     waiting.reset();
-    product.reset();
     shown.stage = ImportStatus::Stage::cancelled;
     shown.step.clear();
 }
@@ -153,7 +159,8 @@ void ObjectWorkshop::run() {
             if (!made)
                 fail(*job, made.error().message);
         } catch (const std::exception& fault) {
-            fail(*job, nameOf(job->file) + ": it cannot be made an object: " + fault.what() + ".");
+            fail(*job,
+                 fileNameOf(job->file) + ": it cannot be made an object: " + fault.what() + ".");
         }
     }
 }
@@ -168,11 +175,11 @@ Result<void> ObjectWorkshop::make(const Job& job) {
     if (!read)
         return tl::unexpected(read.error());
     const auto source = std::make_shared<const Source>(
-        Source{.name = nameOf(job.file), .mesh = std::move(*read), .isMetres = false});
+        Source{.name = fileNameOf(job.file), .mesh = std::move(*read), .isMetres = false});
     {
         const std::scoped_lock lock(mutex);
         if (!job.cancelled)
-            mesh = source;
+            mesh = source; // where there was none: `start` took it
     }
     return makeFromMesh(job, *source);
 }
@@ -187,18 +194,19 @@ Result<void> ObjectWorkshop::makeFromMesh(const Job& job, const Source& source) 
     const auto unit = unitOf(source, job.settings);
     Mesh metres = source.mesh;
     metres.vertices *= unit.unit.metresPerUnit;
-    const AnalysisSettings settings{.name = std::filesystem::path(source.name).stem().string(),
+    const AnalysisSettings settings{.name =
+                                        textOf(pathOf(fromUtf8(source.name)).stem()).toStdString(),
                                     .source = source.name,
                                     .material = choices->material,
                                     .method = choices->method,
                                     .thicknessMetres = job.settings.thicknessMetres};
     const auto control = [&](double from, double to, std::string_view prefix) {
         return WorkControl{.progress =
-                                   [=, this, &job](double share, std::string_view step) {
-                                       report(job, from + (to - from) * share,
-                                              std::string(prefix) + std::string(step));
-                                   },
-                               .cancelled = &job.cancelled};
+                               [=, this, &job](double share, std::string_view step) {
+                                   report(job, from + (to - from) * share,
+                                          std::string(prefix) + std::string(step));
+                               },
+                           .cancelled = &job.cancelled};
     };
     auto preview = analysePreview(metres, settings, control(readShare, previewShare, "Preview: "));
     if (preview)
@@ -219,7 +227,7 @@ Result<void> ObjectWorkshop::makeFromModal(const Job& job) {
     if (!object)
         return tl::unexpected(object.error());
     if (object->modeCount() == 0 || object->shapeVertexCount() == 0 || object->faceCount() == 0)
-        return failure(nameOf(job.file) + ": it has no mode, or no surface to be struck.");
+        return failure(fileNameOf(job.file) + ": it has no mode, or no surface to be struck.");
     deliver(job, std::move(*object), {}, Finish::whole);
     return {};
 }
@@ -244,26 +252,29 @@ void ObjectWorkshop::deliver(const Job& job,
                              ModalObject object,
                              const UnitGuess& unit,
                              Finish finish) {
+    const bool isPreview = finish == Finish::preview;
     auto name = uniqueName(object);
     const auto shared = std::make_shared<const ModalObject>(std::move(object));
-    const std::scoped_lock lock(mutex);
+    auto summary = summaryOf(*shared);
+    auto notes = notesOf(*shared, unit.sentence);
+    std::optional<Product> made = Product{.object = shared,
+                                          .objectName = std::move(name),
+                                          .isPreview = isPreview,
+                                          .isNewFile = job.source == nullptr};
+    const std::scoped_lock lock(mutex); // released before the product that is replaced
     if (current.get() != &job || job.cancelled)
         return;
-    const bool isPreview = finish == Finish::preview;
     shown.stage = isPreview ? ImportStatus::Stage::previewed : ImportStatus::Stage::done;
-    shown.summary = summaryOf(*shared);
-    shown.notes = notesOf(*shared, unit.sentence);
+    shown.summary = std::move(summary);
+    shown.notes = std::move(notes);
     shown.unit = unit.unit.symbol;
     shown.method = shared->method;
     if (!isPreview) {
         shown.progress = 1;
         shown.step.clear();
     }
-    product = Product{.object = shared,
-                      .objectName = std::move(name),
-                      .isPreview = isPreview,
-                      .isFirst = !current->isFetched,
-                      .isNewFile = job.source == nullptr};
+    made->isFirst = !current->isFetched;
+    product.swap(made);
 }
 
 void ObjectWorkshop::fail(const Job& job, const std::string& sentence) {

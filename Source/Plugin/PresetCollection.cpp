@@ -3,11 +3,9 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/InitialPreset.h"
 #include "Instrument/LoudnessMatch.h"
-#include "Object/MaterialFile.h"
+#include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/PresetObjects.h"
-
-#include <algorithm>
 
 namespace idiophone {
 namespace {
@@ -51,20 +49,11 @@ ShelvedPreset shelved(const Preset& preset, std::string id) {
 }
 
 const Preset* factoryPreset(const std::string& id) {
-    const auto presets = factoryPresets();
-    const auto preset = std::ranges::find_if(
-        presets, [&](const Preset& candidate) { return factoryPresetId(candidate.name) == id; });
-    return preset == presets.end() ? nullptr : &*preset;
+    const int program = factoryProgram(id);
+    return program < 0 ? nullptr : &factoryPresets()[static_cast<std::size_t>(program)];
 }
 
 } // namespace
-
-juce::File userSettingsFolder() {
-    const auto materials = userMaterialFolder();
-    return materials.empty()
-               ? juce::File()
-               : juce::File(juce::String::fromUTF8(materials.parent_path().string().c_str()));
-}
 
 PresetCollection::PresetCollection(SoundHolder& soundHolder,
                                    SoundHistory& soundHistory,
@@ -148,7 +137,7 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
 void PresetCollection::play(const FoundSound& found) {
     holder.playSound(found.sound);
     if (!found.notice.empty())
-        holder.tellUser(found.notice);
+        holder.reportError(found.notice);
 }
 
 Result<void> PresetCollection::loadPreset(const std::string& id) {

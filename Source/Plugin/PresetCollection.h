@@ -49,8 +49,4 @@ private:
     std::vector<ShelvedPreset> shelf;
 };
 
-/// The folder of this user's settings for Idiophone, where materials and presets lie; an empty file
-/// where the environment names none.
-juce::File userSettingsFolder();
-
 } // namespace idiophone

@@ -1,5 +1,6 @@
 #include "Plugin/PresetFolder.h"
 
+#include "Editor/Utf8.h"
 #include "Instrument/PresetFile.h"
 #include "Object/UntrustedJson.h"
 #include "Plugin/PresetObjects.h"
@@ -13,17 +14,13 @@ namespace {
 constexpr int longestName = 100;
 constexpr const char* ending = ".json";
 
-juce::String shown(const std::string& text) {
-    return juce::String::fromUTF8(text.c_str());
-}
-
 std::string nameOf(const PresetFolder::Entry& entry) {
     return entry.preset ? entry.preset->name : entry.id;
 }
 
 Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
     const auto legal =
-        juce::File::createLegalFileName(shown(name)).trim().trimCharactersAtStart(".");
+        juce::File::createLegalFileName(fromUtf8(name)).trim().trimCharactersAtStart(".");
     if (legal.isEmpty())
         return failure(std::string(ofWhat) + " needs a name that a file can have.");
     if (legal.length() > longestName)
@@ -61,7 +58,7 @@ std::string PresetFolder::idOf(const juce::File& file) const {
 }
 
 juce::File PresetFolder::fileOf(const std::string& id) const {
-    return root.getChildFile(shown(id));
+    return root.getChildFile(fromUtf8(id));
 }
 
 const std::vector<PresetFolder::Entry>& PresetFolder::read() {
@@ -83,8 +80,8 @@ const std::vector<PresetFolder::Entry>& PresetFolder::read() {
             const auto before = known.find(id);
             const bool isKnown = before != known.end() && before->second.bytes == bytes &&
                                  before->second.written == written;
-            auto preset = isKnown ? std::move(before->second.preset)
-                                  : readPresetFile(item.getFile().getFullPathName().toStdString());
+            auto preset =
+                isKnown ? std::move(before->second.preset) : readPresetFile(pathOf(item.getFile()));
             const auto slash = id.rfind('/');
             found.push_back({.id = id,
                              .folder = slash == std::string::npos ? "" : id.substr(0, slash),
@@ -94,8 +91,8 @@ const std::vector<PresetFolder::Entry>& PresetFolder::read() {
         }
     known = std::move(seen);
     std::ranges::sort(found, [](const Entry& a, const Entry& b) {
-        const int folders = shown(a.folder).compareNatural(shown(b.folder));
-        const int names = shown(nameOf(a)).compareNatural(shown(nameOf(b)));
+        const int folders = fromUtf8(a.folder).compareNatural(fromUtf8(b.folder));
+        const int names = fromUtf8(nameOf(a)).compareNatural(fromUtf8(nameOf(b)));
         return folders != 0 ? folders < 0 : names != 0 ? names < 0 : a.id < b.id;
     });
     return found;
@@ -119,7 +116,7 @@ Result<juce::File> PresetFolder::placeFor(const std::string& name,
     if (root == juce::File())
         return failure("There is no place for presets of your own on this machine.");
     auto place = root;
-    const auto parts = juce::StringArray::fromTokens(shown(folderName), "/\\", "");
+    const auto parts = juce::StringArray::fromTokens(fromUtf8(folderName), "/\\", "");
     int depth = 0;
     for (const auto& part : parts) {
         if (part.trim().isEmpty())

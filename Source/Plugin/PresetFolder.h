@@ -27,7 +27,6 @@ public:
 
     /// By folder and name, whatever the case. Files that are as they were are not read again.
     const std::vector<Entry>& read();
-    const std::vector<Entry>& entries() const { return found; }
     const Entry* find(const std::string& id) const;
 
     juce::File fileOf(const std::string& id) const;

@@ -1,26 +1,22 @@
 #include "Plugin/PresetObjects.h"
 
+#include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/PresetFile.h"
+#include "Plugin/ContentHash.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneStage.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
-#include <string_view>
 
 namespace idiophone {
 namespace {
 
 using Bytes = std::vector<std::byte>;
-
-std::string_view asText(const Bytes& bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// By name, for every note that has one; none where all are the factory's.
 std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
@@ -38,7 +34,7 @@ std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
 
 /// What people called it, as far as a file can be called that.
 juce::String fileStem(const KeyMap& keyMap) {
-    const auto name = juce::String::fromUTF8(keyMap.object.c_str()).replace("{note}", "");
+    const auto name = fromUtf8(keyMap.object).replace("{note}", "");
     const auto last = name.trimCharactersAtEnd("/\\").fromLastOccurrenceOf("/", false, false);
     const auto legal = juce::File::createLegalFileName(last.upToLastOccurrenceOf(".", false, false))
                            .upToLastOccurrenceOf("-", false, false) // as writePresetObjects adds
@@ -114,9 +110,9 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
     const auto files = filesOf(instrument);
     if (files.empty())
         return keyMap;
-    std::size_t hash = files.size();
+    auto hash = contentHash({});
     for (const auto& [name, bytes] : files)
-        hash = hash * 31 + std::hash<std::string_view>()(asText(bytes));
+        hash = contentHash(bytes, hash);
     const bool isOne = files.size() == 1 && keyMap.objectFor(0) == keyMap.objectFor(1);
     std::vector<int> notes; // one for each file
     for (int note = keyMap.lowestNote; note <= (isOne ? keyMap.lowestNote : keyMap.highestNote);
@@ -126,7 +122,7 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
     auto stored = keyMap;
     const auto bytesOf = [&](int note) -> const Bytes& { return files.at(keyMap.objectFor(note)); };
     const auto fileOf = [&](int note) {
-        return folder.getChildFile(juce::String::fromUTF8(stored.objectFor(note).c_str()));
+        return folder.getChildFile(fromUtf8(stored.objectFor(note)));
     };
     // A name that other contents have, damaged or put there by somebody, is left to them.
     const auto isTaken = [&](int note) {
@@ -145,7 +141,7 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
 }
 
 Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile) {
-    const auto found = withObjectsBeside(keyMap, presetFile.getFullPathName().toStdString());
+    const auto found = withObjectsBeside(keyMap, pathOf(presetFile));
     if (const auto missing = firstMissing(found)) {
         const auto standIn = standInFor(keyMap);
         return buildInstrument(standIn, ObjectLibrary::shared()).transform([&](auto built) {

@@ -1,7 +1,9 @@
 #include "Plugin/Processor.h"
 
+#include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Synth/LiveConditions.h"
 
@@ -182,7 +184,7 @@ const juce::String Processor::getProgramName(int index) {
     const auto presets = factoryPresets();
     if (index < 0 || index >= static_cast<int>(presets.size()))
         return {};
-    return juce::String::fromUTF8(presets[static_cast<std::size_t>(index)].name.c_str());
+    return fromUtf8(presets[static_cast<std::size_t>(index)].name);
 }
 
 void Processor::setCurrentProgram(int index) {
@@ -207,6 +209,7 @@ void Processor::setCurrentProgram(int index) {
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }
 
+/// Under soundMutex.
 void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     double slowest = std::numeric_limits<double>::infinity();
     double ratio = std::numeric_limits<double>::infinity();
@@ -227,6 +230,8 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     instrument = std::move(built);
     ++loads;
     lastError.clear();
+    // Before the player, which has its own: an older message never comes to it.
+    sendSilences();
     if (preparedRateHz > 0)
         handoff.publish(newPlayer());
 }
@@ -240,20 +245,17 @@ std::unique_ptr<Player> Processor::newPlayer() const {
 }
 
 void Processor::getStateInformation(juce::MemoryBlock& destination) {
-    State state{.engineVersion = IDIOPHONE_VERSION,
-                .parameters = parameters.values(),
-                .unknownParameters = {},
-                .preset = {},
-                .objects = {},
-                .controllers = controllers.assignments(),
-                .tuning = {}};
+    State state;
     {
         const std::scoped_lock lock(soundMutex);
-        state.unknownParameters = unknownParameters;
-        state.preset = loadedPreset;
-        state.tuning = scala;
-        if (instrument)
-            state.objects = foreignObjects(*instrument);
+        state = {.engineVersion = IDIOPHONE_VERSION,
+                 .parameters = parameters.values(),
+                 .unknownParameters = unknownParameters,
+                 .preset = loadedPreset,
+                 .objects =
+                     instrument ? foreignObjects(*instrument) : std::vector<EmbeddedObject>(),
+                 .controllers = controllers.assignments(),
+                 .tuning = scala};
     }
     const auto bytes = encodeState(state);
     destination.replaceAll(bytes.data(), bytes.size());

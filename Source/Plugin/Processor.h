@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Editor/ProcessorView.h"
+#include "Editor/SettingsFolder.h"
 #include "Output/OutputStage.h"
 #include "Plugin/BlockPieces.h"
 #include "Plugin/Handoff.h"
@@ -116,13 +117,11 @@ public:
     SoundHistory& editHistory() override { return history; }
     SoundHistory& soundVariants() override { return history; }
     MidiLearn& midiLearn() override { return controllers; }
+    void windowClosed() override;
 
     Sound loadedSound() const override;
     SoundLabel loadedLabel() const override;
     void playSound(const Sound& wanted) override;
-    void tellUser(const std::string& sentence) override { reportError(sentence); }
-    int soundNumber() const override { return loads; }
-    double valueOf(ParameterId parameter) const override { return parameterValue(parameter); }
     void setValue(ParameterId parameter, double value) override;
 
     bool isTuningFile(const std::filesystem::path& file) const override;
@@ -139,7 +138,6 @@ public:
     ImportStatus importStatus() const override;
     std::optional<KeyLayout> keyLayout() const override;
     void setKeyLayout(KeyLayout layout) override;
-    std::vector<std::array<double, 3>> strikePath(std::size_t index) const override;
     void setStrikePath(std::size_t index,
                        const std::vector<std::array<double, 3>>& pathMetres) override;
 
@@ -164,19 +162,31 @@ private:
     void sendSilences();
 
     // ProcessorForWorkshop.cpp; for the message thread.
+    /// What plays at one moment, and the number of its load: what is made of it is played only
+    /// where no other thread has loaded something since.
+    struct Loaded {
+        Sound sound;
+        int number = 0;
+    };
+    Loaded loaded() const;
     double rateHz() const;
-    void beginImport();
+    void beginImport(int number);
     bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
     void playProduct(const ObjectWorkshop::Product& product);
-    void renewHistory(const ModalObject& preview, const std::shared_ptr<const ModalObject>& whole);
-    void playMapped(const KeyMap& map, const std::string& step);
-    void playAsLoud(const Preset& preset,
-                    const std::shared_ptr<const Instrument>& built,
-                    ParameterValues values);
-    void playAtOwnLevel(const Preset& preset,
-                        const std::shared_ptr<const Instrument>& built,
-                        const ParameterValues& values);
+    void renewHistory(const ModalObject& preview,
+                      const KeyMap& wholeMap,
+                      const std::shared_ptr<const Instrument>& whole,
+                      int number);
+    void playMapped(const Loaded& now, const KeyMap& map, const std::string& step);
+    ParameterValues asLoudAs(const Sound& before,
+                             const Preset& preset,
+                             const std::shared_ptr<const Instrument>& built,
+                             ParameterValues values) const;
+    std::optional<int> playInstead(int number,
+                                   const Preset& preset,
+                                   const std::shared_ptr<const Instrument>& built,
+                                   const ParameterValues& values);
 
     double hostTempo() const noexcept;
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
@@ -192,7 +202,7 @@ private:
     int watchedInstrument = 0;
     ObjectWorkshop workshop;
     ImportSettings importSettings;
-    int importLoads = -1; ///< `loads` as of the workshop's job, while that is played
+    int importLoads = -1; ///< number of the load that the workshop's job began from or led to
     bool importFailureShown = true;
 
     // The message side's, under soundMutex.

@@ -1,5 +1,6 @@
 // What the processor is to the window.
 #include "Editor/EditorWindow.h"
+#include "Plugin/OwnSlots.h"
 #include "Plugin/Processor.h"
 
 #include "Instrument/SettingsOfParameters.h"
@@ -10,12 +11,16 @@
 #include <utility>
 
 namespace idiophone {
+
 juce::AudioProcessorEditor* Processor::createEditor() {
+    return new EditorWindow(*this, *this);
+}
+
+void Processor::windowClosed() {
     for (std::size_t i = 0; i < openGestures.size(); ++i)
         if (std::exchange(openGestures[i], 0) > 0)
             parameters[static_cast<ParameterId>(i)].endChangeGesture();
     history.endAllGestures();
-    return new EditorWindow(*this, *this);
 }
 
 double Processor::parameterValue(ParameterId parameter) const {
@@ -167,18 +172,13 @@ std::vector<BodyNow> Processor::stageBodies() const {
     const auto playing = loadedInstrument();
     if (playing == nullptr || !playing->stage())
         return bodies;
-    const auto slots = playing->slots();
-    const auto own = ownSlots(*playing);
+    const auto objects = objectsOfSlots(*playing);
     const auto poses = playing->stage()->firstPoses();
-    for (std::size_t slot = 0; slot < poses.size(); ++slot) {
-        if (!poses[slot].isThere)
-            continue;
-        const auto object = std::ranges::find_if(
-            own, [&](std::size_t each) { return slots[each].object == slots[slot].object; });
-        bodies.push_back({.object = static_cast<int>(object - own.begin()),
-                          .originMetres = poses[slot].originMetres,
-                          .turn = poses[slot].turn});
-    }
+    for (std::size_t slot = 0; slot < poses.size(); ++slot)
+        if (poses[slot].isThere)
+            bodies.push_back({.object = objects[slot],
+                              .originMetres = poses[slot].originMetres,
+                              .turn = poses[slot].turn});
     return bodies;
 }
 

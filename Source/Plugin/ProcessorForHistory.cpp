@@ -1,10 +1,8 @@
 // Whole sounds of the processor, for its history and presets.
 #include "Plugin/Processor.h"
 
-#include "Instrument/FactoryContent.h"
 #include "Instrument/SilencedModes.h"
-
-#include <algorithm>
+#include "Plugin/FactoryPrograms.h"
 
 namespace idiophone {
 namespace {
@@ -20,23 +18,21 @@ bool sharesObject(const std::shared_ptr<const Instrument>& one,
            one->slots().front().object == other->slots().front().object;
 }
 
-int programOf(const std::string& presetId) {
-    const auto presets = factoryPresets();
-    const auto found = std::ranges::find_if(
-        presets, [&](const Preset& preset) { return factoryPresetId(preset.name) == presetId; });
-    return found == presets.end() ? -1 : static_cast<int>(std::distance(presets.begin(), found));
-}
-
 } // namespace
 
 Sound Processor::loadedSound() const {
+    return loaded().sound;
+}
+
+Processor::Loaded Processor::loaded() const {
     const std::scoped_lock lock(soundMutex);
-    return {.preset = loadedPreset,
-            .instrument = instrument,
-            .parameters = parameters.values(),
-            .unknownParameters = unknownParameters,
-            .presetId = presetId,
-            .stored = storedParameters};
+    return {.sound = {.preset = loadedPreset,
+                      .instrument = instrument,
+                      .parameters = parameters.values(),
+                      .unknownParameters = unknownParameters,
+                      .presetId = presetId,
+                      .stored = storedParameters},
+            .number = loads};
 }
 
 SoundLabel Processor::loadedLabel() const {
@@ -53,13 +49,12 @@ SoundLabel Processor::loadedLabel() const {
 void Processor::playSound(const Sound& wanted) {
     if (wanted.instrument == nullptr)
         return;
-    // Steps back and forth between keys of one object leave its analysis under way; another preset
-    // of the same object does not.
-    const auto now = loadedSound();
-    const bool isImport = importLoads == loads && wanted.preset.name == now.preset.name &&
-                          sharesObject(wanted.instrument, now.instrument);
     {
         const std::scoped_lock lock(soundMutex);
+        // Steps back and forth between keys of one object leave its analysis under way; another
+        // preset of the same object does not.
+        const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
+                              sharesObject(wanted.instrument, instrument);
         parameters.load(withSetupOf(parameters.values(), wanted.parameters));
         if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset)) {
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
@@ -69,13 +64,13 @@ void Processor::playSound(const Sound& wanted) {
         } else {
             play(wanted.preset, wanted.instrument);
         }
+        if (isImport)
+            importLoads = loads;
         unknownParameters = wanted.unknownParameters;
         presetId = wanted.presetId;
         storedParameters = wanted.stored;
-        programIndex = programOf(presetId);
+        programIndex = factoryProgram(presetId);
     }
-    if (isImport)
-        importLoads = loads;
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }

@@ -2,6 +2,7 @@
 #include "Plugin/Processor.h"
 
 #include "Instrument/SilencedModes.h"
+#include "Plugin/OwnSlots.h"
 
 #include <utility>
 

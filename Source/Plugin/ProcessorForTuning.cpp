@@ -12,17 +12,12 @@ bool Processor::isTuningFile(const std::filesystem::path& file) const {
 void Processor::openTuning(const std::filesystem::path& file) {
     const auto tuned = readTextFile(file, ScalaTuning::largestFileBytes)
                            .and_then([&](const std::string& text) -> Result<void> {
-                               ScalaTuning wanted;
-                               {
-                                   const std::scoped_lock lock(soundMutex);
-                                   wanted = scala;
-                               }
+                               const std::scoped_lock lock(soundMutex);
+                               auto wanted = scala;
                                (isScale(file) ? wanted.scale : wanted.mapping) = {
-                                   .name = nameOf(file), .text = text};
-                               return keyTuning(wanted).transform([&](const KeyTuning& keys) {
-                                   const std::scoped_lock lock(soundMutex);
-                                   tuneTo(wanted, keys);
-                               });
+                                   .name = fileNameOf(file), .text = text};
+                               return keyTuning(wanted).transform(
+                                   [&](const KeyTuning& keys) { tuneTo(wanted, keys); });
                            });
     if (!tuned)
         return reportError(tuned.error().message);

@@ -7,6 +7,7 @@
 #include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
+#include "Plugin/OwnSlots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,20 @@ bool plays(const std::shared_ptr<const Instrument>& instrument, const ModalObjec
            instrument->slots().front().object.get() == &object;
 }
 
+/// Nothing where there is an object for each key.
+std::optional<KeyLayout> layoutOf(const std::shared_ptr<const Instrument>& instrument) {
+    if (instrument == nullptr || instrument->slots().empty())
+        return std::nullopt;
+    switch (instrument->keyMap().kind) {
+    case KeyMapKind::scaled:
+        return KeyLayout::scaled;
+    case KeyMapKind::zones:
+        return KeyLayout::zones;
+    default:
+        return std::nullopt;
+    }
+}
+
 bool isStruck(const ParameterValues& values) {
     return static_cast<int>(values[ParameterId::contact]) == strikeContact;
 }
@@ -34,14 +49,15 @@ bool Processor::canOpen(const std::filesystem::path& file) const {
     return isMeshFile(file) || isModalFile(file);
 }
 
-void Processor::beginImport() {
-    importLoads = loads;
+void Processor::beginImport(int number) {
+    shelf.keepAudition(); // who makes another object of it wants it
+    importLoads = number;
     importFailureShown = false;
     startTimer(busyMilliseconds); // else what is made would wait for a timer at rest
 }
 
 void Processor::openFile(const std::filesystem::path& file) {
-    beginImport();
+    beginImport(loads);
     workshop.open(file, importSettings);
 }
 
@@ -56,14 +72,14 @@ void Processor::setImportSettings(const ImportSettings& settings) {
 }
 
 void Processor::analyseAgain() {
-    const bool isOurs = followsImportSettings();
-    if (!isOurs && !keyLayout())
+    const auto now = loaded();
+    const bool isOurs = importLoads == now.number && workshop.hasMesh();
+    if (!isOurs && !layoutOf(now.sound.instrument))
         return;
-    beginImport();
+    beginImport(now.number);
     if (isOurs)
         return workshop.analyseAgain(importSettings);
-    const auto playing = loadedInstrument();
-    const auto& object = *playing->slots().front().object;
+    const auto& object = *now.sound.instrument->slots().front().object;
     workshop.analyse(objectMesh(object), object.name, importSettings);
 }
 
@@ -81,20 +97,19 @@ void Processor::followWorkshop() {
     if (const auto product = workshop.takeProduct())
         return playProduct(*product);
     if (const auto status = workshop.status();
-        status.stage == ImportStatus::Stage::failed && !std::exchange(importFailureShown, true)) {
-        const std::scoped_lock lock(soundMutex);
-        lastError = status.error;
-    }
+        status.stage == ImportStatus::Stage::failed && !std::exchange(importFailureShown, true))
+        reportError(status.error);
 }
 
 void Processor::playProduct(const ObjectWorkshop::Product& product) {
+    if (product.isFirst)
+        shelf.keepAudition(); // recording would end it, and so load
+    const auto now = loaded();
+    if (now.number != importLoads)
+        return;
     const auto& object = *product.object;
-    auto values = parameters.values();
-    Preset preset;
-    {
-        const std::scoped_lock lock(soundMutex);
-        preset = loadedPreset;
-    }
+    auto values = now.sound.parameters;
+    auto preset = now.sound.preset;
     auto& map = preset.keyMap;
     const bool isNew = product.isFirst && product.isNewFile;
     if (isNew || map.kind == KeyMapKind::bars)
@@ -107,12 +122,9 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     preset.tags = {"imported"};
     preset.unknownParameters.clear();
     preset.mutedModes = {};
-    auto built = buildSingleObject(map, product.object);
-    if (!built) {
-        const std::scoped_lock lock(soundMutex);
-        lastError = object.name + " cannot be played: " + built.error().message;
-        return;
-    }
+    const auto built = buildSingleObject(map, product.object);
+    if (!built)
+        return reportError(object.name + " cannot be played: " + built.error().message);
     if (product.isFirst) {
         values.set(ParameterId::material, ownMaterial);
         values.set(ParameterId::thickness, parameterInfo(ParameterId::thickness).defaultValue);
@@ -120,38 +132,41 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
             values = withAudibleMallet(*built, preset.surface, rateHz(), values);
         preset.parameters = values;
     }
-    const auto former = loadedInstrument();
-    const auto play = [&] {
-        if (!isNew || !isStruck(values)) // scrapes and rolls are predicted but for a constant
-            return playAsLoud(preset, *built, values);
+    if (isNew && isStruck(values)) // scrapes and rolls are predicted but for a constant
         values.set(ParameterId::level, startingLevel(*built, preset.surface, rateHz(), values));
-        playAtOwnLevel(preset, *built, values);
-    };
-    if (product.isFirst) {
+    else
+        values = asLoudAs(now.sound, preset, *built, values);
+
+    std::optional<int> number;
+    const auto play = [&] { number = playInstead(now.number, preset, *built, values); };
+    if (product.isFirst)
         history.record((product.isNewFile ? "Open " : "Analyse ") + object.name, play);
-    } else {
+    else
         play();
-        if (former != nullptr)
-            renewHistory(*former->slots().front().object, product.object);
-    }
-    importLoads = loads;
+    if (!number)
+        return;
+    importLoads = *number;
+    if (!product.isFirst && now.sound.instrument != nullptr)
+        renewHistory(*now.sound.instrument->slots().front().object, map, *built, *number);
 }
 
 /// Steps that know the preview know the whole object from now on, by whatever keys they play it.
 void Processor::renewHistory(const ModalObject& preview,
-                             const std::shared_ptr<const ModalObject>& whole) {
-    const auto now = loadedSound();
+                             const KeyMap& wholeMap,
+                             const std::shared_ptr<const Instrument>& whole,
+                             int number) {
+    const auto& object = whole->slots().front().object;
     std::map<const Instrument*, std::shared_ptr<const Instrument>> renewed;
-    history.renewSounds([&](Sound& known) {
+    history.renewSounds(number, [&](Sound& known) {
         if (!plays(known.instrument, preview))
             return;
         auto map = known.preset.keyMap;
-        map.object = now.preset.keyMap.object;
+        map.object = wholeMap.object;
         auto& instrumentNow = renewed[known.instrument.get()];
-        if (instrumentNow == nullptr && map == now.preset.keyMap)
-            instrumentNow = now.instrument;
+        if (instrumentNow == nullptr && map == wholeMap)
+            instrumentNow = whole;
         if (instrumentNow == nullptr)
-            instrumentNow = buildSingleObject(map, whole).value_or(nullptr);
+            instrumentNow = buildSingleObject(map, object).value_or(nullptr);
         if (instrumentNow == nullptr)
             return;
         known.instrument = instrumentNow;
@@ -164,72 +179,63 @@ double Processor::rateHz() const {
     return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
-/// With the level that keeps what plays as loud as it is, and where that had headroom, leaves it.
-void Processor::playAsLoud(const Preset& preset,
-                           const std::shared_ptr<const Instrument>& built,
-                           ParameterValues values) {
-    const auto now = parameters.values();
-    if (const auto before = loadedInstrument(); before != nullptr) {
-        const auto& surface = preset.surface;
-        double level = now[ParameterId::level] + predictedLufs(before, surface, rateHz(), now) -
-                       predictedLufs(built, surface, rateHz(), values);
-        if (isStruck(now) &&
-            now[ParameterId::level] <= highestLevel(before, surface, rateHz(), now) + 0.1)
-            level = std::min(level, highestLevel(built, surface, rateHz(), values));
-        if (std::isfinite(level))
-            values.set(ParameterId::level, level);
-    }
-    playAtOwnLevel(preset, built, values);
+/// With the level that keeps it as loud as what plays, and where that had headroom, leaves it.
+ParameterValues Processor::asLoudAs(const Sound& before,
+                                    const Preset& preset,
+                                    const std::shared_ptr<const Instrument>& built,
+                                    ParameterValues values) const {
+    const auto& now = before.parameters;
+    if (before.instrument == nullptr)
+        return values;
+    const auto& surface = preset.surface;
+    double level = now[ParameterId::level] +
+                   predictedLufs(before.instrument, surface, rateHz(), now) -
+                   predictedLufs(built, surface, rateHz(), values);
+    if (isStruck(now) &&
+        now[ParameterId::level] <= highestLevel(before.instrument, surface, rateHz(), now) + 0.1)
+        level = std::min(level, highestLevel(built, surface, rateHz(), values));
+    if (std::isfinite(level))
+        values.set(ParameterId::level, level);
+    return values;
 }
 
-void Processor::playAtOwnLevel(const Preset& preset,
-                               const std::shared_ptr<const Instrument>& built,
-                               const ParameterValues& values) {
+/// Returns the number of its load; nothing where the one of `number` does not play any more.
+std::optional<int> Processor::playInstead(int number,
+                                          const Preset& preset,
+                                          const std::shared_ptr<const Instrument>& built,
+                                          const ParameterValues& values) {
     {
         const std::scoped_lock lock(soundMutex);
+        if (loads != number)
+            return std::nullopt;
         parameters.load(values);
         play(preset, built);
         programIndex = -1;
+        number = loads;
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    return number;
 }
 
 std::optional<KeyLayout> Processor::keyLayout() const {
-    const std::scoped_lock lock(soundMutex);
-    if (instrument == nullptr || instrument->slots().empty())
-        return std::nullopt;
-    switch (instrument->keyMap().kind) {
-    case KeyMapKind::scaled:
-        return KeyLayout::scaled;
-    case KeyMapKind::zones:
-        return KeyLayout::zones;
-    default:
-        return std::nullopt;
-    }
+    return layoutOf(loadedInstrument());
 }
 
 void Processor::setKeyLayout(KeyLayout layout) {
-    const auto now = keyLayout();
-    if (!now || *now == layout)
+    const auto now = loaded();
+    const auto before = layoutOf(now.sound.instrument);
+    if (!before || *before == layout)
         return;
-    auto map = loadedInstrument()->keyMap();
+    auto map = now.sound.instrument->keyMap();
     map.kind = kindOf(layout);
-    playMapped(map, layout == KeyLayout::zones ? "Keys along a path" : "Keys at their pitches");
-}
-
-std::vector<std::array<double, 3>> Processor::strikePath(std::size_t index) const {
-    const auto playing = loadedInstrument();
-    if (playing == nullptr || playing->stage())
-        return {};
-    const auto slots = ownSlots(*playing);
-    if (index >= slots.size())
-        return {};
-    return pathMetres(*playing->slots()[slots[index]].object, playing->keyMap());
+    playMapped(now, map,
+               layout == KeyLayout::zones ? "Keys along a path" : "Keys at their pitches");
 }
 
 void Processor::setStrikePath(std::size_t index, const std::vector<std::array<double, 3>>& metres) {
-    const auto playing = loadedInstrument();
+    const auto now = loaded();
+    const auto& playing = now.sound.instrument;
     if (playing == nullptr || playing->stage())
         return;
     const auto slots = ownSlots(*playing);
@@ -238,26 +244,23 @@ void Processor::setStrikePath(std::size_t index, const std::vector<std::array<do
     auto map = playing->keyMap();
     map.strikePath = relativePath(*playing->slots()[slots[index]].object, metres);
     if (!map.strikePath.empty())
-        playMapped(map, "Strike path");
+        playMapped(now, map, "Strike path");
 }
 
 /// The same objects, played by other keys or at other places.
-void Processor::playMapped(const KeyMap& map, const std::string& step) {
-    const bool isOurs = importLoads == loads;
-    auto built = rebuilt(*loadedInstrument(), map);
-    if (!built) {
-        const std::scoped_lock lock(soundMutex);
-        lastError = "The keys cannot be changed: " + built.error().message;
-        return;
-    }
-    Preset preset;
-    {
-        const std::scoped_lock lock(soundMutex);
-        preset = loadedPreset;
-    }
+void Processor::playMapped(const Loaded& now, const KeyMap& map, const std::string& step) {
+    const bool isOurs = importLoads == now.number;
+    const auto built = rebuilt(*now.sound.instrument, map);
+    if (!built)
+        return reportError("The keys cannot be changed: " + built.error().message);
+    auto preset = now.sound.preset;
     preset.keyMap = map;
-    history.record(step, [&] { playAsLoud(preset, *built, parameters.values()); });
-    importLoads = isOurs ? loads.load() : -1;
+    const auto values = asLoudAs(now.sound, preset, *built, now.sound.parameters);
+    shelf.keepAudition(); // who changes its keys wants it
+    std::optional<int> number;
+    history.record(step, [&] { number = playInstead(now.number, preset, *built, values); });
+    if (number)
+        importLoads = isOurs ? *number : -1;
 }
 
 } // namespace idiophone

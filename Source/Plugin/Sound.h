@@ -33,11 +33,6 @@ struct SoundLabel {
     bool isChanged = false; ///< a parameter beside the setup is not as stored
 };
 
-/// By which the shelf knows the factory's preset of that name.
-inline std::string factoryPresetId(const std::string& name) {
-    return "factory:" + name;
-}
-
 /// What has a sound and plays others: the processor. For the message thread.
 class SoundHolder {
 public:
@@ -52,11 +47,11 @@ public:
     /// instrument is not played.
     virtual void playSound(const Sound& sound) = 0;
     /// A sentence for the status line.
-    virtual void tellUser(const std::string& sentence) = 0;
+    virtual void reportError(const std::string& sentence) = 0;
     /// Another number after every load, by whomever.
-    virtual int soundNumber() const = 0;
+    virtual int instrumentNumber() const = 0;
 
-    virtual double valueOf(ParameterId parameter) const = 0;
+    virtual double parameterValue(ParameterId parameter) const = 0;
     /// As a change by hand, which the host records.
     virtual void setValue(ParameterId parameter, double value) = 0;
 };

@@ -1,5 +1,7 @@
 #include "Plugin/SoundHistory.h"
 
+#include "Editor/Utf8.h"
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -127,8 +129,8 @@ void SoundHistory::record(const std::string& name, const std::function<void()>& 
     pushLoad(name, before);
 }
 
-void SoundHistory::renewSounds(const std::function<void(Sound&)>& renew) {
-    knownNumber = holder.soundNumber();
+void SoundHistory::renewSounds(int number, const std::function<void(Sound&)>& renew) {
+    knownNumber = number;
     const auto renewIn = [&](Session& kept) {
         renew(kept.playing);
         if (kept.other)
@@ -154,16 +156,16 @@ void SoundHistory::play(const Session& wanted) {
     isB = wanted.playsB;
     if (holder.loadedSound() != wanted.playing)
         holder.playSound(wanted.playing);
-    knownNumber = holder.soundNumber();
+    knownNumber = holder.instrumentNumber();
 }
 
 void SoundHistory::followHolder() {
-    if (holder.soundNumber() != knownNumber)
+    if (holder.instrumentNumber() != knownNumber)
         forgetAll();
 }
 
 void SoundHistory::forgetAll() {
-    knownNumber = holder.soundNumber();
+    knownNumber = holder.instrumentNumber();
     steps.clearUndoHistory();
     other.reset();
     isB = false;
@@ -174,7 +176,7 @@ void SoundHistory::forgetAll() {
 void SoundHistory::closeEdit() {
     auto done = std::exchange(changes, {});
     for (auto& change : done)
-        change.after = holder.valueOf(change.parameter);
+        change.after = holder.parameterValue(change.parameter);
     std::erase_if(done, [](const Change& change) { return change.after == change.before; });
     if (done.empty())
         return;
@@ -185,12 +187,12 @@ void SoundHistory::closeEdit() {
 }
 
 void SoundHistory::push(juce::UndoableAction* step, const std::string& name) {
-    steps.beginNewTransaction(juce::String::fromUTF8(name.c_str()));
+    steps.beginNewTransaction(fromUtf8(name));
     steps.perform(step);
 }
 
 void SoundHistory::pushLoad(const std::string& name, const Session& before) {
-    knownNumber = holder.soundNumber();
+    knownNumber = holder.instrumentNumber();
     auto after = session();
     if (after == before)
         return;

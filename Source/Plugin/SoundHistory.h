@@ -56,10 +56,10 @@ public:
     /// the same afterwards, as when it failed.
     void record(const std::string& name, const std::function<void()>& load);
 
-    /// Objects have been replaced for good, what plays among them, as the preview of an analysis by
-    /// its end: every sound that the steps and the other variant know passes through `renew`. No
-    /// step.
-    void renewSounds(const std::function<void(Sound&)>& renew);
+    /// Objects have been replaced for good, what plays among them by the load of that number, as
+    /// the preview of an analysis by its end: every sound that the steps and the other variant know
+    /// passes through `renew`. No step.
+    void renewSounds(int instrumentNumber, const std::function<void(Sound&)>& renew);
 
     /// Plays sounds to listen to, without steps, until `keepAudition`, which makes one step of them
     /// all, or `endAudition`, which returns to what played before. Without an audition under way

@@ -21,7 +21,7 @@ void SoundHistory::willChange(ParameterId parameter) {
     const auto known =
         std::ranges::any_of(changes, [&](const Change& c) { return c.parameter == parameter; });
     if (!known)
-        changes.push_back({.parameter = parameter, .before = holder.valueOf(parameter)});
+        changes.push_back({.parameter = parameter, .before = holder.parameterValue(parameter)});
 }
 
 void SoundHistory::endGesture(ParameterId parameter) {
@@ -93,7 +93,7 @@ void SoundHistory::audition(const std::function<void()>& load) {
     if (!beforeAudition)
         beforeAudition = session();
     load();
-    knownNumber = holder.soundNumber();
+    knownNumber = holder.instrumentNumber();
 }
 
 void SoundHistory::keepAudition(const std::string& name) {

@@ -1,7 +1,7 @@
 #include "Plugin/SoundPicture.h"
 
 #include "Instrument/SettingsOfParameters.h"
-#include "Plugin/SurfaceHand.h"
+#include "Plugin/OwnSlots.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/ModeCompression.h"
 #include "Synth/QualityScaling.h"
@@ -40,17 +40,12 @@ void SoundPicture::show(PictureSubject next) {
     object.reset();
     const auto& instrument = *subject.instrument;
     const auto slots = instrument.slots();
-    const auto own = ownSlots(instrument);
-    objectOfSlot.assign(slots.size(), 0);
+    objectOfSlot = objectsOfSlots(instrument);
     noteOfSlot.assign(slots.size(), -1);
     modesOfSlot.assign(slots.size(), 0);
     isOfOneKey.assign(slots.size(), false);
-    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-        const auto shared = std::ranges::find_if(
-            own, [&](std::size_t index) { return slots[index].object == slots[slot].object; });
-        objectOfSlot[slot] = static_cast<int>(shared - own.begin());
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
         modesOfSlot[slot] = static_cast<std::int32_t>(slots[slot].object->modeCount());
-    }
     for (int note = 127; note >= 0; --note)
         if (const int slot = instrument.key(note).slot; slot >= 0) {
             const auto index = static_cast<std::size_t>(slot);

@@ -1,7 +1,9 @@
 #include "Plugin/StageCapture.h"
 
+#include "Editor/Utf8.h"
+#include "Instrument/ImpulseLine.h"
 #include "Object/TextFile.h"
-#include "Plugin/SurfaceHand.h"
+#include "Plugin/OwnSlots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,9 +108,8 @@ Result<void> StageCapture::writeMidi(const std::filesystem::path& file,
     midi.setTicksPerQuarterNote(ticksPerBeat);
     midi.addTrack(track);
     juce::MemoryOutputStream bytes;
-    const juce::File target(juce::String::fromUTF8(file.u8string().c_str()));
-    if (!midi.writeTo(bytes) || !target.replaceWithData(bytes.getData(), bytes.getDataSize()))
-        return failure(file.string() + ": it cannot be written.");
+    if (!midi.writeTo(bytes) || !fileOf(file).replaceWithData(bytes.getData(), bytes.getDataSize()))
+        return failure(textOf(file).toStdString() + ": it cannot be written.");
     return {};
 }
 

@@ -35,7 +35,7 @@ struct State {
     Preset preset;
     std::vector<EmbeddedObject> objects;
     ControllerAssignments controllers; ///< none in states that say none
-    ScalaTuning tuning;                ///< none in states that say none; not read yet
+    ScalaTuning tuning;                ///< none in states that say none; the files' text as it is
 
     bool operator==(const State&) const = default;
 };

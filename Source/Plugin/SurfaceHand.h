@@ -10,13 +10,8 @@
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace idiophone {
-
-/// The slots of an instrument that are objects of their own: of those that share an object the one
-/// nearest to its own size. Ascending.
-std::vector<std::size_t> ownSlots(const Instrument& instrument);
 
 class SurfaceHand {
 public:
