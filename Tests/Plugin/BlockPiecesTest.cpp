@@ -172,3 +172,26 @@ TEST_CASE("A full keyboard queue says so, and works again when it was read") {
     CHECK(cut({}, 64, queue).notes.size() == static_cast<std::size_t>(pushed));
     CHECK(queue.push(60, 100));
 }
+
+TEST_CASE("However full the keyboard queue, a key that was let go is released, and all with it") {
+    NoteQueue queue;
+    queue.push(70, 100);
+    queue.push(71, 100);
+    queue.push(71, 0);
+    while (queue.push(60, 100)) {
+    }
+    CHECK_FALSE(queue.push(60, 0));
+    std::vector<int> released;
+    const auto read = [&] {
+        released.clear();
+        queue.read([&](const MidiEvent& event) {
+            if (!event.isNoteOn())
+                released.push_back(event.bytes[1]);
+        });
+    };
+    read();
+    CHECK(released == std::vector{71, 60, 70});
+    queue.push(61, 100);
+    read();
+    CHECK(released.empty());
+}

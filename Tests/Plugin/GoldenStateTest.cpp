@@ -1,8 +1,8 @@
 // Projects of released versions sound as they did: states saved by each of them, with renders of
 // what they sounded like then (Golden/VERSION/NAME.state and .wav).
 #include "Instrument/FactoryContent.h"
-#include "Plugin/TestSound.h"
 #include "Support/SimdTargets.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>

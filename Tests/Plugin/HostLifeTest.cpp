@@ -1,7 +1,7 @@
 // What a long session in a host brings that validators do not try: crowds of notes and of
 // instances, values that are no numbers, a tempo that changes.
-#include "Plugin/TestSound.h"
 #include "Support/Sanitizers.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "Plugin/MidiLearn.h"
 
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -2,8 +2,8 @@
 #include "Editor/EditorWindow.h"
 #include "Geometry/MeshWriter.h"
 #include "Geometry/ParametricMesh.h"
-#include "Plugin/TestSound.h"
 #include "Support/TestFolder.h"
+#include "Support/TestSound.h"
 
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>

@@ -1,8 +1,8 @@
 #include "Plugin/ObjectEmbedding.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Plugin/TestSound.h"
 #include "Support/TestFolder.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

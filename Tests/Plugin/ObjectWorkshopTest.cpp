@@ -1,5 +1,5 @@
 // Jobs of the workshop from file to object, and all the ways in which they end early.
-#include "Plugin/ImportedFiles.h"
+#include "Support/ImportedFiles.h"
 
 #include "Geometry/ParametricMesh.h"
 #include "Object/ModalObjectFile.h"
@@ -165,6 +165,17 @@ TEST_CASE("A job cancelled at once makes nothing, and the next is made") {
     CHECK(workshop.status().stage == ImportStage::done);
     workshop.cancel();
     CHECK(workshop.status().stage == ImportStage::done);
+}
+
+TEST_CASE("What nobody has fetched is gone once cancelled, although it was done") {
+    ObjectWorkshop workshop;
+    workshop.open(smallPlateFile("plate.obj", 1), {});
+    while (workshop.status().isWorking())
+        waitFor();
+    REQUIRE(workshop.status().stage == ImportStage::done);
+    workshop.cancel();
+    CHECK(workshop.status().stage == ImportStage::done);
+    CHECK_FALSE(workshop.takeProduct());
 }
 
 TEST_CASE("Of two jobs in quick succession only the second is heard of") {

@@ -1,7 +1,7 @@
 #include "Plugin/PlayerCrossfade.h"
 
 #include "Plugin/ObjectEmbedding.h"
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <numbers>

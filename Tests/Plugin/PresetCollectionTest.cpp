@@ -2,8 +2,9 @@
 #include "Plugin/PresetCollection.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Plugin/TestSound.h"
-#include "Plugin/UserSettings.h"
+#include "Plugin/FactoryPrograms.h"
+#include "Support/TestSound.h"
+#include "Support/UserSettings.h"
 
 #include <algorithm>
 #include <catch2/catch_approx.hpp>

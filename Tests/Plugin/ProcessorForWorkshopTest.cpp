@@ -1,13 +1,17 @@
 // A dropped object is played at once, as loud as the presets, and travels in the state.
-#include "Plugin/ImportedFiles.h"
-#include "Plugin/TestSound.h"
+#include "Support/ImportedFiles.h"
+#include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/SingleObjectMap.h"
 #include "Object/ModalObjectFile.h"
+#include "Plugin/FactoryPrograms.h"
 
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <functional>
+#include <thread>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -224,13 +228,17 @@ TEST_CASE("A strike path drawn by hand is the one that keys strike along") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     open(processor, smallPlateFile("plate.obj", 1));
-    const auto own = processor.strikePath(0);
+    const auto strikePath = [&] {
+        const auto playing = processor.loadedInstrument();
+        return pathMetres(*playing->slots().front().object, playing->keyMap());
+    };
+    const auto own = strikePath();
     REQUIRE(own.size() > 1);
     CHECK(own.front()[0] < -0.027);
     CHECK(own.back()[0] > 0.027);
     const std::vector<std::array<double, 3>> drawn{{-0.01, 0.015, 0}, {0.006, -0.012, 0}};
     processor.setStrikePath(0, drawn);
-    const auto path = processor.strikePath(0);
+    const auto path = strikePath();
     REQUIRE(path.size() == 2);
     for (std::size_t i = 0; i < 2; ++i)
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -240,13 +248,12 @@ TEST_CASE("A strike path drawn by hand is the one that keys strike along") {
     processor.setStrikePath(0, {});
     processor.setStrikePath(0, {{nan, 0, 0}});
     processor.setStrikePath(7, drawn);
-    CHECK(processor.strikePath(0) == path);
+    CHECK(strikePath() == path);
     processor.setStrikePath(0, {{9, 9, 9}});
-    CHECK(processor.strikePath(0).size() == 1);
+    CHECK(strikePath().size() == 1);
     CHECK(blow(processor, 60) > 0.001f);
     processor.setStrikePath(0, std::vector<std::array<double, 3>>(5000, {0.01, 0.01, 0}));
-    CHECK(processor.strikePath(0).size() == 1000);
-    CHECK(processor.strikePath(3).empty());
+    CHECK(strikePath().size() == 1000);
 }
 
 TEST_CASE("Mallet and other values stay, the material becomes the object's own") {
@@ -294,4 +301,46 @@ TEST_CASE("A processor goes while its workshop works, and without a message loop
         processor.prepareToPlay(44100, 64);
         saved(processor);
     }
+}
+
+TEST_CASE("What the host loads while an object is made ready to play is not played over") {
+    const auto file = smallPlateFile("raced.obj", 1);
+    const auto bytes = encodeState(testState());
+    for (int wait = 0; wait < 300; wait += 15) {
+        INFO("after " << wait << " ms");
+        Processor processor;
+        processor.prepareToPlay(48000, blockSamples);
+        processor.openFile(file);
+        std::atomic<bool> isRestored{false};
+        std::thread host([&] {
+            waitFor(wait);
+            restoreBytes(processor, bytes);
+            isRestored = true;
+        });
+        const auto runTimers = [] {
+            waitFor();
+            juce::Timer::callPendingTimersSynchronously();
+        };
+        while (!isRestored)
+            runTimers();
+        host.join();
+        for (int i = 0; i < 100; ++i)
+            runTimers();
+        CHECK(processor.loadedSound().preset.name == "Test keyboard");
+        CHECK_FALSE(processor.importStatus().followsSettings);
+        CHECK_FALSE(processor.editHistory().canUndo());
+    }
+}
+
+TEST_CASE("An object that is opened while presets are auditioned follows the one that plays") {
+    Processor processor;
+    processor.prepareToPlay(48000, blockSamples);
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
+    open(processor, smallPlateFile("auditioned.obj", 1));
+    CHECK(processor.loadedSound().preset.name == "auditioned");
+    shelf.endAudition();
+    CHECK(processor.loadedSound().preset.name == "auditioned");
+    processor.editHistory().undo();
+    CHECK(processor.loadedSound().preset.name == "Wok");
 }

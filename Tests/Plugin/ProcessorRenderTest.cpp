@@ -1,5 +1,5 @@
 // What the processor renders: the same whatever the host's blocks, rates and layouts are.
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,5 +1,6 @@
 // Saving and restoring: exact, at once, and never harmful.
-#include "Plugin/TestSound.h"
+#include "Plugin/FactoryPrograms.h"
+#include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
 
@@ -154,8 +155,13 @@ TEST_CASE("What cannot be restored leaves sound and state as they were, and says
 TEST_CASE("States are restored and saved from several threads while the audio runs") {
     Processor processor;
     processor.prepareToPlay(48000, 256);
-    const auto a = encodeState(testState("a")), b = encodeState(testState("b", 2));
-    std::atomic<bool> stop{false}, finite{true};
+    const auto stateOf = [](const char* folder, double size) {
+        auto state = testState(folder);
+        state.parameters.set(ParameterId::size, size);
+        return encodeState(state);
+    };
+    const auto a = stateOf("a", 1), b = stateOf("b", 2);
+    std::atomic<bool> stop{false}, finite{true}, whole{true};
     std::thread audio([&] {
         while (!stop)
             if (!allFinite(render(processor, 256, 256, testMusic(256, 50))))
@@ -165,9 +171,10 @@ TEST_CASE("States are restored and saved from several threads while the audio ru
         for (int i = 0; i < 40; ++i) {
             restoreBytes(processor, bytes);
             const auto now = parseState(saved(processor));
-            if (!now || (now->preset.keyMap.object != "a/{note}" &&
-                         now->preset.keyMap.object != "b/{note}"))
-                finite = false;
+            // The parameters are those of the preset beside them.
+            const double size = now ? now->parameters[ParameterId::size] : 0;
+            if (!now || now->preset.keyMap.object != (size == 1 ? "a/{note}" : "b/{note}"))
+                whole = false;
         }
     };
     std::thread other([&] { hammer(b); });
@@ -176,6 +183,7 @@ TEST_CASE("States are restored and saved from several threads while the audio ru
     stop = true;
     audio.join();
     CHECK(finite);
+    CHECK(whole);
 }
 
 TEST_CASE(

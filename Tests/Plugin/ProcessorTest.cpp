@@ -1,8 +1,9 @@
 // What hosts ask of the processor: buses, programs, tail, resets, sharing.
 
 #include "Instrument/FactoryContent.h"
-#include "Plugin/GestureLog.h"
-#include "Plugin/TestSound.h"
+#include "Plugin/FactoryPrograms.h"
+#include "Support/GestureLog.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

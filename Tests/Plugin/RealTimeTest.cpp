@@ -1,7 +1,7 @@
 // The audio callback neither allocates, locks nor calls the system, shown by a trap that is itself
 // shown to catch each of these.
 #include "Plugin/RealTimeTrap.h"
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
 

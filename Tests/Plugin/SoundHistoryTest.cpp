@@ -1,8 +1,7 @@
 #include "Plugin/SoundHistory.h"
 
-#include "Instrument/FactoryContent.h"
-#include "Plugin/GestureLog.h"
-#include "Plugin/TestSound.h"
+#include "Plugin/HistorySteps.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <thread>
@@ -12,21 +11,6 @@ using namespace idiophone::test;
 using enum ParameterId;
 
 namespace {
-
-void drag(Processor& processor, ParameterId parameter, std::initializer_list<double> values) {
-    processor.beginParameterChange(parameter);
-    for (const double value : values)
-        processor.changeParameter(parameter, value);
-    processor.endParameterChange(parameter);
-}
-
-ParameterValues valuesOf(const Processor& processor) {
-    return processor.loadedSound().parameters;
-}
-
-void load(Processor& processor, std::size_t preset) {
-    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId(factoryPresets()[preset].name)));
-}
 
 juce::MidiBuffer oneNote() {
     juce::MidiBuffer midi;
@@ -53,27 +37,6 @@ TEST_CASE("A new instance has nothing to undo or redo") {
     history.undo();
     history.redo();
     CHECK(saved(processor) == before);
-}
-
-TEST_CASE("A gesture is one step, however far it goes, and has the parameter's name") {
-    Processor processor;
-    auto& history = processor.editHistory();
-    const double before = processor.parameterValue(density);
-    drag(processor, density, {900, 1000, 1100.5});
-    CHECK(history.undoName() == "Density");
-    history.undo();
-    CHECK(processor.parameterValue(density) == before);
-    CHECK_FALSE(history.canUndo());
-    CHECK(history.redoName() == "Density");
-    history.redo();
-    CHECK(processor.parameterValue(density) == 1100.5);
-    CHECK_FALSE(history.canRedo());
-}
-
-TEST_CASE("A gesture that ends where it began is no step") {
-    Processor processor;
-    drag(processor, density, {900, 1000, processor.parameterValue(density)});
-    CHECK_FALSE(processor.editHistory().canUndo());
 }
 
 TEST_CASE("Undo gives back every state on the way and redo the same ones again") {
@@ -114,65 +77,6 @@ TEST_CASE("A new step after an undo forgets what was undone") {
     CHECK(history.undoName() == "Density");
 }
 
-TEST_CASE("Several parameters of one edit, and gestures that overlap, are one step") {
-    Processor processor;
-    auto& history = processor.editHistory();
-    const auto before = valuesOf(processor);
-    SECTION("an edit with a name") {
-        history.beginEdit("Steel as measured");
-        drag(processor, youngsModulus, {200});
-        history.beginEdit("inner");
-        drag(processor, density, {7850});
-        history.endEdit();
-        history.endEdit();
-        CHECK(history.undoName() == "Steel as measured");
-    }
-    SECTION("two fingers") {
-        processor.beginParameterChange(youngsModulus);
-        processor.changeParameter(youngsModulus, 200);
-        processor.beginParameterChange(density);
-        processor.changeParameter(density, 7850);
-        processor.endParameterChange(youngsModulus);
-        processor.endParameterChange(density);
-        CHECK(history.undoName() == "2 parameters");
-    }
-    history.undo();
-    CHECK(valuesOf(processor) == before);
-    CHECK_FALSE(history.canUndo());
-    history.redo();
-    CHECK(processor.parameterValue(youngsModulus) == 200);
-    CHECK(processor.parameterValue(density) == 7850);
-}
-
-TEST_CASE("Automation during a gesture and between steps is neither a step nor undone") {
-    Processor processor;
-    auto& history = processor.editHistory();
-    auto* automated = processor.getParameters()[static_cast<int>(level)];
-    const double before = processor.parameterValue(density);
-    processor.beginParameterChange(density);
-    processor.changeParameter(density, 1000);
-    automated->setValue(0.25f);
-    processor.endParameterChange(density);
-    const double level25 = processor.parameterValue(level);
-    automated->setValue(0.5f);
-    const double level50 = processor.parameterValue(level);
-    CHECK(level25 != level50);
-    history.undo();
-    CHECK(processor.parameterValue(density) == before);
-    CHECK(processor.parameterValue(level) == level50);
-    CHECK_FALSE(history.canUndo());
-}
-
-TEST_CASE("The host hears of an undone parameter as of a gesture by hand") {
-    GestureLog listener;
-    Processor processor;
-    drag(processor, density, {1000});
-    processor.addListener(&listener);
-    processor.editHistory().undo();
-    processor.removeListener(&listener);
-    CHECK(listener.text == "(=)");
-}
-
 TEST_CASE("States and programs that the host loads forget the steps and the other variant") {
     Processor processor;
     auto& history = processor.editHistory();
@@ -191,42 +95,6 @@ TEST_CASE("States and programs that the host loads forget the steps and the othe
     history.undo();
     CHECK(saved(processor) == before);
     drag(processor, density, {1200});
-    CHECK(history.canUndo());
-}
-
-TEST_CASE("A host's state in the middle of a gesture or an audition harms nothing") {
-    Processor processor;
-    auto& history = processor.editHistory();
-    processor.beginParameterChange(density);
-    processor.changeParameter(density, 1000);
-    restore(processor, testState());
-    processor.changeParameter(density, 1500);
-    processor.endParameterChange(density);
-    history.undo();
-    CHECK(processor.parameterValue(density) == testState().parameters[density]);
-
-    REQUIRE(processor.presetShelf().auditionPreset(factoryPresetId(factoryPresets()[2].name)));
-    restore(processor, testState());
-    const auto before = saved(processor);
-    processor.presetShelf().endAudition();
-    processor.presetShelf().keepAudition();
-    CHECK(saved(processor) == before);
-}
-
-TEST_CASE("A window that closes in the middle of a gesture leaves a whole step") {
-    Processor processor;
-    auto& history = processor.editHistory();
-    processor.beginParameterChange(density);
-    processor.changeParameter(density, 1000);
-    history.beginEdit("never ended");
-    history.endAllGestures();
-    drag(processor, tau, {1});
-    CHECK(history.undoName() == "Truncation threshold");
-    history.undo();
-    history.undo();
-    CHECK_FALSE(history.canUndo());
-    history.endEdit(); // of an edit that nobody began
-    drag(processor, tau, {1});
     CHECK(history.canUndo());
 }
 
@@ -258,80 +126,13 @@ TEST_CASE("Steps are bounded, and the newest stay") {
     CHECK(steps < 10000);
 }
 
-TEST_CASE("A and B are two whole sounds; B begins as a copy of A") {
-    Processor processor;
-    auto& variants = processor.soundVariants();
-    drag(processor, density, {1000});
-    const auto a = valuesOf(processor);
-    CHECK_FALSE(variants.playsB());
-    variants.compare();
-    CHECK(variants.playsB());
-    CHECK(valuesOf(processor) == a);
-    load(processor, 5);
-    drag(processor, density, {2000});
-    const auto b = saved(processor);
-    variants.compare();
-    CHECK_FALSE(variants.playsB());
-    CHECK(valuesOf(processor) == a);
-    CHECK(processor.getCurrentProgram() == 0);
-    variants.compare();
-    CHECK(saved(processor) == b);
-
-    variants.copyToOther();
-    variants.compare();
-    CHECK(saved(processor) == b);
-    processor.editHistory().undo();
-    processor.editHistory().undo(); // the copy
-    variants.compare();
-    CHECK(valuesOf(processor) == a);
-}
-
-TEST_CASE("A mutation is one step, of the same seed the same, and keeps the instrument") {
-    Processor processor;
-    const auto instrument = processor.loadedInstrument();
-    const auto before = valuesOf(processor);
-    processor.soundVariants().mutate(0.5, 9);
-    const auto once = valuesOf(processor);
-    CHECK_FALSE(once == before);
-    CHECK(processor.loadedInstrument() == instrument);
-    processor.editHistory().undo();
-    CHECK(valuesOf(processor) == before);
-    processor.soundVariants().mutate(0.5, 9);
-    CHECK(valuesOf(processor) == once);
-}
-
-TEST_CASE("Auditioned presets are one step when kept and none when not") {
-    Processor processor;
-    auto& history = processor.editHistory();
-    auto& shelf = processor.presetShelf();
-    drag(processor, density, {1000});
-    const auto before = saved(processor);
-    for (const std::size_t preset : {1, 2, 3})
-        REQUIRE(shelf.auditionPreset(factoryPresetId(factoryPresets()[preset].name)));
-    CHECK(processor.getCurrentProgram() == 3);
-    SECTION("kept") {
-        shelf.keepAudition();
-        CHECK(processor.getCurrentProgram() == 3);
-        CHECK(history.undoName() == factoryPresets()[3].name);
-        history.undo();
-        CHECK(saved(processor) == before);
-        CHECK(history.undoName() == "Density");
-    }
-    SECTION("left") {
-        shelf.endAudition();
-        CHECK(saved(processor) == before);
-        CHECK(history.undoName() == "Density");
-        CHECK_FALSE(history.canRedo());
-    }
-}
-
 TEST_CASE("Sounds are renewed in the steps too") {
     Processor processor;
     auto& history = processor.editHistory();
     const auto preview = processor.loadedInstrument();
     load(processor, 3);
     auto full = processor.loadedSound();
-    history.renewSounds([&](Sound& sound) {
+    history.renewSounds(processor.instrumentNumber(), [&](Sound& sound) {
         if (sound.instrument != preview)
             return;
         sound.instrument = full.instrument;

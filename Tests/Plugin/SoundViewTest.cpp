@@ -1,10 +1,12 @@
 // What the window is told of the sound, and what muting in it does.
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Plugin/FactoryPrograms.h"
 #include "Synth/SynthesisSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <cmath>
 
 using namespace idiophone;
@@ -181,6 +183,21 @@ TEST_CASE("Players made anew keep mutes and what is heard alone; another instrum
     restore(processor, testState());
     CHECK_FALSE(frameAfter(processor, 9600, note(69))->modes[0].isMuted);
     CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::sounding);
+}
+
+TEST_CASE("What was heard alone in a sound that was left is not when an undo brings it back") {
+    Prepared prepared;
+    auto& processor = prepared.processor;
+    const bool prepares = GENERATE(false, true);
+    processor.hearModeAlone(9, 3, true); // no callback takes it in
+    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wok")));
+    processor.editHistory().undo();
+    if (prepares)
+        processor.prepareToPlay(48000, 480);
+    const auto* frame = frameAfter(processor, 4800, note(69));
+    REQUIRE(frame != nullptr);
+    CHECK_FALSE(frame->modes[3].isHeardAlone);
+    CHECK(frame->modes[0].standing == ModeStanding::sounding);
 }
 
 TEST_CASE("Muting is a step that is undone and redone, in the sound too") {

@@ -2,8 +2,8 @@
 // kept in states.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/PresetObjects.h"
-#include "Plugin/TestSound.h"
 #include "Support/TestFolder.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

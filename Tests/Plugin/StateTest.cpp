@@ -1,6 +1,6 @@
 #include "Plugin/State.h"
 
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,9 +1,9 @@
 // Where tunings come from: files of the instance, messages, and the state.
 #include "Plugin/Tuner.h"
 
-#include "Plugin/TestSound.h"
 #include "Support/PoleFit.h"
 #include "Support/TestFolder.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

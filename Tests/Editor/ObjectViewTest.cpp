@@ -1,9 +1,10 @@
 // The instrument in three dimensions, as far as it goes without a screen: layout, camera, picking.
 #include "Editor/ObjectView.h"
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
 
+#include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -72,7 +73,8 @@ TEST_CASE("Chimes hang side by side, their upper ends level") {
     const auto played = objectsOf(processor, "Tubular Bells");
     REQUIRE(played.size() == 18);
     const ObjectScene scene(played);
-    CHECK(scene.highestCorner()[1] < 0.1f);
+    CHECK(
+        std::ranges::all_of(scene.outline(), [](const auto& corner) { return corner[1] < 0.1f; }));
     for (std::size_t i = 0; i < played.size(); ++i) {
         const auto& run = scene.objects()[i];
         float top = -1;
@@ -170,4 +172,53 @@ TEST_CASE("A click on the picture of a bar sounds that bar; a click beside it so
     CHECK(pick->object < processor.playedObjects().size());
     CHECK(level() > 1e-4f);
     view.lift();
+}
+
+TEST_CASE("A path that is being drawn when another sound is loaded is drawn on neither") {
+    Processor processor;
+    processor.setCurrentProgram(presetNumber("Steel Plate"));
+    ObjectView view(processor);
+    view.setBounds(0, 0, 900, 300);
+    view.setDrawsPath(true);
+    const auto at = [&](float x) {
+        return juce::MouseEvent(juce::Desktop::getInstance().getMainMouseSource(), {x, 150},
+                                juce::ModifierKeys::leftButtonModifier, 0, 0, 0, 0, 0, &view, &view,
+                                {}, {450, 150}, {}, 1, x != 450);
+    };
+    const auto draw = [&](auto&& meanwhile) {
+        view.mouseDown(at(450));
+        view.mouseDrag(at(440));
+        view.mouseDrag(at(430));
+        meanwhile();
+        view.mouseDrag(at(420));
+        view.mouseUp(at(420));
+    };
+    const auto path = [&] { return processor.loadedInstrument()->keyMap().strikePath; };
+    const auto before = path();
+    draw([] {});
+    CHECK(path() != before); // so it is drawn
+    view.refresh();
+    draw([&] {
+        processor.setCurrentProgram(presetNumber("Wok"));
+        view.refresh();
+    });
+    CHECK(path() ==
+          factoryPresets()[static_cast<std::size_t>(presetNumber("Wok"))].keyMap.strikePath);
+    CHECK(processor.loadedSound().preset.name == "Wok");
+}
+
+TEST_CASE("A picture that is closed lifts the hand that holds an object in it") {
+    Processor processor;
+    processor.setCurrentProgram(presetNumber("Steel Plate"));
+    processor.prepareToPlay(48000, 480);
+    processor.changeParameter(ParameterId::letRing, 0);
+    processor.changeParameter(ParameterId::releaseTime, 0.02);
+    {
+        ObjectView view(processor);
+        view.setBounds(0, 0, 900, 300);
+        REQUIRE(view.strikeAt({450, 150}));
+        CHECK(loudest(render(processor, 4800, 480, {})) > 1e-4f);
+    }
+    render(processor, 48000, 480, {});
+    CHECK(loudest(render(processor, 480, 480, {})) < 1e-6f);
 }

@@ -1,7 +1,7 @@
 // The user's own materials in the window: listed, chosen, shown by name, and faults said.
 #include "Object/MaterialFile.h"
-#include "Plugin/TestSound.h"
-#include "Plugin/UserSettings.h"
+#include "Support/TestSound.h"
+#include "Support/UserSettings.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -1,10 +1,10 @@
 #include "Editor/PresetBrowser.h"
 
 #include "Editor/EditorWindow.h"
+#include "Editor/WindowParts.h"
 #include "Instrument/FactoryContent.h"
-#include "Plugin/TestSound.h"
-#include "Plugin/UserSettings.h"
-#include "Plugin/WindowParts.h"
+#include "Support/TestSound.h"
+#include "Support/UserSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cstdlib>

@@ -1,10 +1,12 @@
 #include "Editor/ParameterMenu.h"
 
+#include "Editor/IconButton.h"
+#include "Editor/LeftClicked.h"
 #include "Editor/Look.h"
 #include "Editor/ParameterControl.h"
+#include "Editor/WindowParts.h"
 #include "Plugin/Processor.h"
-#include "Plugin/TestSound.h"
-#include "Plugin/WindowParts.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -117,4 +119,16 @@ TEST_CASE("Shift+F10 asks for the menu, other keys do not") {
     CHECK(asksForMenu({KeyPress::F10Key, juce::ModifierKeys::shiftModifier, 0}));
     CHECK_FALSE(asksForMenu(KeyPress(KeyPress::F10Key)));
     CHECK_FALSE(asksForMenu(KeyPress('m')));
+}
+
+TEST_CASE("A button with a menu shows it for every key that asks for one") {
+    IconButton button("Mutate", {});
+    int shown = 0;
+    button.onMenu = [&] { ++shown; };
+    CHECK(button.keyPressed({juce::KeyPress::F10Key, juce::ModifierKeys::shiftModifier, 0}));
+    CHECK(shown == 1);
+#if JUCE_LINUX
+    CHECK(button.keyPressed(juce::KeyPress(0x10000067)));
+    CHECK(shown == 2);
+#endif
 }

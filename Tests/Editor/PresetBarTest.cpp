@@ -2,10 +2,10 @@
 
 #include "Editor/EditorWindow.h"
 #include "Editor/Look.h"
+#include "Editor/WindowParts.h"
 #include "Instrument/FactoryContent.h"
 #include "Plugin/Processor.h"
-#include "Plugin/UserSettings.h"
-#include "Plugin/WindowParts.h"
+#include "Support/UserSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
 

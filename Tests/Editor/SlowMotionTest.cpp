@@ -2,7 +2,7 @@
 
 #include "Editor/ObjectScene.h"
 #include "Editor/SurfaceMotion.h"
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

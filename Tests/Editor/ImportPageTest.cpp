@@ -1,8 +1,8 @@
 // The page of what is dropped, and dropping, without a screen.
 #include "Editor/ImportPage.h"
 #include "Editor/EditorWindow.h"
-#include "Plugin/ImportedFiles.h"
-#include "Plugin/TestSound.h"
+#include "Support/ImportedFiles.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -2,10 +2,10 @@
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
-#include "Plugin/GestureLog.h"
-#include "Plugin/OpenWindow.h"
-#include "Plugin/TestSound.h"
-#include "Plugin/WindowParts.h"
+#include "Editor/OpenWindow.h"
+#include "Editor/WindowParts.h"
+#include "Support/GestureLog.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>

@@ -3,9 +3,11 @@
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
-#include "Plugin/OpenWindow.h"
-#include "Plugin/TestSound.h"
-#include "Plugin/WindowParts.h"
+#include "Editor/OpenWindow.h"
+#include "Editor/WindowParts.h"
+#include "Plugin/FactoryPrograms.h"
+#include "Support/GestureLog.h"
+#include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
 
@@ -280,4 +282,20 @@ TEST_CASE("The window opens and closes 100 times while the same notes sound the 
     audio.join();
     CHECK(rounds > 0);
     CHECK(same);
+}
+
+TEST_CASE("A window that closes in the middle of a drag ends its gesture for the host") {
+    Processor processor;
+    GestureLog host;
+    processor.addListener(&host);
+    auto window = open(processor);
+    processor.beginParameterChange(ParameterId::density);
+    processor.changeParameter(ParameterId::density, 1000);
+    CHECK(host.text == "(=");
+    window.reset();
+    CHECK(host.text == "(=)");
+    processor.endParameterChange(ParameterId::density);
+    processor.removeListener(&host);
+    CHECK(host.text == "(=)");
+    CHECK(processor.editHistory().undoName() == "Density");
 }

@@ -1,7 +1,7 @@
 // The pages of the deck that show the sound, with a processor behind them.
 #include "Editor/ModesPage.h"
 #include "Editor/QualityPage.h"
-#include "Plugin/TestSound.h"
+#include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
 

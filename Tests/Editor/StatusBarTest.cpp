@@ -1,0 +1,57 @@
+// What the window says of itself to those who do not see it.
+#include "Editor/StatusBar.h"
+
+#include "Editor/Look.h"
+#include "Editor/QualityPage.h"
+#include "Editor/WindowParts.h"
+#include "Plugin/Processor.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+juce::String saidOf(juce::Component& component) {
+    const auto handler = component.createAccessibilityHandler();
+    auto* value = handler->getValueInterface();
+    REQUIRE(value != nullptr);
+    CHECK(value->isReadOnly());
+    return value->getCurrentValueAsString();
+}
+
+} // namespace
+
+TEST_CASE("The status line can be read by a screen reader, an error in it too") {
+    StatusBar bar;
+    CHECK(bar.getTitle() == "Status");
+    ProcessorView::Status status;
+    status.sentence = "A wok.";
+    status.modesMixed = 1;
+    bar.show(status);
+    CHECK(saidOf(bar) == "A wok.; 1 mode");
+    status.sentence = "The wok is missing.";
+    status.isError = true;
+    status.delaySeconds = 0.25;
+    status.lateBlows = 2;
+    bar.show(status);
+    CHECK(saidOf(bar) == "The wok is missing.; heard 250 ms after the key, 2 blows late; 1 mode");
+}
+
+TEST_CASE("The counts of the quality page can be read by a screen reader") {
+    Processor processor;
+    Look look;
+    QualityPage page(processor);
+    page.setLookAndFeel(&look);
+    SoundFrame frame;
+    frame.modesMixed = 12;
+    frame.modesDropped = 3;
+    frame.modesMerged = 4;
+    frame.modesBeyond = 5;
+    page.showSound(frame);
+    auto* counts = find<juce::Component>(page, "Modes");
+    REQUIRE(counts != nullptr);
+    CHECK(saidOf(*counts) == "12 sounding, 3 dropped, 4 merged, 5 over budget");
+    page.setLookAndFeel(nullptr);
+}

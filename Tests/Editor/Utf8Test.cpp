@@ -1,0 +1,19 @@
+#include "Editor/Utf8.h"
+
+#include "Plugin/FileKinds.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+
+TEST_CASE("Names in any script go from JUCE to the standard library and back") {
+    const auto folder = juce::File::getSpecialLocation(juce::File::tempDirectory);
+    for (const auto* name : {u8"Glöckchen.obj", u8"木琴.obj", u8"Ψαλτήριον.obj"}) {
+        const auto file = folder.getChildFile(juce::String(name));
+        const auto path = pathOf(file);
+        CHECK(path.filename().u8string() == name);
+        CHECK(fileOf(path) == file);
+        CHECK(isMeshFile(path));
+        CHECK(fileNameOf(path) == juce::String(name).toStdString());
+    }
+}
