@@ -176,7 +176,7 @@ btCollisionShape* CollisionShape::ground(const RigidBodyModel& model) {
 
 btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     Mesh mesh = objectMesh(*model.object);
-    while (4 * mesh.faceCount() <= mostSmoothFaces)
+    for (auto faces = 4 * mesh.faceCount(); faces <= mostSmoothFaces; faces *= 4)
         mesh = subdivided(mesh, 1);
     auto& triangles = *meshes.emplace_back(std::make_unique<btTriangleMesh>());
     const auto corner = [&](Eigen::Index face, int k) {
