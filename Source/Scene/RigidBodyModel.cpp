@@ -61,6 +61,9 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
             return failure("'" + kind.name + "' cannot move: its object '" + own.name +
                            "' has no mass");
     }
+    if (kind.form == BodyForm::surface && own.faceCount() == 0)
+        return failure("'" + kind.name + "' is no surface: its object '" + own.name +
+                       "' has no faces");
     const Eigen::Vector3d sizes = boundingBox(outerVertices(model)).sizes();
     if (!(sizes.minCoeff() > 0) && kind.form != BodyForm::surface && kind.form != BodyForm::ground)
         return failure("'" + kind.name + "' is as flat as a sheet: its object '" + own.name +

@@ -28,8 +28,8 @@ struct RigidBodyModel {
     double compliancePerPa = 0; ///< (1 − ν²)/E
 };
 
-/// The error names the kind and why it cannot move: an object without mass, or one so flat that the
-/// form has no inside.
+/// The error names the kind and why it cannot move: an object without mass, one so flat that the
+/// form has no inside, or one without faces where the form is its surface.
 Result<std::shared_ptr<const RigidBodyModel>>
 makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object);
 

@@ -156,3 +156,13 @@ TEST_CASE("Bodies that were taken away are gone, and their numbers with them") {
     CHECK(world.has(second));
     CHECK_FALSE(impactsOf(world, 0.3, second).empty());
 }
+
+TEST_CASE("An object without faces is no surface, which would be refined for ever") {
+    const auto object = objectOf(sheetMesh(1, 1, 4), "Steel");
+    object->faces.clear();
+    BodyTemplate kind{.name = "floor", .object = "sheet", .form = BodyForm::surface};
+    kind.isFixed = true;
+    const auto model = makeRigidBodyModel(kind, object);
+    REQUIRE_FALSE(model);
+    CHECK(model.error().message == "'floor' is no surface: its object 'body' has no faces");
+}
