@@ -1,12 +1,12 @@
 #include "Instrument/Preset.h"
 
+#include "Instrument/ParameterJson.h"
 #include "Instrument/SurfaceFile.h"
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 namespace idiophone {
 namespace {
@@ -117,9 +117,7 @@ void parseParameters(const json& object, Preset& preset) {
             preset.unknownParameters.push_back(id);
             continue;
         }
-        const auto parsed = value.is_string()   ? parseParameter(*info, value.get<std::string>())
-                            : value.is_number() ? std::optional(value.get<double>())
-                                                : std::nullopt;
+        const auto parsed = parameterOfJson(*info, value);
         if (!parsed)
             throw Fault{"parameter '" + id + "' has a value it cannot take"};
         preset.parameters.set(info->parameter, *parsed);

@@ -1,5 +1,6 @@
 #include "Scene/SceneText.h"
 
+#include "Instrument/ParameterJson.h"
 #include "Instrument/SurfaceFile.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
@@ -208,9 +209,7 @@ ParameterValues parseParameters(const JsonPlace& place) {
         const auto* info = findParameter(id);
         if (info == nullptr)
             place.fail("has no " + inQuotes(id));
-        const auto parsed = value.is_string()   ? parseParameter(*info, value.get<std::string>())
-                            : value.is_number() ? std::optional(value.get<double>())
-                                                : std::nullopt;
+        const auto parsed = parameterOfJson(*info, value);
         if (!parsed)
             place.at(id.c_str()).fail("is a value that it cannot take");
         values.set(info->parameter, *parsed);
