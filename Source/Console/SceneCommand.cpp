@@ -108,8 +108,7 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
                   << " of its notes hit nothing" << std::endl;
     if (tally.blowsLeftOut > 0)
         std::cerr << "warning: " << tally.blowsLeftOut
-                  << " impacts were left out, because their bodies were in 64 contacts already"
-                  << std::endl;
+                  << " impacts were left out, because their figures are not finite" << std::endl;
     return {};
 }
 

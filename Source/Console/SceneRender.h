@@ -26,7 +26,7 @@ struct SceneTally {
     std::vector<FrameFigures> frames;
     std::vector<SceneBlow> blows;  ///< those that were struck, in order of time
     std::int64_t notesLeftOut = 0; ///< that hit nothing
-    std::int64_t blowsLeftOut = 0; ///< on slots with too many contacts under way
+    std::int64_t blowsLeftOut = 0; ///< whose figures are not finite
     double soundSeconds = 0;       ///< measured, as the next
     double motionSeconds = 0;
 };
