@@ -1,8 +1,8 @@
 #include "Analysis/FactoryProps.h"
 
 #include "Analysis/ModalAnalysis.h"
-#include "Geometry/LatheMesh.h"
 #include "Geometry/ParametricMesh.h"
+#include "Geometry/SpreadVertices.h"
 
 #include <cmath>
 #include <numbers>

@@ -5,6 +5,7 @@
 #include "Analysis/SolidShell.h"
 #include "Analysis/TubeTuning.h"
 #include "Geometry/ParametricMesh.h"
+#include "Geometry/SpreadVertices.h"
 #include "Geometry/TurnedSections.h"
 
 #include <chrono>

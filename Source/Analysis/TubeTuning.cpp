@@ -6,8 +6,8 @@
 #include "Analysis/Pitch.h"
 #include "Analysis/Radiation.h"
 #include "Analysis/TwoLayerShell.h"
-#include "Geometry/LatheMesh.h"
 #include "Geometry/ParametricMesh.h"
+#include "Geometry/SpreadVertices.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace idiophone {
@@ -131,27 +130,6 @@ LatheMesh latheMesh(const std::vector<LathePoint>& section, double edgeMetres) {
     for (std::size_t face = 0; face < faces.size(); ++face)
         result.mesh.faces.row(static_cast<Eigen::Index>(face)) = faces[face];
     return result;
-}
-
-std::vector<int>
-spreadVertices(const Mesh& mesh, const std::vector<int>& candidates, std::size_t count) {
-    std::vector<int> chosen;
-    std::vector<double> distance2(candidates.size(), std::numeric_limits<double>::infinity());
-    while (chosen.size() < std::min(count, candidates.size())) {
-        // A hair of preference for the earlier keeps rounding from choosing among equals.
-        std::size_t next = 0;
-        for (std::size_t i = 1; i < candidates.size(); ++i)
-            if (distance2[i] > distance2[next] * (1 + 1e-9))
-                next = i;
-        const int vertex = candidates[next];
-        chosen.push_back(vertex);
-        for (std::size_t i = 0; i < candidates.size(); ++i)
-            distance2[i] = std::min(
-                distance2[i],
-                (mesh.vertices.row(candidates[i]) - mesh.vertices.row(vertex)).squaredNorm());
-    }
-    std::ranges::sort(chosen);
-    return chosen;
 }
 
 } // namespace idiophone

@@ -26,9 +26,4 @@ struct LatheMesh {
 /// that modes come in pairs as on the round body. Deterministic.
 LatheMesh latheMesh(const std::vector<LathePoint>& section, double edgeMetres);
 
-/// `count` of these vertices spread as evenly as can be, each the farthest from those before
-/// (Gonzalez 1985), beginning with the first candidate; ascending. All where there are fewer.
-std::vector<int>
-spreadVertices(const Mesh& mesh, const std::vector<int>& candidates, std::size_t count);
-
 } // namespace idiophone

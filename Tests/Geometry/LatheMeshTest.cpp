@@ -1,4 +1,5 @@
 #include "Geometry/LatheMesh.h"
+#include "Geometry/SpreadVertices.h"
 
 #include "Geometry/TurnedSections.h"
 

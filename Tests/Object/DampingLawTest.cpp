@@ -27,3 +27,9 @@ TEST_CASE("The three laws add up") {
     const DampingLaw all{.fluidPerSecond = 5, .viscoelasticSeconds = 3e-8, .lossFactor = 2e-4};
     CHECK(all.perSecond(omega * omega) == Approx(5 + 2e-4 * omega + 3e-8 * omega * omega));
 }
+
+TEST_CASE("A damped mode sounds below its undamped frequency, and an over-damped one not at all") {
+    CHECK(dampedFrequencyHz(25, 3) == 4 / (2 * std::numbers::pi));
+    CHECK(dampedFrequencyHz(25, 5) == 0);
+    CHECK(dampedFrequencyHz(25, 6) == 0);
+}
