@@ -13,6 +13,9 @@ HEAD = """# Parameters
 
 Everything that a host can automate. The name is what the window and the host show; the id is what presets, scenes and
 `idiophone render --set` take. This page is made by `docs/make_parameters.py`.
+"""
+TABLE = """
+## {group}
 
 | name | id | from, to | at first | what it does |
 |---|---|---|---|---|
@@ -29,7 +32,11 @@ def row(parameter):
 
 def page(console):
     said = subprocess.run([console, "parameters", "--json"], check=True, capture_output=True)
-    return HEAD + "".join(map(row, json.loads(said.stdout)))
+    groups = {}
+    for parameter in json.loads(said.stdout):
+        groups.setdefault(parameter["group"], []).append(row(parameter))
+    return HEAD + "".join(TABLE.format(group=group) + "".join(rows)
+                          for group, rows in groups.items())
 
 
 if __name__ == "__main__":

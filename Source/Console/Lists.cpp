@@ -40,6 +40,7 @@ std::string rangeOf(const ParameterInfo& info) {
 ordered_json describe(const ParameterInfo& info) {
     ordered_json result{{"id", info.id},
                         {"name", info.name},
+                        {"group", info.group},
                         {"unit", info.unit},
                         {"scale", scaleNames[static_cast<std::size_t>(info.scale)]},
                         {"minimum", info.minimum},

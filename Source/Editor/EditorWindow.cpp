@@ -15,8 +15,6 @@
 namespace idiophone {
 namespace {
 
-using enum ParameterId;
-
 constexpr int firstWidth = 1180, firstHeight = 860;
 constexpr int margin = 12, barHeight = 44, statusHeight = 32;
 /// With less for both, the picture stands beside the deck and not above it.
@@ -81,18 +79,10 @@ void EditorWindow::makePages() {
     deck.add(std::move(modes));
     deck.add(std::make_unique<QualityPage>(view));
     deck.add(std::make_unique<ParameterPage>(
-        "Contact",
-        std::vector<ParameterGroup>{
-            {"Scrape and roll", 0, {contact, contactForce, contactSpeed, roughness, rollCoupling}},
-            {"Keys", 1, {letRing, releaseTime}},
-            {"Motor", 1, {motorSpeed, motorSync, motorDepth}}},
+        "Contact", std::vector<ParameterGroup>{{"Scrape and roll", 0}, {"Keys", 1}, {"Motor", 1}},
         view));
     deck.add(std::make_unique<ParameterPage>(
-        "Output",
-        std::vector<ParameterGroup>{{"Listening", 0, {radiation, width}},
-                                    {"Room", 0, {room, roomDecay}},
-                                    {"Output", 1, {level, bypass}}},
-        view));
+        "Output", std::vector<ParameterGroup>{{"Listening", 0}, {"Room", 0}, {"Output", 1}}, view));
     tuningPage = deck.pageCount();
     deck.add(std::make_unique<TuningPage>(view));
     importPage = deck.pageCount();

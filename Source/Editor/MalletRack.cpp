@@ -3,26 +3,30 @@
 #include "Editor/Look.h"
 #include "Editor/ParameterChange.h"
 #include "Editor/Utf8.h"
+#include "Object/Mallet.h"
 
-#include <array>
+#include <algorithm>
 
 namespace idiophone {
 namespace {
 
-/// How a mallet looks; in the order of the parameter's choices.
+/// How a mallet looks.
 struct Head {
-    float diameter; ///< of the place it has
-    juce::uint32 colour;
+    float diameter = 0; ///< of the place it has; 0: it is the one of the custom figures
+    juce::Colour colour;
 };
-constexpr std::array<Head, 8> heads{{{0, 0},
-                                     {0.86f, 0xff5b7fa8},
-                                     {0.74f, 0xffb5483c},
-                                     {0.66f, 0xffc9803a},
-                                     {0.54f, 0xff4a9a5c},
-                                     {0.54f, 0xffb58a58},
-                                     {0.52f, 0xffd9d6cf},
-                                     {0.42f, 0xffd0a84a}}};
 
+constexpr double largestRadiusMetres = 0.025;
+
+/// Of a choice of the parameter.
+Head headOf(std::size_t choice) {
+    if (choice < firstRackMallet)
+        return {};
+    const auto& mallet = malletRack()[choice - firstRackMallet];
+    return {.diameter =
+                static_cast<float>(std::min(mallet.headRadiusMetres / largestRadiusMetres, 1.0)),
+            .colour = juce::Colour(mallet.colour).withAlpha(1.0f)};
+}
 class MalletButton final : public juce::Button {
 public:
     MalletButton(const juce::String& title, Head look) : Button(title), head(look) {
@@ -69,7 +73,7 @@ private:
         g.setColour(colourOf(*this, LookColour::dimText));
         g.drawLine({at, {area.getCentreX() - 11, area.getBottom() - 1}}, 2.2f);
         const auto ball = juce::Rectangle<float>(size, size).withCentre(at);
-        const juce::Colour colour(head.colour);
+        const auto colour = head.colour;
         g.setGradientFill({colour.brighter(0.5f),
                            ball.getTopLeft() + juce::Point(size * 0.3f, size * 0.25f),
                            colour.darker(0.3f), ball.getBottomRight(), true});
@@ -87,7 +91,7 @@ MalletRack::MalletRack(ProcessorView& processor) : view(processor) {
     const auto names = choiceNames(ParameterId::mallet);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto name = fromUtf8(names[i]);
-        auto mallet = std::make_unique<MalletButton>(name, heads.at(i));
+        auto mallet = std::make_unique<MalletButton>(name, headOf(i));
         mallet->onClick = [this, i, button = mallet.get()] {
             if (!button->getToggleState() || view.parameterValue(ParameterId::mallet) == double(i))
                 return;

@@ -17,9 +17,10 @@ MaterialPage::MaterialPage(ProcessorView& processor)
     : DeckPage("Material"), view(processor), pad(processor),
       list(parameterInfo(ParameterId::material), processor),
       match(parameterInfo(matchLoudness), processor) {
-    for (const auto figure :
-         {youngsModulus, density, fluidDamping, viscoelasticDamping, lossFactor, size, thickness})
-        figures.push_back(std::make_unique<ParameterControl>(parameterInfo(figure), processor));
+    for (const std::string_view group : {"Material figures", "Extent"})
+        for (const auto& info : parameterTable())
+            if (info.group == group)
+                figures.push_back(std::make_unique<ParameterControl>(info, processor));
     former.setTitle("Material before");
     former.setTooltip("Swap with the material before the last change");
     former.onClick = [this] { swapMaterials(); };

@@ -1,6 +1,7 @@
 #include "Editor/ParameterColumns.h"
 
 #include "Editor/Look.h"
+#include "Editor/Utf8.h"
 
 #include <algorithm>
 
@@ -13,11 +14,12 @@ constexpr int lowestRow = 32, highestRow = 52;
 } // namespace
 
 ParameterColumns::ParameterColumns(std::span<const ParameterGroup> wanted, ProcessorView& view) {
-    for (const auto& [title, column, parameters] : wanted) {
-        Group group{.title = title, .column = column, .controls = {}, .heading = {}};
-        for (const auto parameter : parameters) {
-            group.controls.push_back(
-                std::make_unique<ParameterControl>(parameterInfo(parameter), view));
+    for (const auto& [name, column] : wanted) {
+        Group group{.title = fromUtf8(name), .column = column, .controls = {}, .heading = {}};
+        for (const auto& info : parameterTable()) {
+            if (info.group != name)
+                continue;
+            group.controls.push_back(std::make_unique<ParameterControl>(info, view));
             addAndMakeVisible(*group.controls.back());
         }
         groups.push_back(std::move(group));

@@ -5,14 +5,15 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace idiophone {
 
+/// The parameters of the table that name it as theirs, in the table's order.
 struct ParameterGroup {
-    const char* title;
-    int column; ///< 0 or 1
-    std::vector<ParameterId> parameters;
+    std::string_view name; ///< ParameterInfo::group
+    int column;            ///< 0 or 1
 };
 
 class ParameterColumns final : public juce::Component {

@@ -9,13 +9,11 @@
 namespace idiophone {
 namespace {
 
-using enum ParameterId;
-
 constexpr int columnsHeight = 74, tallColumnsHeight = 100, countHeight = 38, metersHeight = 51;
 constexpr int gap = 6, heightForTall = 360;
 
 std::vector<ParameterGroup> groups() {
-    return {{"Modes that sound", 0, {tau, compression}}, {"Budget", 1, {modeBudget, qualitySlope}}};
+    return {{"Modes that sound", 0}, {"Budget", 1}};
 }
 
 } // namespace

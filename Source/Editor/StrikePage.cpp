@@ -5,12 +5,10 @@
 namespace idiophone {
 namespace {
 
-using enum ParameterId;
 constexpr int rackHeight = 62;
 
 std::vector<ParameterGroup> groups() {
-    return {{"Mallet", 0, {malletHardness, malletMass, malletRadius, malletSpeed, velocityCurve}},
-            {"Place", 1, {strikeAlong, strikeAcross, strikeSpread, chatter, modalPulse}}};
+    return {{"Mallet", 0}, {"Place", 1}};
 }
 
 } // namespace

@@ -9,13 +9,12 @@
 namespace idiophone {
 namespace {
 
-using enum ParameterId;
 using Source = TuningStatus::Source;
 
 constexpr int scaleHeight = 26, originHeight = 20, buttonWidth = 70, gap = 6;
 
 std::vector<ParameterGroup> groups() {
-    return {{"Pitch", 0, {concertPitch, tune, bendRange}}, {"MPE", 1, {mpe, mpeBendRange}}};
+    return {{"Pitch", 0}, {"MPE", 1}};
 }
 
 juce::String originOf(const TuningStatus& status) {

@@ -1,6 +1,6 @@
 #include "Instrument/MalletStrike.h"
 
-#include "Instrument/Mallet.h"
+#include "Instrument/HertzContact.h"
 #include "Instrument/Scatter.h"
 #include "Instrument/SettingsOfParameters.h"
 

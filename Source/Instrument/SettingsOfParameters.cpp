@@ -1,5 +1,6 @@
 #include "Instrument/SettingsOfParameters.h"
 
+#include "Instrument/HertzContact.h"
 #include "Instrument/MalletStrike.h"
 
 #include <algorithm>

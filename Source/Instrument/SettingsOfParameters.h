@@ -1,7 +1,7 @@
 // What the parameters ask of the synthesiser.
 #pragma once
 
-#include "Instrument/Mallet.h"
+#include "Object/Mallet.h"
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/SynthesisSettings.h"

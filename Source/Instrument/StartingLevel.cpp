@@ -1,7 +1,7 @@
 #include "Instrument/StartingLevel.h"
 
 #include "Instrument/LoudestBlow.h"
-#include "Instrument/Mallet.h"
+#include "Object/Mallet.h"
 #include "Instrument/PhrasePrediction.h"
 
 #include <algorithm>

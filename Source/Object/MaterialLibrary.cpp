@@ -1,4 +1,4 @@
-#include "Object/EmbeddedMaterials.h"
+#include "Object/EmbeddedLists.h"
 #include "Object/Material.h"
 #include "Object/MaterialFile.h"
 #include "Object/SameName.h"

@@ -13,51 +13,9 @@ namespace idiophone {
 
 /// Order and number are internal; what hosts and files store are the ids of the table.
 enum class ParameterId : std::size_t {
-    tau,
-    qualitySlope,
-    modeBudget,
-    compression,
-    material,
-    youngsModulus,
-    density,
-    fluidDamping,
-    viscoelasticDamping,
-    size,
-    strikeAlong,
-    strikeAcross,
-    strikeSpread,
-    malletHardness,
-    malletMass,
-    malletSpeed,
-    velocityCurve,
-    letRing,
-    releaseTime,
-    tune,
-    bendRange,
-    level,
-    bypass,
-    mallet,
-    malletRadius,
-    chatter,
-    modalPulse,
-    radiation,
-    width,
-    matchLoudness,
-    contact,
-    contactForce,
-    contactSpeed,
-    roughness,
-    rollCoupling,
-    lossFactor,
-    motorSpeed,
-    motorDepth,
-    thickness,
-    concertPitch,
-    mpe,
-    mpeBendRange,
-    motorSync,
-    room,
-    roomDecay,
+#define PARAMETER(symbol, ...) symbol,
+#include "Parameters/ParameterRows.def"
+#undef PARAMETER
     count
 };
 
@@ -74,6 +32,7 @@ struct ParameterInfo {
     const char* id = nullptr;   ///< stable for ever: stored in states, presets and host automation
     const char* name = nullptr; ///< for people
     const char* shortName = nullptr; ///< where there is little room and its kind is beside it
+    const char* group = nullptr;     ///< the heading of those that it stands with in the window
     const char* unit = "";           ///< empty where the number has none
     ParameterScale scale = ParameterScale::linear;
     double minimum = 0;

@@ -1,6 +1,6 @@
 #include "Scene/RigidBodyModel.h"
 
-#include "Instrument/Mallet.h"
+#include "Instrument/HertzContact.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "Instrument/LoudnessMatch.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Instrument/Mallet.h"
+#include "Object/Mallet.h"
 #include "Instrument/Player.h"
 #include "LoudnessPhrase.h"
 #include "Object/Material.h"

@@ -1,6 +1,6 @@
 // What mallets, chatter and modal pulses make of the sound that a player renders.
 #include "Instrument/FactoryContent.h"
-#include "Instrument/Mallet.h"
+#include "Object/Mallet.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -101,7 +101,7 @@ TEST_CASE("The spectral centroid rises with velocity for every mallet of the rac
 TEST_CASE("On a xylophone's own keys it rises from hard rubber, C5 to C6, and from wood, to C8") {
     const auto instrument = xylophone();
     for (const int note : {72, 84, 96, 108})
-        for (std::size_t i = note <= 84 ? 3 : 4; i < malletRack().size(); ++i)
+        for (std::size_t i = note <= 84 ? 3 : 4; i <= 6; ++i) // to brass
             checkCentroidRises(instrument, note, i, 1);
 }
 
