@@ -202,6 +202,7 @@ void Processor::setCurrentProgram(int index) {
         unknownParameters.clear();
         parameters.load(withSetupOf(parameters.values(), preset.parameters));
         play(preset, std::move(*built));
+        ++loadsByHost;
         programIndex = index;
         presetId = factoryPresetId(preset.name);
     }
@@ -288,6 +289,7 @@ Result<void> Processor::restore(const State& state) {
     parameters.load(state.parameters);
     controllers.assign(state.controllers);
     play(state.preset, std::move(*built));
+    ++loadsByHost;
     const auto presets = factoryPresets();
     const auto factory = std::ranges::find_if(presets, [&](const Preset& preset) {
         return preset.name == state.preset.name && preset.keyMap == state.preset.keyMap;

@@ -122,6 +122,7 @@ public:
     Sound loadedSound() const override;
     SoundLabel loadedLabel() const override;
     void playSound(const Sound& wanted) override;
+    int hostLoads() const override { return loadsByHost; }
     void setValue(ParameterId parameter, double value) override;
 
     bool isTuningFile(const std::filesystem::path& file) const override;
@@ -176,8 +177,7 @@ private:
     void playProduct(const ObjectWorkshop::Product& product);
     void renewHistory(const ModalObject& preview,
                       const KeyMap& wholeMap,
-                      const std::shared_ptr<const Instrument>& whole,
-                      int number);
+                      const std::shared_ptr<const Instrument>& whole);
     void playMapped(const Loaded& now, const KeyMap& map, const std::string& step);
     ParameterValues asLoudAs(const Sound& before,
                              const Preset& preset,
@@ -225,7 +225,7 @@ private:
     Tuner tuner;
     SoundMonitor monitor;
     MidiLearn controllers;
-    std::atomic<int> loads{0};
+    std::atomic<int> loads{0}, loadsByHost{0};
     std::atomic<bool> resetRequested{false};
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};

@@ -147,17 +147,16 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
         return;
     importLoads = *number;
     if (!product.isFirst && now.sound.instrument != nullptr)
-        renewHistory(*now.sound.instrument->slots().front().object, map, *built, *number);
+        renewHistory(*now.sound.instrument->slots().front().object, map, *built);
 }
 
 /// Steps that know the preview know the whole object from now on, by whatever keys they play it.
 void Processor::renewHistory(const ModalObject& preview,
                              const KeyMap& wholeMap,
-                             const std::shared_ptr<const Instrument>& whole,
-                             int number) {
+                             const std::shared_ptr<const Instrument>& whole) {
     const auto& object = whole->slots().front().object;
     std::map<const Instrument*, std::shared_ptr<const Instrument>> renewed;
-    history.renewSounds(number, [&](Sound& known) {
+    history.renewSounds([&](Sound& known) {
         if (!plays(known.instrument, preview))
             return;
         auto map = known.preset.keyMap;

@@ -48,8 +48,8 @@ public:
     virtual void playSound(const Sound& sound) = 0;
     /// A sentence for the status line.
     virtual void reportError(const std::string& sentence) = 0;
-    /// Another number after every load, by whomever.
-    virtual int instrumentNumber() const = 0;
+    /// How many states and programs the host has loaded, on whatever thread.
+    virtual int hostLoads() const = 0;
 
     virtual double parameterValue(ParameterId parameter) const = 0;
     /// As a change by hand, which the host records.

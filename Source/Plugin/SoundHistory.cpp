@@ -129,8 +129,7 @@ void SoundHistory::record(const std::string& name, const std::function<void()>& 
     pushLoad(name, before);
 }
 
-void SoundHistory::renewSounds(int number, const std::function<void(Sound&)>& renew) {
-    knownNumber = number;
+void SoundHistory::renewSounds(const std::function<void(Sound&)>& renew) {
     const auto renewIn = [&](Session& kept) {
         renew(kept.playing);
         if (kept.other)
@@ -156,16 +155,15 @@ void SoundHistory::play(const Session& wanted) {
     isB = wanted.playsB;
     if (holder.loadedSound() != wanted.playing)
         holder.playSound(wanted.playing);
-    knownNumber = holder.instrumentNumber();
 }
 
 void SoundHistory::followHolder() {
-    if (holder.instrumentNumber() != knownNumber)
+    if (holder.hostLoads() != knownHostLoads)
         forgetAll();
 }
 
 void SoundHistory::forgetAll() {
-    knownNumber = holder.instrumentNumber();
+    knownHostLoads = holder.hostLoads();
     steps.clearUndoHistory();
     other.reset();
     isB = false;
@@ -192,7 +190,6 @@ void SoundHistory::push(juce::UndoableAction* step, const std::string& name) {
 }
 
 void SoundHistory::pushLoad(const std::string& name, const Session& before) {
-    knownNumber = holder.instrumentNumber();
     auto after = session();
     if (after == before)
         return;

@@ -22,8 +22,8 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
-/// For the message thread. Loads that do not come through `record` or `undo` (the host's states and
-/// programs) are noticed by the holder's number, and forget all steps and the other variant.
+/// For the message thread. The host's states and programs, of which the holder counts the loads,
+/// forget all steps and the other variant.
 class SoundHistory final : public EditHistory, public SoundVariants {
 public:
     /// Asks nothing of the holder yet.
@@ -56,10 +56,10 @@ public:
     /// the same afterwards, as when it failed.
     void record(const std::string& name, const std::function<void()>& load);
 
-    /// Objects have been replaced for good, what plays among them by the load of that number, as
-    /// the preview of an analysis by its end: every sound that the steps and the other variant know
-    /// passes through `renew`. No step.
-    void renewSounds(int instrumentNumber, const std::function<void(Sound&)>& renew);
+    /// Objects have been replaced for good, what plays among them, as the preview of an analysis by
+    /// its end: every sound that the steps and the other variant know passes through `renew`. No
+    /// step.
+    void renewSounds(const std::function<void(Sound&)>& renew);
 
     /// Plays sounds to listen to, without steps, until `keepAudition`, which makes one step of them
     /// all, or `endAudition`, which returns to what played before. Without an audition under way
@@ -91,7 +91,7 @@ private:
     SoundHolder& holder;
     juce::UndoManager steps;
     std::vector<std::weak_ptr<LoadedSessions>> loads; ///< of the steps that live
-    int knownNumber = -1;                             ///< of what the steps lead to
+    int knownHostLoads = -1;                          ///< that came before the steps
 
     std::optional<Sound> other;
     bool isB = false;

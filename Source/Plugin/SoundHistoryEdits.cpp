@@ -93,7 +93,6 @@ void SoundHistory::audition(const std::function<void()>& load) {
     if (!beforeAudition)
         beforeAudition = session();
     load();
-    knownNumber = holder.instrumentNumber();
 }
 
 void SoundHistory::keepAudition(const std::string& name) {

@@ -132,7 +132,7 @@ TEST_CASE("Sounds are renewed in the steps too") {
     const auto preview = processor.loadedInstrument();
     load(processor, 3);
     auto full = processor.loadedSound();
-    history.renewSounds(processor.instrumentNumber(), [&](Sound& sound) {
+    history.renewSounds([&](Sound& sound) {
         if (sound.instrument != preview)
             return;
         sound.instrument = full.instrument;
