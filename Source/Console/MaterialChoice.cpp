@@ -5,12 +5,10 @@
 namespace idiophone {
 
 Result<Material> findOrReadMaterial(const std::string& nameOrFile) {
-    if (auto known = findAnyMaterial(nameOrFile))
-        return known;
+    auto known = findAnyMaterial(nameOrFile);
     std::error_code ignored;
-    if (!std::filesystem::exists(nameOrFile, ignored))
-        return failure(nameOrFile + ": it is neither a material's name (`idiophone materials` "
-                                    "lists them) nor a file");
+    if (known || !std::filesystem::exists(nameOrFile, ignored))
+        return known;
     return readMaterialFile(nameOrFile);
 }
 

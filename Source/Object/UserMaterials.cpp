@@ -67,7 +67,8 @@ Result<Material> findAnyMaterial(std::string_view name) {
         if (sameName(nameOf(file.stem()), name))
             if (auto material = readMaterialFile(file); !material)
                 return material;
-    return failure("There is no material '" + std::string(name) + "'.");
+    return failure("There is no material '" + std::string(name) +
+                   "'; `idiophone materials` lists them.");
 }
 
 } // namespace idiophone
