@@ -53,12 +53,12 @@ TEST_CASE("A block in elements of the target edge has its modes within 1 % of a 
     const double edge =
         targetEdgeMetres(law, 1000, maxHz, checkMesh(boxMesh(size, {1, 1, 1})).meanThicknessMetres);
     const auto coarse = modelAt(edge), fine = modelAt(edge / 1.4);
-    for (const double hz : {maxHz}) {
+    for (const double hz : {0.6 * maxHz, 0.8 * maxHz, maxHz}) {
         const auto inFine = countModesBelow(fine, hz),
                    inCoarse = countModesBelow(coarse, 1.01 * hz);
         REQUIRE(inFine);
         REQUIRE(inCoarse);
-        CHECK(*inFine > 15);
+        CHECK(*inFine > 3);
         CHECK(*inCoarse >= *inFine);
     }
 }
@@ -77,6 +77,7 @@ TEST_CASE("Elements of the target edge bring every mode of a plate's band within
     const double edge = targetEdgeMetres(law, 1000, maxHz, thickness);
     const auto coarse = solvedAt(edge), fine = solvedAt(edge / 1.6);
     REQUIRE(coarse.size() >= 6);
+    REQUIRE(fine.size() >= coarse.size());
     for (std::size_t i = 0; i < coarse.size() && fine[i] < maxHz; ++i)
         CHECK_THAT(coarse[i], WithinRel(fine[i], 0.015));
 }

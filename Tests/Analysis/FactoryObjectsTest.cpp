@@ -40,9 +40,7 @@ TEST_CASE("The factory makes just the objects that are stored, under 10 MB toget
     CHECK(bytes < 10'000'000);
 }
 
-TEST_CASE(
-    "Every stored bar is in tune: the fundamental within 1 cent, a tuned second partial within "
-    "5, a third within 10") {
+TEST_CASE("Every stored bar is in tune: the fundamental within 0.5 cent, tuned partials within 2") {
     for (const auto& instrument : barInstruments())
         for (int note = instrument.lowestNote; note <= instrument.highestNote; ++note) {
             const auto asked = instrument.barAt(note, noteFrequencyHz(note));
@@ -54,11 +52,11 @@ TEST_CASE(
                 return cents(dampedFrequencyHz(lambda, bar.material),
                              ratio * noteFrequencyHz(note));
             };
-            CHECK_THAT(missCents(0, 1), WithinAbs(0, 1));
+            CHECK_THAT(missCents(0, 1), WithinAbs(0, 0.5));
             if (asked.targets.secondRatio > 0)
-                CHECK_THAT(missCents(1, asked.targets.secondRatio), WithinAbs(0, 5));
+                CHECK_THAT(missCents(1, asked.targets.secondRatio), WithinAbs(0, 2));
             if (asked.targets.thirdRatio > 0)
-                CHECK_THAT(missCents(2, asked.targets.thirdRatio), WithinAbs(0, 10));
+                CHECK_THAT(missCents(2, asked.targets.thirdRatio), WithinAbs(0, 2));
         }
 }
 

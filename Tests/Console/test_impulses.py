@@ -1,11 +1,12 @@
 import json
 
-from console import ConsoleTest, Wave, run
+from console import OBJECTS, ConsoleTest, Wave, run
 
 
 TAU = 0.001
-# Each of the plate's 197 modes may miss up to τ, in 65536ths of full scale, of either sound.
-TRUNCATED = 2 * 197 * TAU / 65536
+# Each of the plate's modes may miss up to τ, in 65536ths of full scale, of either sound.
+PLATE_MODES = json.loads(run("info", OBJECTS / "plate.modal", "--json").stdout)["mode_count"]
+TRUNCATED = 2 * PLATE_MODES * TAU / 65536
 
 
 class Impulses(ConsoleTest):

@@ -62,7 +62,7 @@ TEST_CASE("Blocks larger than prepared, and of changing sizes, render the same")
     CHECK(output == expected);
 }
 
-TEST_CASE("Mono is the left channel of stereo, and both stereo channels are the same") {
+TEST_CASE("Without radiation mono and both channels of stereo are the same") {
     const auto expected = renderedSong(480);
     Processor mono;
     restore(mono, testState());

@@ -46,7 +46,8 @@ public:
         INFO(what << ": first " << faults.first);
         CHECK(faults.allocations == 0);
         CHECK(faults.locks == 0);
-        CHECK(faults.systemCalls == 0);
+        if (systemCallTrapWorks()) // elsewhere their own test is skipped
+            CHECK(faults.systemCalls == 0);
         for (int i = 0; i < samples; ++i)
             loudestSample = std::max(loudestSample, std::abs(view.getSample(0, i)));
     }
@@ -222,7 +223,7 @@ TEST_CASE("No parameter at either end does so in any factory preset") {
     CHECK(host.loudestSample > 0.001f);
 }
 
-TEST_CASE("A system exclusive message is taken in as any other") {
+TEST_CASE("System exclusive messages that retune do not allocate, lock or call the system") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(256);

@@ -28,7 +28,7 @@ TEST_CASE("Every scene of the folder is in the program, under a name of its own"
     CHECK(findFactoryScene("nothing") == nullptr);
 }
 
-TEST_CASE("Every factory scene is cast, and its first second moves") {
+TEST_CASE("Every factory scene is cast, and something is struck in its first second") {
     for (const auto& scene : factoryScenes()) {
         INFO(scene.name);
         const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
