@@ -49,8 +49,10 @@ else()
     install(FILES "${CMAKE_CURRENT_BINARY_DIR}/org.idiophone.Idiophone.metainfo.xml"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo" COMPONENT standalone)
     set(documents "${CMAKE_INSTALL_DATADIR}/doc/idiophone")
-    install(FILES README.md CHANGELOG.md docs/dependencies.md
+    install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md
         DESTINATION "${documents}" COMPONENT console)
+    install(DIRECTORY docs DESTINATION "${documents}" COMPONENT console
+        PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE)
     install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
     install(FILES Resources/Songs/TheEntertainer.mid DESTINATION "${documents}/examples"
         COMPONENT console)
@@ -84,6 +86,7 @@ else()
     set(CPACK_COMPONENT_DEVELOPMENT_GROUP development)
     set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME idiophone)
     set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME idiophone-dev)
+    set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libeigen3-dev) # for the component Analysis
     set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
     if(NOT hwy_SOURCE_DIR) # else Highway is in the package itself
         set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libhwy-dev)

@@ -44,6 +44,15 @@ def test_the_console_has_its_presets_with_it(prefix, songs, tmp_path):
     assert (tmp_path / "song.wav").stat().st_size > 48000
 
 
+def test_the_pages_are_installed_with_what_they_show(prefix):
+    documents = prefix / "share/doc/idiophone"
+    for page in documents.glob("docs/manual/*.md"):
+        for link in re.findall(r"\]\(([^)#\s]+)", page.read_text()):
+            if "://" not in link:
+                assert (page.parent / link).exists(), f"{page}: {link}"
+    assert (documents / "docs/manual/images/dropped.png").exists()
+
+
 def test_the_plugin_plays_from_where_it_is_installed(prefix):
     plugin = pedalboard.load_plugin(str(prefix / "lib/vst3/Idiophone.vst3"))
     sound = plugin([Message("note_on", note=72, velocity=100, time=0)], 0.5, 48000)
