@@ -1,5 +1,7 @@
 #include "Geometry/ParametricMesh.h"
 
+#include "Geometry/MeshBuilder.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -13,27 +15,6 @@ namespace idiophone {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// Collects vertices and faces while their number is not known yet.
-struct MeshBuilder {
-    std::vector<Eigen::RowVector3d> vertices;
-    std::vector<Eigen::RowVector3i> faces;
-
-    int add(double x, double y, double z) {
-        vertices.emplace_back(x, y, z);
-        return static_cast<int>(vertices.size()) - 1;
-    }
-    void face(int a, int b, int c) { faces.emplace_back(a, b, c); }
-
-    Mesh mesh() const {
-        Mesh result{Eigen::MatrixXd(vertices.size(), 3), Eigen::MatrixXi(faces.size(), 3)};
-        for (std::size_t i = 0; i < vertices.size(); ++i)
-            result.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            result.faces.row(static_cast<Eigen::Index>(i)) = faces[i];
-        return result;
-    }
-};
 
 int sheetVertexCount(const SheetGrid& grid) {
     const int longRows = grid.rowsAcross / 2, evenRows = longRows + 1;

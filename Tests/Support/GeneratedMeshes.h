@@ -1,6 +1,7 @@
 // Generated meshes that only tests are made of: beside those of ParametricMesh.
 #pragma once
 
+#include "Geometry/MeshBuilder.h"
 #include "Geometry/ParametricMesh.h"
 
 #include <cmath>
@@ -12,29 +13,6 @@
 #include <vector>
 
 namespace idiophone::test {
-
-/// Collects vertices and faces while their number is not known yet.
-class MeshBuilder {
-public:
-    int add(double x, double y, double z) {
-        vertices.emplace_back(x, y, z);
-        return static_cast<int>(vertices.size()) - 1;
-    }
-    void face(int a, int b, int c) { faces.emplace_back(a, b, c); }
-
-    Mesh mesh() const {
-        Mesh result{Eigen::MatrixXd(vertices.size(), 3), Eigen::MatrixXi(faces.size(), 3)};
-        for (std::size_t i = 0; i < vertices.size(); ++i)
-            result.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            result.faces.row(static_cast<Eigen::Index>(i)) = faces[i];
-        return result;
-    }
-
-private:
-    std::vector<Eigen::RowVector3d> vertices;
-    std::vector<Eigen::RowVector3i> faces;
-};
 
 /// A flat rectangle of columns × rows squares or rectangles, each cut in two along the same
 /// diagonal: (columns+1)(rows+1) vertices.

@@ -1,0 +1,32 @@
+// Meshes in the making.
+#pragma once
+
+#include "Geometry/Mesh.h"
+
+#include <vector>
+
+namespace idiophone {
+
+/// Collects vertices and faces while their number is not known yet.
+struct MeshBuilder {
+    std::vector<Eigen::RowVector3d> vertices; ///< in metres
+    std::vector<Eigen::RowVector3i> faces;
+
+    /// The number of the new vertex.
+    int add(double x, double y, double z) {
+        vertices.emplace_back(x, y, z);
+        return static_cast<int>(vertices.size()) - 1;
+    }
+    void face(int a, int b, int c) { faces.emplace_back(a, b, c); }
+
+    Mesh mesh() const {
+        Mesh result{Eigen::MatrixXd(vertices.size(), 3), Eigen::MatrixXi(faces.size(), 3)};
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            result.vertices.row(static_cast<Eigen::Index>(i)) = vertices[i];
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            result.faces.row(static_cast<Eigen::Index>(i)) = faces[i];
+        return result;
+    }
+};
+
+} // namespace idiophone
