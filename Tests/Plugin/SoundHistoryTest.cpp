@@ -4,6 +4,7 @@
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <functional>
 #include <thread>
 
 using namespace idiophone;
@@ -42,11 +43,12 @@ TEST_CASE("A new instance has nothing to undo or redo") {
 TEST_CASE("Undo gives back every state on the way and redo the same ones again") {
     Processor processor;
     auto& history = processor.editHistory();
-    std::vector<std::string> states{saved(processor)};
-    const auto step = [&](auto&& action) {
+    std::vector<std::string> states;
+    const auto step = [&](const std::function<void()>& action) {
         action();
         states.push_back(saved(processor));
     };
+    step([] {});
     step([&] { drag(processor, tau, {0.5}); });
     step([&] { load(processor, 3); });
     step([&] { drag(processor, material, {5}); });
