@@ -22,6 +22,7 @@ endfunction()
 foreach(room Object Synth Geometry Analysis)
     string(TOLOWER ${room} lower)
     set_target_properties(idiophone_${lower} PROPERTIES EXPORT_NAME ${room})
+    target_compile_features(idiophone_${lower} PUBLIC cxx_std_20)
 endforeach()
 
 # To load objects, strike them and press on them.
@@ -31,7 +32,7 @@ install_rooms(IdiophoneTargets
         Object/DampingLaw Object/Material Object/ModalObject Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
         Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/ModalPole Synth/Reson
-        Synth/SoundingGroups Synth/Strike Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
+        Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
         Synth/SynthesisSettings)
 # To make them of meshes. A component of its own, as it wants Eigen.
 install_rooms(IdiophoneAnalysisTargets

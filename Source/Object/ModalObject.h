@@ -111,7 +111,8 @@ std::vector<float> vertexNormals(const ModalObject& object);
 /// whole.
 std::vector<double> summedSquareShapes(const ModalObject& object);
 
-/// The row of `shapeVertices` whose vertex is nearest to a point in metres. The object has one.
+/// The row of `shapeVertices` whose vertex is nearest to a point in metres, of those that there
+/// are. Takes time with their number; any thread.
 std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 3>& pointMetres);
 
 } // namespace idiophone

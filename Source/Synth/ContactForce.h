@@ -34,8 +34,8 @@ struct ContactForceSettings {
 
 /// A mode that a roll is coupled to: the envelope d/√((ω − 2πf)² + d²) of its filter.
 struct CoupledMode {
-    double frequencyHz = 0;      ///< f > 0
-    double dampingPerSecond = 0; ///< d > 0
+    double frequencyHz = 0;      ///< f > 0: ModalObject::dampedFrequencyHz
+    double dampingPerSecond = 0; ///< d > 0: α, ModalObject::decayPerSecond
 };
 
 /// How a contact moves at a grid point. NaN counts as 0, as does a negative force; of a negative
@@ -64,7 +64,8 @@ public:
     /// Writes the force in newtons, along the normal or the direction of motion as the caller
     /// likes, while the motion goes linearly from what it was to `motion` at the end of the cell.
     /// Its rms is roughness · √(v/v_max · F_n · 1 N) for a scrape: silent where v or F_n is 0 or
-    /// v is below the surface's slowest. Returns whether the cell holds anything but zeros.
+    /// v is below the surface's slowest. A contact ends with a cell to a motion of 0, 0. Returns
+    /// whether the cell holds anything but zeros.
     bool render(const ContactMotion& motion, std::span<float, cellSamples> forceNewtons) noexcept;
 
     /// At rest, at the seed's place on the profile; the settings stay.

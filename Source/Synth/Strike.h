@@ -14,7 +14,9 @@ inline constexpr std::size_t mostShapeRows = 6;
 struct StrikePoint {
     std::array<std::int32_t, mostShapeRows> shapeRows{}; ///< rows of ModalObject::shapeVertices
     std::array<float, mostShapeRows> weights{1}; ///< sum to 1; rows of weight 0 are not read
-    std::array<float, 3> normal{0, 0, 1};        ///< unit outward normal
+    /// The outward normal, of length 1, which is not checked. What is heard near is the velocity of
+    /// the point along it: a wrong one is heard too softly.
+    std::array<float, 3> normal{0, 0, 1};
     /// From where a blow here is heard from afar: a direction of the object's RadiationTable for
     /// all channels, or −1: each channel's own.
     std::int32_t heardFrom = -1;

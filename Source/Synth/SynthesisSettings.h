@@ -38,9 +38,11 @@ struct SynthesisSettings {
     double thicknessRatio = 1;
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
     /// 0 to 1: from what is heard at the point struck to what the whole surface radiates to
-    /// the listener, where the object knows; for strikes from now on.
+    /// the listener, where the object knows; for strikes from now on. What is radiated is scaled
+    /// for each object to be about as loud as near: not to be compared between objects.
     double radiation = 0;
-    std::optional<LiveMaterial> material; ///< nothing: each object keeps its reference material
+    /// Of every object; nothing: each keeps its reference material.
+    std::optional<LiveMaterial> material = {};
 
     bool operator==(const SynthesisSettings&) const = default;
 };

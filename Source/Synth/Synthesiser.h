@@ -25,7 +25,8 @@ struct SynthesiserSlot {
 };
 
 /// Constructed and destroyed off the audio thread; every other member is for the audio thread, and
-/// neither allocates, locks nor throws. Output is surface velocity in m/s (full scale 1).
+/// neither allocates, locks nor throws. Output is surface velocity in m/s (full scale 1), or what
+/// `SynthesisSettings::radiation` makes of it; nothing is clipped.
 class Synthesiser {
 public:
     /// Cells handed over have `channels`, 1 or 2.
@@ -50,7 +51,7 @@ public:
     /// or empty: none) are not heard: they fade out and in within 3 ms and ring on in between.
     void setSilencedModes(std::size_t slot, std::span<const std::uint8_t> silenced) noexcept;
 
-    /// Advances by one cell and writes what rings into `cell`.
+    /// Advances by one cell and writes what rings into `cell`, over what was in it.
     void beginCell(const CellOutput& cell) noexcept;
     /// The same with a cell for each slot, for listeners to whom they are in different places.
     void beginCell(std::span<const CellOutput> cellsOfSlots) noexcept;
@@ -59,9 +60,10 @@ public:
     /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, within
     /// what the slot's share, an equal share or the unused rest of the budget allows; while a
     /// contact lasts the modes it found stay mixed. A contact time within 1 % of a lightly damped
-    /// mode's period moves by 1 % (ContactPulse.h). Returns false, and does nothing, where 64
-    /// contacts are already under way in this slot, where the slot or a shape row does not exist,
-    /// or where a figure is not finite.
+    /// mode's period moves by 1 %. Returns false, and does nothing, where 64 contacts that last
+    /// beyond this cell are already under way in this slot, where the slot, a shape row or the
+    /// direction it is heard from does not exist, where `sampleInCell` or the duration is out of
+    /// range, or where a figure is not finite.
     bool strike(std::size_t slot,
                 const Strike& strike,
                 double sampleInCell,
@@ -72,8 +74,9 @@ public:
 
     /// Presses on a slot throughout the cell begun last, in addition to whatever else does, and
     /// adds the sound to it. While a force lasts the modes that the budget allows stay mixed,
-    /// however faint. Returns false, and does nothing, where the slot or a shape row does not exist
-    /// or a figure is not finite.
+    /// however faint. A contact that ends wants a last cell whose force goes to 0, or it clicks.
+    /// Returns false, and does nothing, where the slot or a shape row does not exist or a figure is
+    /// not finite.
     bool applyForce(std::size_t slot, const ForceCell& force, const CellOutput& cell) noexcept;
 
     /// Forgets all that rings, at once. The caller fades the output.

@@ -181,7 +181,6 @@ TEST_CASE("A tubular bell's fourth bending mode, a pair, is an octave above its 
 
 TEST_CASE("Every shape has one name, and other names are refused") {
     const auto names = factoryShapeNames();
-    CHECK(names.size() == 25);
     CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
     CHECK(std::ranges::count(names, "tubular-bell-60") == 1);
     CHECK(std::ranges::count(names, "tubular-bell-77") == 1);

@@ -3,17 +3,15 @@
 
 #include "Instrument/FactoryContent.h"
 
-#include <algorithm>
-#include <span>
+#include <ranges>
 
 namespace idiophone::test {
 
-/// Those of scenes stand behind them.
-inline std::span<const Preset> keyedFactoryPresets() {
-    const auto all = factoryPresets();
-    const auto scenes = std::ranges::find_if(
-        all, [](const Preset& preset) { return preset.keyMap.kind == KeyMapKind::scene; });
-    return all.first(static_cast<std::size_t>(scenes - all.begin()));
+/// In their order, wherever those of scenes stand between them.
+inline auto keyedFactoryPresets() {
+    return factoryPresets() | std::views::filter([](const Preset& preset) {
+               return preset.keyMap.kind != KeyMapKind::scene;
+           });
 }
 
 } // namespace idiophone::test

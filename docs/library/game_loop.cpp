@@ -3,6 +3,7 @@
 //
 //     game_loop OBJECT.modal SOUND.f32        (32-bit float, mono, 48 kHz)
 #include "Object/ModalObjectFile.h"
+#include "Synth/StrikePoints.h"
 #include "Synth/Synthesiser.h"
 
 #include <array>
@@ -28,12 +29,14 @@ std::vector<Impact> impacts() {
     return all;
 }
 
-int main(int, char** arguments) {
+int main(int count, char** arguments) {
+    if (count != 3)
+        return std::cerr << "game_loop OBJECT.modal SOUND.f32\n", 1;
     auto object = readModalObject(arguments[1]);
     if (!object)
         return std::cerr << object.error().message << '\n', 1;
-    const auto row = nearestShapeRow(*object, {0.05, 0.03, 0}); // where the ball hits
     const auto shared = std::make_shared<const ModalObject>(std::move(*object));
+    const StrikePoint point = StrikePoints(shared).nearest({0.05, 0.03, 0}); // where the ball hits
 
     constexpr double rateHz = 48000, frameSeconds = 0.01;
     Synthesiser synthesiser({{.object = shared}}, rateHz); // one slot a sounding body
@@ -51,7 +54,7 @@ int main(int, char** arguments) {
                 const double sample = hits[next].seconds * rateHz - double(cells * cellSamples);
                 if (sample >= cellSamples)
                     break;
-                const Strike strike{.point = {.shapeRows = {static_cast<std::int32_t>(row)}},
+                const Strike strike{.point = point,
                                     .impulseNewtonSeconds = {0, 0, -hits[next].newtonSeconds},
                                     .durationSeconds = 0.0005};
                 synthesiser.strike(0, strike, std::max(sample, 0.0), cell); // at its own sample
