@@ -1,7 +1,7 @@
 #include "Instrument/Mutation.h"
 
-#include "Instrument/LoudnessMatch.h"
 #include "Instrument/HertzContact.h"
+#include "Instrument/LoudnessMatch.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"
 

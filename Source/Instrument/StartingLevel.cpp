@@ -1,11 +1,13 @@
 #include "Instrument/StartingLevel.h"
 
 #include "Instrument/LoudestBlow.h"
-#include "Object/Mallet.h"
 #include "Instrument/PhrasePrediction.h"
+#include "Object/Mallet.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace idiophone {
 namespace {
@@ -16,6 +18,20 @@ constexpr double hardestBlowDecibels = -18;
 
 double lufsOf(const Phrase& phrase, const ParameterValues& values) {
     return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
+}
+
+/// Choices of ParameterId::mallet in the rack, those first that touch the longest (Hertz).
+std::vector<std::size_t> rackFromSoftToHard() {
+    const auto rack = malletRack();
+    std::vector<std::size_t> order(rack.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t k) {
+        return rack[k].massKg * rack[k].massKg /
+               (rack[k].headRadiusMetres * rack[k].effectiveModulusPa * rack[k].effectiveModulusPa);
+    });
+    for (auto& k : order)
+        k += firstRackMallet;
+    return order;
 }
 
 } // namespace
@@ -35,9 +51,11 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
     const Phrase phrase(instrument, surface, sampleRateHz);
     double loudest = lufsOf(phrase, values);
     auto best = values;
-    for (std::size_t k = 0; k < malletRack().size() && !(loudest >= faintestLufs); ++k) {
+    for (const auto choice : rackFromSoftToHard()) {
+        if (loudest >= faintestLufs)
+            break;
         auto with = values;
-        with.set(ParameterId::mallet, static_cast<double>(firstRackMallet + k));
+        with.set(ParameterId::mallet, static_cast<double>(choice));
         if (const double lufs = lufsOf(phrase, with); lufs > loudest) {
             loudest = lufs;
             best = with;

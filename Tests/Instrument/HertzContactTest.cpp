@@ -90,6 +90,14 @@ TEST_CASE("Each mallet has a name of its own, a source and a contact of up to 20
         const double milliseconds = contactMilliseconds(mallet, "Steel", 1);
         CHECK(milliseconds > 0.01);
         CHECK(milliseconds < 20);
+        // One that is made the custom mallet keeps its figures.
+        const auto& hardness = parameterInfo(ParameterId::malletHardness);
+        CHECK(hardness.clamped(mallet.effectiveModulusPa * 1e-6) ==
+              mallet.effectiveModulusPa * 1e-6);
+        const auto& mass = parameterInfo(ParameterId::malletMass);
+        CHECK(mass.clamped(mallet.massKg * 1e3) == mallet.massKg * 1e3);
+        const auto& radius = parameterInfo(ParameterId::malletRadius);
+        CHECK(radius.clamped(mallet.headRadiusMetres * 1e3) == mallet.headRadiusMetres * 1e3);
     }
 }
 

@@ -12,12 +12,11 @@ using Catch::Approx;
 TEST_CASE("A blow is one line of JSON that says when, what, where and how") {
     const SynthesiserSlot slot{.object =
                                    std::make_shared<const ModalObject>(syntheticObject({100}))};
-    const PlacedBlow blow{.seconds = 1.25,
-                          .slot = 3,
-                          .strike = {.point = {},
-                                     .impulseNewtonSeconds = {0, 0.5f, -2},
-                                     .durationSeconds = 0.002},
-                          .pointMetres = {0.1, 0.2, -0.3}};
+    const PlacedBlow blow{
+        .seconds = 1.25,
+        .slot = 3,
+        .strike = {.point = {}, .impulseNewtonSeconds = {0, 0.5f, -2}, .durationSeconds = 0.002},
+        .pointMetres = {0.1, 0.2, -0.3}};
     const auto text = impulseLine(slot, blow);
     CHECK(text.find('\n') == text.size() - 1);
     const auto line = nlohmann::json::parse(text);

@@ -1,9 +1,9 @@
 #include "Instrument/LoudnessMatch.h"
 
 #include "Instrument/FactoryContent.h"
-#include "Object/Mallet.h"
 #include "Instrument/Player.h"
 #include "LoudnessPhrase.h"
+#include "Object/Mallet.h"
 #include "Object/Material.h"
 #include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"

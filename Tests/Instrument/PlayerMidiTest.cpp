@@ -157,9 +157,8 @@ TEST_CASE("All notes off lets keys go, and so does every message that changes th
     parameters.set(ParameterId::releaseTime, 0.05);
     const auto after = [&](int number) {
         Player player(bars(), sampleRateHz);
-        const auto sound =
-            render(player, {midi(0, 0x90, 69, 100), midi(4800, 0xb0, number, 0)}, 14400, 256,
-                   parameters);
+        const auto sound = render(player, {midi(0, 0x90, 69, 100), midi(4800, 0xb0, number, 0)},
+                                  14400, 256, parameters);
         return rms(std::span(sound).subspan(9600, 4800)) / rms(std::span(sound).first(4800));
     };
     CHECK(after(122) > 0.3); // local control: not a player's
