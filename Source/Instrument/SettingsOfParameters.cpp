@@ -26,9 +26,7 @@ std::optional<LiveMaterial> liveMaterial(const ParameterValues& values) {
     const auto* chosen = chosenLibraryMaterial(values);
     if (chosen == nullptr)
         return std::nullopt;
-    return LiveMaterial{.youngsModulusPa = chosen->youngsModulusPa,
-                        .densityKgPerM3 = chosen->densityKgPerM3,
-                        .damping = chosen->damping};
+    return idiophone::liveMaterial(*chosen);
 }
 
 } // namespace

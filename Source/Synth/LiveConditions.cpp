@@ -24,10 +24,7 @@ LiveConditions liveConditions(const Material& reference,
                               const SynthesisSettings& settings,
                               double slotSizeRatio,
                               double slotFrequencyRatio) noexcept {
-    const LiveMaterial material =
-        settings.material.value_or(LiveMaterial{.youngsModulusPa = reference.youngsModulusPa,
-                                                .densityKgPerM3 = reference.densityKgPerM3,
-                                                .damping = reference.damping});
+    const LiveMaterial material = settings.material.value_or(liveMaterial(reference));
     const double size = slotSizeRatio * settings.sizeRatio;
     const double tuning = settings.frequencyRatio * slotFrequencyRatio / size;
     const double density = ratio(material.densityKgPerM3, reference.densityKgPerM3);

@@ -68,6 +68,13 @@ void SoundingObject::setFrequencyRatio(double newRatio) noexcept {
     controlsChanged = true;
 }
 
+void SoundingObject::setMaterial(const std::optional<LiveMaterial>& material) noexcept {
+    if (material == requestedMaterial)
+        return;
+    requestedMaterial = material;
+    controlsChanged = true;
+}
+
 void SoundingObject::setSilencedModes(std::span<const std::uint8_t> silenced) noexcept {
     const bool any = std::ranges::any_of(silenced, [](std::uint8_t is) { return is != 0; });
     if (any && silenced.size() != object->modeCount())

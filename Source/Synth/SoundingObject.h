@@ -46,6 +46,8 @@ public:
     void setDamping(double dampingPerSecond) noexcept;
     void setFrequencyRatio(double ratio) noexcept;
     double frequencyRatio() const noexcept { return requestedFrequencyRatio; }
+    /// Instead of the settings'; nothing: theirs. Its figures are in their ranges.
+    void setMaterial(const std::optional<LiveMaterial>& material) noexcept;
     /// From the next `beginCell` on modes that are not 0 here ([modes of the object], or empty:
     /// none) are not heard. They fade out and in, and ring on unheard in between.
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
@@ -242,7 +244,8 @@ private:
     // What was asked for, and what holds now.
     double requestedDamping = 0;
     double requestedFrequencyRatio = 1;
-    std::vector<std::uint8_t> requestedSilences; ///< [M], or empty: none
+    std::optional<LiveMaterial> requestedMaterial; ///< nothing: the settings'
+    std::vector<std::uint8_t> requestedSilences;   ///< [M], or empty: none
     bool silencesChange = false;
     std::vector<std::uint8_t> silencedModes; ///< [M], or empty: none
     PoleLaw law;

@@ -10,8 +10,11 @@ namespace idiophone {
 
 void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     controlsChanged = false;
+    SynthesisSettings own = settings;
+    if (requestedMaterial)
+        own.material = requestedMaterial;
     const LiveConditions live =
-        liveConditions(object->material, settings, slotSizeRatio, requestedFrequencyRatio);
+        liveConditions(object->material, own, slotSizeRatio, requestedFrequencyRatio);
     const double thickness = object->hasLiveThickness() ? settings.thicknessRatio : 1;
     const double newGainRatio = live.gainRatio / thickness;
     // τ = 0 truncates nothing that could be heard after all.

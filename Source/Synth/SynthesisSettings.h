@@ -1,7 +1,7 @@
 // What may change while objects ring. All of it acts at grid points.
 #pragma once
 
-#include "Object/DampingLaw.h"
+#include "Object/Material.h"
 
 #include <limits>
 #include <optional>
@@ -24,6 +24,12 @@ struct LiveMaterial {
     bool operator==(const LiveMaterial&) const = default;
 };
 
+inline LiveMaterial liveMaterial(const Material& material) noexcept {
+    return {.youngsModulusPa = material.youngsModulusPa,
+            .densityKgPerM3 = material.densityKgPerM3,
+            .damping = material.damping};
+}
+
 /// A figure out of its range is ignored and keeps what it was. Frequency, size and material all act
 /// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio², and the damping
 /// d = γ + χ √λ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³. The
@@ -41,7 +47,7 @@ struct SynthesisSettings {
     /// the listener, where the object knows; for strikes from now on. What is radiated is scaled
     /// for each object to be about as loud as near: not to be compared between objects.
     double radiation = 0;
-    /// Of every object; nothing: each keeps its reference material.
+    /// Of every slot that has none of its own (Synthesiser::setMaterial); nothing: its object's.
     std::optional<LiveMaterial> material = {};
 
     bool operator==(const SynthesisSettings&) const = default;

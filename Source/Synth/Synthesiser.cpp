@@ -136,6 +136,12 @@ double Synthesiser::frequencyRatio(std::size_t slot) const noexcept {
     return slot < slotCount() ? implementation->objects[slot].frequencyRatio() : 1;
 }
 
+void Synthesiser::setMaterial(std::size_t slot,
+                              const std::optional<LiveMaterial>& material) noexcept {
+    if (slot < slotCount() && (!material || valid(*material)))
+        implementation->objects[slot].setMaterial(material);
+}
+
 void Synthesiser::setSilencedModes(std::size_t slot,
                                    std::span<const std::uint8_t> silenced) noexcept {
     if (slot < slotCount())

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,11 @@ public:
     void setFrequencyRatio(std::size_t slot, double ratio) noexcept;
     /// As set last; 1 where the slot does not exist.
     double frequencyRatio(std::size_t slot) const noexcept;
+
+    /// What one slot is made of from the next `beginCell` on, whatever
+    /// `SynthesisSettings::material` says; nothing: as that says. A material of which a figure is
+    /// out of its range is ignored.
+    void setMaterial(std::size_t slot, const std::optional<LiveMaterial>& material) noexcept;
 
     /// From the next `beginCell` on modes of one slot that are not 0 here ([modes of its object],
     /// or empty: none) are not heard: they fade out and in within 3 ms and ring on in between.

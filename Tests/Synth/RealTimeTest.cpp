@@ -38,6 +38,8 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting, silen
         if (step % 100 == 50) {
             synthesiser.setDamping(step / 100 % 2, step % 200 == 50 ? 200 : 0);
             synthesiser.setFrequencyRatio(step / 100 % 2, 1 + 0.01 * static_cast<double>(step % 7));
+            synthesiser.setMaterial(step / 100 % 2,
+                                    step % 300 == 50 ? settings.material : std::nullopt);
         }
         if (step % 60 == 30) {
             silenced[step % 200] ^= 1;

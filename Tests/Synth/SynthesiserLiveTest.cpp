@@ -57,6 +57,37 @@ TEST_CASE("A quarter of the density or half the size is the object with eigenval
     check(settings, 1, 1);
 }
 
+TEST_CASE("A slot's own material goes before that of the settings until it is lifted") {
+    const LiveMaterial steel{2e11, 7850, 2, 1e-8}, wood{1e10, 600, 20, 2e-7};
+    const auto plays = [&](std::size_t slot, const LiveMaterial& atFirst) {
+        const ModalObject object = ringingObject({440, 1999});
+        Synthesiser own({slotOf(object), slotOf(object)}, sampleRate);
+        Synthesiser reference({slotOf(object)}, sampleRate);
+        SynthesisSettings settings = exactSettings();
+        settings.material = wood;
+        own.setSettings(settings);
+        own.setMaterial(0, steel);
+        own.setMaterial(0, LiveMaterial{2e11, -1, 2, 0});
+        own.setMaterial(2, steel);
+        const auto output =
+            render(own, {{5, unitStrike(), slot}, {700, unitStrike(1e-3), slot}}, 40, [&](int c) {
+                if (c == 20)
+                    own.setMaterial(0, std::nullopt);
+            });
+        settings.material = atFirst;
+        reference.setSettings(settings);
+        const auto expected =
+            render(reference, {{5, unitStrike()}, {700, unitStrike(1e-3)}}, 40, [&](int c) {
+                settings.material = c < 20 ? atFirst : wood;
+                reference.setSettings(settings);
+            });
+        return output == expected;
+    };
+    CHECK(plays(0, steel));
+    CHECK(plays(1, wood));
+    CHECK_FALSE(plays(0, wood));
+}
+
 TEST_CASE("A pole that moves while it rings makes no step") {
     const int moveCell = GENERATE(10, 11, 12, 13, 14, 15);
     const ModalObject object = ringingObject({440});
