@@ -25,8 +25,9 @@ void addFit(CLI::App& program, Action& chosen);
 void addToneMap(CLI::App& program, Action& chosen);
 void addSurface(CLI::App& program, Action& chosen);
 void addBench(CLI::App& program, Action& chosen);
+void addPresets(CLI::App& program, Action& chosen);
 void addMaterials(CLI::App& program, Action& chosen);
 void addSofaTable(CLI::App& program, Action& chosen); ///< for SofaHead, not listed
-void addLists(CLI::App& program, Action& chosen);     ///< presets, parameters, scenes
+void addLists(CLI::App& program, Action& chosen);     ///< parameters, scenes
 
 } // namespace idiophone

@@ -1,6 +1,5 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
-#include "Instrument/FactoryContent.h"
 #include "Parameters/ParameterTable.h"
 #include "Scene/FactoryScenes.h"
 
@@ -16,18 +15,6 @@ using nlohmann::ordered_json;
 
 constexpr std::array<const char*, 6> scaleNames{"linear", "logarithmic", "steps",
                                                 "on-off", "choice",      "cubic"};
-
-ordered_json describePresets() {
-    ordered_json list = ordered_json::array();
-    for (const auto& preset : factoryPresets())
-        list.push_back(ordered_json::parse(encodePreset(preset)));
-    return list;
-}
-
-void printPresets() {
-    for (const auto& preset : factoryPresets())
-        std::cout << std::left << std::setw(22) << preset.name << preset.description << '\n';
-}
 
 std::string rangeOf(const ParameterInfo& info) {
     if (info.scale == ParameterScale::onOff)
@@ -125,7 +112,6 @@ void printScenes() {
 } // namespace
 
 void addLists(CLI::App& program, Action& chosen) {
-    addList(program, chosen, "presets", "Lists the factory presets", describePresets, printPresets);
     addList(program, chosen, "parameters", "Lists the parameters that --set takes",
             describeParameters, printParameters);
     addList(program, chosen, "scenes", "Lists the factory scenes", describeScenes, printScenes);

@@ -23,7 +23,7 @@ int run(int argc, char** argv) {
     Action chosen;
     for (const auto add :
          {addAnalyse, addInfo, addStrike, addRender, addScene, addMesh, addFactory, addTune, addFit,
-          addToneMap, addBench, addSurface, addMaterials, addLists, addSofaTable})
+          addToneMap, addBench, addSurface, addPresets, addMaterials, addLists, addSofaTable})
         add(program, chosen);
     try {
         program.parse(argc, argv);

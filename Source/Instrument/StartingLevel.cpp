@@ -1,6 +1,7 @@
 #include "Instrument/StartingLevel.h"
 
 #include "Instrument/LoudestBlow.h"
+#include "Instrument/LoudnessPhrase.h"
 #include "Instrument/PhrasePrediction.h"
 #include "Object/Mallet.h"
 
@@ -12,8 +13,6 @@
 namespace idiophone {
 namespace {
 
-/// As PhrasePrediction hears the factory presets, at their levels and velocity 100.
-constexpr double wantedLufs = -42;
 constexpr double hardestBlowDecibels = -18;
 
 double lufsOf(const Phrase& phrase, const ParameterValues& values) {
@@ -47,7 +46,7 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
                                   const Surface& surface,
                                   double sampleRateHz,
                                   const ParameterValues& values) {
-    constexpr double faintestLufs = wantedLufs - 12; // what the level has to make up for
+    constexpr double faintestLufs = factoryLufs - 12; // what the level has to make up for
     const Phrase phrase(instrument, surface, sampleRateHz);
     double loudest = lufsOf(phrase, values);
     auto best = values;
@@ -76,7 +75,7 @@ double startingLevel(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values) {
-    const double asLoud = wantedLufs - predictedLufs(instrument, surface, sampleRateHz, values);
+    const double asLoud = factoryLufs - predictedLufs(instrument, surface, sampleRateHz, values);
     const double level = std::min(asLoud, highestLevel(instrument, surface, sampleRateHz, values));
     return std::isfinite(level) ? level : values[ParameterId::level];
 }

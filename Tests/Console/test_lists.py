@@ -9,11 +9,38 @@ DOCS = pathlib.Path(__file__).parents[2] / "docs"
 
 
 class Lists(ConsoleTest):
-    def test_the_manuals_parameters_are_those_of_the_program(self):
+    def test_the_manuals_parameters_and_presets_are_those_of_the_program(self):
         sys.path.insert(0, str(DOCS))
-        from make_parameters import page
-        self.assertEqual((DOCS / "manual/parameters.md").read_text(), page(PROGRAM),
-                         "docs/make_parameters.py makes it anew")
+        from make_pages import pages
+        for file, text in pages(PROGRAM).items():
+            self.assertEqual(file.read_text(encoding="utf-8"), text, "`./dev pages` makes it anew")
+
+    def test_each_preset_file_is_called_after_its_program_so_that_none_comes_between(self):
+        files = sorted((DOCS.parent / "Presets").iterdir())
+        self.assertEqual([file.name[:3] for file in files],
+                         [f"{number:02}-" for number in range(1, len(files) + 1)])
+        programs = self.json("presets")
+        self.assertEqual([json.loads(file.read_text())["name"] for file in files],
+                         [preset["name"] for preset in programs])
+        self.assertEqual([preset["program"] for preset in programs], list(range(len(files))))
+
+    def test_the_level_at_which_a_preset_is_as_loud_as_the_factorys_does_not_depend_on_its_own(self):
+        wok = next(p for p in self.json("presets") if p["name"] == "Wok")
+        own = self.json("presets", "--level", "wok")
+        self.assertLess(abs(own["matching_level_db"] - own["level_db"]), 1)
+        wok["parameters"]["level"] = own["level_db"] - 40
+        faint = self.json("presets", "--level", self.write("faint.json", json.dumps(wok)))
+        self.assertAlmostEqual(faint["level_db"], own["level_db"] - 40)
+        self.assertAlmostEqual(faint["matching_level_db"], own["matching_level_db"], places=3)
+        said = self.succeed("presets", "--level", "wok").stdout
+        self.assertIn(f" {own['matching_level_db']:.1f} dB;", said)
+
+    def test_presets_that_have_no_level_to_find_are_refused(self):
+        self.refuse("presets", "--level", "Thrown Shells", naming="Thrown Shells", saying="scene")
+        wok = next(p for p in self.json("presets") if p["name"] == "Wok")
+        wok["mutedModes"] = {"all": list(range(1000))}
+        self.refuse("presets", "--level", self.write("muted.json", json.dumps(wok)),
+                    naming="muted.json", saying="silent")
 
     def test_presets_are_told_with_all_that_a_preset_file_holds(self):
         presets = self.json("presets")

@@ -1,8 +1,9 @@
 #include "Instrument/LoudnessMatch.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/LoudnessPhrase.h"
 #include "Instrument/Player.h"
-#include "LoudnessPhrase.h"
+#include "IntegratedLufs.h"
 #include "Object/Mallet.h"
 #include "Object/Material.h"
 #include "Support/KeyedPresets.h"

@@ -1,5 +1,5 @@
 #include "Instrument/PhraseMeter.h"
-#include "LoudnessPhrase.h"
+#include "IntegratedLufs.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>

@@ -1,0 +1,47 @@
+#include "Instrument/LoudnessPhrase.h"
+
+#include "Instrument/SpreadNotes.h"
+
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+MidiEvent event(int sample, int status, int note, int velocity) {
+    return {.sampleOffset = sample,
+            .bytes = {static_cast<std::uint8_t>(status), static_cast<std::uint8_t>(note),
+                      static_cast<std::uint8_t>(velocity)}};
+}
+
+} // namespace
+
+std::vector<MidiEvent> loudnessPhrase(const KeyMap& keyMap, int velocity, double sampleRateHz) {
+    constexpr int count = PhraseMeter::notes, noteOn = 0x90, noteOff = 0x80;
+    const double noteSamples = PhraseMeter::noteSeconds * sampleRateHz;
+    std::vector<MidiEvent> events;
+    for (int i = 0; i < count; ++i) {
+        const int note = spreadNote(keyMap.lowestNote, keyMap.highestNote, i, count);
+        const int time = static_cast<int>(i * noteSamples);
+        events.push_back(event(time, noteOn, note, velocity));
+        events.push_back(event(time + static_cast<int>(noteSamples) - 100, noteOff, note, 0));
+    }
+    return events;
+}
+
+std::vector<float> playLoudnessPhrase(const Preset& preset,
+                                      const std::shared_ptr<const Instrument>& instrument,
+                                      double sampleRateHz) {
+    Player player(instrument, sampleRateHz, preset.surface, preset.seed, preset.parameters);
+    player.setSilencedModes(silencedModes(*instrument, preset.mutedModes, {}));
+    const auto samples = static_cast<std::size_t>(loudnessPhraseSeconds * sampleRateHz);
+    std::vector<float> left(samples), right(samples);
+    player.process({left, right},
+                   loudnessPhrase(preset.keyMap, loudnessPhraseVelocity, sampleRateHz),
+                   preset.parameters);
+    const double gain = std::pow(10, preset.parameters[ParameterId::level] / 20);
+    for (std::size_t i = 0; i < samples; ++i)
+        left[i] = static_cast<float>(gain * (left[i] + right[i]) / 2);
+    return left;
+}
+
+} // namespace idiophone

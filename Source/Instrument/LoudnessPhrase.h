@@ -1,0 +1,28 @@
+// The phrase by which the loudness of presets is judged: what PhrasePrediction predicts, played.
+#pragma once
+
+#include "Instrument/PhraseMeter.h"
+#include "Instrument/Player.h"
+#include "Instrument/Preset.h"
+
+#include <vector>
+
+namespace idiophone {
+
+/// LUFS (ITU-R BS.1770) of the mean of both channels of the phrase at velocity 100, `level`
+/// included: the factory presets whose keys play objects have it within 1 LU.
+inline constexpr double factoryLufs = -42;
+
+inline constexpr int loudnessPhraseVelocity = 100;
+inline constexpr double loudnessPhraseSeconds = (PhraseMeter::notes + 1) * PhraseMeter::noteSeconds;
+
+/// The notes of PhraseMeter, spread over the keys. In order of time.
+std::vector<MidiEvent> loudnessPhrase(const KeyMap& keyMap, int velocity, double sampleRateHz);
+
+/// The mean of both channels, at the preset's own level. The instrument is the preset's and no
+/// stage. Not for the audio thread.
+std::vector<float> playLoudnessPhrase(const Preset& preset,
+                                      const std::shared_ptr<const Instrument>& instrument,
+                                      double sampleRateHz);
+
+} // namespace idiophone

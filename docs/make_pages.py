@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""The manual's pages of parameters and presets, from what the program says of itself: `./dev pages`.
+
+    python3 docs/make_pages.py build/release/Source/Console/idiophone
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+FOLDER = pathlib.Path(__file__).parent / "manual"
+
+PARAMETERS = """# Parameters
+
+Everything that a host can automate. The name is what the window and the host show; the id is what presets, scenes and
+`idiophone render --set` take. This page is made by `./dev pages`.
+"""
+GROUP = """
+## {group}
+
+| name | id | from, to | at first | what it does |
+|---|---|---|---|---|
+"""
+PRESETS = """# Presets
+
+The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle.
+[Here](../presets.md) is what a preset file holds. This page is made by `./dev pages`.
+
+| program | preset | keys | what it is |
+|---|---|---|---|
+"""
+
+
+def parameter_row(parameter):
+    reach = ", ".join(parameter.get("choices", [])) or parameter["range_text"]
+    if parameter["id"] == "material":
+        reach = "Own, Custom, or one of the [materials](../materials.md)"
+    return (f"| {parameter['name']} | `{parameter['id']}` | {reach} | {parameter['default_text']} | "
+            f"{parameter['description']} |\n")
+
+
+def parameters_page(parameters):
+    groups = {}
+    for parameter in parameters:
+        groups.setdefault(parameter["group"], []).append(parameter_row(parameter))
+    return PARAMETERS + "".join(GROUP.format(group=group) + "".join(rows)
+                                for group, rows in groups.items())
+
+
+def preset_row(preset):
+    keys = preset["keyMap"]
+    return (f"| {preset['program']} | {preset['name']} | {keys['lowestNote']} to {keys['highestNote']} | "
+            f"{preset['description']} |\n")
+
+
+def presets_page(presets):
+    return PRESETS + "".join(map(preset_row, presets))
+
+
+def pages(console):
+    """The text of each page, by its file."""
+    def said(list_name):
+        return json.loads(subprocess.run([console, list_name, "--json"], check=True,
+                                         capture_output=True).stdout)
+    return {FOLDER / "parameters.md": parameters_page(said("parameters")),
+            FOLDER / "presets.md": presets_page(said("presets"))}
+
+
+if __name__ == "__main__":
+    for file, text in pages(pathlib.Path(sys.argv[1]).resolve()).items():
+        file.write_text(text, encoding="utf-8")
