@@ -88,8 +88,32 @@ void parseMember(const std::string& key, const json& value, Impulse& impulse) {
         throw Fault{"an impulse has no " + inQuotes(key)};
 }
 
+/// What stands in the way of reading a line, such as NaN, which some programs write.
+Fault notJson(std::string_view text) {
+    const auto at = firstByteNotJson(text);
+    if (!at)
+        return {"it is nested too deep"};
+    if (text.find_first_not_of(" \t\r", *at) == std::string_view::npos)
+        return {"it is not JSON: it ends too early"};
+    const auto isOfWord = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+               c == '+' || c == '-' || c == '.' || c == '_';
+    };
+    std::size_t from = *at, to = from + 1;
+    if (isOfWord(text[from])) {
+        for (; from > 0 && isOfWord(text[from - 1]); --from) {
+        }
+        for (; to < text.size() && isOfWord(text[to]); ++to) {
+        }
+    }
+    return {"it is not JSON: " + inQuotes(text.substr(from, to - from)) + " in column " +
+            std::to_string(from + 1)};
+}
+
 Impulse parseLine(const std::string& text) {
     const auto root = parseUntrusted(text);
+    if (root.is_discarded())
+        throw notJson(text);
     if (!root.is_object())
         throw Fault{"it is not a JSON object"};
     for (const char* key : {"time", "object", "impulse"})
@@ -108,23 +132,28 @@ bool isBlankOrComment(const std::string& line) {
     return first == std::string::npos || line[first] == '#';
 }
 
-std::string joined(const std::vector<std::string>& faults) {
-    std::string sentences;
-    for (std::size_t i = 0; i < std::min(faults.size(), faultsShown); ++i)
-        sentences += (i == 0 ? "" : "\n") + faults[i];
-    if (faults.size() > faultsShown)
-        sentences += "\nand " + std::to_string(faults.size() - faultsShown) + " more bad lines.";
-    return sentences;
-}
-
 } // namespace
+
+Error badLines(const std::filesystem::path& file, const std::map<int, std::string>& faults) {
+    std::string sentences;
+    std::size_t shown = 0;
+    for (const auto& [line, sentence] : faults) {
+        if (shown == faultsShown)
+            break;
+        sentences += (shown++ == 0 ? "" : "\n") + file.string() + ": line " + std::to_string(line) +
+                     ": " + sentence;
+    }
+    if (faults.size() > shown)
+        sentences += "\nand " + std::to_string(faults.size() - shown) + " more bad lines.";
+    return {sentences};
+}
 
 Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file) {
     const auto text = readTextFile(file);
     if (!text)
         return tl::unexpected(text.error());
     std::vector<Impulse> impulses;
-    std::vector<std::string> faults;
+    std::map<int, std::string> faults;
     std::istringstream lines(*text);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
@@ -134,12 +163,11 @@ Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file) {
             impulses.push_back(parseLine(line));
             impulses.back().line = number;
         } catch (const Fault& fault) {
-            faults.push_back(file.string() + ": line " + std::to_string(number) + ": " +
-                             fault.sentence);
+            faults.emplace(number, fault.sentence);
         }
     }
     if (!faults.empty())
-        return failure(joined(faults));
+        return tl::unexpected(badLines(file, faults));
     if (impulses.empty())
         return failure(file.string() + ": it holds no impulses");
     std::ranges::stable_sort(impulses, {}, &Impulse::seconds);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +25,12 @@ struct Impulse {
     double sizeRatio = 1;      ///< the object scaled; the point is on it as it is
 };
 
-/// The file's impulses in order of time, those of one time in the file's order. The error has one
-/// sentence, with file and line, for each bad line (for the first 20).
+/// The error of some bad lines, by their numbers: one sentence with file and line for each (for the
+/// first 20).
+Error badLines(const std::filesystem::path& file, const std::map<int, std::string>& faults);
+
+/// The file's impulses in order of time, those of one time in the file's order. The error is one
+/// sentence, or `badLines`.
 Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file);
 
 } // namespace idiophone

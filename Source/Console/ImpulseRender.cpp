@@ -6,6 +6,7 @@
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Object/OneLine.h"
 #include "Synth/Synthesiser.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <optional>
 
 namespace idiophone {
 namespace {
@@ -35,34 +37,51 @@ std::string resolved(const std::string& object, const std::filesystem::path& imp
     return (impulseFile.parent_path() / object).string();
 }
 
+/// An object that impulses name, and where it can be struck.
+struct StruckObject {
+    Result<std::shared_ptr<const ModalObject>> object;
+    std::optional<ObjectSurface> surface; ///< where there is an object
+    int firstLine = 0;                    ///< that names it
+};
+
+StruckObject struckObject(const std::string& object) {
+    StruckObject struck{.object = ObjectLibrary::shared().find(object), .surface = {}};
+    if (struck.object)
+        struck.surface.emplace(**struck.object);
+    return struck;
+}
+
 Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::filesystem::path& file) {
     ImpulseScore score;
-    std::map<std::string, std::shared_ptr<const ModalObject>> objects;
-    std::map<std::string, ObjectSurface> surfaces;
+    std::map<int, std::string> faults;
+    std::map<std::string, StruckObject> objects;
     std::map<std::pair<std::string, std::string>, std::size_t> slotOfBody;
     for (const auto& impulse : impulses) {
-        const auto place = file.string() + ": line " + std::to_string(impulse.line) + ": ";
-        auto& object = objects[impulse.object];
-        if (object == nullptr) {
-            auto found = ObjectLibrary::shared().find(resolved(impulse.object, file));
-            if (!found)
-                return failure(place + found.error().message);
-            object = std::move(*found);
-            surfaces.try_emplace(impulse.object, *object);
-        }
+        auto known = objects.find(impulse.object);
+        if (known == objects.end())
+            known =
+                objects.emplace(impulse.object, struckObject(resolved(impulse.object, file))).first;
+        auto& struck = known->second;
+        if (struck.firstLine == 0 || impulse.line < struck.firstLine)
+            struck.firstLine = impulse.line;
+        if (!struck.object)
+            continue;
         const auto [body, isNew] =
             slotOfBody.try_emplace({impulse.object, impulse.body}, score.slots.size());
         if (isNew)
-            score.slots.push_back({.object = object, .sizeRatio = impulse.sizeRatio});
-        else if (score.slots[body->second].sizeRatio != impulse.sizeRatio)
-            return failure(place + "its 'size' is another one than before of the same body");
+            score.slots.push_back({.object = *struck.object, .sizeRatio = impulse.sizeRatio});
+        else if (score.slots[body->second].sizeRatio != impulse.sizeRatio) {
+            faults.emplace(impulse.line, "its 'size' is another one than before of the same body");
+            continue;
+        }
 
-        const auto& surface = surfaces.at(impulse.object);
-        const auto point = impulse.vertex ? surface.atVertex(*impulse.vertex)
-                                          : surface.nearest(impulse.pointMetres);
-        if (!point)
-            return failure(place + "vertex " + std::to_string(*impulse.vertex) + " of '" +
-                           impulse.object + "' carries no mode shapes");
+        const auto point = impulse.vertex ? struck.surface->atVertex(*impulse.vertex)
+                                          : struck.surface->nearest(impulse.pointMetres);
+        if (!point) {
+            faults.emplace(impulse.line, "vertex " + std::to_string(*impulse.vertex) + " of " +
+                                             inQuotes(impulse.object) + " carries no mode shapes");
+            continue;
+        }
         Contact contact{.seconds = impulse.seconds, .slot = body->second, .strike = {}};
         contact.strike.point = *point;
         contact.strike.durationSeconds = impulse.contactSeconds;
@@ -71,6 +90,11 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::files
                                [](double component) { return static_cast<float>(component); });
         score.contacts.push_back(contact);
     }
+    for (const auto& [name, struck] : objects)
+        if (!struck.object)
+            faults.emplace(struck.firstLine, struck.object.error().message);
+    if (!faults.empty())
+        return tl::unexpected(badLines(file, faults));
     return score;
 }
 

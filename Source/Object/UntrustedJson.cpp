@@ -1,7 +1,6 @@
 #include "Object/UntrustedJson.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace idiophone {
 
@@ -44,12 +43,19 @@ json parseUntrusted(std::string_view text) {
     return isTooDeep ? json(json::value_t::discarded) : root;
 }
 
-std::string placeOfJsonFault(std::string_view text) {
+std::optional<std::size_t> firstByteNotJson(std::string_view text) {
     FaultFinder finder;
     json::sax_parse(text, &finder);
     if (!finder.bytesRead)
+        return std::nullopt;
+    return std::min(text.size(), *finder.bytesRead == 0 ? 0 : *finder.bytesRead - 1);
+}
+
+std::string placeOfJsonFault(std::string_view text) {
+    const auto fault = firstByteNotJson(text);
+    if (!fault)
         return {};
-    const auto before = text.substr(0, *finder.bytesRead == 0 ? 0 : *finder.bytesRead - 1);
+    const auto before = text.substr(0, *fault);
     const auto line = 1 + std::ranges::count(before, '\n');
     const auto lineStart = before.rfind('\n') + 1; // 0 where there is none
     return " (line " + std::to_string(line) + ", column " +

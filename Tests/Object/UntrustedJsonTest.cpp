@@ -19,6 +19,15 @@ TEST_CASE("JSON of the usual depth is parsed as it is") {
     CHECK(parseUntrusted(nested(64)).dump() == nested(64));
 }
 
+TEST_CASE("The first byte that is not JSON is found, and its line and column") {
+    CHECK(firstByteNotJson("{\n\"a\": x}") == 7);
+    CHECK(placeOfJsonFault("{\n\"a\": x}") == " (line 2, column 6)");
+    CHECK(firstByteNotJson("[1, 2") == 5);
+    CHECK(firstByteNotJson("") == 0);
+    CHECK(firstByteNotJson("[1, 2]") == std::nullopt);
+    CHECK(placeOfJsonFault("[1, 2]").empty());
+}
+
 TEST_CASE("What is not JSON, or nested beyond reason, is discarded") {
     CHECK(parseUntrusted("").is_discarded());
     CHECK(parseUntrusted("{").is_discarded());
