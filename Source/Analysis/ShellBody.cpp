@@ -2,6 +2,7 @@
 
 #include "Analysis/ElementSize.h"
 #include "Analysis/TwoLayerShell.h"
+#include "Geometry/LengthUnit.h"
 #include "Geometry/Remesh.h"
 
 #include <Eigen/Geometry>
@@ -29,6 +30,19 @@ bool isTooThick(const Mesh& mesh, double thicknessMetres) {
         if (normal(mesh, face).dot(normal(inner, face)) <= 0)
             return true;
     return false;
+}
+
+/// What a shell lies in is wider than it is thick; empty where this one is. The second of the
+/// mesh's three extents tells, as flat sheets lack the third.
+std::string doubtOfThickness(const Mesh& mesh, double thicknessMetres) {
+    Eigen::RowVector3d extents =
+        mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
+    std::sort(extents.begin(), extents.end());
+    if (thicknessMetres <= extents(1))
+        return {};
+    return "A shell of " + millimetresText(thicknessMetres) +
+           " is thicker than its mesh is wide, " + millimetresText(extents(1)) +
+           ": check its thickness and the mesh's unit.";
 }
 
 /// Remeshes where the triangles do not suit the band; returns the end of the band that they serve.
@@ -91,7 +105,9 @@ shellBody(const Mesh& surface, const ShellBodySettings& settings, const WorkCont
         body.pointsMetres.row(2 * v) = mesh.vertices.row(v) + offsets.row(v);
         body.pointsMetres.row(2 * v + 1) = mesh.vertices.row(v) - offsets.row(v);
     }
-    if (isTooThick(mesh, settings.thicknessMetres))
+    if (const auto doubt = doubtOfThickness(surface, settings.thicknessMetres); !doubt.empty())
+        body.notes += (body.notes.empty() ? "" : " ") + doubt;
+    else if (isTooThick(mesh, settings.thicknessMetres))
         body.notes += std::string(body.notes.empty() ? "" : " ") +
                       "The shell is thicker than its curvature allows in places; pitches may be "
                       "off there.";

@@ -28,7 +28,7 @@ std::optional<LengthUnit> lengthUnitNamed(std::string_view word) {
 }
 
 std::string millimetresText(double lengthMetres) {
-    return numberText(lengthMetres / millimetres.metresPerUnit, 3) + " mm";
+    return figureOf(lengthMetres / millimetres.metresPerUnit) + " mm";
 }
 
 UnitGuess guessLengthUnit(const Mesh& mesh) {

@@ -21,7 +21,7 @@ struct LengthUnit {
 /// millimetres, inches, feet; nothing for any other word.
 std::optional<LengthUnit> lengthUnitNamed(std::string_view symbolOrName);
 
-/// A length for a sentence: "12.5 mm", to three figures.
+/// A length for a sentence: "12.5 mm", to three figures, or whole millimetres where it has more.
 std::string millimetresText(double lengthMetres);
 
 struct UnitGuess {

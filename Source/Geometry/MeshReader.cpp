@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 
 namespace idiophone {
@@ -27,6 +28,16 @@ std::optional<std::int64_t> objCorner(std::string_view word, std::int64_t vertic
     if (!index || *index == 0)
         return std::nullopt;
     return *index > 0 ? *index - 1 : verticesSoFar + *index;
+}
+
+/// Whether the corners of a face name the same things ("7", "7/1", "7//2", "7/1/2"), as the format
+/// asks, and are three at least.
+bool isWholeFace(std::span<const std::string_view> corners) {
+    const auto lacks = [&](std::string_view corner) {
+        return corner.ends_with('/') ||
+               std::ranges::count(corner, '/') != std::ranges::count(corners.front(), '/');
+    };
+    return corners.size() >= 3 && std::ranges::none_of(corners, lacks);
 }
 
 float littleEndianFloat(const char* bytes) {
@@ -128,6 +139,7 @@ std::string faultOf(const RawMesh& raw, double metresPerUnit) {
 Result<RawMesh> readObj(std::string_view bytes) {
     RawMesh mesh;
     TextScanner lines(bytes);
+    std::vector<std::string_view> cornerWords;
     std::vector<std::int64_t> corners;
     std::int64_t number = 0;
     while (const auto line = lines.nextLine()) {
@@ -142,8 +154,15 @@ Result<RawMesh> readObj(std::string_view bytes) {
                 mesh.coordinates.push_back(*coordinate);
             }
         } else if (keyword == "f") {
+            cornerWords.clear();
+            for (auto word = words.nextWord(); !word.empty(); word = words.nextWord())
+                cornerWords.push_back(word);
+            // Files may end without a line's end, and odd faces within are passed over.
+            if (lines.bytesLeft() == 0 && !bytes.ends_with('\n') && !isWholeFace(cornerWords))
+                return failure("it is truncated: " + numbered("line", number) +
+                               ", its last, is half a face");
             corners.clear();
-            for (auto word = words.nextWord(); !word.empty(); word = words.nextWord()) {
+            for (const auto word : cornerWords) {
                 const auto corner = objCorner(word, mesh.vertexCount());
                 if (!corner)
                     return failure(numbered("line", number) + " is not a face");

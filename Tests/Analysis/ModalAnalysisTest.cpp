@@ -184,6 +184,17 @@ TEST_CASE("Open, non-manifold and separate meshes are analysed") {
     CHECK(one->provenance.zeroModes == 6);
 }
 
+TEST_CASE("A shell that is thicker than its mesh is wide is doubted") {
+    auto settings = barSettings();
+    const auto notesAt = [&](double thicknessMetres) {
+        settings.thicknessMetres = thicknessMetres;
+        return analyse(sheetMesh(0.4, 0.05, 100), settings)->provenance.notes;
+    };
+    CHECK_THAT(notesAt(3), ContainsSubstring("3000 mm is thicker than its mesh is wide, 50 mm"));
+    for (const double plausibleMetres : {0.003, 0.02, 0.05})
+        CHECK_THAT(notesAt(plausibleMetres), !ContainsSubstring("thicker than"));
+}
+
 TEST_CASE("Chosen vertices alone carry shapes, the same as when all do") {
     const auto mesh = sheetMesh(0.4, 0.05, 300);
     auto settings = barSettings();

@@ -53,3 +53,10 @@ TEST_CASE("Units go by symbol and by name") {
     CHECK_FALSE(lengthUnitNamed("cubit"));
     CHECK_FALSE(lengthUnitNamed(""));
 }
+
+TEST_CASE("Lengths are told in millimetres, never in powers of ten of them") {
+    CHECK(millimetresText(0.0125) == "12.5 mm");
+    CHECK(millimetresText(0.00512345) == "5.12 mm");
+    CHECK(millimetresText(3) == "3000 mm");
+    CHECK(millimetresText(1.2344) == "1234 mm");
+}

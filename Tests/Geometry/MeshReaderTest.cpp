@@ -213,6 +213,22 @@ TEST_CASE("A binary file cut anywhere is refused, never read as something else")
     CHECK_THAT(errorOf("cut.stl", stl.substr(0, 500)), ContainsSubstring("truncated"));
 }
 
+TEST_CASE(
+    "An OBJ file cut within its last face is refused, and one that lacks a line's end alone is "
+    "read") {
+    const std::string before = triangleObj + "v 1 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+    for (const char* rest :
+         {"f", "f 2/1", "f 2/1 3", "f 2/1 3/1 4", "f 2/1 3/1 4/", "f 2/1 3/1 # x"}) {
+        INFO(rest);
+        CHECK_THAT(errorOf("cut.obj", before + rest), ContainsSubstring("truncated: line 7"));
+    }
+    for (const char* rest : {"f 2/1 3/1 4/1", "f 2 3 4", "f 2//1 3//1 4//1", "f 2/1 3/1 4/1 # x",
+                             "o x", "f 2/1 3/1\nf 2/1 3/1 4\n"}) {
+        INFO(rest);
+        CHECK(readMesh(fileOf("whole.obj", before + rest)));
+    }
+}
+
 TEST_CASE("Files with random bytes changed never crash the reader") {
     const auto sphere = icosphereMesh(1, 0);
     const auto obj = test::testFolder() / "fuzz-source.obj";

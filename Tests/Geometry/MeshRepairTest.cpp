@@ -119,6 +119,25 @@ TEST_CASE("A second repair finds nothing where the first dropped what reached fa
     CHECK_FALSE(changedAnything(again->report));
 }
 
+TEST_CASE("An open mesh of which many vertices have no face may be cut off, and says so") {
+    const auto whole = icosphereMesh(1, 2);
+    const auto textOf = [](const Mesh& mesh) { return repairMesh(mesh)->report.text(); };
+    const std::string said = "may be cut off";
+    CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() * 3 / 4)}),
+               ContainsSubstring(said));
+    CHECK_THAT(textOf(whole), !ContainsSubstring(said));
+    // Holes without loose vertices, strays beside a sheet, and closed parts of a longer list.
+    CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() - 2)}),
+               !ContainsSubstring(said));
+    const auto sheet = sheetMesh(1, 1, 40);
+    Mesh strays{Eigen::MatrixXd(sheet.vertexCount() + 8, 3), sheet.faces};
+    strays.vertices << sheet.vertices, Eigen::MatrixXd::Random(8, 3);
+    CHECK_THAT(textOf(strays), !ContainsSubstring(said));
+    Mesh listed{Eigen::MatrixXd(whole.vertexCount() + 50, 3), whole.faces};
+    listed.vertices << whole.vertices, Eigen::MatrixXd::Random(50, 3);
+    CHECK_THAT(textOf(listed), !ContainsSubstring(said));
+}
+
 TEST_CASE("Degenerate and duplicate faces and unreferenced vertices are dropped and counted") {
     auto mesh = icosphereMesh(1, 1);
     const auto faces = mesh.faceCount(), vertices = mesh.vertexCount();
