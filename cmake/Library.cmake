@@ -13,6 +13,7 @@ function(install_rooms export)
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
         INCLUDES DESTINATION "${headers}")
     install(EXPORT ${export} NAMESPACE Idiophone:: DESTINATION "${package}" COMPONENT development)
+    set_property(GLOBAL APPEND PROPERTY IDIOPHONE_INSTALLED_HEADERS ${arg_HEADERS})
     foreach(header ${arg_HEADERS})
         get_filename_component(room "${header}" DIRECTORY)
         install(FILES "Source/${header}.h" DESTINATION "${headers}/${room}" COMPONENT development)
@@ -29,7 +30,7 @@ endforeach()
 install_rooms(IdiophoneTargets
     TARGETS idiophone_object idiophone_synth
     HEADERS
-        Object/DampingLaw Object/Material Object/ModalObject Object/ModalObjectFile
+        Object/DampingLaw Object/Material Object/MaterialFile Object/ModalObject Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
         Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/ModalPole Synth/Reson
         Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
@@ -38,7 +39,7 @@ install_rooms(IdiophoneTargets
 install_rooms(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS
-        Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/ParametricMesh
+        Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/MeshRepair Geometry/ParametricMesh
         Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/ModalAnalysis
         Analysis/Radiation)
 find_file(expected_header tl/expected.hpp HINTS "${expected_SOURCE_DIR}/include" REQUIRED)

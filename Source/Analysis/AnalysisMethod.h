@@ -7,8 +7,8 @@
 namespace idiophone {
 
 enum class AnalysisMethod {
-    tetrahedra, ///< QuadraticTetrahedra: finite elements, for solids
-    twoLayer,   ///< TwoLayerShell
+    tetrahedra, ///< finite elements, for solids
+    twoLayer,   ///< two layers of springs over the thickness, for shells
     springMass, ///< as published, k = Y t
     vanGelder   ///< the same with k = Y t (A1 + A2)/L²
 };

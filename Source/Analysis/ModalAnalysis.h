@@ -23,7 +23,7 @@ struct AnalysisSettings {
     double lowestFrequencyHz = lowestAnalysedHz;
     double maxFrequencyHz = highestAnalysedHz;
     int maximumModes = mostAnalysedModes; ///< an object with more in the band is refused
-    int elementBudget = 8000;             ///< tetrahedra, about: see SolidBodySettings
+    int elementBudget = 8000;             ///< tetrahedra, about; for a wider band they are coarser
     bool largestComponentOnly = false;    ///< leave smaller components of the mesh out
     double weldTolerance = 1e-7;          ///< see RepairSettings
     std::vector<int> shapeVertices = {};  ///< input vertices whose shapes to keep; empty: all

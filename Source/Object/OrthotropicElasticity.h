@@ -1,5 +1,5 @@
 // Hooke's law of a material with three planes of symmetry, such as wood. It knows nothing of how
-// the axes lie in a body: that is Analysis/ElasticLaw's.
+// the axes lie in a body.
 #pragma once
 
 #include "Object/Result.h"

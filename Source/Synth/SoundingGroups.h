@@ -18,7 +18,7 @@ enum class GroupStanding : std::uint8_t {
     silenced
 };
 
-/// Memory is reserved by the constructor: `SoundingObject::report` fills it without allocating.
+/// Memory is reserved by the constructor: `Synthesiser::report` fills it without allocating.
 struct SoundingGroups {
     /// For the first `modes` modes of an object; what is beyond is left out.
     explicit SoundingGroups(std::size_t modes)

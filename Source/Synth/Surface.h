@@ -1,5 +1,5 @@
 // How a surface sounds when something is dragged or rolled over it: plain data, after van den Doel,
-// Kry & Pai 2001, section 5. Its file format is Instrument/SurfaceFile.h.
+// Kry & Pai 2001, section 5. Files of surfaces: docs/surfaces.md.
 #pragma once
 
 #include "Object/Result.h"

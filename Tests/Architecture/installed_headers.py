@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""The headers of the package include, and speak of, only what the package has.
+
+Whatever in their comments is spelt like a type or function (aWord, AWord, Room/Header.h) stands in
+the code of an installed header, or is the name of one.
+
+    installed_headers.py SOURCE_FOLDER ROOM/HEADER ...      without .h
+"""
+import pathlib
+import re
+import sys
+
+COMMENT = re.compile(r"//.*")
+INCLUDE = re.compile(r'#include "([^"]+)"')
+NAME = re.compile(r"\b\w+/\w+\.h\b|\b\w*[a-z]\w*[A-Z]\w*", re.ASCII)
+ORDINARY = {"dB", "kHz", "KiB", "MiB", "NaN", "macOS"}
+
+
+def faults_of(headers):
+    """`headers`: the text of each by its name."""
+    code = "\n".join(COMMENT.sub("", text) for text in headers.values())
+    known = (ORDINARY | set(re.findall(r"\w+", re.sub(r"\b(class|struct) \w+;", "", code)))
+             | {pathlib.Path(name).stem for name in headers} | set(headers))
+    for name, text in headers.items():
+        for number, line in enumerate(text.splitlines(), 1):
+            if (include := INCLUDE.match(line)) and include[1] not in headers:
+                yield f"{name}:{number}: {include[1]} is not installed"
+            for comment in COMMENT.findall(line):
+                yield from (f"{name}:{number}: {word} is in no installed header"
+                            for word in NAME.findall(comment) if word not in known)
+
+
+def self_test():
+    """What goes unnoticed of planted faults, and what is taken for one."""
+    sound = "#include \"A/Thing.h\"\n// Of aThing, see A/Thing.h, at 48 kHz.\nclass Hidden;\nint aThing;\n"
+    found = list(faults_of({"A/Thing.h": sound}))
+    missed = [planted for planted in ('#include "A/Other.h"', "// A/Other.h", "// See otherThing.",
+                                      "/// `OtherThing::name`.", "int a; ///< see HiddenThing",
+                                      "// A Hidden one, HiddenThing;\nclass HiddenThing;")
+              if not list(faults_of({"A/Thing.h": sound + planted}))]
+    return [f"not found: {planted}" for planted in missed] + [f"found: {fault}" for fault in found]
+
+
+if __name__ == "__main__":
+    source = pathlib.Path(sys.argv[1])
+    names = [f"{header}.h" for header in sys.argv[2:]]
+    faults = self_test()
+    faults += faults_of({name: (source / name).read_text(encoding="utf-8") for name in names})
+    if not names:
+        faults.append("no header is installed")
+    print("\n".join(faults) or f"{len(names)} headers speak of each other only")
+    sys.exit(1 if faults else 0)
