@@ -347,7 +347,7 @@ TEST_CASE("Meshes that cannot be repaired are refused with a sentence") {
     CHECK_THAT(errorOf({mesh.vertices * 1e-11, mesh.faces}), ContainsSubstring("unit"));
 }
 
-TEST_CASE("A soup of a million separate triangles is repaired in less than quadratic time") {
+TEST_CASE("A soup of a million separate triangles is repaired and stays apart") {
     Mesh soup{Eigen::MatrixXd(3000000, 3), Eigen::MatrixXi(1000000, 3)};
     std::mt19937 random(5);
     for (double& coordinate : soup.vertices.reshaped())
