@@ -243,8 +243,7 @@ Result<RawMesh> readStl(std::string_view bytes) {
 
 Result<Mesh> readMesh(const std::filesystem::path& file, double metresPerUnit) {
     const auto fail = [&](const std::string& fault) {
-        return failure("The mesh file \"" + nameOf(file.filename()) +
-                       "\" cannot be used: " + fault + ".");
+        return failure("The mesh file \"" + nameOf(file) + "\" cannot be used: " + fault + ".");
     };
     if (!(metresPerUnit > 0) || !std::isfinite(metresPerUnit))
         return fail("its unit must be a positive number of metres");

@@ -57,7 +57,7 @@ void writeObj(const Mesh& mesh, std::ostream& stream) {
 Result<void> closed(std::ofstream& stream, const std::filesystem::path& file) {
     stream.close();
     if (!stream)
-        return failure("The mesh file \"" + nameOf(file.filename()) + "\" cannot be written.");
+        return failure("The mesh file \"" + nameOf(file) + "\" cannot be written.");
     return {};
 }
 
@@ -66,7 +66,7 @@ Result<void> closed(std::ofstream& stream, const std::filesystem::path& file) {
 Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file) {
     const bool isPly = hasExtension(file, ".ply");
     if (!isPly && !hasExtension(file, ".obj"))
-        return failure("The mesh cannot be written to \"" + nameOf(file.filename()) +
+        return failure("The mesh cannot be written to \"" + nameOf(file) +
                        "\": its extension is neither .obj nor .ply.");
     auto stream = openForNumbers(file);
     if (isPly)
@@ -80,7 +80,7 @@ Result<void> writeColouredMesh(const Mesh& mesh,
                                const VertexFigures& figures,
                                const std::filesystem::path& file) {
     if (!hasExtension(file, ".ply"))
-        return failure("Colours cannot be written to \"" + nameOf(file.filename()) +
+        return failure("Colours cannot be written to \"" + nameOf(file) +
                        "\": its extension is not .ply.");
     auto stream = openForNumbers(file);
     writePly(mesh, &figures, stream);
