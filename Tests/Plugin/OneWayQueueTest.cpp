@@ -1,0 +1,80 @@
+#include "Plugin/OneWayQueue.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <thread>
+#include <vector>
+
+using namespace idiophone;
+
+namespace {
+
+template <class Queue>
+std::vector<int> readAll(Queue& queue) {
+    std::vector<int> read;
+    queue.read([&](int message) { read.push_back(message); });
+    return read;
+}
+
+} // namespace
+
+TEST_CASE("Messages are read once and in order, wherever in its ring the queue stands") {
+    OneWayQueue<int, 8> queue;
+    CHECK(readAll(queue).empty());
+    for (int turn = 0; turn < 20; ++turn) {
+        std::vector<int> sent;
+        for (int k = 0; k < 1 + turn % 7; ++k) {
+            sent.push_back(100 * turn + k);
+            CHECK(queue.push(sent.back()));
+        }
+        CHECK(readAll(queue) == sent);
+        CHECK(readAll(queue).empty());
+    }
+}
+
+TEST_CASE("A full queue refuses what comes, keeps what waits, and has room again once it is read") {
+    using Queue = OneWayQueue<int, 8>;
+    Queue queue;
+    for (int turn = 0; turn < 10; ++turn) {
+        std::vector<int> taken;
+        for (int message = 0; message < 2 * Queue::capacity; ++message)
+            if (queue.push(message))
+                taken.push_back(message);
+        CHECK(taken.size() >= Queue::capacity - 1);
+        CHECK(taken.size() <= Queue::capacity);
+        CHECK(taken.back() == static_cast<int>(taken.size()) - 1); // none after one was refused
+        CHECK(readAll(queue) == taken);
+    }
+}
+
+TEST_CASE("From thread to thread messages come whole, in order, and none is lost that was taken") {
+    struct Message {
+        int number = 0;
+        std::array<int, 31> copies{};
+    };
+    constexpr int last = 20'000;
+    OneWayQueue<Message, 16> queue;
+    std::thread sender([&] {
+        for (int number = 1; number <= last; ++number) {
+            Message message{.number = number, .copies = {}};
+            message.copies.fill(number);
+            while (!queue.push(message))
+                std::this_thread::yield();
+        }
+    });
+    int seen = 0;
+    bool isInOrder = true, isWhole = true;
+    while (seen < last) {
+        const int before = seen;
+        queue.read([&](const Message& message) {
+            isInOrder = isInOrder && message.number == seen + 1;
+            seen = message.number;
+            for (const int copy : message.copies)
+                isWhole = isWhole && copy == message.number;
+        });
+        if (seen == before)
+            std::this_thread::yield();
+    }
+    sender.join();
+    CHECK(isInOrder);
+    CHECK(isWhole);
+}
