@@ -46,27 +46,6 @@ TEST_CASE("Materials are found whatever the case of their name") {
     CHECK(findMaterial("unobtainium") == nullptr);
 }
 
-TEST_CASE("The order of the library is that which automation and presets were recorded with") {
-    const char* const recorded[] = {"Rosewood",    "Padauk",
-                                    "Wood",        "Ceramic",
-                                    "Glass",       "Plastic",
-                                    "Iron",        "Polycarbonate",
-                                    "Steel",       "Tin",
-                                    "Aluminium",   "Brass",
-                                    "Bell bronze", "Copper",
-                                    "Mild steel",  "Aluminium 6061",
-                                    "Bell glass",  "Tin, constant Q",
-                                    "Porcelain",   "Granite",
-                                    "Marble",      "Slate",
-                                    "ABS",         "Rigid PVC",
-                                    "Acrylic",     "Nylon",
-                                    "Sapele",      "Bubinga",
-                                    "Maple"};
-    REQUIRE(materialLibrary().size() >= std::size(recorded));
-    for (std::size_t i = 0; i < std::size(recorded); ++i)
-        CHECK(materialLibrary()[i].name == recorded[i]);
-}
-
 TEST_CASE("The choice parameter has room for the library") {
     CHECK(materialLibrary().size() <= 62); // 0 to 63, less Own and Custom
 }

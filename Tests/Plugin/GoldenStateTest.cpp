@@ -1,6 +1,8 @@
 // Projects of released versions sound as they did: states saved by each of them, with renders of
-// what they sounded like then (Golden/VERSION/NAME.state and .wav).
+// what they sounded like then (Golden/VERSION/NAME.state and .wav), and all names and numbers by
+// which projects, presets and hosts know things (names.txt).
 #include "Instrument/FactoryContent.h"
+#include "Scene/FactoryScenes.h"
 #include "Support/SimdTargets.h"
 #include "Support/TestSound.h"
 
@@ -10,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <juce_audio_formats/juce_audio_formats.h>
+#include <set>
 #include <sstream>
 
 using namespace idiophone;
@@ -97,6 +100,40 @@ double differenceDb(const juce::AudioBuffer<float>& a, const juce::AudioBuffer<f
     return 20 * std::log10(most / b.getMagnitude(0, b.getNumSamples()));
 }
 
+/// What is for ever: a line for each.
+std::vector<std::string> publishedNames() {
+    std::vector<std::string> lines;
+    const auto add = [&](const auto&... words) {
+        std::ostringstream line;
+        ((line << words << ' '), ...);
+        lines.push_back(line.str().substr(0, line.str().size() - 1));
+    };
+    Processor processor;
+    const auto& parameters = processor.getParameters();
+    for (int i = 0; i < parameters.size(); ++i) {
+        const auto* hosted = dynamic_cast<juce::HostedAudioProcessorParameter*>(parameters[i]);
+        REQUIRE(hosted != nullptr);
+        const auto id = hosted->getParameterID().toStdString();
+        add("parameter", i, id, "since", hosted->getVersionHint());
+        REQUIRE(findParameter(id) != nullptr);
+        const auto choices = choiceNames(findParameter(id)->parameter);
+        for (std::size_t choice = 0; choice < choices.size(); ++choice)
+            add(id, choice, choices[choice]);
+    }
+    for (int i = 0; i < processor.getNumPrograms(); ++i)
+        add("program", i, processor.getProgramName(i));
+    for (const auto& scene : factoryScenes())
+        add("scene", scene.name);
+    const auto objects = std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "Resources/Objects";
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(objects))
+        if (const auto name = entry.path().stem().string(); factoryObject(name))
+            names.insert(name);
+    for (const auto& name : names)
+        add("object", name);
+    return lines;
+}
+
 } // namespace
 
 TEST_CASE("States of every released version sound as they did, on every SIMD target") {
@@ -117,9 +154,33 @@ TEST_CASE("States of every released version sound as they did, on every SIMD tar
     CHECK(found >= 6);
 }
 
+TEST_CASE("Whatever a released version named and numbered is there under its name and number") {
+    const auto now = publishedNames();
+    const std::set<std::string> present(now.begin(), now.end());
+    int found = 0;
+    for (const auto& version : std::filesystem::directory_iterator(goldenFolder)) {
+        INFO(version.path());
+        std::ifstream file(version.path() / "names.txt");
+        for (std::string line; std::getline(file, line); ++found) {
+            INFO(line);
+            CHECK(present.contains(line));
+        }
+    }
+    CHECK(found >= 300);
+}
+
 namespace {
 
-/// [the maker of a release] The state of a factory preset with some parameters changed.
+std::filesystem::path folderOfThisVersion() {
+    if (std::getenv("IDIOPHONE_MAKE_GOLDEN") == nullptr)
+        SKIP("IDIOPHONE_MAKE_GOLDEN is not set");
+    Processor processor;
+    const auto folder = goldenFolder / parseState(saved(processor))->engineVersion;
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+/// The state of a factory preset with some parameters changed.
 std::string changed(const char* preset, std::initializer_list<std::pair<const char*, double>> to) {
     Processor processor;
     const auto presets = factoryPresets();
@@ -149,8 +210,7 @@ std::string tunedObjects() {
 // For a release, once its version is set: `IDIOPHONE_MAKE_GOLDEN=1 test_plugin "[make-golden]"`.
 // Never for an older version, and so never by a pattern of names that happens to fit.
 TEST_CASE("Make the golden states of this version", "[.][make-golden]") {
-    if (std::getenv("IDIOPHONE_MAKE_GOLDEN") == nullptr)
-        SKIP("IDIOPHONE_MAKE_GOLDEN is not set");
+    const auto folder = folderOfThisVersion();
     const std::pair<const char*, std::string> states[] = {
         {"xylophone", changed("Rosewood Xylophone", {})},
         {"vibraphone", changed("Vibraphone", {{"motor_depth", 80}, {"width", 150}})},
@@ -167,10 +227,14 @@ TEST_CASE("Make the golden states of this version", "[.][make-golden]") {
                                              {"release", 0.3},
                                              {"match_loudness", 1}})},
         {"tuned-objects", tunedObjects()}};
-    const auto folder = goldenFolder / parseState(states[0].second)->engineVersion;
-    std::filesystem::create_directories(folder);
     for (const auto& [name, state] : states) {
         std::ofstream(folder / (std::string(name) + ".state"), std::ios::binary) << state;
         writeWave(folder / (std::string(name) + ".wav"), played(state));
     }
+}
+
+TEST_CASE("Record the names of this version", "[.][make-golden]") {
+    std::ofstream file(folderOfThisVersion() / "names.txt", std::ios::binary);
+    for (const auto& line : publishedNames())
+        file << line << '\n';
 }

@@ -22,65 +22,6 @@ HostParameter& parameterOf(Processor& processor, const char* id) {
 
 } // namespace
 
-TEST_CASE("Parameter ids and version hints are those that were published") {
-    // What stands here is in people's projects; a release appends what has come.
-    const std::vector<std::pair<juce::String, int>> published{{"tau", 1},
-                                                              {"slope", 1},
-                                                              {"budget", 1},
-                                                              {"compression", 1},
-                                                              {"material", 1},
-                                                              {"young", 1},
-                                                              {"density", 1},
-                                                              {"gamma", 1},
-                                                              {"eta", 1},
-                                                              {"size", 1},
-                                                              {"strike_along", 1},
-                                                              {"strike_across", 1},
-                                                              {"spread", 1},
-                                                              {"hardness", 1},
-                                                              {"mallet_mass", 1},
-                                                              {"mallet_speed", 1},
-                                                              {"velocity_curve", 1},
-                                                              {"let_ring", 1},
-                                                              {"release", 1},
-                                                              {"tune", 1},
-                                                              {"bend_range", 1},
-                                                              {"level", 1},
-                                                              {"bypass", 1},
-                                                              {"mallet", 2},
-                                                              {"mallet_radius", 2},
-                                                              {"chatter", 2},
-                                                              {"modal_pulse", 2},
-                                                              {"radiation", 2},
-                                                              {"width", 2},
-                                                              {"match_loudness", 2},
-                                                              {"contact", 2},
-                                                              {"force", 2},
-                                                              {"speed", 2},
-                                                              {"roughness", 2},
-                                                              {"roll_coupling", 2},
-                                                              {"loss_factor", 3},
-                                                              {"motor_speed", 3},
-                                                              {"motor_depth", 3},
-                                                              {"thickness", 3},
-                                                              {"a4", 4},
-                                                              {"mpe", 4},
-                                                              {"mpe_bend_range", 4},
-                                                              {"motor_sync", 4},
-                                                              {"room", 4},
-                                                              {"room_decay", 4}};
-    Processor processor;
-    std::vector<std::pair<juce::String, int>> present;
-    for (auto* parameter : processor.getParameters()) {
-        const auto* hosted = dynamic_cast<juce::HostedAudioProcessorParameter*>(parameter);
-        REQUIRE(hosted != nullptr);
-        present.emplace_back(hosted->getParameterID(), hosted->getVersionHint());
-    }
-    REQUIRE(present.size() >= published.size());
-    present.resize(published.size());
-    CHECK(present == published);
-}
-
 TEST_CASE("Every parameter can be automated and has a name, a text and a default within range") {
     Processor processor;
     for (auto* parameter : processor.getParameters()) {
