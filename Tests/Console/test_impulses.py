@@ -1,4 +1,6 @@
 import json
+import math
+import struct
 
 from console import OBJECTS, ConsoleTest, Wave, run
 
@@ -61,6 +63,36 @@ class Impulses(ConsoleTest):
             self.assertAlmostEqual(a, b, delta=TRUNCATED)
         self.assertGreater(one.peak(), 500 * TRUNCATED)
 
+    def test_an_impulse_sounds_as_the_page_of_the_format_says(self):
+        plate = OBJECTS / "plate.modal"
+        raw = plate.read_bytes()
+        size, = struct.unpack_from("<Q", raw)
+        header = json.loads(raw[8:8 + size])
+        material = json.loads(header["__metadata__"]["material"])
+
+        def tensor(name, letter, count):
+            begin = 8 + size + header[name]["data_offsets"][0]
+            return struct.unpack_from(f"<{count}{letter}", raw, begin)
+        modes = header["eigenvalues"]["shape"][0]
+        letter = {"F16": "e", "F32": "f"}[header["shapes"]["dtype"]]
+        ringing = []
+        for stiffness, across in zip(tensor("eigenvalues", "d", modes),
+                                     tensor("shapes", letter, 3 * modes)[2::3]):
+            decay = (material["fluid_damping_per_s"] + material["loss_factor"] * stiffness ** 0.5
+                     + material["viscoelastic_damping_s"] * stiffness) / 2
+            ringing.append((0.001 * across ** 2, decay, (stiffness - decay ** 2) ** 0.5))
+
+        hit = {"time": 0, "object": "plate", "vertex": tensor("shape_vertices", "i", 1)[0],
+               "impulse": [0, 0, -0.001]}
+        wave = Wave(self.render(self.lines(hit), "--seconds", 0.01, "--set", "compression=0", "--set",
+                                f"tau={TAU}")[1])
+        for sample, heard in enumerate(wave.left):
+            t = sample / 48000
+            expected = sum(a * math.exp(-decay * t) * (math.cos(omega * t)
+                                                       - decay / omega * math.sin(omega * t))
+                           for a, decay, omega in ringing)
+            self.assertAlmostEqual(heard, expected, delta=1e-6 * wave.peak())
+
     def test_impulses_act_at_their_time(self):
         for time in (0.1, 0.123456):
             wave = Wave(self.render(self.lines(self.hit(time)), "--seconds", 0.2)[1])
@@ -96,6 +128,14 @@ class Impulses(ConsoleTest):
         peaks = [Wave(self.render(file, "--seconds", 0.1, "--preset", "Steel Plate", "--set",
                                   f"level={level}")[1]).peak() for level in (-20, 0)]
         self.assertAlmostEqual(peaks[1] / peaks[0], 10, places=3)
+
+    def test_a_figure_makes_the_material_custom(self):
+        file = self.lines(self.hit())
+        own, same, damped = (self.render(file, "--seconds", 0.5, *figure, name=f"{i}.wav")[1]
+                             for i, figure in enumerate(((), ("--set", "young=200"),
+                                                         ("--set", "gamma=500"))))
+        self.assertEqual(own.read_bytes(), same.read_bytes())  # it is of steel
+        self.assertLess(Wave(damped).level_at(539, 12000), 0.01 * Wave(own).level_at(539, 12000))
 
     def test_more_than_64_contacts_at_a_time_are_warned_of(self):
         file = self.lines(*(self.hit(contact_time=0.5) for _ in range(70)))
