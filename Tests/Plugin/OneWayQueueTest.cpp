@@ -1,5 +1,6 @@
 #include "Plugin/OneWayQueue.h"
 
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <thread>
 #include <vector>
@@ -53,6 +54,7 @@ TEST_CASE("From thread to thread messages come whole, in order, and none is lost
     };
     constexpr int last = 20'000;
     OneWayQueue<Message, 16> queue;
+    std::atomic<bool> isAllSent{false};
     std::thread sender([&] {
         for (int number = 1; number <= last; ++number) {
             Message message{.number = number, .copies = {}};
@@ -60,21 +62,22 @@ TEST_CASE("From thread to thread messages come whole, in order, and none is lost
             while (!queue.push(message))
                 std::this_thread::yield();
         }
+        isAllSent = true;
     });
     int seen = 0;
     bool isInOrder = true, isWhole = true;
-    while (seen < last) {
-        const int before = seen;
+    for (bool isOver = false; !isOver;) {
+        isOver = isAllSent; // and this round reads the last of them
         queue.read([&](const Message& message) {
             isInOrder = isInOrder && message.number == seen + 1;
             seen = message.number;
             for (const int copy : message.copies)
                 isWhole = isWhole && copy == message.number;
         });
-        if (seen == before)
-            std::this_thread::yield();
+        std::this_thread::yield();
     }
     sender.join();
+    CHECK(seen == last);
     CHECK(isInOrder);
     CHECK(isWhole);
 }
