@@ -40,6 +40,7 @@ install_rooms(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
     HEADERS
         Geometry/LengthUnit Geometry/Mesh Geometry/MeshReader Geometry/MeshRepair Geometry/ParametricMesh
+        Geometry/ShapeMesh Geometry/SurfaceQuery
         Analysis/AnalysedBand Analysis/AnalysisMethod Analysis/ModalAnalysis
         Analysis/Radiation)
 find_file(expected_header tl/expected.hpp HINTS "${expected_SOURCE_DIR}/include" REQUIRED)

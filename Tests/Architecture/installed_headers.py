@@ -12,7 +12,7 @@ import sys
 
 COMMENT = re.compile(r"//.*")
 INCLUDE = re.compile(r'#include "([^"]+)"')
-NAME = re.compile(r"\b\w+/\w+\.h\b|\b\w*[a-z]\w*[A-Z]\w*", re.ASCII)
+NAME = re.compile(r"\b\w+/\w+\.h\b|\b(?!\d)\w*[a-z]\w*[A-Z]\w*", re.ASCII)
 ORDINARY = {"dB", "kHz", "KiB", "MiB", "NaN", "macOS"}
 
 
