@@ -9,6 +9,7 @@
 #include "Geometry/LengthUnit.h"
 #include "Geometry/MeshReader.h"
 #include "Object/ModalObjectFile.h"
+#include "Object/NumberText.h"
 
 #include <iomanip>
 #include <iostream>
@@ -25,7 +26,7 @@ struct Options {
     std::string name;
     std::string material = "Steel";
     std::string method = "auto";
-    double thicknessMetres = 0.005;
+    std::optional<double> thicknessMetres;
     double maxFrequencyHz = highestAnalysedHz;
     int elementBudget = AnalysisSettings{}.elementBudget;
     std::optional<std::string> unit;
@@ -47,7 +48,7 @@ Result<AnalysisSettings> settingsFrom(const Options& options) {
         .source = options.mesh.filename().string(),
         .material = *material,
         .method = method,
-        .thicknessMetres = options.thicknessMetres,
+        .thicknessMetres = options.thicknessMetres.value_or(AnalysisSettings{}.thicknessMetres),
         .maxFrequencyHz = options.maxFrequencyHz,
         .elementBudget = options.elementBudget,
         .largestComponentOnly = options.largestPart,
@@ -127,6 +128,11 @@ Result<void> analyseAndWrite(const Options& options) {
     if (auto written = writeModalObject(*object, options.output); !written)
         return written;
     report(*object, options);
+    if (options.thicknessMetres && object->body == BodyKind::solid)
+        std::cerr << "warning: " << options.mesh.string()
+                  << ": --thickness has no effect, because it was taken as a solid; --method "
+                     "two-layer takes a shell"
+                  << std::endl;
     return {};
 }
 
@@ -140,9 +146,9 @@ void addAnalyse(CLI::App& program, Action& chosen) {
     command->add_option("--name", options->name, "The object's name; else the mesh file's");
     command->add_option("--material", options->material, "A material's name or a JSON file")
         ->capture_default_str();
-    command->add_option("--thickness", options->thicknessMetres, "Of the shell, in metres")
+    command->add_option("--thickness", options->thicknessMetres, "Of a shell, in metres")
         ->check(numberBetween(1e-6, 10))
-        ->capture_default_str();
+        ->default_str(numberText(AnalysisSettings{}.thicknessMetres));
     command
         ->add_option("--method", options->method,
                      "auto (what suits the mesh), fem, two-layer, spring-mass or van-gelder")

@@ -1,5 +1,6 @@
 #include "Console/ImpulseRender.h"
 
+#include "Console/AssignedEffect.h"
 #include "Console/ImpulseFile.h"
 #include "Console/RenderLoop.h"
 #include "Instrument/FactoryContent.h"
@@ -142,6 +143,7 @@ private:
 
 Result<RenderTally> renderImpulses(const std::filesystem::path& file,
                                    const ParameterValues& parameters,
+                                   std::span<const ParameterId> assigned,
                                    const RecordingFormat& format,
                                    Recording& recording) {
     const auto impulses = readImpulses(file);
@@ -152,7 +154,9 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
         return tl::unexpected(score.error());
 
     RenderTally tally;
-    CellPlayer player(*score, synthesisSettings(parameters), format.sampleRateHz);
+    const auto values =
+        withAssigned(parameters, assigned, {.by = PlayedBy::impulses, .slots = score->slots});
+    CellPlayer player(*score, synthesisSettings(values), format.sampleRateHz);
     if (auto done =
             renderTo(recording, format,
                      {.name = file.filename().string(),

@@ -5,13 +5,16 @@
 #include "Console/SongRender.h"
 
 #include <filesystem>
+#include <span>
 
 namespace idiophone {
 
 /// Reads the impulses and their objects, and renders up to the length of the format or else to
-/// silence after the last contact. Impulses act at their time to a fraction of a sample.
+/// silence after the last contact, with what was `assigned` among the parameters. Impulses act at
+/// their time to a fraction of a sample.
 Result<RenderTally> renderImpulses(const std::filesystem::path& file,
                                    const ParameterValues& parameters,
+                                   std::span<const ParameterId> assigned,
                                    const RecordingFormat& format,
                                    Recording& recording);
 

@@ -27,7 +27,7 @@ bool isBeyondRange(const ParameterInfo& info, std::string_view text) {
     return stream >> number && !(number >= info.minimum && number <= info.maximum);
 }
 
-Result<void> assign(const std::string& assignment, ParameterValues& values) {
+Result<ParameterId> assign(const std::string& assignment, ParameterValues& values) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos)
         return failure("--set " + assignment + ": it is not of the form PARAM=VALUE");
@@ -41,23 +41,30 @@ Result<void> assign(const std::string& assignment, ParameterValues& values) {
     if (!value || isBeyondRange(*info, text))
         return failure("--set " + assignment + ": " + info->name + " takes " + valuesOf(*info));
     values.set(info->parameter, *value);
-    return {};
+    return info->parameter;
 }
 
 } // namespace
 
 void addParameterAssignments(CLI::App& command, std::vector<std::string>& assignments) {
-    command.add_option("--set", assignments, "Sets a parameter, such as hardness=200 (many times)")
+    command
+        .add_option("--set", assignments,
+                    "Sets a parameter, such as hardness=200, which makes the mallet custom "
+                    "(many times)")
         ->type_name("PARAM=VALUE")
         ->allow_extra_args(false);
 }
 
-Result<void> assignParameters(const std::vector<std::string>& assignments,
-                              ParameterValues& values) {
-    for (const auto& assignment : assignments)
-        if (auto done = assign(assignment, values); !done)
-            return done;
-    return {};
+Result<std::vector<ParameterId>> assignParameters(const std::vector<std::string>& assignments,
+                                                  ParameterValues& values) {
+    std::vector<ParameterId> assigned;
+    for (const auto& assignment : assignments) {
+        const auto parameter = assign(assignment, values);
+        if (!parameter)
+            return tl::unexpected(parameter.error());
+        assigned.push_back(*parameter);
+    }
+    return assigned;
 }
 
 } // namespace idiophone

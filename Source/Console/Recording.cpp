@@ -125,11 +125,24 @@ Result<void> Recording::finish(std::int64_t leastSamples) {
         return done;
     if (auto done = writer->finish(); !done)
         return done;
-    if (format.bitDepth != 32 && highest > 1)
-        std::cerr << "warning: " << format.file.string() << ": it is clipped: the peak of "
-                  << std::fixed << std::setprecision(1) << decibelsFullScale(highest)
-                  << " dBFS needs a lower level or --bit-depth 32" << std::endl;
+    if (highest > 1)
+        warnOfPeak();
     return {};
+}
+
+/// Above full scale.
+void Recording::warnOfPeak() const {
+    // Away from it to tenths, so that the level told is low enough.
+    const double peakDb = std::ceil(10 * decibelsFullScale(highest)) / 10;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << format.file.string() << ": its peak of " << peakDb
+         << " dBFS is "
+         << (format.bitDepth == 32 ? "beyond full scale and clips where it is played"
+                                   : "clipped, which --bit-depth 32 would hold");
+    const auto& level = parameterInfo(ParameterId::level);
+    if (const double lower = parameters[level.parameter] - peakDb; lower >= level.minimum)
+        text << "; --set level=" << std::floor(10 * lower + 1e-6) / 10 << " keeps it below";
+    std::cerr << "warning: " << text.str() << std::endl;
 }
 
 std::optional<double> Recording::loudnessLufs() const {

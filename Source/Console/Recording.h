@@ -61,6 +61,7 @@ private:
     };
 
     Recording(RecordingFormat format, const ParameterValues& parameters);
+    void warnOfPeak() const;
     Result<void> writeSilence(std::int64_t samples);
     Result<void> write(int samples);
 

@@ -1,3 +1,4 @@
+#include "Console/AssignedEffect.h"
 #include "Console/Command.h"
 #include "Console/ImpulseRender.h"
 #include "Console/OutputCheck.h"
@@ -8,6 +9,7 @@
 #include "Object/TextFile.h"
 #include "Scene/SceneStage.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace idiophone {
@@ -69,8 +71,34 @@ Result<KeyTuning> readTuning(const Options& options) {
     return keyTuning({.scale = *scale, .mapping = *mapping});
 }
 
+/// What of the command line the preset's keys cannot follow.
+void warnOfTuning(const Preset& preset, const Instrument& instrument, const Options& options) {
+    if (instrument.keysHaveObjects())
+        return;
+    for (const auto& [option, file] :
+         {std::pair{"--scale", options.scale}, std::pair{"--mapping", options.mapping}})
+        if (!file.empty())
+            std::cerr << "warning: " << option << " has no effect: the keys of '" << preset.name
+                      << "' share objects, which keep their pitch" << std::endl;
+}
+
+void warnOfNotes(const Preset& preset, const RenderTally& tally, const Options& options) {
+    if (tally.notesWithoutKey > 0)
+        std::cerr << "warning: " << options.midi.string() << ": " << tally.notesWithoutKey << " of "
+                  << tally.strikes + tally.notesWithoutKey << " notes "
+                  << (tally.notesWithoutKey == 1 ? "is" : "are") << " no key of '" << preset.name
+                  << "', which has " << preset.keyMap.lowestNote << " to "
+                  << preset.keyMap.highestNote << std::endl;
+}
+
+bool isPressure(const SongEvent& event) {
+    const int kind = event.bytes[0] & 0xf0;
+    return kind == 0xa0 || kind == 0xd0;
+}
+
 Result<RenderTally> playSong(const Preset& preset,
-                             const ParameterValues& values,
+                             ParameterValues values,
+                             std::span<const ParameterId> assigned,
                              const Options& options,
                              Recording& to) {
     auto instrument = buildInstrument(preset.keyMap, ObjectLibrary::shared());
@@ -82,16 +110,19 @@ Result<RenderTally> playSong(const Preset& preset,
     const auto song = readMidiSong(options.midi);
     if (!song)
         return tl::unexpected(song.error());
+    warnOfTuning(preset, **instrument, options);
+    values = withAssigned(values, assigned,
+                          {.by = (*instrument)->stage() ? PlayedBy::stage : PlayedBy::mallets,
+                           .slots = (*instrument)->slots(),
+                           .isPressed = std::ranges::any_of(*song, isPressure)});
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
                   preset.parameters);
     player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
     auto tally =
         renderSong(player, *song, values, options.format, to, options.midi.filename().string());
-    if (tally && tally->strikes == 0)
-        std::cerr << "warning: " << options.midi.string() << ": none of its notes is a key of '"
-                  << preset.name << "', which has " << preset.keyMap.lowestNote << " to "
-                  << preset.keyMap.highestNote << std::endl;
+    if (tally)
+        warnOfNotes(preset, *tally, options);
     return tally;
 }
 
@@ -100,17 +131,19 @@ Result<void> render(const Options& options) {
     if (!preset)
         return tl::unexpected(preset.error());
     auto values = withSetupOf({}, preset->parameters);
-    if (auto done = assignParameters(options.assignments, values); !done)
-        return done;
+    const auto assigned = assignParameters(options.assignments, values);
+    if (!assigned)
+        return tl::unexpected(assigned.error());
     if (!options.statistics.empty())
         if (auto writable = checkWritable(options.statistics); !writable)
             return writable;
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tally = options.midi.empty()
-                           ? renderImpulses(options.impulses, values, options.format, **recording)
-                           : playSong(*preset, values, options, **recording);
+    const auto tally =
+        options.midi.empty()
+            ? renderImpulses(options.impulses, values, *assigned, options.format, **recording)
+            : playSong(*preset, values, *assigned, options, **recording);
     if (!tally)
         return tl::unexpected(tally.error());
     return report(*tally, **recording, options);

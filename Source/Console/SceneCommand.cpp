@@ -1,3 +1,4 @@
+#include "Console/AssignedEffect.h"
 #include "Console/Command.h"
 #include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
@@ -112,13 +113,22 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
     return {};
 }
 
+std::vector<SynthesiserSlot> heardSlots(const SceneCast& cast) {
+    std::vector<SynthesiserSlot> slots;
+    for (std::size_t role = 0; role < cast.roles().size(); ++role)
+        if (cast.roles()[role].isHeard())
+            slots.push_back(cast.slotOf(role));
+    return slots;
+}
+
 Result<void> perform(const Options& options) {
     auto scene = findOrReadScene(options.scene);
     if (!scene)
         return tl::unexpected(scene.error());
     auto values = scene->parameters;
-    if (auto done = assignParameters(options.assignments, values); !done)
-        return done;
+    const auto assigned = assignParameters(options.assignments, values);
+    if (!assigned)
+        return tl::unexpected(assigned.error());
     if (!options.midi.empty() && !scene->noteDrop)
         return failure("'" + scene->name + "' has no 'notes': nothing is dropped for a song");
     std::vector<SongEvent> song;
@@ -137,6 +147,9 @@ Result<void> perform(const Options& options) {
     const auto cast = SceneCast::make(std::move(*scene), ObjectLibrary::shared());
     if (!cast)
         return tl::unexpected(cast.error());
+    const auto slots = heardSlots(**cast);
+    if (!slots.empty())
+        values = withAssigned(values, *assigned, {.by = PlayedBy::scene, .slots = slots});
     std::shared_ptr<const HeadResponses> head;
     if (!options.head.empty()) {
         auto read = readSofaHead(options.head, options.format.sampleRateHz);

@@ -32,10 +32,10 @@ Result<RenderTally> renderSong(Player& player,
     const std::int64_t lastEvent = events.empty() ? -1 : sampleOf(events.back(), rate);
     player.setOffline(true);
     RenderTally tally;
-    tally.strikes = std::ranges::count_if(events, [&](const SongEvent& event) {
-        return event.isNoteOn() && player.instrument().key(event.bytes[1]).slot >= 0 &&
-               (!format.seconds || event.seconds < *format.seconds);
-    });
+    for (const auto& event : events)
+        if (event.isNoteOn() && (!format.seconds || event.seconds < *format.seconds))
+            ++(player.instrument().key(event.bytes[1]).slot >= 0 ? tally.strikes
+                                                                 : tally.notesWithoutKey);
 
     const auto blockSize = static_cast<std::size_t>(format.blockSize);
     std::vector<float> left(blockSize), right(blockSize);

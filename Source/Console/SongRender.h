@@ -12,6 +12,7 @@ namespace idiophone {
 /// What rendering found out besides the sound; a cell is 64 samples.
 struct RenderTally {
     std::int64_t strikes = 0;
+    std::int64_t notesWithoutKey = 0; ///< beside the strikes
     std::int64_t cells = 0; ///< at whose end modes were counted: every one up to block size 64
     double modesMixedMean = 0;
     std::int64_t modesMixedMost = 0;

@@ -1,3 +1,4 @@
+#include "Console/AssignedEffect.h"
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
@@ -5,8 +6,11 @@
 #include "Console/ParameterAssignments.h"
 #include "Console/SongRender.h"
 #include "Console/StruckModes.h"
+#include "Geometry/LengthUnit.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/ObjectBox.h"
+#include "Instrument/ObjectSurface.h"
+#include "Instrument/StrikePointMetres.h"
 #include "Object/ModalObjectFile.h"
 
 #include <cmath>
@@ -65,6 +69,21 @@ Result<std::size_t> chooseRow(const ModalObject& object, const Options& options)
                             ? " has only " + std::to_string(object.vertexCount()) + " vertices"
                             : " has no mode shapes at that vertex"));
     return static_cast<std::size_t>(found - object.shapeVertices.begin());
+}
+
+/// A typing error, or millimetres for metres, lands on some vertex all the same.
+void warnOfPointOff(const ModalObject& object, const Options& options) {
+    constexpr double largestShare = 0.05; // of the object's size
+    const std::array<double, 3> point{options.pointMetres[0], options.pointMetres[1],
+                                      options.pointMetres[2]};
+    const auto half = ObjectBox(object).halfExtentMetres;
+    const double sizeMetres = 2 * std::hypot(half[0], half[1], half[2]);
+    const auto nearest = strikePointMetres(object, ObjectSurface(object).nearest(point));
+    const double offMetres = distance(point, nearest);
+    if (offMetres > largestShare * sizeMetres)
+        std::cerr << "warning: --at: the point lies " << millimetresText(offMetres)
+                  << " off the object, which is " << millimetresText(sizeMetres)
+                  << " from corner to corner" << std::endl;
 }
 
 /// The object as if it had been made of another material: exact at equal Poisson ratios.
@@ -141,15 +160,19 @@ Result<void> strikeObject(const Options& options) {
     const auto row = chooseRow(*object, options);
     if (!row)
         return tl::unexpected(row.error());
+    if (!options.pointMetres.empty())
+        warnOfPointOff(*object, options);
     ParameterValues values;
-    if (auto done = assignParameters(options.assignments, values); !done)
-        return done;
+    const auto assigned = assignParameters(options.assignments, values);
+    if (!assigned)
+        return tl::unexpected(assigned.error());
 
     const auto known = ObjectLibrary::shared().add(options.object, std::move(*object));
     auto instrument =
         Instrument::build(keyMapFor(options.object, *known, *row), ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
+    values = withAssigned(values, *assigned, {.slots = (*instrument)->slots(), .isOnePoint = true});
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());

@@ -110,6 +110,30 @@ class Analyse(ConsoleTest):
             _, info = self.analyse(mesh, "--max-frequency", 4000)
             self.assertGreater(info["mode_count"], 3)
 
+    def test_a_mesh_file_that_is_cut_off_is_refused_or_doubted(self):
+        whole = self.mesh("icosphere", "--radius", 0.1, "--vertices", 162).read_bytes()
+        in_a_line = self.write("line.obj", whole[:-4])
+        self.refuse("analyse", in_a_line, "-o", self.folder / "out.modal", naming="line.obj",
+                    saying="truncated")
+        lines = whole.splitlines(keepends=True)
+        report, _ = self.analyse(self.write("lines.obj", b"".join(lines[:-80])),
+                                 "--max-frequency", 8000)
+        self.assertIn("may be cut off", report["notes"])
+        report, _ = self.analyse(self.write("whole.obj", whole.rstrip()), "--method", "two-layer",
+                                 "--max-frequency", 8000)
+        self.assertNotIn("cut off", report["notes"])
+
+    def test_a_thickness_that_cannot_be_or_does_nothing_is_told(self):
+        bar = self.mesh("bar", "--vertices", 60)
+        report, _ = self.analyse(bar, "--thickness", 3, "--max-frequency", 2000)
+        self.assertIn("3000 mm is thicker than its mesh is wide", report["notes"])
+        ball = self.mesh("icosphere", "--radius", 0.1, "--vertices", 42)
+        options = ("--max-frequency", 20000, "--elements", 1000)
+        out = ("-o", self.folder / "ball.modal")
+        self.assertIn("--thickness has no effect",
+                      self.succeed("analyse", ball, *out, *options, "--thickness", 0.003).stderr)
+        self.assertEqual(self.succeed("analyse", ball, *out, *options).stderr, "")
+
     def test_file_names_may_have_blanks_and_umlauts(self):
         mesh, modal = self.folder / "eine Glocke, größer.obj", self.folder / "Glöckchen 2.modal"
         self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)

@@ -190,6 +190,89 @@ class Render(ConsoleTest):
             self.assertEqual(len(Wave(output)), 48000 * seconds)
             self.assertEqual(report["strikes"], 1 if seconds < 1 else 2)
 
+    def warnings(self, song, *options, preset=XYLOPHONE):
+        """What a render of half a second says on standard error, and its file."""
+        output = self.folder / "warned.wav"
+        stderr = self.succeed("render", "--preset", preset, "--midi", song, "-o", output,
+                              "--seconds", 0.5, *options).stderr
+        return stderr, output.read_bytes()
+
+    def test_a_figure_makes_its_material_custom_with_the_other_figures_of_what_was_chosen(self):
+        song = self.song(note(0, 72, 127))
+
+        def sound(*settings):
+            said, _ = self.warnings(song, *(part for s in settings for part in ("--set", s)))
+            self.assertEqual(said, "")
+            return Wave(self.folder / "warned.wav").left
+
+        def custom(name, **changes):
+            m = next(m for m in self.json("materials") if m["name"] == name)
+            figures = {"young": m["youngs_modulus_pa"] / 1e9, "density": m["density_kg_per_m3"],
+                       "gamma": m["fluid_damping_per_s"], "loss_factor": m["loss_factor"],
+                       "eta": m["viscoelastic_damping_s"] * 1e6, **changes}
+            return sound("material=Custom", *(f"{id}={value}" for id, value in figures.items()))
+
+        for settings, expected in ((["young=50"], custom("Rosewood", young=50)),
+                                   (["gamma=200", "material=Glass"], custom("Glass", gamma=200)),
+                                   (["material=Glass", "gamma=200"], custom("Glass", gamma=200))):
+            heard = sound(*settings)
+            self.assertLess(max(abs(a - b) for a, b in zip(heard, expected)),
+                            1e-4 * max(map(abs, expected)))
+        own, light, heavy = (sound("mallet=Hard rubber", *mass)
+                             for mass in ((), ["mallet_mass=25"], ["mallet_mass=250"]))
+        loudest = max(map(abs, own))
+        self.assertLess(max(abs(a - b) for a, b in zip(own, light)), 1e-4 * loudest)
+        self.assertGreater(max(map(abs, heavy)), 3 * loudest)
+
+    def test_what_cannot_act_is_named_and_has_no_effect(self):
+        plate, dice = "Steel Plate", "Dice on Rosewood"
+        strike = ("contact=Strike",)
+        for preset, setting, elsewhere in (
+                (XYLOPHONE, "force=20", ("contact=Scrape",)),
+                (XYLOPHONE, "speed=3", ("contact=Roll",)),
+                (XYLOPHONE, "roughness=5", ("contact=Scrape",)),
+                (XYLOPHONE, "roll_coupling=80", ("contact=Roll",)),
+                ("Scraped Plate", "chatter=100", strike),
+                ("Scraped Plate", "spread=100", strike),
+                ("Scraped Plate", "mallet=Yarn", strike), ("Scraped Plate", "hardness=9", strike),
+                ("Scraped Plate", "velocity_curve=4", strike),
+                (XYLOPHONE, "release=2", ("let_ring=off",)),
+                (XYLOPHONE, "motor_speed=9", ("motor_depth=100",)),
+                (XYLOPHONE, "motor_sync=1/4", None), (XYLOPHONE, "room_decay=5", ("room=50",)),
+                (XYLOPHONE, "thickness=50", None), 
+                (plate, "width=0", ("radiation=100", "strike_across=50")),
+                (dice, "chatter=100", None), (dice, "let_ring=off", None)):
+            name = setting.split("=")[0]
+            song = self.song(note(0, 70, 50, 120))
+            with self.subTest(preset=preset, setting=setting):
+                off = () if elsewhere in (None, strike) else ("--set", "radiation=0")
+                _, without = self.warnings(song, *off, preset=preset)
+                said, heard = self.warnings(song, *off, "--set", setting, preset=preset)
+                self.assertEqual(said.count("\n"), 1, said)
+                self.assertIn(f"--set {name} has no effect", said)
+                self.assertEqual(heard, without)
+                if elsewhere is None:
+                    continue
+                there = [part for other in elsewhere for part in ("--set", other)]
+                _, without = self.warnings(song, *there, preset=preset)
+                said, heard = self.warnings(song, *there, "--set", setting, preset=preset)
+                self.assertEqual(said, "")
+                self.assertNotEqual(heard, without)
+
+    def test_a_scale_that_keys_cannot_follow_is_warned_of(self):
+        song = self.song(note(0, 72))
+        scale = self.write("half.scl", b"Half\n2\n600.\n2/1\n")
+        said, heard = self.warnings(song, "--scale", scale, preset="Steel Plate")
+        self.assertEqual(said.count("\n"), 1)
+        self.assertIn("--scale has no effect: the keys of 'Steel Plate'", said)
+        self.assertEqual(heard, self.warnings(song, preset="Steel Plate")[1])
+        self.assertEqual(self.warnings(song, "--scale", scale)[0], "")
+
+    def test_some_notes_off_the_keyboard_are_counted(self):
+        said, _ = self.warnings(self.song(note(0, 20) + note(10, 72) + note(20, 64) + note(30, 108)))
+        self.assertIn("2 of 4 notes are no key of 'Rosewood Xylophone', which has 65 to 108", said)
+        self.assertEqual(self.warnings(self.song(note(0, 65) + note(10, 108)))[0], "")
+
     def test_notes_off_the_keyboard_are_warned_of(self):
         song = self.song(note(0, 20) + note(480, 30))
         output = self.folder / "out.wav"

@@ -37,6 +37,14 @@ class Scenes(ConsoleTest):
         output = self.folder / name
         return self.json("scene", scene, "-o", output, *options), Wave(output)
 
+    def test_parameters_of_keys_are_said_to_have_no_effect(self):
+        out = ("-o", self.folder / "out.wav", "--seconds", 0.1)
+        said = self.succeed("scene", self.scene(), *out, "--set", "mallet_mass=30", "--set",
+                            "bend_range=4", "--set", "tau=1").stderr
+        self.assertEqual(said.count("has no effect"), 2)
+        self.assertIn("--set mallet_mass has", said)
+        self.assertIn("--set bend_range has", said)
+
     def test_the_factory_scenes_are_listed(self):
         scenes = self.json("scenes")
         self.assertEqual(scenes[0]["name"], "Dice on a xylophone")

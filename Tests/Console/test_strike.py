@@ -1,5 +1,6 @@
 import json
 import math
+import re
 
 from console import OBJECTS, ConsoleTest, Wave
 
@@ -106,6 +107,27 @@ class Strike(ConsoleTest):
         result = self.succeed("strike", BAR, "-o", self.folder / "loud.wav", "--bit-depth", 16,
                               "--set", "level=24", "--set", "mallet_mass=500", "--velocity", 127)
         self.assertIn("clipped", result.stderr)
+
+    def test_a_peak_beyond_full_scale_is_told_with_the_level_that_avoids_it(self):
+        loud = ("strike", BAR, "-o", self.folder / "loud.wav", "--set", "mallet_mass=500",
+                "--velocity", 127, "--seconds", 0.2)
+        said = self.succeed(*loud, "--set", "level=24").stderr
+        peak = 20 * math.log10(Wave(self.folder / "loud.wav").peak())
+        told, level = map(float, re.search(r"peak of (\S+) dBFS.*level=(\S+)", said).groups())
+        self.assertTrue(peak <= told < peak + 0.1001)
+        self.assertEqual(self.succeed(*loud, "--set", f"level={level}").stderr, "")
+        self.assertLessEqual(Wave(self.folder / "loud.wav").peak(), 1)
+        self.assertIn("dBFS", self.succeed(*loud, "--set", f"level={level + 0.2:.1f}").stderr)
+
+    def test_a_point_far_off_the_object_is_warned_of(self):
+        def said(point):
+            return self.succeed("strike", PLATE, "-o", self.folder / "a.wav", "--seconds", 0.05,
+                                "--at", point).stderr
+        # The plate is 300 mm by 200 mm.
+        self.assertIn("lies 1000 mm off the object, which is 361 mm", said("0.05,0.02,1"))
+        self.assertIn("lies 53675 mm off", said("50,20,0"))
+        for near in ("0.05,0.02,0", "0.05,0.02,0.003", "0.151,0.1,0"):
+            self.assertNotIn("--at", said(near))
 
     def test_people_are_told_what_was_struck(self):
         text = self.succeed("strike", PLATE, "-o", self.folder / "a.wav", "--vertex", 0).stdout

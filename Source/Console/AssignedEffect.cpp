@@ -1,0 +1,149 @@
+#include "Console/AssignedEffect.h"
+
+#include "Instrument/HeldContacts.h"
+#include "Instrument/SettingsOfParameters.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <string_view>
+
+namespace idiophone {
+namespace {
+
+using enum ParameterId;
+
+/// A parameter that acts only while others, or what is played, are so.
+struct Condition {
+    ParameterId parameter;
+    bool (*acts)(const ParameterValues&, const Played&);
+    const char* saying; ///< why it does not, or what it would act with
+};
+
+bool isStruck(const ParameterValues& values, const Played&) {
+    return strikes(values);
+}
+bool isHeld(const ParameterValues& values, const Played&) {
+    return !strikes(values);
+}
+bool isRolled(const ParameterValues& values, const Played&) {
+    return static_cast<int>(values[contact]) == rollContact;
+}
+bool motorModulates(const ParameterValues& values, const Played&) {
+    return values[motorDepth] > 0;
+}
+bool hasTempo(const ParameterValues&, const Played&) {
+    return false;
+}
+bool hasRoom(const ParameterValues& values, const Played&) {
+    return values[room] > 0;
+}
+bool keysDamp(const ParameterValues& values, const Played& played) {
+    return values[letRing] == 0 || played.isPressed;
+}
+bool hasPath(const ParameterValues&, const Played& played) {
+    return !played.isOnePoint;
+}
+bool hasShells(const ParameterValues&, const Played& played) {
+    return std::ranges::any_of(played.slots,
+                               [](const auto& slot) { return slot.object->hasLiveThickness(); });
+}
+bool hasRadiation(const ParameterValues&, const Played& played) {
+    return std::ranges::any_of(played.slots,
+                               [](const auto& slot) { return !slot.object->radiation.empty(); });
+}
+/// Bodies are heard by two ears.
+bool isStereo(const ParameterValues& values, const Played& played) {
+    return played.by == PlayedBy::stage || played.by == PlayedBy::scene || values[room] > 0 ||
+           (values[radiation] > 0 && hasRadiation(values, played));
+}
+
+constexpr const char* whileStruck = "it acts with contact=Strike";
+constexpr const char* whileHeld = "it acts with contact=Scrape or contact=Roll";
+constexpr const char* onPaths = "there is one point to strike";
+
+constexpr Condition conditions[]{
+    {strikeSpread, isStruck, whileStruck},
+    {malletHardness, isStruck, whileStruck},
+    {malletMass, isStruck, whileStruck},
+    {malletRadius, isStruck, whileStruck},
+    {malletSpeed, isStruck, whileStruck},
+    {velocityCurve, isStruck, whileStruck},
+    {mallet, isStruck, whileStruck},
+    {chatter, isStruck, whileStruck},
+    {modalPulse, isStruck, whileStruck},
+    {contactForce, isHeld, whileHeld},
+    {contactSpeed, isHeld, whileHeld},
+    {roughness, isHeld, whileHeld},
+    {rollCoupling, isRolled, "it acts with contact=Roll"},
+    {strikeAlong, hasPath, onPaths},
+    {strikeAcross, hasPath, onPaths},
+    {strikeSpread, hasPath, onPaths},
+    {releaseTime, keysDamp, "it acts with let_ring=off, and where pressure damps keys"},
+    {motorSpeed, motorModulates, "it acts with motor_depth above 0"},
+    {motorSync, hasTempo, "there is no host with a tempo; motor_speed acts"},
+    {roomDecay, hasRoom, "it acts with room above 0"},
+    {thickness, hasShells, "no object is a shell, and solids keep the thickness of their mesh"},
+    {radiation, hasRadiation, "no object was analysed with its radiation"},
+    {width, isStereo, "both channels are the same; it acts with radiation or room above 0"}};
+
+/// Where no mallets play.
+constexpr std::array ofMallets{strikeAlong,   strikeAcross, strikeSpread, malletHardness,
+                               malletMass,    malletRadius, malletSpeed,  mallet,
+                               velocityCurve, chatter,      modalPulse,   matchLoudness,
+                               contact,       contactForce, contactSpeed, roughness,
+                               rollCoupling,  letRing,      releaseTime};
+/// Nor keys.
+constexpr std::array ofKeys{bendRange, mpe, mpeBendRange, motorSpeed, motorDepth, motorSync};
+
+bool isAmong(std::span<const ParameterId> list, ParameterId parameter) {
+    return std::ranges::find(list, parameter) != list.end();
+}
+
+/// Why the parameter has no effect; empty where it has.
+std::string_view
+whyIdle(ParameterId parameter, const ParameterValues& values, const Played& played) {
+    if (played.by == PlayedBy::stage && isAmong(ofMallets, parameter))
+        return "the keys move bodies, and no mallets";
+    if ((played.by == PlayedBy::scene || played.by == PlayedBy::impulses) &&
+        (isAmong(ofMallets, parameter) || isAmong(ofKeys, parameter)))
+        return "it acts where keys are played";
+    for (const auto& condition : conditions)
+        if (condition.parameter == parameter && !condition.acts(values, played))
+            return condition.saying;
+    return {};
+}
+
+/// Makes the choice custom where one of its figures was assigned: the others are those of `from`.
+void makeCustom(ParameterValues& values,
+                ParameterId choice,
+                int custom,
+                std::span<const ParameterId> figures,
+                std::span<const ParameterId> assigned,
+                const ParameterValues& from) {
+    const auto isAssigned = [&](ParameterId figure) { return isAmong(assigned, figure); };
+    if (static_cast<int>(values[choice]) == custom || std::ranges::none_of(figures, isAssigned))
+        return;
+    for (const auto figure : figures)
+        if (!isAssigned(figure))
+            values.set(figure, from[figure]);
+    values.set(choice, custom);
+}
+
+} // namespace
+
+ParameterValues
+withAssigned(ParameterValues values, std::span<const ParameterId> assigned, const Played& played) {
+    const auto chosen = effectiveFigures(values, &played.slots.front().object->material);
+    makeCustom(values, material, customMaterial, materialFigures, assigned, chosen);
+    makeCustom(values, mallet, customMallet, malletFigures, assigned, chosen);
+    for (const auto& info : parameterTable()) {
+        if (!isAmong(assigned, info.parameter))
+            continue;
+        if (const auto why = whyIdle(info.parameter, values, played); !why.empty())
+            std::cerr << "warning: --set " << info.id << " has no effect: " << why << std::endl;
+    }
+    return values;
+}
+
+} // namespace idiophone
