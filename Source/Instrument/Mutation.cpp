@@ -14,32 +14,6 @@ namespace {
 
 using enum ParameterId;
 
-// Chosen, not derived: at full strength a damping or a hardness moves by a factor of three to six,
-// so that a few mutations reach another instrument and one does not.
-constexpr MutationStep steps[] = {
-    {.parameter = fluidDamping, .step = 0.1, .lowest = 0.05, .highest = 200},
-    {.parameter = viscoelasticDamping, .step = 0.08, .lowest = 0.001, .highest = 20},
-    {.parameter = lossFactor, .step = 0.08, .lowest = 0, .highest = 0.05},
-    {.parameter = malletHardness, .step = 0.15, .lowest = 2, .highest = 60000},
-    {.parameter = malletMass, .step = 0.12, .lowest = 5, .highest = 120},
-    {.parameter = malletRadius, .step = 0.1, .lowest = 5, .highest = 40},
-    {.parameter = malletSpeed, .step = 0.05, .lowest = 1, .highest = 6},
-    {.parameter = velocityCurve, .step = 0.05, .lowest = 1, .highest = 2.2},
-    {.parameter = strikeAlong, .step = 0.2, .lowest = -90, .highest = 90},
-    {.parameter = strikeAcross, .step = 0.2, .lowest = -90, .highest = 90},
-    {.parameter = strikeSpread, .step = 0.05, .lowest = 0, .highest = 20},
-    {.parameter = chatter, .step = 0.15, .lowest = 0, .highest = 60},
-    {.parameter = radiation, .step = 0.2, .lowest = 0, .highest = 100},
-    {.parameter = width, .step = 0.1, .lowest = 50, .highest = 150},
-    {.parameter = releaseTime, .step = 0.1, .lowest = 0.02, .highest = 3},
-    {.parameter = contactForce, .step = 0.1, .lowest = 0.5, .highest = 30},
-    {.parameter = contactSpeed, .step = 0.1, .lowest = 0.2, .highest = 4},
-    {.parameter = roughness, .step = 0.1, .lowest = 0.2, .highest = 5},
-    {.parameter = rollCoupling, .step = 0.15, .lowest = 0, .highest = 100},
-    {.parameter = motorSpeed, .step = 0.15, .lowest = 1, .highest = 9},
-    {.parameter = motorDepth, .step = 0.15, .lowest = 0, .highest = 100},
-};
-
 constexpr double mostLouderDb = 6;
 constexpr double anyRateHz = 48000; // both predictions are at the same
 
@@ -63,12 +37,12 @@ ParameterValues withPlayedMallet(const ParameterValues& now, const ModalObject& 
     return withCustomMallet(now, *chosen, contactModulusPa(*chosen, compliance));
 }
 
-double moved(const MutationStep& row, double value, double strength, std::mt19937& random) {
-    const auto& info = parameterInfo(row.parameter);
+double moved(const ParameterInfo& info, double value, double strength, std::mt19937& random) {
+    const auto& range = info.mutation;
     const double place = info.toNormalised(value);
-    const double lowest = std::min(info.toNormalised(row.lowest), place);
-    const double highest = std::max(info.toNormalised(row.highest), place);
-    double next = place + strength * row.step * nextRandom(random);
+    const double lowest = std::min(info.toNormalised(range.lowest), place);
+    const double highest = std::max(info.toNormalised(range.highest), place);
+    double next = place + strength * range.step * nextRandom(random);
     if (next < lowest)
         next = 2 * lowest - next;
     if (next > highest)
@@ -83,10 +57,6 @@ double loudnessLufs(LoudnessMatch& match, const ParameterValues& values) {
 
 } // namespace
 
-std::span<const MutationStep> mutationSteps() {
-    return steps;
-}
-
 ParameterValues mutated(const ParameterValues& now,
                         const std::shared_ptr<const Instrument>& instrument,
                         const Preset& preset,
@@ -97,8 +67,10 @@ ParameterValues mutated(const ParameterValues& now,
     const auto& object = *instrument->slots().front().object;
     auto next = withPlayedMaterial(withPlayedMallet(now, object), object);
     std::mt19937 random(seed);
-    for (const auto& row : steps)
-        next.set(row.parameter, moved(row, next[row.parameter], std::min(strength, 1.0), random));
+    for (const auto& info : parameterTable())
+        if (info.mutation.step > 0)
+            next.set(info.parameter,
+                     moved(info, next[info.parameter], std::min(strength, 1.0), random));
 
     LoudnessMatch match(instrument, preset.surface, anyRateHz, preset.parameters);
     const double louderDb = loudnessLufs(match, next) - loudnessLufs(match, now);

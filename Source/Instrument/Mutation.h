@@ -1,5 +1,6 @@
 // A new sound near the one that plays: random steps of the parameters that shape it, within musical
-// bounds. Pitch, quality and what the keys do stay as they are.
+// bounds (ParameterInfo::mutation). Pitch, and so stiffness, density, size and thickness, quality
+// and what the keys do stay as they are.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -7,20 +8,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 namespace idiophone {
-
-/// How far a mutation may move a parameter.
-struct MutationStep {
-    ParameterId parameter;
-    double step;            ///< at full strength, in units of the parameter's normalised range
-    double lowest, highest; ///< where mutation stays, in the parameter's unit
-};
-
-/// The parameters that a mutation moves. Stiffness, density, size and thickness are not among them:
-/// they are the pitch of every key.
-std::span<const MutationStep> mutationSteps();
 
 /// The values moved by random steps, each uniform within its own step times `strength` (0 to 1) and
 /// turned back at its bounds; a value that lies beyond its bounds already goes no further. The

@@ -3,7 +3,6 @@
 #include "Instrument/SettingsOfParameters.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,11 +10,6 @@ namespace idiophone {
 namespace {
 
 using enum ParameterId;
-
-constexpr std::array gliding{youngsModulus, density,      fluidDamping, viscoelasticDamping,
-                             lossFactor,    size,         thickness,    tune,
-                             concertPitch,  contactForce, contactSpeed, roughness,
-                             rollCoupling,  releaseTime};
 
 /// Of a parameter's way from end to end; less is not heard as a step.
 constexpr double smallestStep = 2e-5;
@@ -33,24 +27,26 @@ void ParameterGlide::setGoal(const ParameterValues& wanted) noexcept {
     if (std::exchange(isFresh, false))
         return;
     const bool isOtherMaterial = before[material] != wanted[material];
-    for (const auto parameter : gliding)
-        if (!(isOtherMaterial &&
-              std::ranges::find(materialFigures, parameter) != materialFigures.end()))
-            now.set(parameter, before[parameter]);
+    for (const auto& info : parameterTable()) {
+        const bool isMaterialFigure =
+            std::ranges::find(materialFigures, info.parameter) != materialFigures.end();
+        if (info.glides && !(isOtherMaterial && isMaterialFigure))
+            now.set(info.parameter, before[info.parameter]);
+    }
     isMoving = now != goal;
 }
 
 void ParameterGlide::advance() noexcept {
     if (!isMoving)
         return;
-    for (const auto parameter : gliding) {
-        if (now[parameter] == goal[parameter])
+    for (const auto& info : parameterTable()) {
+        const double wanted = goal[info.parameter];
+        if (now[info.parameter] == wanted)
             continue;
-        const auto& info = parameterInfo(parameter);
-        const double from = info.toNormalised(now[parameter]);
-        const double way = info.toNormalised(goal[parameter]) - from;
-        now.set(parameter, std::abs(way) > smallestStep ? info.fromNormalised(from + share * way)
-                                                        : goal[parameter]);
+        const double from = info.toNormalised(now[info.parameter]);
+        const double way = info.toNormalised(wanted) - from;
+        now.set(info.parameter,
+                std::abs(way) > smallestStep ? info.fromNormalised(from + share * way) : wanted);
     }
     isMoving = now != goal;
 }

@@ -66,8 +66,9 @@ void ParameterValues::set(ParameterId parameter, double value) {
 }
 
 ParameterValues withSetupOf(const ParameterValues& setup, ParameterValues values) {
-    for (const auto parameter : setupParameters)
-        values.set(parameter, setup[parameter]);
+    for (const auto& info : parameterTable())
+        if (info.isSetup)
+            values.set(info.parameter, setup[info.parameter]);
     return values;
 }
 

@@ -25,6 +25,14 @@ inline constexpr std::size_t parameterCount = static_cast<std::size_t>(Parameter
 /// there is only 0.
 enum class ParameterScale { linear, logarithmic, steps, onOff, choice, cubic };
 
+/// How far a mutation (Instrument/Mutation.h) may move a parameter. Chosen, not derived: at full
+/// strength a damping or a hardness moves by a factor of three to six, so that a few mutations
+/// reach another instrument and one does not.
+struct MutationRange {
+    double step = 0; ///< at full strength, in units of the normalised range; 0: it does not move
+    double lowest = 0, highest = 0; ///< musical bounds, in the parameter's unit
+};
+
 /// One row. Values are in `unit` and lie in [minimum, maximum]; `steps`, `onOff` and `choice` take
 /// whole numbers only.
 struct ParameterInfo {
@@ -40,6 +48,11 @@ struct ParameterInfo {
     double defaultValue = 0;
     int decimals = 0;     ///< shown behind the point; significant digits where logarithmic or cubic
     int versionAdded = 1; ///< JUCE's version hint
+    bool glides = false;  ///< heard while it moves, and so smoothed (Instrument/ParameterGlide.h)
+    /// Belongs to the player's place in a session and not to a sound: presets, comparisons and
+    /// loads that are undone leave it as it is.
+    bool isSetup = false;
+    MutationRange mutation = {};
     const char* description = nullptr; ///< one sentence: what it does to the sound
     const char* maximumName = nullptr; ///< what the top of the range is called, or nullptr
 
@@ -83,12 +96,7 @@ private:
     std::array<double, parameterCount> values;
 };
 
-/// What belongs to the player's place in a session and not to a sound: presets, comparisons and
-/// loads that are undone leave it as it is.
-inline constexpr std::array setupParameters{ParameterId::bypass, ParameterId::concertPitch,
-                                            ParameterId::mpe, ParameterId::mpeBendRange};
-
-/// The values with the setup of others.
+/// The values with the setup (ParameterInfo::isSetup) of others.
 ParameterValues withSetupOf(const ParameterValues& setup, ParameterValues values);
 
 /// Choices of ParameterId::material with a meaning of their own; library materials follow.
