@@ -7,8 +7,8 @@
 
 namespace idiophone {
 
-/// Red, green and blue, 0 to 1. Of a material that nobody named, what its figures suggest: wood has
-/// a grain, metals are heavy, stone, glass and ceramics stiff, plastics neither.
+/// Red, green and blue, 0 to 1: of the library's materials their own, of others what their figures
+/// suggest.
 std::array<float, 3> colourOf(const Material& material);
 
 } // namespace idiophone

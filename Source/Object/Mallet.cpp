@@ -1,5 +1,6 @@
 #include "Object/Mallet.h"
 
+#include "Object/ColourText.h"
 #include "Object/EmbeddedLists.h"
 
 #include <nlohmann/json.hpp>
@@ -19,14 +20,12 @@ struct Rack {
             return value.get_ref<const std::string&>();
         };
         for (const auto& mallet : file.at("mallets"))
-            mallets.push_back(
-                {.name = text(mallet.at("name")),
-                 .source = text(mallet.at("source")),
-                 .massKg = mallet.at("mass_kg"),
-                 .headRadiusMetres = mallet.at("head_radius_m"),
-                 .effectiveModulusPa = mallet.at("effective_modulus_pa"),
-                 .colour = static_cast<std::uint32_t>(
-                     std::stoul(std::string(text(mallet.at("colour")).substr(1)), nullptr, 16))});
+            mallets.push_back({.name = text(mallet.at("name")),
+                               .source = text(mallet.at("source")),
+                               .massKg = mallet.at("mass_kg"),
+                               .headRadiusMetres = mallet.at("head_radius_m"),
+                               .effectiveModulusPa = mallet.at("effective_modulus_pa"),
+                               .colour = parseColour(mallet.at("colour"))});
     }
 };
 

@@ -6,6 +6,7 @@
 #include "Object/OrthotropicElasticity.h"
 #include "Object/Result.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +41,9 @@ std::span<const Material> materialLibrary();
 
 /// The library's material of that name (case-insensitive), or nullptr.
 const Material* findMaterial(std::string_view name);
+
+/// What the library's material of that name is drawn in, 0xRRGGBB.
+std::optional<std::uint32_t> materialColour(std::string_view name);
 
 /// The time in which a mode of that frequency decays by 60 dB: ln(1000)/α; infinity undamped.
 double decaySeconds(const Material& material, double frequencyHz);

@@ -97,7 +97,8 @@ Material parseObject(const json& object, const std::string& defaultName) {
             if (!grain)
                 throw Fault{grain.error().message};
             material.grain = *grain;
-        } else if (key != "t60_s") { // what `idiophone materials --json` adds for people
+        } else if (key != "colour" && key != "t60_s") {
+            // The library's colours are MaterialLibrary's; decay times are added for people.
             throw Fault{"a material has no " + inQuotes(key)};
         }
     }

@@ -1,10 +1,12 @@
+#include "Object/ColourText.h"
 #include "Object/EmbeddedLists.h"
 #include "Object/Material.h"
 #include "Object/MaterialFile.h"
 #include "Object/SameName.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <vector>
 
 namespace idiophone {
@@ -12,15 +14,26 @@ namespace {
 
 std::vector<Material> parseLibrary() {
     auto materials = parseMaterialList(embeddedMaterials(), "materials.json");
-    // Part of the program, and the tests read every one of them.
     if (!materials)
-        std::abort();
+        throw std::runtime_error(materials.error().message);
     return std::move(*materials);
 }
 
-const std::vector<Material>& library() {
-    static const auto materials = parseLibrary();
-    return materials;
+struct Library {
+    std::vector<Material> materials;
+    std::vector<std::uint32_t> colours; ///< of each
+
+    // A part of the program, and the tests read all of it: what is wrong in it ends the program.
+    Library() noexcept : materials(parseLibrary()) {
+        const auto list = nlohmann::json::parse(embeddedMaterials());
+        for (const auto& entry : list.at("materials"))
+            colours.push_back(parseColour(entry.at("colour")));
+    }
+};
+
+const Library& library() {
+    static const Library onlyOne;
+    return onlyOne;
 }
 
 // Read before anything runs: the audio thread must not be the first to ask.
@@ -29,13 +42,21 @@ const std::vector<Material>& library() {
 } // namespace
 
 std::span<const Material> materialLibrary() {
-    return library();
+    return library().materials;
 }
 
 const Material* findMaterial(std::string_view name) {
+    const auto all = materialLibrary();
     const auto found = std::ranges::find_if(
-        library(), [&](const Material& material) { return sameName(material.name, name); });
-    return found == library().end() ? nullptr : &*found;
+        all, [&](const Material& material) { return sameName(material.name, name); });
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::optional<std::uint32_t> materialColour(std::string_view name) {
+    const auto* material = findMaterial(name);
+    if (material == nullptr)
+        return std::nullopt;
+    return library().colours[static_cast<std::size_t>(material - materialLibrary().data())];
 }
 
 } // namespace idiophone

@@ -44,6 +44,9 @@ TEST_CASE("Materials are found whatever the case of their name") {
     REQUIRE(findMaterial("ROSEWOOD") != nullptr);
     CHECK(findMaterial("ROSEWOOD")->name == "Rosewood");
     CHECK(findMaterial("unobtainium") == nullptr);
+    CHECK(materialColour("ROSEWOOD") == 0x6b3324);
+    CHECK(materialColour("Maple") == 0xcca878);
+    CHECK_FALSE(materialColour("unobtainium"));
 }
 
 TEST_CASE("The choice parameter has room for the library") {
