@@ -1,10 +1,11 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
+#include "Console/TextColumns.h"
+#include "Object/NumberText.h"
 #include "Parameters/ParameterTable.h"
 #include "Scene/FactoryScenes.h"
 
-#include <algorithm>
-#include <iomanip>
+#include <array>
 #include <iostream>
 #include <string>
 
@@ -51,26 +52,38 @@ ordered_json describeParameters() {
     return list;
 }
 
-/// A column that wide, of UTF-8 text.
-std::string column(const std::string& text, std::size_t width) {
-    const auto characters = static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
-    return text + std::string(width > characters ? width - characters : 0, ' ');
+/// For people, who know what a unit is after having read it once.
+std::string shortRange(const ParameterInfo& info) {
+    if (info.scale == ParameterScale::onOff)
+        return "On or Off";
+    if (const auto names = choiceNames(info.parameter); !names.empty())
+        return "one of " + std::to_string(names.size()) + ", below";
+    const auto most = info.maximumName != nullptr ? info.maximumName : numberText(info.maximum);
+    const std::string unit = info.unit;
+    return numberText(info.minimum) + " to " + most + (unit.empty() ? "" : " " + unit);
+}
+
+std::string shortDefault(const ParameterInfo& info) {
+    const bool isName = info.scale == ParameterScale::onOff || info.scale == ParameterScale::choice;
+    return isName ? formatParameter(info, info.defaultValue) : numberText(info.defaultValue);
 }
 
 void printParameters() {
+    const auto print = [](std::string_view id, std::string_view range, std::string_view value,
+                          std::string_view description) {
+        const auto figures = leftColumn(id, 16) + leftColumn(range, 20) + leftColumn(value, 9);
+        std::cout << figures << paragraph(description, 45);
+    };
+    print("id", "range", "default", "what it does");
     for (const auto& info : parameterTable())
-        std::cout << column(info.id, 16) << column(rangeOf(info), 30)
-                  << column(formatParameter(info, info.defaultValue), 14) << info.description
-                  << '\n';
+        print(info.id, shortRange(info), shortDefault(info), info.description);
     for (const auto& info : parameterTable()) {
         if (info.scale != ParameterScale::choice)
             continue;
-        std::cout << info.id << " is one of";
-        const char* separator = " ";
-        for (const auto name : choiceNames(info.parameter))
-            std::cout << std::exchange(separator, ", ") << name;
-        std::cout << '\n';
+        std::string names;
+        for (const auto name : choiceNames(info.parameter)) // of which some have commas
+            names += (names.empty() ? "" : "; ") + std::string(name);
+        std::cout << '\n' << leftColumn(info.id, 16) << paragraph(names, 16);
     }
 }
 
@@ -106,7 +119,7 @@ ordered_json describeScenes() {
 
 void printScenes() {
     for (const auto& scene : factoryScenes())
-        std::cout << column(scene.name, 22) << scene.description << '\n';
+        std::cout << leftColumn(scene.name, 22) << scene.description << '\n';
 }
 
 } // namespace

@@ -1,13 +1,15 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
+#include "Console/TextColumns.h"
 #include "Object/MaterialFile.h"
+#include "Object/NumberText.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace idiophone {
 namespace {
@@ -16,6 +18,7 @@ using nlohmann::ordered_json;
 
 struct Options {
     std::string material; ///< empty: all of them
+    bool sources = false;
     bool json = false;
 };
 
@@ -32,47 +35,59 @@ ordered_json describeWithDecay(const Material& material) {
     return result;
 }
 
-void print(const Material& material) {
+/// Each part of the figures has a source of its own, where the file has it so.
+void printSource(std::string source) {
+    for (const std::string part : {"density", "damping", "contact"})
+        if (const auto at = source.find("; " + part + ": "); at != std::string::npos)
+            source.replace(at, 2, "\n");
+    std::istringstream lines(source);
+    for (std::string line; std::getline(lines, line);)
+        std::cout << "    " << paragraph(line, 6);
+}
+
+void print(const Material& material, std::size_t nameWidth) {
     const auto& damping = material.damping;
-    const auto column = [](double value, int width) {
-        std::cout << std::setw(width) << value << ' ';
-    };
-    std::cout << std::left << std::setprecision(4) << std::setw(16) << material.name << ' ';
-    column(material.youngsModulusPa / 1e9, 7);
-    column(material.densityKgPerM3, 7);
-    column(material.poissonRatio, 6);
-    column(damping.fluidPerSecond, 9);
-    column(damping.lossFactor, 8);
-    column(damping.viscoelasticSeconds, 9);
-    std::cout << std::setprecision(3);
+    std::cout << leftColumn(material.name, nameWidth)
+              << rightColumn(numberText(material.youngsModulusPa / 1e9, 4), 6)
+              << rightColumn(numberText(material.densityKgPerM3, 5), 8)
+              << rightColumn(numberText(material.poissonRatio, 4), 6)
+              << rightColumn(numberText(damping.fluidPerSecond, 4), 7)
+              << rightColumn(numberText(damping.lossFactor, 4), 8)
+              << rightColumn(numberText(damping.viscoelasticSeconds * 1e6, 4), 7);
     for (const int hz : shownHz)
-        column(decaySeconds(material, hz), 7);
+        std::cout << rightColumn(numberText(decaySeconds(material, hz), 3), 7);
     std::cout << '\n';
-    if (!material.source.empty())
-        std::cout << "    " << material.source << '\n';
 }
 
-void print(std::span<const Material> materials) {
-    std::cout
-        << "                                         gamma     loss     eta       T60 in s at\n"
-           "                 E GPa   kg/m³   nu     1/s       factor   s         "
-           "440     1000    4000 Hz\n";
+/// In the units of the parameters of the custom material.
+void print(std::span<const Material> materials, bool withSources) {
+    std::size_t nameWidth = 16;
     for (const auto& material : materials)
-        print(material);
+        nameWidth = std::max(nameWidth, material.name.size() + 1);
+    std::cout << leftColumn("", nameWidth)
+              << " young density    nu  gamma    loss    eta  T60 in s at Hz\n"
+              << leftColumn("", nameWidth)
+              << "   GPa   kg/m³          1/s  factor     µs    440   1000   4000\n";
+    for (const auto& material : materials) {
+        print(material, nameWidth);
+        if (withSources)
+            printSource(material.source);
+    }
 }
 
-void listAll(bool json) {
+void listAll(const Options& options) {
     const auto library = materialLibrary();
     std::vector<Material> materials(library.begin(), library.end());
     const auto user = readMaterialFolder(userMaterialFolder());
     materials.insert(materials.end(), user.materials.begin(), user.materials.end());
-    if (json) {
+    if (options.json) {
         auto all = ordered_json::array();
         std::ranges::transform(materials, std::back_inserter(all), describeWithDecay);
         std::cout << jsonText(all);
     } else {
-        print(materials);
-        std::cout << "Materials of your own go into " << userMaterialFolder().string() << '\n';
+        print(materials, options.sources);
+        std::cout << "\n--sources says where the figures come from.\nMaterials of your own go into "
+                  << userMaterialFolder().string() << '\n';
     }
     for (const auto& fault : user.faults)
         std::cerr << "idiophone: " << fault.message << '\n';
@@ -80,7 +95,7 @@ void listAll(bool json) {
 
 Result<void> listMaterials(const Options& options) {
     if (options.material.empty()) {
-        listAll(options.json);
+        listAll(options);
         return {};
     }
     const auto material = findOrReadMaterial(options.material);
@@ -89,7 +104,7 @@ Result<void> listMaterials(const Options& options) {
     if (options.json)
         std::cout << jsonText(describeWithDecay(*material));
     else
-        print(std::span(&*material, 1));
+        print(std::span(&*material, 1), true);
     return {};
 }
 
@@ -99,6 +114,8 @@ void addMaterials(CLI::App& program, Action& chosen) {
     auto* command = program.add_subcommand("materials", "Lists the materials, or checks one");
     auto options = std::make_shared<Options>();
     command->add_option("MATERIAL", options->material, "A material's name or a JSON file");
+    command->add_flag("--sources", options->sources,
+                      "Says of all where their figures come from, as of one");
     command->add_flag("--json", options->json,
                       "As JSON: all in a list, or the one, which --material reads");
     command->final_callback(

@@ -1,6 +1,7 @@
 import json
 import math
 import pathlib
+import re
 import sys
 
 from console import OBJECTS, PROGRAM, ConsoleTest
@@ -61,6 +62,34 @@ class Lists(ConsoleTest):
             self.assertIn(material["name"], text)
             self.assertTrue(material["source"])
 
+    @staticmethod
+    def words(text):
+        return {word.rstrip(";") for word in text.split()}
+
+    def test_listings_keep_to_80_characters_a_line(self):
+        for listing in (("materials",), ("materials", "--sources"), ("parameters",)):
+            lines = self.succeed(*listing).stdout.splitlines()
+            settings = str(self.folder)  # where materials of one's own go, however long
+            self.assertLessEqual(max(len(line) for line in lines if settings not in line), 80)
+
+    def test_figures_of_materials_stand_under_their_heading(self):
+        lines = self.succeed("materials").stdout.splitlines()
+        materials = self.json("materials")
+        ends = [match.end() for match in re.finditer(r"\S+", lines[1])]
+        for material, line in zip(materials, lines[2:]):
+            self.assertTrue(line.startswith(material["name"] + " "))
+            shown = [float(line[from_:to].split()[-1]) for from_, to in zip(ends, ends[1:])]
+            self.assertAlmostEqual(shown[-1] / material["t60_s"]["4000"], 1, delta=0.005)
+            self.assertAlmostEqual(shown[0] / material["density_kg_per_m3"], 1, delta=1e-4)
+            self.assertAlmostEqual(shown[-4], material["viscoelastic_damping_s"] * 1e6, delta=1e-4)
+
+    def test_sources_are_told_where_they_are_asked_for(self):
+        plain, sourced = (self.succeed("materials", *options).stdout
+                          for options in ((), ("--sources",)))
+        self.assertNotIn("handbook", plain)
+        for material in self.json("materials"):
+            self.assertEqual(self.words(material["source"]) - self.words(sourced), set())
+
     def test_materials_are_told_with_decay_times_of_their_damping_law(self):
         for material in self.json("materials"):
             for hz in (440, 1000, 4000):
@@ -76,8 +105,9 @@ class Lists(ConsoleTest):
         self.assertEqual(self.json("materials", file), bronze)
         self.assertEqual(self.json("materials", "bell BRONZE"), bronze)
         text = self.succeed("materials", file).stdout
-        for figure in ("Bell bronze", "105", "8800", "0.0002", "25", "11", bronze["source"]):
+        for figure in ("Bell bronze", "105", "8800", "0.0002", "25", "11"):
             self.assertIn(figure, text)
+        self.assertEqual(self.words(bronze["source"]) - self.words(text), set())
 
     def test_a_material_told_as_json_is_one_that_objects_can_be_made_of(self):
         told = self.write("told.json", self.succeed("materials", "bell bronze", "--json").stdout)
@@ -108,6 +138,10 @@ class Lists(ConsoleTest):
             self.assertIn(parameter["id"], text)
             self.assertLessEqual(parameter["minimum"], parameter["default"])
             self.assertLessEqual(parameter["default"], parameter["maximum"])
+        row = next(line for line in text.splitlines() if line.startswith("tau "))
+        self.assertEqual(row.split()[1:6], ["0.001", "to", "1000", "steps", "0.1"])
+        for names in (p["choices"] for p in parameters if "choices" in p):
+            self.assertIn("; ".join(names), " ".join(text.split()))
         self.assertIn("Rosewood", next(p for p in parameters if p["id"] == "material")["choices"])
 
     def test_help_and_version_succeed(self):
