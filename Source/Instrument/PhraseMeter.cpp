@@ -32,9 +32,11 @@ void PhraseMeter::addMode(Note note,
                           double decay,
                           double release) noexcept {
     const double freeDecay = decay + release;
-    const double heldFall = std::expm1(-2 * decay * hopSeconds);
-    const double freeFall = std::expm1(-2 * freeDecay * hopSeconds);
-    const double perHop = note == Note::struck ? 1 : 1.0 / noteHops;
+    const double heldLost = -std::expm1(-2 * decay * hopSeconds);
+    const double freeLost = -std::expm1(-2 * freeDecay * hopSeconds);
+    const bool struck = note == Note::struck;
+    // Of what comes in at the start of a hop, or all through it.
+    const double addedLost = struck ? heldLost : 1 - heldLost / (2 * decay * hopSeconds);
     double held = 0, free = 0;
     for (std::size_t hop = 0; hop < phraseHops; ++hop) {
         const std::size_t index = hop / noteHops;
@@ -43,11 +45,13 @@ void PhraseMeter::addMode(Note note,
             free += held;
             held = 0;
         }
-        if (index < notes && (begins || note == Note::sustained))
-            held += powers[index] * perHop;
-        hopEnergies[hop] -= held * heldFall / (2 * decay) + free * freeFall / (2 * freeDecay);
-        held += held * heldFall;
-        free += free * freeFall;
+        double added = 0;
+        if (index < notes && (begins || !struck))
+            added = powers[index] / (struck ? 1 : noteHops);
+        hopEnergies[hop] +=
+            (held * heldLost + added * addedLost) / (2 * decay) + free * freeLost / (2 * freeDecay);
+        held += added - held * heldLost - added * addedLost;
+        free -= free * freeLost;
     }
 }
 

@@ -3,27 +3,29 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
 #include "Instrument/Player.h"
+#include "Instrument/Scatter.h"
 #include "IntegratedLufs.h"
-#include "Object/Mallet.h"
-#include "Object/Material.h"
 #include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
 
+#include <algorithm>
+#include <array>
+#include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 using namespace idiophone;
 using namespace idiophone::test;
 using enum ParameterId;
+using Catch::Approx;
 
 namespace {
 
 constexpr double sampleRateHz = 48000;
-
-constexpr std::size_t seeds = 8;
 
 double measuredLufs(const StereoSound& sound, double gainDb) {
     const auto gain = static_cast<float>(std::pow(10, gainDb / 20));
@@ -35,44 +37,58 @@ double measuredLufs(const StereoSound& sound, double gainDb) {
     return integratedLufs(interleaved, 2, sampleRateHz);
 }
 
-/// A preset played and measured, its keys doing what `kind` says.
+/// A preset played and measured, its keys doing what `kind` says. What a single take has of chance
+/// is not what is to be matched, so several are taken: strikes a little early or late, as what
+/// still rings meets them in one phase or another, scrapes and rolls from places all over the
+/// surface's profile, of which narrow modes hear but a few harmonics.
 class Rig {
 public:
-    explicit Rig(const Preset& preset, int kind, std::size_t players = 1)
+    explicit Rig(const Preset& preset, int kind, std::uint32_t takes = 1)
         : map(preset.keyMap), instrument(Instrument::build(map, ObjectLibrary::shared()).value()),
           own(preset.parameters) {
         own.set(contact, kind);
         own.set(matchLoudness, 1);
         match = std::make_unique<LoudnessMatch>(instrument, preset.surface, sampleRateHz, own);
-        for (std::size_t i = 0; i < players; ++i)
-            voices.push_back(std::make_unique<Player>(instrument, sampleRateHz, preset.surface,
-                                                      preset.seed + i));
+        for (std::uint32_t take = 0; take < takes; ++take)
+            voices.push_back(std::make_unique<Player>(
+                instrument, sampleRateHz, preset.surface,
+                strikes(own) ? preset.seed : preset.seed + seedsToNextPlace * take));
     }
 
-    /// Without any matching; the mean power of all players, each with a seed of its own.
+    /// Without any matching; the mean power of all takes.
     double loudness(ParameterValues parameters, double gainDb, int velocity = 100) {
         parameters.set(matchLoudness, 0);
         double power = 0;
-        for (auto& player : voices) {
-            player->reset();
-            const auto sound =
-                renderStereo(*player, loudnessPhrase(map, velocity, sampleRateHz),
-                             static_cast<std::size_t>(4.5 * sampleRateHz), 4800, parameters);
+        for (std::uint32_t take = 0; take < voices.size(); ++take) {
+            voices[take]->reset();
+            const auto sound = renderStereo(
+                *voices[take], phraseOf(take, velocity),
+                static_cast<std::size_t>(loudnessPhraseSeconds * sampleRateHz), 4800, parameters);
             power += std::pow(10, measuredLufs(sound, gainDb) / 10);
         }
         return 10 * std::log10(power / static_cast<double>(voices.size()));
     }
 
-    /// By how much a change is louder than the preset's own with the gain applied; nothing where
-    /// the gain is at its bound. Measured near −23 LUFS, far from the absolute gate.
-    std::optional<double> error(const ParameterValues& now, int velocity = 100) {
+    struct Error {
+        double matched;   ///< with the gain applied, how much louder than the preset's own
+        double predicted; ///< how much louder than predicted of that velocity
+    };
+
+    /// Nothing where the gain is at its bound. Measured near −23 LUFS, far from the absolute gate.
+    std::optional<Error> error(const ParameterValues& now, int velocity = 100) {
         if (velocity != ownVelocity)
             measureOwn(velocity);
         match->prepare(now);
         const double gain = match->gainDb();
         if (std::abs(gain) >= 40)
             return {};
-        return loudness(now, ownLevel + gain, velocity) - ownLoudness;
+        const auto level =
+            static_cast<std::size_t>(std::ranges::find(PhrasePrediction::velocities, velocity) -
+                                     PhrasePrediction::velocities.begin());
+        const double matched = loudness(now, ownLevel + gain, velocity) - ownLoudness;
+        const double predicted =
+            match->predictedLufs(now)[level] - match->predictedLufs(own)[level];
+        return Error{.matched = matched, .predicted = matched - gain - predicted};
     }
 
     void measureOwn(int velocity) {
@@ -92,6 +108,24 @@ public:
     double ownLevel = 0, ownLoudness = 0;
     std::unique_ptr<LoudnessMatch> match;
     std::vector<std::unique_ptr<Player>> voices;
+
+private:
+    /// Whose contacts begin so much further on that 16 spread evenly over the profile.
+    static constexpr std::uint32_t seedsToNextPlace = 60;
+
+    /// Strikes stray by up to 30 ms, but for those of the first take.
+    std::vector<MidiEvent> phraseOf(std::uint32_t take, int velocity) const {
+        auto events = loudnessPhrase(map, velocity, sampleRateHz);
+        const bool strays = take > 0 && strikes(own);
+        for (std::size_t note = 1; strays && note < PhraseMeter::notes; ++note) {
+            const double chance =
+                scatter(PhraseMeter::notes * take + static_cast<std::uint32_t>(note));
+            const int late = static_cast<int>(0.015 * (1 + chance) * sampleRateHz);
+            events[2 * note - 1].sampleOffset += late; // the end of the note before
+            events[2 * note].sampleOffset += late;
+        }
+        return events;
+    }
 };
 
 ParameterValues with(ParameterValues parameters, ParameterId parameter, double value) {
@@ -99,26 +133,63 @@ ParameterValues with(ParameterValues parameters, ParameterId parameter, double v
     return parameters;
 }
 
-void checkMaterials(const Preset& preset, int kind, std::size_t players, int velocity, double lu) {
-    Rig rig(preset, kind, players);
-    int choice = firstLibraryMaterial;
-    for (const auto& other : materialLibrary())
-        if (const auto error = rig.error(with(rig.own, material, choice++), velocity)) {
-            INFO(preset.name << ", " << other.name << ", velocity " << velocity << ": off by "
-                             << *error);
-            CHECK(std::abs(*error) <= lu);
-        }
+/// What spans materials from plastic to hard ceramic: three speeds of sound √(E/ρ), 1200, 3500 and
+/// 6000 m/s, each with three densities and dampings from a bell's to a soft wood's.
+struct MaterialFigures {
+    double youngsModulusGpa, densityKgPerM3, fluidPerSecond, viscoelasticMicroseconds, lossFactor;
+};
+constexpr std::array materialGrid{MaterialFigures{1.008, 700, 0.01, 0.0001, 1e-4},
+                                  MaterialFigures{3.744, 2600, 13, 0.3, 0},
+                                  MaterialFigures{12.24, 8500, 30, 1, 0},
+                                  MaterialFigures{31.85, 2600, 0.01, 0.0001, 1e-4},
+                                  MaterialFigures{104.1, 8500, 13, 0.3, 0},
+                                  MaterialFigures{8.575, 700, 30, 1, 0},
+                                  MaterialFigures{306, 8500, 0.01, 0.0001, 1e-4},
+                                  MaterialFigures{25.2, 700, 13, 0.3, 0},
+                                  MaterialFigures{93.6, 2600, 30, 1, 0}};
+
+/// Likewise mallets from felt to brass, light and heavy ones.
+struct MalletFigures {
+    double hardnessMpa, massGrams, radiusMillimetres;
+};
+constexpr std::array malletGrid{MalletFigures{1, 10, 10},     MalletFigures{1, 60, 25},
+                                MalletFigures{30, 10, 25},    MalletFigures{30, 60, 10},
+                                MalletFigures{1000, 10, 10},  MalletFigures{1000, 60, 25},
+                                MalletFigures{60000, 10, 25}, MalletFigures{60000, 60, 10}};
+
+ParameterValues of(const MaterialFigures& figures, ParameterValues parameters) {
+    parameters.set(material, customMaterial);
+    parameters.set(youngsModulus, figures.youngsModulusGpa);
+    parameters.set(density, figures.densityKgPerM3);
+    parameters.set(fluidDamping, figures.fluidPerSecond);
+    parameters.set(viscoelasticDamping, figures.viscoelasticMicroseconds);
+    parameters.set(lossFactor, figures.lossFactor);
+    return parameters;
 }
 
-void checkMallets(const Preset& preset, int velocity, double lu) {
-    Rig rig(preset, strikeContact);
-    int choice = firstRackMallet;
-    for (const auto& other : malletRack())
-        if (const auto error = rig.error(with(rig.own, mallet, choice++), velocity)) {
-            INFO(preset.name << ", " << other.name << ", velocity " << velocity << ": off by "
-                             << *error);
-            CHECK(std::abs(*error) <= lu);
+ParameterValues of(const MalletFigures& figures, ParameterValues parameters) {
+    parameters.set(mallet, customMallet);
+    parameters.set(malletHardness, figures.hardnessMpa);
+    parameters.set(malletMass, figures.massGrams);
+    parameters.set(malletRadius, figures.radiusMillimetres);
+    return parameters;
+}
+
+/// By how much the worst of a grid is off on a preset whose keys do what `kind` says.
+template <typename Grid>
+Rig::Error
+worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t takes, int velocity) {
+    Rig rig(preset, kind, takes);
+    Rig::Error worst{};
+    std::size_t compared = 0;
+    for (const auto& figures : grid)
+        if (const auto error = rig.error(of(figures, rig.own), velocity)) {
+            worst.matched = std::max(worst.matched, std::abs(error->matched));
+            worst.predicted = std::max(worst.predicted, std::abs(error->predicted));
+            ++compared;
         }
+    CHECK(2 * compared > grid.size());
+    return worst;
 }
 
 /// Of these values as they would be struck.
@@ -137,34 +208,64 @@ std::shared_ptr<const Instrument> synthetic(std::size_t modes) {
 
 } // namespace
 
-TEST_CASE("Strikes of every library material are within 2.4 LU of every factory preset's own, "
-          "gently, at velocity 100 and at 127") {
+TEST_CASE("Strikes of another material are within 2.4 LU of every factory preset's own, gently, at "
+          "velocity 100 and at 127") {
+    for (const auto& preset : keyedFactoryPresets())
+        for (const int velocity : PhrasePrediction::velocities) {
+            INFO(preset.name << ", velocity " << velocity);
+            CHECK(worstOf(materialGrid, preset, strikeContact, 4, velocity).matched < 2.4);
+        }
+}
+
+TEST_CASE("Strikes of another mallet are within 3.1 LU of every factory preset's own at velocity "
+          "100, and within 2 LU of what is predicted of them at any") {
+    for (const auto& preset : keyedFactoryPresets())
+        for (const int velocity : PhrasePrediction::velocities) {
+            INFO(preset.name << ", velocity " << velocity);
+            const auto worst = worstOf(malletGrid, preset, strikeContact, 4, velocity);
+            CHECK(worst.predicted < 2);
+            if (velocity == 100)
+                CHECK(worst.matched < 3.1);
+        }
+}
+
+TEST_CASE("The gain is the mean of what the velocities ask for, but within 1.5 dB of the middle "
+          "one's") {
+    std::size_t means = 0, bounded = 0;
     for (const auto& preset : keyedFactoryPresets()) {
-        for (const int velocity : PhrasePrediction::velocities)
-            checkMaterials(preset, strikeContact, 1, velocity, 2.4);
+        Rig rig(preset, strikeContact);
+        const auto wanted = rig.match->predictedLufs(rig.own);
+        for (const auto& figures : malletGrid) {
+            const auto now = of(figures, rig.own);
+            auto gains = rig.match->predictedLufs(now);
+            for (std::size_t level = 0; level < gains.size(); ++level)
+                gains[level] = wanted[level] - gains[level];
+            const double mean = std::reduce(gains.begin(), gains.end()) / 3;
+            const double middle = gains[PhrasePrediction::middleVelocity];
+            const double expected = std::clamp(mean, middle - 1.5, middle + 1.5);
+            ++(expected == mean ? means : bounded);
+            rig.match->prepare(now);
+            CHECK(rig.match->gainDb() == Approx(std::clamp(expected, -40.0, 40.0)));
+        }
+    }
+    CHECK(means > 20);
+    CHECK(bounded > 20);
+}
+
+TEST_CASE("Scrapes of another material are within 2 LU of every factory preset's own, in the mean "
+          "over places on the surface") {
+    for (const auto& preset : keyedFactoryPresets()) {
+        INFO(preset.name);
+        CHECK(worstOf(materialGrid, preset, scrapeContact, 16, 100).matched < 2);
     }
 }
 
-TEST_CASE(
-    "Every mallet of the rack is within 3.1 LU of every factory preset's own at velocity 100, "
-    "5.2 LU at 127 and 16.7 LU at 40, where long contacts have their nulls at other keys") {
+TEST_CASE("Rolls of another material are within 2.3 LU of every factory preset's own, in the mean "
+          "over places on the surface") {
     for (const auto& preset : keyedFactoryPresets()) {
-        checkMallets(preset, 100, 3.1);
-        checkMallets(preset, 127, 5.2);
-        checkMallets(preset, 40, 16.7);
+        INFO(preset.name);
+        CHECK(worstOf(materialGrid, preset, rollContact, 16, 100).matched < 2.3);
     }
-}
-
-TEST_CASE("Scrapes of every library material are within 2.5 LU of every factory preset's own, in "
-          "the mean over places on the surface") {
-    for (const auto& preset : keyedFactoryPresets())
-        checkMaterials(preset, scrapeContact, seeds, 100, 2.5);
-}
-
-TEST_CASE("Rolls of every library material are within 2.3 LU of every factory preset's own, in "
-          "the mean over places on the surface") {
-    for (const auto& preset : keyedFactoryPresets())
-        checkMaterials(preset, rollContact, seeds, 100, 2.3);
 }
 
 TEST_CASE("A cell's work on the gain is at most 16 modes, and all of it two predictions") {
