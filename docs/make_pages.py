@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The manual's pages of parameters and presets, from what the program says of itself: `./dev pages`.
+"""The manual's pages of parameters, presets and mallets, from what the program has: `./dev pages`.
 
     python3 docs/make_pages.py build/release/Source/Console/idiophone
 """
@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 FOLDER = pathlib.Path(__file__).parent / "manual"
+RACK = pathlib.Path(__file__).parents[1] / "Resources/Mallets/mallets.json"
 
 PARAMETERS = """# Parameters
 
@@ -28,6 +29,14 @@ The factory's, by their program numbers. Many hosts show the first as 1. Keys ar
 
 | program | preset | keys | what it is |
 |---|---|---|---|
+"""
+MALLETS = """# Mallets
+
+The rack, as the parameter `mallet` has it after *Custom*. [How contact times follow](../presets.md#mallets). This page is made by
+`./dev pages`.
+
+| mallet | mass, g | radius, mm | E* of the head, MPa | where the figures come from |
+|---|---|---|---|---|
 """
 
 
@@ -57,13 +66,23 @@ def presets_page(presets):
     return PRESETS + "".join(map(preset_row, presets))
 
 
+def mallet_row(mallet):
+    return (f"| {mallet['name']} | {mallet['mass_kg'] * 1e3:g} | {mallet['head_radius_m'] * 1e3:g} | "
+            f"{mallet['effective_modulus_pa'] * 1e-6:g} | {mallet['source']} |\n")
+
+
+def mallets_page(mallets):
+    return MALLETS + "".join(map(mallet_row, mallets))
+
+
 def pages(console):
     """The text of each page, by its file."""
     def said(list_name):
         return json.loads(subprocess.run([console, list_name, "--json"], check=True,
                                          capture_output=True).stdout)
     return {FOLDER / "parameters.md": parameters_page(said("parameters")),
-            FOLDER / "presets.md": presets_page(said("presets"))}
+            FOLDER / "presets.md": presets_page(said("presets")),
+            FOLDER / "mallets.md": mallets_page(json.loads(RACK.read_text())["mallets"])}
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ struct BarInstrument {
     std::string barName(int midiNote) const;
 };
 
-/// Rosewood and padauk xylophone, marimba, vibraphone, glockenspiel and stones.
+/// All of them.
 std::span<const BarInstrument> barInstruments();
 
 /// The instrument of that name, or nullptr.

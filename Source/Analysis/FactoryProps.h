@@ -1,5 +1,5 @@
-// What falls, rolls and is fallen upon in the factory's scenes: rings, dice, a cylinder, a table,
-// from generated meshes. docs/scenes.md has their measures.
+// What falls, rolls and is fallen upon in the factory's scenes, from generated meshes.
+// docs/scenes.md has their measures.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// "small-ring", "long-table", "cylinder", "floor", "die", "pebble" and "washboard".
+/// "die" and so on.
 std::vector<std::string> factoryPropNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

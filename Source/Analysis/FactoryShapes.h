@@ -10,8 +10,7 @@
 
 namespace idiophone {
 
-/// "plate", "ring", "handbell", "glass-bowl", "wok", "table", "shell-case", and "tubular-bell-60"
-/// to "tubular-bell-77".
+/// "plate" and so on; of a keyboard of tubes one for each note, "tubular-bell-60".
 std::vector<std::string> factoryShapeNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

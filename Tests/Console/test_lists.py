@@ -10,7 +10,7 @@ DOCS = pathlib.Path(__file__).parents[2] / "docs"
 
 
 class Lists(ConsoleTest):
-    def test_the_manuals_parameters_and_presets_are_those_of_the_program(self):
+    def test_the_manuals_parameters_presets_and_mallets_are_those_of_the_program(self):
         sys.path.insert(0, str(DOCS))
         from make_pages import pages
         for file, text in pages(PROGRAM).items():

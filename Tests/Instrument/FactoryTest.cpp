@@ -46,10 +46,8 @@ std::vector<float> renderBoth(Player& player,
 
 TEST_CASE("Every factory preset is complete and builds an instrument") {
     auto presets = keyedFactoryPresets();
-    REQUIRE(std::ranges::distance(presets) >= 3);
     CHECK(presets.front().name == "Rosewood Xylophone");
     std::set<std::string> names;
-    std::set<KeyMapKind> kinds;
     for (const auto& preset : presets) {
         INFO(preset.name);
         CHECK(names.insert(preset.name).second);
@@ -58,33 +56,34 @@ TEST_CASE("Every factory preset is complete and builds an instrument") {
         CHECK(preset.unknownParameters.empty());
         CHECK(Instrument::build(preset.keyMap, ObjectLibrary::shared()));
         CHECK(findFactoryPreset(preset.name) == &preset);
-        kinds.insert(preset.keyMap.kind);
     }
-    CHECK(kinds.size() == 3);
     CHECK(findFactoryPreset("no such preset") == nullptr);
 }
 
 TEST_CASE("Every key of every instrument of bars sounds within 1 cent of equal temperament") {
-    for (const char* name : {"Rosewood Xylophone", "Padauk Xylophone", "Marimba", "Vibraphone",
-                             "Glockenspiel", "Stones"}) {
-        const auto* preset = findFactoryPreset(name);
-        REQUIRE(preset != nullptr);
+    std::set<std::string> objects;
+    for (const auto& preset : keyedFactoryPresets()) {
+        // Of tubular bells no mode has the pitch (TubeTuningTest).
+        if (preset.keyMap.kind != KeyMapKind::bars || preset.name == "Tubular Bells" ||
+            !objects.insert(preset.keyMap.object).second)
+            continue;
         // Compression merges one fundamental with a twisting mode 2.5 Hz off, by a cent.
-        auto parameters = preset->parameters;
+        auto parameters = preset.parameters;
         parameters.set(ParameterId::compression, 0);
-        for (int note = preset->keyMap.lowestNote; note <= preset->keyMap.highestNote; ++note) {
-            auto player = playerFor(*preset);
+        for (int note = preset.keyMap.lowestNote; note <= preset.keyMap.highestNote; ++note) {
+            auto player = playerFor(preset);
             const auto sound =
                 renderStereo(*player, {midi(0, 0x90, note, 100)}, 14400, 480, parameters);
             const double expectedHz = 440 * std::exp2((note - 69) / 12.0);
             for (const auto* channel : {&sound.left, &sound.right}) {
                 const auto pole = fitPole(*channel, sampleRateHz, expectedHz, 0.04);
-                INFO(name << ", note " << note << ": " << pole.frequencyHz << " Hz for "
-                          << expectedHz);
+                INFO(preset.name << ", note " << note << ": " << pole.frequencyHz << " Hz for "
+                                 << expectedHz);
                 CHECK(std::abs(cents(pole.frequencyHz, expectedHz)) < 1);
             }
         }
     }
+    CHECK(objects.size() >= 6);
 }
 
 TEST_CASE("Radiation parts left and right of every factory preset, by no more than 12 dB") {
