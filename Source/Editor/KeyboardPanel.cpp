@@ -2,6 +2,7 @@
 
 #include "Editor/Look.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace idiophone {
@@ -19,6 +20,45 @@ int whiteKeys(int lowest, int highest) {
 }
 
 } // namespace
+
+int computerKeysBase(ProcessorView::KeyRange range) {
+    constexpr int keys = 17; // A to ;
+    const auto reached = [&](int base) {
+        return std::min(range.highest, base + keys - 1) - std::max(range.lowest, base);
+    };
+    const int below = range.lowest - range.lowest % 12;
+    return reached(below + 12) > reached(below) ? below + 12 : below;
+}
+
+void KeyboardPanel::Keys::drawWhiteNote(int note,
+                                        juce::Graphics& g,
+                                        juce::Rectangle<float> area,
+                                        bool isDown,
+                                        bool isOver,
+                                        juce::Colour lineColour,
+                                        juce::Colour textColour) {
+    MidiKeyboardComponent::drawWhiteNote(note, g, area, isDown, isOver, lineColour, textColour);
+    greyUnlessPlayed(note, g, area);
+}
+
+void KeyboardPanel::Keys::drawBlackNote(int note,
+                                        juce::Graphics& g,
+                                        juce::Rectangle<float> area,
+                                        bool isDown,
+                                        bool isOver,
+                                        juce::Colour fillColour) {
+    MidiKeyboardComponent::drawBlackNote(note, g, area, isDown, isOver, fillColour);
+    greyUnlessPlayed(note, g, area);
+}
+
+void KeyboardPanel::Keys::greyUnlessPlayed(int note,
+                                           juce::Graphics& g,
+                                           juce::Rectangle<float> area) const {
+    if (note >= range.lowest && note <= range.highest)
+        return;
+    g.setColour(juce::Colour(0xa0808286));
+    g.fillRect(area);
+}
 
 KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
     keyboard.setScrollButtonsVisible(false);
@@ -64,8 +104,19 @@ void KeyboardPanel::showRange() {
         ++highest;
     state.allNotesOff(0);
     keyboard.setAvailableRange(lowest, highest);
-    keyboard.setKeyPressBaseOctave(lowest / 12);
+    baseNote = computerKeysBase(range);
+    keyboard.setKeyPressBaseOctave(baseNote / 12);
     resized();
+    keyboard.repaint();
+}
+
+void KeyboardPanel::shiftComputerKeys(int octaves) {
+    const int shifted = baseNote + 12 * octaves;
+    if (shifted < lowest || shifted > highest)
+        return;
+    releaseKeys();
+    baseNote = shifted;
+    keyboard.setKeyPressBaseOctave(baseNote / 12);
 }
 
 void KeyboardPanel::resized() {

@@ -7,6 +7,9 @@
 
 namespace idiophone {
 
+/// The C from which the computer's keys, an octave and a half, reach most of a range of notes.
+int computerKeysBase(ProcessorView::KeyRange range);
+
 class KeyboardPanel final : public juce::Component, private juce::MidiKeyboardState::Listener {
 public:
     explicit KeyboardPanel(ProcessorView& view);
@@ -19,6 +22,8 @@ public:
     bool followKeys(bool isDown) { return keyboard.keyStateChanged(isDown); }
     /// As when it loses the focus: what the computer's keys hold is let go.
     void releaseKeys() { keyboard.focusLost(focusChangedDirectly); }
+    /// The computer's keys play so many octaves higher, within the keys that are shown.
+    void shiftComputerKeys(int octaves);
 
     void resized() override;
     void lookAndFeelChanged() override;
@@ -27,13 +32,40 @@ private:
     void handleNoteOn(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
     void handleNoteOff(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
 
+    /// Those that play nothing are greyed.
+    class Keys final : public juce::MidiKeyboardComponent {
+    public:
+        explicit Keys(KeyboardPanel& panel)
+            : MidiKeyboardComponent(panel.state, horizontalKeyboard), range(panel.shown) {}
+
+        void drawWhiteNote(int note,
+                           juce::Graphics& g,
+                           juce::Rectangle<float> area,
+                           bool isDown,
+                           bool isOver,
+                           juce::Colour lineColour,
+                           juce::Colour textColour) override;
+        void drawBlackNote(int note,
+                           juce::Graphics& g,
+                           juce::Rectangle<float> area,
+                           bool isDown,
+                           bool isOver,
+                           juce::Colour fillColour) override;
+
+    private:
+        void greyUnlessPlayed(int note, juce::Graphics& g, juce::Rectangle<float> area) const;
+
+        const ProcessorView::KeyRange& range;
+    };
+
     void showRange();
 
     ProcessorView& view;
     ProcessorView::KeyRange shown{.lowest = -1, .highest = -1};
     int lowest = 0, highest = 127; ///< of the keys drawn
+    int baseNote = 0;              ///< of the computer's keys
     juce::MidiKeyboardState state; // never seen by the audio thread: it locks
-    juce::MidiKeyboardComponent keyboard{state, juce::MidiKeyboardComponent::horizontalKeyboard};
+    Keys keyboard{*this};
 };
 
 } // namespace idiophone

@@ -1,0 +1,44 @@
+// The keyboard at the window's foot: which keys play, and where the computer's keys lie on it.
+#include "Editor/KeyboardPanel.h"
+
+#include "Editor/Look.h"
+#include "Instrument/FactoryContent.h"
+#include "Plugin/Processor.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+
+TEST_CASE("With every preset the computer's keys from A to L play at once") {
+    constexpr int fromAToL = 14; // half steps above A
+    for (const auto& preset : factoryPresets()) {
+        const auto& map = preset.keyMap;
+        INFO(preset.name);
+        const int base = computerKeysBase({.lowest = map.lowestNote, .highest = map.highestNote});
+        CHECK(base % 12 == 0);
+        CHECK(base >= map.lowestNote);
+        CHECK(base + fromAToL <= map.highestNote);
+    }
+    CHECK(computerKeysBase({.lowest = 0, .highest = 127}) == 0);
+    CHECK(computerKeysBase({.lowest = 61, .highest = 73}) == 60); // of which 72 has but two
+    CHECK(computerKeysBase({.lowest = 121, .highest = 127}) == 120);
+}
+
+TEST_CASE("Keys that play nothing are told from those that do, in both looks") {
+    Processor processor; // with the rosewood xylophone, of which C4 to E4 are silent
+    for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
+        Look look(scheme);
+        KeyboardPanel panel(processor);
+        panel.setLookAndFeel(&look);
+        panel.setBounds(0, 0, 29 * 40, 100);
+        const auto picture = panel.createComponentSnapshot(panel.getLocalBounds());
+        const auto brightness = [&](int x, int y) {
+            return picture.getPixelAt(x, y).getPerceivedBrightness();
+        };
+        constexpr int foot = 80, rim = 66; // of white and of black keys
+        CHECK(brightness(20, foot) < 0.8f * brightness(3 * 40 + 20, foot)); // C4, F4
+        CHECK(brightness(40, rim) > 1.5f * brightness(4 * 40, rim));        // C♯4, F♯4
+        panel.setLookAndFeel(nullptr);
+    }
+}
