@@ -32,6 +32,15 @@ juce::String firstReadable(const juce::StringArray& files, const ProcessorView& 
     return {};
 }
 
+std::string refusalOf(const juce::File& file) {
+    const auto reason =
+        file.hasFileExtension("json")
+            ? "presets belong in the folder that the preset browser shows, materials in Materials "
+              "beside it, and a preset names the scene that it plays."
+            : "it is none of .obj, .off, .ply, .stl, .modal, .scl and .kbm.";
+    return (file.getFileName().quoted() + " is not opened here: " + reason).toStdString();
+}
+
 } // namespace
 
 EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& processorView)
@@ -116,7 +125,17 @@ void EditorWindow::setBrowsing(bool browses) {
 bool EditorWindow::keyPressed(const juce::KeyPress& key) {
     if (key.isKeyCode(juce::KeyPress::tabKey))
         focusRing.tabPressed();
-    return presets.handleKey(key) || AudioProcessorEditor::keyPressed(key);
+    return presets.handleKey(key) || shiftsComputerKeys(key) ||
+           AudioProcessorEditor::keyPressed(key);
+}
+
+bool EditorWindow::shiftsComputerKeys(const juce::KeyPress& key) {
+    const auto letter = juce::CharacterFunctions::toLowerCase(key.getTextCharacter());
+    if (!juce::JUCEApplicationBase::isStandaloneApp() || (letter != 'z' && letter != 'x') ||
+        key.getModifiers().isAnyModifierKeyDown())
+        return false;
+    keyboard.shiftComputerKeys(letter == 'z' ? -1 : 1);
+    return true;
 }
 
 // Whatever has the focus, the keys of the computer play where it does not want them. In a host they
@@ -165,7 +184,7 @@ void EditorWindow::setBusy(bool busy) {
 }
 
 bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
-    return !firstReadable(files, view).isEmpty();
+    return !files.isEmpty(); // what cannot be opened is answered, too
 }
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
@@ -180,7 +199,7 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     dropFrame.show({});
     const auto file = firstReadable(files, view);
     if (file.isEmpty())
-        return;
+        return view.reportError(refusalOf(juce::File(files[0])));
     const bool isTuning = view.isTuningFile(pathOf(file));
     if (isTuning) // a scale and its mapping come together
         for (const auto& each : files) {

@@ -91,10 +91,11 @@ int PageDeck::widthFor(int count) {
 }
 
 void PageDeck::show(int page) {
-    if (page < 0 || page >= pageCount() || (page >= first && page < first + shown))
+    if (page < 0 || page >= pageCount())
         return;
-    first = page < first ? page : page - shown + 1;
-    arrange();
+    chosen = page;
+    if (page < first || page >= first + shown)
+        arrange();
 }
 
 void PageDeck::resized() {
@@ -105,7 +106,8 @@ void PageDeck::arrange() {
     if (pages.empty())
         return;
     shown = std::clamp((getWidth() + gap) / (DeckPage::leastWidth + gap), 1, pageCount());
-    first = std::clamp(first, 0, pageCount() - shown);
+    first =
+        std::clamp(first, std::max(chosen - shown + 1, 0), std::min(chosen, pageCount() - shown));
     auto area = getLocalBounds();
     auto strip = area.removeFromTop(tabHeight);
     const auto widths = tabWidths(strip.getWidth());

@@ -26,7 +26,7 @@ public:
     /// How wide the deck is that shows this many pages, at their least.
     static int widthFor(int pages);
     int pageCount() const { return static_cast<int>(pages.size()); }
-    /// Of those shown the leftmost. What does not exist is ignored.
+    /// Brings the page in sight, where it stays at every width. What does not exist is ignored.
     void show(int page);
 
     void paint(juce::Graphics& g) override;
@@ -41,7 +41,7 @@ private:
     std::vector<std::unique_ptr<DeckPage>> pages;
     std::vector<std::unique_ptr<Tab>> tabs;
     std::vector<juce::Rectangle<int>> backs;
-    int first = 0, shown = 1;
+    int first = 0, shown = 1, chosen = 0;
 };
 
 } // namespace idiophone

@@ -149,12 +149,12 @@ TEST_CASE("An object that came with a preset is analysed anew when asked, not by
     p.processor.cancelImport();
 }
 
-TEST_CASE("Files that can be read are taken by the window, wherever they are dropped") {
+TEST_CASE("Files are taken wherever they are dropped; of what cannot be opened it is said") {
     Processor processor;
     const std::unique_ptr<juce::AudioProcessorEditor> editor(processor.createEditor());
     auto& window = dynamic_cast<EditorWindow&>(*editor);
     const auto file = juce::String(smallPlateFile("plate.obj", 1).string());
-    CHECK_FALSE(window.isInterestedInFileDrag({"song.mid"}));
+    window.setSize(1180, 860);
     CHECK(window.isInterestedInFileDrag({"song.mid", file}));
     window.fileDragEnter({file}, 10, 10);
     window.fileDragExit({file});
@@ -164,8 +164,19 @@ TEST_CASE("Files that can be read are taken by the window, wherever they are dro
     finish(processor);
     CHECK(processor.importStatus().stage == ImportStage::done);
     CHECK(part<ImportPage>(window, "").isVisible());
-    window.filesDropped({"song.mid"}, 10, 10);
-    CHECK(processor.importStatus().stage == ImportStage::done);
+    window.setSize(EditorWindow::leastWidth, EditorWindow::leastHeight);
+    CHECK(part<ImportPage>(window, "").isVisible());
+
+    for (const auto* refused : {"song.mid", "coins.json", "folder"}) {
+        INFO(refused);
+        const auto path = juce::File::getCurrentWorkingDirectory().getChildFile(refused);
+        REQUIRE(window.isInterestedInFileDrag({path.getFullPathName()}));
+        window.filesDropped({path.getFullPathName()}, 10, 10);
+        CHECK(processor.importStatus().stage == ImportStage::done);
+        const auto status = processor.takeStatus();
+        CHECK(status.isError);
+        CHECK(status.sentence.starts_with('"' + std::string(refused) + '"'));
+    }
 }
 
 TEST_CASE("A page that nothing happens on repaints nothing, and no text of its buttons is cut") {
