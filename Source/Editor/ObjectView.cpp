@@ -68,11 +68,12 @@ void ObjectView::newScene() {
         camera.lookAt(bodies.empty() ? scene->outline() : scene->outline(bodies));
     glowMetres = glowShare * scene->radius();
     path.paths.clear();
+    const bool keysLieAlongPath = view.keyLayout() == KeyLayout::zones;
     for (std::size_t i = 0; i < played.size() && !onStage; ++i) {
         PathOverlay::Path line;
         for (const auto& place : view.struckPlaces(i))
             line.places.push_back(scene->placeOf(i, place));
-        if (played[i].highestNote > played[i].lowestNote) {
+        if (keysLieAlongPath && played[i].highestNote > played[i].lowestNote) {
             line.lowestKey =
                 juce::MidiMessage::getMidiNoteName(played[i].lowestNote, true, true, 4);
             line.highestKey =
@@ -138,7 +139,7 @@ void ObjectView::setShowsNodes(bool shows) {
 
 void ObjectView::setShowsPath(bool shows) {
     showsPath = shows;
-    cameraMoved();
+    repaint();
 }
 
 void ObjectView::setDrawsPath(bool draws) {

@@ -13,6 +13,18 @@ constexpr int leastListHeight = 60; ///< with less, a form has the place alone
 
 } // namespace
 
+void PresetBrowser::Search::paintOverChildren(juce::Graphics& g) {
+    constexpr int besideCaret = 4;
+    TextEditor::paintOverChildren(g);
+    if (!isEmpty() || !hasKeyboardFocus(false))
+        return;
+    g.setColour(juce::Colours::grey);
+    g.setFont(getFont());
+    g.drawText(getTextToShowWhenEmpty(),
+               getLocalBounds().withTrimmedLeft(getLeftIndent() + besideCaret),
+               juce::Justification::centredLeft, true);
+}
+
 PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     setTitle("Preset browser");
     setFocusContainerType(FocusContainerType::keyboardFocusContainer);

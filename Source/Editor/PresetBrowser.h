@@ -45,12 +45,14 @@ private:
     void arrangeHint();
     const ShelvedPreset* selected() const;
 
-    /// Leaves to the browser the keys that go through the list.
+    /// Leaves to the browser the keys that go through the list. It has the focus from the start, in
+    /// which a text editor hides its hint.
     class Search final : public juce::TextEditor {
     public:
         bool keyPressed(const juce::KeyPress& key) override {
             return !movesInList(key) && TextEditor::keyPressed(key);
         }
+        void paintOverChildren(juce::Graphics& g) override;
     };
     static bool movesInList(const juce::KeyPress& key);
 

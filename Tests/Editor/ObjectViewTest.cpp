@@ -174,6 +174,32 @@ TEST_CASE("A click on the picture of a bar sounds that bar; a click beside it so
     view.lift();
 }
 
+TEST_CASE("The strike path is painted anew as it is shown and as it is hidden") {
+    struct Count final : juce::CachedComponentImage {
+        explicit Count(int& counted) : invalidations(counted) {}
+        void paint(juce::Graphics&) override {}
+        bool invalidateAll() override { return invalidate({}); }
+        bool invalidate(const juce::Rectangle<int>&) override {
+            ++invalidations;
+            return false;
+        }
+        void releaseResources() override {}
+
+        int& invalidations;
+    };
+    Processor processor;
+    ObjectView view(processor);
+    view.setBounds(0, 0, 900, 300);
+    view.setVisible(true);
+    int invalidations = 0;
+    view.setCachedComponentImage(new Count(invalidations)); // which the component owns
+    for (const bool shows : {true, false}) {
+        const int before = invalidations;
+        view.setShowsPath(shows);
+        CHECK(invalidations > before);
+    }
+}
+
 TEST_CASE("A path that is being drawn when another sound is loaded is drawn on neither") {
     Processor processor;
     processor.setCurrentProgram(presetNumber("Steel Plate"));
