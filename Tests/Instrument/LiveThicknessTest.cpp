@@ -4,6 +4,7 @@
 #include "Instrument/Player.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
+#include "Support/WithParameter.h"
 #include "TestInstruments.h"
 
 #include <algorithm>
@@ -25,11 +26,6 @@ std::shared_ptr<const Instrument> sheetUnderKeys(double ratio, bool isLive) {
     if (isLive)
         object.bending = object.eigenvalues;
     return keysOn(std::move(object), KeyMapKind::zones, 48, 72);
-}
-
-ParameterValues with(ParameterValues parameters, ParameterId parameter, double value) {
-    parameters.set(parameter, value);
-    return parameters;
 }
 
 /// The worst difference of a sheet twice as thick from half of one an octave higher, by the peak.

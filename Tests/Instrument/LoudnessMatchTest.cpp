@@ -7,6 +7,7 @@
 #include "IntegratedLufs.h"
 #include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"
+#include "Support/WithParameter.h"
 #include "TestInstruments.h"
 
 #include <algorithm>
@@ -127,11 +128,6 @@ private:
         return events;
     }
 };
-
-ParameterValues with(ParameterValues parameters, ParameterId parameter, double value) {
-    parameters.set(parameter, value);
-    return parameters;
-}
 
 /// What spans materials from plastic to hard ceramic: three speeds of sound √(E/ρ), 1200, 3500 and
 /// 6000 m/s, each with three densities and dampings from a bell's to a soft wood's.

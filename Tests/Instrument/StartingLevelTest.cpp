@@ -6,6 +6,7 @@
 #include "Instrument/LoudestBlow.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/SpreadNotes.h"
+#include "Support/WithParameter.h"
 #include "TestInstruments.h"
 
 #include <catch2/catch_approx.hpp>
@@ -27,9 +28,7 @@ std::shared_ptr<const Instrument> sheet(float gain) {
 }
 
 ParameterValues still() {
-    ParameterValues values;
-    values.set(strikeSpread, 0);
-    return values;
+    return with({}, strikeSpread, 0);
 }
 
 } // namespace
@@ -64,8 +63,7 @@ TEST_CASE("A starting level makes sheets that differ in loudness alike, and is n
 }
 
 TEST_CASE("What does not sound keeps its level and its mallet has nothing to win") {
-    auto values = still();
-    values.set(level, -7);
+    const auto values = with(still(), level, -7);
     CHECK(startingLevel(sheet(0), {}, sampleRateHz, values) == -7);
     CHECK(withAudibleMallet(sheet(0), {}, sampleRateHz, values) == values);
     CHECK(withAudibleMallet(sheet(4), {}, sampleRateHz, values) == values);
@@ -83,11 +81,9 @@ TEST_CASE("Hands scrape stronger where scrapes are fainter beside blows, and ali
     CHECK(strengths[0] > 1);
     // A blow and a scrape are both heard through the same shapes.
     CHECK(handStrengths(sheet(2), {}, sampleRateHz, still())[0] == Approx(strengths[0]));
-    auto harder = still();
-    harder.set(malletSpeed, 2 * harder[malletSpeed]);
+    const auto harder = with(still(), malletSpeed, 2 * still()[malletSpeed]);
     CHECK(handStrengths(sheet(1), {}, sampleRateHz, harder)[0] > 1.5 * strengths[0]);
-    auto rolls = still();
-    rolls.set(contact, rollContact);
+    const auto rolls = with(still(), contact, rollContact);
     CHECK(handStrengths(sheet(1), {}, sampleRateHz, rolls)[0] == 1);
     CHECK(handStrengths(sheet(0), {}, sampleRateHz, still())[0] == 1);
 }
