@@ -22,10 +22,11 @@ struct ImportSettings {
     bool operator==(const ImportSettings&) const = default;
 };
 
-/// How the job stands that was asked for last.
+/// How the job stands that was asked for last, while nothing else plays than before it or what came
+/// of it.
 struct ImportStatus {
     enum class Stage {
-        none,      ///< nothing was opened yet
+        none,      ///< what plays did not come from a file here
         working,   ///< the sound is as it was
         previewed, ///< working, and a preview of the object plays
         done,      ///< the object plays
@@ -37,7 +38,7 @@ struct ImportStatus {
     std::string fileName; ///< without its folder
     /// The mesh opened last is in memory, and nothing else was loaded since.
     bool followsSettings = false;
-    ImportSettings settings; ///< in force
+    ImportSettings settings; ///< in force: given, or of a single object that was loaded since
     double progress = 0;     ///< 0 to 1
     std::string step;        ///< what is being done, such as "Solving for modes"
     std::string error;       ///< a sentence

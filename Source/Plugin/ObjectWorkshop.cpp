@@ -43,6 +43,13 @@ Result<Choices> choicesOf(const ImportSettings& settings) {
     return Choices{.material = std::move(*material), .method = method};
 }
 
+/// A sentence of a reader's for the window, which has little room: the file without its folder.
+std::string withoutFolder(const std::string& sentence, const std::filesystem::path& file) {
+    if (file.empty())
+        return sentence;
+    return fromUtf8(sentence).replace(textOf(file), fromUtf8(fileNameOf(file))).toStdString();
+}
+
 } // namespace
 
 ObjectWorkshop::~ObjectWorkshop() {
@@ -157,7 +164,7 @@ void ObjectWorkshop::run() {
         try {
             const auto made = make(*job);
             if (!made)
-                fail(*job, made.error().message);
+                fail(*job, withoutFolder(made.error().message, job->file));
         } catch (const std::exception& fault) {
             fail(*job,
                  fileNameOf(job->file) + ": it cannot be made an object: " + fault.what() + ".");

@@ -174,6 +174,7 @@ private:
     void beginImport(int number);
     bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
+    void followLoadedObject();
     void playProduct(const ObjectWorkshop::Product& product);
     void renewHistory(const ModalObject& preview,
                       const KeyMap& wholeMap,
@@ -204,6 +205,8 @@ private:
     ImportSettings importSettings;
     int importLoads = -1; ///< number of the load that the workshop's job began from or led to
     bool importFailureShown = true;
+    std::weak_ptr<const ModalObject> imported; ///< the workshop's last that played
+    int settingsLoads = -1; ///< number of the load that `importSettings` took notice of
 
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;

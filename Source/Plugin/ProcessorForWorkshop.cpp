@@ -4,6 +4,7 @@
 #include "Geometry/ObjectMesh.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Instrument/StartingLevel.h"
+#include "Object/MaterialFile.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
@@ -39,6 +40,16 @@ std::optional<KeyLayout> layoutOf(const std::shared_ptr<const Instrument>& instr
     }
 }
 
+/// What the object is heard to be made of, where that is a material of the library's or the user's;
+/// else nothing.
+std::optional<std::string> knownMaterial(const ModalObject& object, const ParameterValues& values) {
+    const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
+    const auto names = choiceNames(ParameterId::material);
+    const bool isOfLibrary = chosen >= firstLibraryMaterial && chosen < names.size();
+    const std::string name = isOfLibrary ? std::string(names[chosen]) : object.material.name;
+    return findAnyMaterial(name) ? std::optional(name) : std::nullopt;
+}
+
 bool isStruck(const ParameterValues& values) {
     return static_cast<int>(values[ParameterId::contact]) == strikeContact;
 }
@@ -65,13 +76,30 @@ bool Processor::canAnalyseAgain() const {
     return followsImportSettings() || keyLayout().has_value();
 }
 
+/// An object that came from elsewhere than the workshop's mesh is analysed anew as what it is,
+/// unless other settings are asked for.
+void Processor::followLoadedObject() {
+    const auto now = loaded();
+    if (std::exchange(settingsLoads, now.number) == now.number || followsImportSettings() ||
+        !layoutOf(now.sound.instrument))
+        return;
+    const auto& object = *now.sound.instrument->slots().front().object;
+    if (const auto name = knownMaterial(object, now.sound.parameters))
+        importSettings.material = *name;
+    if (object.thicknessMetres > 0)
+        importSettings.thicknessMetres =
+            object.thicknessMetres * now.sound.parameters[ParameterId::thickness] / 100;
+}
+
 void Processor::setImportSettings(const ImportSettings& settings) {
+    followLoadedObject();
     importSettings = settings;
     if (followsImportSettings())
         analyseAgain();
 }
 
 void Processor::analyseAgain() {
+    followLoadedObject();
     const auto now = loaded();
     const bool isOurs = importLoads == now.number && workshop.hasMesh();
     if (!isOurs && !layoutOf(now.sound.instrument))
@@ -84,7 +112,10 @@ void Processor::analyseAgain() {
 }
 
 ImportStatus Processor::importStatus() const {
-    auto status = workshop.status();
+    const auto object = imported.lock();
+    const bool isOfWhatPlays =
+        importLoads == loads || (object != nullptr && plays(loadedInstrument(), *object));
+    auto status = isOfWhatPlays ? workshop.status() : ImportStatus{};
     status.followsSettings = followsImportSettings();
     status.settings = importSettings;
     return status;
@@ -92,6 +123,7 @@ ImportStatus Processor::importStatus() const {
 
 /// A product plays where nothing else was chosen meanwhile.
 void Processor::followWorkshop() {
+    followLoadedObject();
     if (importLoads != loads)
         return workshop.cancel();
     if (const auto product = workshop.takeProduct())
@@ -146,6 +178,7 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     if (!number)
         return;
     importLoads = *number;
+    imported = product.object;
     if (!product.isFirst && now.sound.instrument != nullptr)
         renewHistory(*now.sound.instrument->slots().front().object, map, *built);
 }

@@ -170,7 +170,7 @@ TEST_CASE("A file that cannot be opened changes nothing and is a sentence in the
     CHECK(saved(processor) == before);
     const auto status = processor.takeStatus();
     CHECK(status.isError);
-    CHECK_THAT(status.sentence, ContainsSubstring("broken.stl"));
+    CHECK_THAT(status.sentence, ContainsSubstring("\"broken.stl\""));
     CHECK(processor.canOpen("a.OBJ"));
     CHECK(processor.canOpen("a.modal"));
     CHECK_FALSE(processor.canOpen("a.wav"));
@@ -222,6 +222,48 @@ TEST_CASE("Other settings make another object of the same mesh at once") {
     CHECK(processor.playedObjects().front().object->material.name == "Glass");
     CHECK(processor.playedObjects().front().object->thicknessMetres == 0.004);
     CHECK(processor.keyLayout() == KeyLayout::zones);
+}
+
+TEST_CASE("An object that did not come from a mesh here is analysed anew as what it is") {
+    Processor first, processor;
+    first.setImportSettings({.material = "Copper", .thicknessMetres = 0.004});
+    open(first, smallPlateFile("plate.obj", 1));
+    const auto copper = first.playedObjects().front().object;
+    const auto file = testFolder() / "copper.modal";
+    REQUIRE(writeModalObject(*copper, file));
+
+    open(processor, file);
+    finish(processor);
+    const auto settings = processor.importStatus().settings;
+    CHECK(settings.material == "Copper");
+    CHECK(settings.thicknessMetres == copper->thicknessMetres);
+    processor.changeParameter(ParameterId::material, firstLibraryMaterial + 4);
+    const auto glass = saved(processor);
+    processor.setImportSettings({.material = "Brass", .thicknessMetres = 0.001});
+    CHECK(processor.importStatus().settings.material == "Brass");
+    restoreBytes(processor, glass);
+    finish(processor);
+    CHECK(processor.importStatus().settings.material == "Glass");
+    processor.analyseAgain();
+    finish(processor);
+    const auto again = processor.playedObjects().front().object;
+    CHECK(again->material.name == "Glass");
+    CHECK(again->thicknessMetres == copper->thicknessMetres);
+}
+
+TEST_CASE("What is said of an opened file is said while that plays") {
+    Processor processor;
+    open(processor, smallPlateFile("plate.obj", 1));
+    CHECK(processor.importStatus().fileName == "plate.obj");
+    processor.setCurrentProgram(0);
+    CHECK(processor.importStatus().stage == ImportStage::none);
+    CHECK(processor.importStatus().fileName.empty());
+    open(processor, smallPlateFile("other.obj", 1));
+    processor.editHistory().undo();
+    CHECK(processor.importStatus().stage == ImportStage::none);
+    processor.editHistory().redo();
+    CHECK(processor.importStatus().stage == ImportStage::done);
+    CHECK(processor.importStatus().fileName == "other.obj");
 }
 
 TEST_CASE("A strike path drawn by hand is the one that keys strike along") {
