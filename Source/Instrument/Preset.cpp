@@ -1,55 +1,17 @@
 #include "Instrument/Preset.h"
 
+#include "Instrument/JsonPlace.h"
 #include "Instrument/ParameterJson.h"
-#include "Instrument/SurfaceFile.h"
+#include "Instrument/SurfaceJson.h"
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace idiophone {
 namespace {
 
-// Sorted for reading, whose look-ups stay fast however many keys a hostile file has; in order for
-// writing, for the people who read it.
-using nlohmann::json;
-using nlohmann::ordered_json;
-
-// Inside this file a fault travels as an exception and becomes a Result at parsePreset.
-struct Fault {
-    std::string sentence;
-};
-
-const json& member(const json& object, const char* key) {
-    if (!object.is_object() || !object.contains(key))
-        throw Fault{"it lacks '" + std::string(key) + "'"};
-    return object[key];
-}
-
-std::string text(const json& object, const char* key) {
-    const auto& value = member(object, key);
-    if (!value.is_string())
-        throw Fault{"'" + std::string(key) + "' is not a text"};
-    return value;
-}
-
-double number(const json& object, const char* key, double lowest, double highest) {
-    const auto& value = member(object, key);
-    if (!value.is_number())
-        throw Fault{"'" + std::string(key) + "' is not a number"};
-    const auto result = value.get<double>();
-    if (!(result >= lowest && result <= highest))
-        throw Fault{"'" + std::string(key) + "' is out of range"};
-    return result;
-}
-
-int integer(const json& object, const char* key, int lowest, int highest) {
-    const double result = number(object, key, lowest, highest);
-    if (result != std::floor(result))
-        throw Fault{"'" + std::string(key) + "' is not a whole number"};
-    return static_cast<int>(result);
-}
+using nlohmann::ordered_json; // for the people who read what is written
 
 constexpr std::array<std::pair<KeyMapKind, const char*>, 4> kindNames{{
     {KeyMapKind::bars, "bars"},
@@ -58,11 +20,12 @@ constexpr std::array<std::pair<KeyMapKind, const char*>, 4> kindNames{{
     {KeyMapKind::scene, "scene"},
 }};
 
-KeyMapKind parseKind(const std::string& name) {
+KeyMapKind parseKind(const JsonPlace& place) {
+    const auto name = place.textOrEmpty();
     for (const auto& [kind, kindName] : kindNames)
         if (name == kindName)
             return kind;
-    throw Fault{"its key map " + inQuotes(name) + " is none of bars, zones, scaled and scene"};
+    place.fail("is " + inQuotes(name) + " and none of bars, zones, scaled and scene");
 }
 
 const char* kindName(KeyMapKind wanted) {
@@ -72,123 +35,82 @@ const char* kindName(KeyMapKind wanted) {
     return "";
 }
 
-std::vector<std::array<double, 3>> parsePath(const json& path) {
-    if (!path.is_array() || path.empty() || path.size() > mostPathPoints)
-        throw Fault{"'strikePath' is not a list of 1 to " + std::to_string(mostPathPoints) +
-                    " points"};
+std::vector<std::array<double, 3>> parsePath(const JsonPlace& path) {
     std::vector<std::array<double, 3>> points;
-    for (const auto& point : path) {
-        if (!point.is_array() || point.size() != 3)
-            throw Fault{"'strikePath' holds something that is not a point [x, y, z]"};
-        std::array<double, 3> coordinates{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (!point[axis].is_number() || !(std::abs(point[axis].get<double>()) <= 1))
-                throw Fault{"'strikePath' holds a coordinate that is not between -1 and 1"};
-            coordinates[axis] = point[axis];
-        }
-        points.push_back(coordinates);
+    for (const auto& place : path.list(mostPathPoints)) {
+        const auto point = place.vector(1);
+        points.push_back({point.x(), point.y(), point.z()});
     }
+    if (points.empty())
+        path.fail("has no points");
     return points;
 }
 
-KeyMap parseKeyMap(const json& object) {
+KeyMap parseKeyMap(const JsonPlace& place) {
     KeyMap map;
-    map.kind = parseKind(text(object, "kind"));
-    map.lowestNote = integer(object, "lowestNote", 0, 127);
-    map.highestNote = integer(object, "highestNote", map.lowestNote, 127);
-    map.object = text(object, "object");
-    if (object.contains("strikePath"))
-        map.strikePath = parsePath(object["strikePath"]);
-    if (object.contains("strikeAt"))
-        map.strikeAt = number(object, "strikeAt", 0, 1);
-    if (object.contains("strikeWidth"))
-        map.strikeWidth = number(object, "strikeWidth", 0, 1);
-    if (object.contains("referenceNote"))
-        map.referenceNote = number(object, "referenceNote", 0, 127);
+    map.kind = parseKind(place.at("kind"));
+    map.lowestNote = place.at("lowestNote").integer(0, 127);
+    map.highestNote = place.at("highestNote").integer(map.lowestNote, 127);
+    map.object = place.at("object").textOrEmpty();
+    if (place.has("strikePath"))
+        map.strikePath = parsePath(place.at("strikePath"));
+    if (place.has("strikeAt"))
+        map.strikeAt = place.at("strikeAt").number(0, 1);
+    if (place.has("strikeWidth"))
+        map.strikeWidth = place.at("strikeWidth").number(0, 1);
+    if (place.has("referenceNote"))
+        map.referenceNote = place.at("referenceNote").number(0, 127);
     return map;
 }
 
-void parseParameters(const json& object, Preset& preset) {
-    if (!object.is_object())
-        throw Fault{"'parameters' are not a JSON object"};
-    for (const auto& [id, value] : object.items()) {
+void parseParameters(const JsonPlace& place, Preset& preset) {
+    for (const auto& [id, value] : place.members()) {
         const auto* info = findParameter(id);
         if (info == nullptr) {
             preset.unknownParameters.push_back(id);
             continue;
         }
-        const auto parsed = parameterOfJson(*info, value);
+        const auto parsed = parameterOfJson(*info, value.json());
         if (!parsed)
-            throw Fault{"parameter '" + id + "' has a value it cannot take"};
+            value.fail("is a value that it cannot take");
         preset.parameters.set(info->parameter, *parsed);
     }
 }
 
-Surface parseSurfaceOf(const json& root) {
-    auto surface = parseSurface(root["surface"].dump(), "its surface");
-    if (!surface)
-        throw Fault{surface.error().message};
-    return std::move(*surface);
-}
-
-std::uint32_t parseSeed(const json& root) {
-    if (!root["seed"].is_number_integer())
-        throw Fault{"'seed' is not a whole number"};
-    return static_cast<std::uint32_t>(number(root, "seed", 0, 4294967295));
-}
-
-ModeSet parseMutedModes(const json& object) {
-    if (!object.is_object())
-        throw Fault{"'mutedModes' are not a JSON object"};
+ModeSet parseMutedModes(const JsonPlace& place) {
     ModeSet muted;
-    for (const auto& [name, modes] : object.items()) {
-        if (!modes.is_array())
-            throw Fault{"'mutedModes' has something for " + inQuotes(name) + " that is not a list"};
-        for (const auto& mode : modes) {
-            const bool isNumber = mode.is_number_unsigned() &&
-                                  mode.get<std::uint64_t>() < std::uint64_t{ModeSet::mostModes};
-            if (!isNumber)
-                throw Fault{"'mutedModes' holds something for " + inQuotes(name) +
-                            " that is not the number of a mode"};
-            if (!muted.set(name, mode.get<std::int32_t>(), true))
-                throw Fault{"'mutedModes' holds more than " + std::to_string(ModeSet::capacity) +
-                            " modes"};
-        }
-    }
+    for (const auto& [name, modes] : place.members())
+        for (const auto& mode : modes.list())
+            if (!muted.set(name, mode.integer(0, ModeSet::mostModes - 1), true))
+                place.fail("are more than " + std::to_string(ModeSet::capacity));
     return muted;
 }
 
-Preset parse(const json& root) {
-    if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-preset")
-        throw Fault{"it is not an Idiophone preset"};
-    const int version = integer(root, "version", 1, 1'000'000'000);
+Preset parse(const JsonPlace& root) {
+    const auto& json = root.json();
+    if (!json.is_object() || !json.contains("format") || json["format"] != "idiophone-preset")
+        root.fail("is not an Idiophone preset");
+    const int version = root.at("version").integer(1, 1'000'000'000);
     if (version > presetFormatVersion)
-        throw Fault{"it was made by a newer Idiophone (preset version " + std::to_string(version) +
-                    ")"};
+        root.fail("was made by a newer Idiophone (preset version " + std::to_string(version) + ")");
     Preset preset;
-    preset.name = text(root, "name");
-    if (preset.name.empty())
-        throw Fault{"its name is empty"};
-    preset.author = root.contains("author") ? text(root, "author") : "";
-    preset.description = root.contains("description") ? text(root, "description") : "";
-    if (root.contains("tags")) {
-        if (!root["tags"].is_array())
-            throw Fault{"'tags' are not a list"};
-        for (const auto& tag : root["tags"]) {
-            if (!tag.is_string())
-                throw Fault{"'tags' are not all texts"};
-            preset.tags.push_back(tag);
-        }
-    }
-    preset.keyMap = parseKeyMap(member(root, "keyMap"));
-    if (root.contains("parameters"))
-        parseParameters(root["parameters"], preset);
-    if (root.contains("surface"))
-        preset.surface = parseSurfaceOf(root);
-    if (root.contains("mutedModes"))
-        preset.mutedModes = parseMutedModes(root["mutedModes"]);
-    if (root.contains("seed"))
-        preset.seed = parseSeed(root);
+    preset.name = root.at("name").text();
+    if (root.has("author"))
+        preset.author = root.at("author").textOrEmpty();
+    if (root.has("description"))
+        preset.description = root.at("description").textOrEmpty();
+    if (root.has("tags"))
+        for (const auto& tag : root.at("tags").list())
+            preset.tags.push_back(tag.textOrEmpty());
+    preset.keyMap = parseKeyMap(root.at("keyMap"));
+    if (root.has("parameters"))
+        parseParameters(root.at("parameters"), preset);
+    if (root.has("surface"))
+        preset.surface = surfaceAt(root.at("surface"));
+    if (root.has("mutedModes"))
+        preset.mutedModes = parseMutedModes(root.at("mutedModes"));
+    if (root.has("seed"))
+        preset.seed = static_cast<std::uint32_t>(root.at("seed").wholeNumber(0, 4294967295));
     return preset;
 }
 
@@ -211,9 +133,9 @@ Result<Preset> parsePreset(std::string_view text, std::string_view name) {
     try {
         const auto root = parseUntrusted(text);
         if (root.is_discarded())
-            return refuse("it is not JSON");
-        return parse(root);
-    } catch (const Fault& fault) {
+            return refuse("it is not JSON" + placeOfJsonFault(text));
+        return parse(JsonPlace(root));
+    } catch (const JsonPlace::Fault& fault) {
         return refuse(fault.sentence);
     } catch (const nlohmann::json::exception&) {
         return refuse("it is damaged");

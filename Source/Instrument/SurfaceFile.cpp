@@ -70,7 +70,7 @@ Result<Surface> parseSurface(std::string_view text, std::string_view file) {
         return refuse("it is too large for a surface");
     const auto root = parseUntrusted(text);
     if (root.is_discarded())
-        return refuse("it is not JSON");
+        return refuse("it is not JSON" + placeOfJsonFault(text));
     if (const auto fault = faultOfHead(root); !fault.empty())
         return refuse(fault);
     Surface surface;

@@ -1,7 +1,7 @@
 // The part of a scene file that is a recorded hand.
 #pragma once
 
-#include "Scene/JsonPlace.h"
+#include "Instrument/JsonPlace.h"
 #include "Scene/Scene.h"
 
 #include <vector>

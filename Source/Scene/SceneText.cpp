@@ -1,7 +1,7 @@
 #include "Scene/SceneText.h"
 
 #include "Instrument/ParameterJson.h"
-#include "Instrument/SurfaceFile.h"
+#include "Instrument/SurfaceJson.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
@@ -36,13 +36,6 @@ BodyForm parseForm(const JsonPlace& place) {
             return form;
     place.fail("is " + inQuotes(name) +
                " and none of hull, ring, sphere, cylinder, surface and ground");
-}
-
-Surface parseSurfaceAt(const JsonPlace& place) {
-    auto surface = parseSurface(place.json().dump(), "surface");
-    if (!surface)
-        place.fail("is no surface: " + surface.error().message);
-    return std::move(*surface);
 }
 
 SilentBall parseBall(const JsonPlace& place) {
@@ -82,7 +75,7 @@ BodyTemplate parseKind(const JsonPlace& place) {
     if (place.has("contact_radius"))
         kind.contactRadiusMetres = place.at("contact_radius").number(1e-5, farthestMetres);
     if (place.has("surface"))
-        kind.surface = parseSurfaceAt(place.at("surface"));
+        kind.surface = surfaceAt(place.at("surface"));
     if (!kind.isFixed && (kind.form == BodyForm::surface || kind.form == BodyForm::ground))
         place.at("form").fail("is for fixed bodies only");
     return kind;
@@ -202,16 +195,14 @@ Listener parseListener(const JsonPlace& place) {
 }
 
 ParameterValues parseParameters(const JsonPlace& place) {
-    if (!place.json().is_object())
-        place.fail("is not a JSON object");
     ParameterValues values;
-    for (const auto& [id, value] : place.json().items()) {
+    for (const auto& [id, value] : place.members()) {
         const auto* info = findParameter(id);
         if (info == nullptr)
             place.fail("has no " + inQuotes(id));
-        const auto parsed = parameterOfJson(*info, value);
+        const auto parsed = parameterOfJson(*info, value.json());
         if (!parsed)
-            place.at(id.c_str()).fail("is a value that it cannot take");
+            value.fail("is a value that it cannot take");
         values.set(info->parameter, *parsed);
     }
     return values;

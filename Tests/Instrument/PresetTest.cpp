@@ -1,10 +1,8 @@
 #include "Instrument/Preset.h"
 
 #include <catch2/catch_test_macros.hpp>
-#include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace idiophone;
-using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -37,12 +35,11 @@ Preset example() {
     return preset;
 }
 
-void checkRefused(const std::string& json, const char* sentence) {
-    INFO(json);
+void checkRefused(const std::string& json, const std::string& sentence) {
+    INFO(json.substr(0, 1000));
     const auto preset = parsePreset(json, "x.json");
     REQUIRE_FALSE(preset);
-    CHECK_THAT(preset.error().message, ContainsSubstring("x.json"));
-    CHECK_THAT(preset.error().message, ContainsSubstring(sentence));
+    CHECK(preset.error().message == "x.json: " + sentence);
 }
 
 const std::string head = R"({"format":"idiophone-preset","version":1,"name":"A",)";
@@ -69,55 +66,81 @@ TEST_CASE("Parameters may be given as they are shown, and unknown ones are remem
     CHECK(preset->parameters[ParameterId::tau] == parameterInfo(ParameterId::tau).defaultValue);
 }
 
-TEST_CASE("A preset that makes no sense is refused with its fault") {
-    checkRefused("", "not JSON");
-    checkRefused("[]", "not an Idiophone preset");
-    checkRefused(R"({"format":"idiophone-preset","version":2,"name":"A"})", "newer Idiophone");
-    checkRefused(R"({"format":"idiophone-preset","version":"1","name":"A"})", "'version'");
-    checkRefused(R"({"format":"idiophone-preset","version":1,"name":"",)" + map + "}", "name");
-    checkRefused(R"({"format":"idiophone-preset","version":1,"name":"A"})", "'keyMap'");
-    checkRefused(head + R"("keyMap":{"kind":"rows"}})", "'rows'");
-    checkRefused(head + R"("keyMap":{"kind":"bars","lowestNote":9,"highestNote":3,"object":"x"}})",
-                 "'highestNote'");
-    checkRefused(head +
-                     R"("keyMap":{"kind":"bars","lowestNote":60.7,"highestNote":70,"object":"x"}})",
-                 "'lowestNote' is not a whole number");
-    checkRefused(head +
-                     R"("keyMap":{"kind":"bars","lowestNote":60,"highestNote":70.2,"object":"x"}})",
-                 "'highestNote' is not a whole number");
+TEST_CASE("A preset that makes no sense is refused with its fault and where that stands") {
+    checkRefused("", "it is not JSON (line 1, column 1)");
+    checkRefused("{\n  \"name\": }", "it is not JSON (line 2, column 11)");
+    checkRefused("[]", "it is not an Idiophone preset");
+    checkRefused(R"({"format":"idiophone-preset","version":2,"name":"A"})",
+                 "it was made by a newer Idiophone (preset version 2)");
+    checkRefused(R"({"format":"idiophone-preset","version":"1","name":"A"})",
+                 "version is not a whole number");
     checkRefused(R"({"format":"idiophone-preset","version":1.5,"name":"A",)" + map + "}",
-                 "'version' is not a whole number");
-    checkRefused(head + map.substr(0, map.size() - 1) + R"(,"strikePath":[]}})", "'strikePath'");
-    checkRefused(head + map.substr(0, map.size() - 1) + R"(,"strikePath":[[0,0,9]]}})", "between");
-    checkRefused(head + map + R"(,"parameters":{"tau":"loud"}})", "'tau'");
-    checkRefused(head + map + R"(,"tags":[1]})", "'tags'");
-    checkRefused(head + map + R"(,"surface":3})", "its surface");
-    checkRefused(head + map + R"(,"surface":{"format":"idiophone-surface","version":1}})", "lacks");
-    checkRefused(head + map + R"(,"seed":1.5})", "'seed'");
-    checkRefused(head + map + R"(,"seed":-1})", "'seed'");
-    checkRefused(head + map + R"(,"seed":4294967296})", "'seed'");
-    const auto refuseMuted = [](const std::string& muted, const char* sentence) {
+                 "version is not a whole number");
+    checkRefused(R"({"format":"idiophone-preset","version":1,"name":"",)" + map + "}",
+                 "name is empty");
+    checkRefused(R"({"format":"idiophone-preset","version":1,"name":"A"})", "it lacks 'keyMap'");
+    checkRefused(head + map + R"(,"tags":[1]})", "tags[0] is not a text");
+    checkRefused(head + map + R"(,"parameters":[]})", "parameters is not a JSON object");
+    checkRefused(head + map + R"(,"parameters":{"tau":"loud"}})",
+                 "parameters.tau is a value that it cannot take");
+    checkRefused(head + map + R"(,"surface":3})", "surface: it is not an Idiophone surface");
+    checkRefused(head + map + R"(,"surface":{"format":"idiophone-surface","version":1}})",
+                 "surface: it lacks 'spectrum_exponent'");
+    checkRefused(head + map + R"(,"seed":1.5})", "seed is not a whole number");
+    for (const char* seed : {"-1", "4294967296"})
+        checkRefused(head + map + R"(,"seed":)" + seed + "}",
+                     "seed is not between 0 and 4294967295");
+    checkRefused(std::string(2 << 20, ' '), "it is too large for a preset");
+}
+
+TEST_CASE("A key map that makes no sense is refused with its fault and where that stands") {
+    const auto refuse = [](const std::string& keyMap, const std::string& sentence) {
+        checkRefused(head + R"("keyMap":)" + keyMap + "}", sentence);
+    };
+    const std::string open = map.substr(map.find('{'), map.size() - map.find('{') - 1);
+    refuse("3", "keyMap lacks 'kind'");
+    refuse(R"({"kind":"rows"})", "keyMap.kind is 'rows' and none of bars, zones, scaled and scene");
+    refuse(R"({"kind":"bars","lowestNote":9,"highestNote":3,"object":"x"})",
+           "keyMap.highestNote is not between 9 and 127");
+    refuse(R"({"kind":"bars","lowestNote":60.7,"highestNote":70,"object":"x"})",
+           "keyMap.lowestNote is not a whole number");
+    refuse(R"({"kind":"bars","lowestNote":60,"highestNote":70.2,"object":"x"})",
+           "keyMap.highestNote is not a whole number");
+    refuse(R"({"kind":"bars","lowestNote":60,"highestNote":70})", "keyMap lacks 'object'");
+    refuse(open + R"(,"strikePath":[]})", "keyMap.strikePath has no points");
+    refuse(open + R"(,"strikePath":[[0,0,0],[0,9,0]]})",
+           "keyMap.strikePath[1][1] is not between -1 and 1");
+    refuse(open + R"(,"strikePath":[[0,0]]})",
+           "keyMap.strikePath[0] is not a list of three numbers [x, y, z]");
+    refuse(open + R"(,"strikeAt":"low"})", "keyMap.strikeAt is not a number");
+}
+
+TEST_CASE("Muted modes that make no sense are refused with their fault and where that stands") {
+    const auto refuse = [](const std::string& muted, const std::string& sentence) {
         checkRefused(head + map + R"(,"mutedModes":)" + muted + "}", sentence);
     };
-    refuseMuted("[1]", "'mutedModes'");
-    refuseMuted(R"({"plate":3})", "'plate'");
-    for (const auto* mode :
-         {"-1", "1.5", "\"x\"", "1048576", "1e300", "18446744073709551615", "null"})
-        refuseMuted(R"({"plate":[0,)" + std::string(mode) + "]}", "the number of a mode");
+    refuse("[1]", "mutedModes is not a JSON object");
+    refuse(R"({"plate":3})", "mutedModes.plate is not a list");
+    for (const auto* mode : {"1.5", "\"x\"", "null"})
+        refuse(R"({"plate":[0,)" + std::string(mode) + "]}",
+               "mutedModes.plate[1] is not a whole number");
+    for (const auto* mode : {"-1", "1048576", "1e300", "18446744073709551615"})
+        refuse(R"({"plate":[0,)" + std::string(mode) + "]}",
+               "mutedModes.plate[1] is not between 0 and 1048575");
     std::string many = "0";
     for (int mode = 1; mode <= 16384; ++mode)
         many += "," + std::to_string(mode);
-    refuseMuted(R"({"plate":[)" + many + "]}", "more than 16384");
-    checkRefused(std::string(2 << 20, ' '), "too large");
+    refuse(R"({"plate":[)" + many + "]}", "mutedModes are more than 16384");
 }
 
 TEST_CASE("A surface nested half a million deep is refused, and does not exhaust the stack") {
     const auto deep = std::string(500000, '[') + std::string(500000, ']');
-    checkRefused(head + map + R"(,"surface":)" + deep + "}", "not JSON");
+    checkRefused(head + map + R"(,"surface":)" + deep + "}", "it is not JSON");
 }
 
 TEST_CASE("What a preset says is fit for one line in the sentence that refuses it") {
-    checkRefused(head + R"("keyMap":{"kind":"two\nlines"}})", "'two?lines'");
-    checkRefused(head + map + R"(,"mutedModes":{"two\nlines":7}})", "'two?lines'");
-    checkRefused(head + map + R"(,"mutedModes":{"two\nlines":[-1]}})", "'two?lines'");
+    checkRefused(head + R"("keyMap":{"kind":"two\nlines"}})",
+                 "keyMap.kind is 'two?lines' and none of bars, zones, scaled and scene");
+    checkRefused(head + map + R"(,"mutedModes":{"two\nlines":7}})",
+                 "mutedModes.two?lines is not a list");
 }

@@ -1,9 +1,10 @@
-#include "Scene/JsonPlace.h"
+#include "Instrument/JsonPlace.h"
 
+#include "Object/NumberText.h"
 #include "Object/OneLine.h"
 
 #include <algorithm>
-#include <sstream>
+#include <cmath>
 
 namespace idiophone {
 
@@ -22,34 +23,54 @@ void JsonPlace::allow(std::initializer_list<std::string_view> members) const {
 JsonPlace JsonPlace::at(const char* key) const {
     if (!value.is_object() || !value.contains(key))
         fail("lacks '" + std::string(key) + "'");
-    return JsonPlace(value[key], path.empty() ? key : path + "." + key);
+    return member(key);
 }
 
-std::vector<JsonPlace> JsonPlace::list(std::size_t most) const {
-    if (!value.is_array() || value.size() > most)
-        fail("is not a list of at most " + std::to_string(most));
+JsonPlace JsonPlace::member(const std::string& key) const {
+    return JsonPlace(value[key], (path.empty() ? "" : path + ".") + oneLine(key));
+}
+
+std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
+    if (!value.is_object())
+        fail("is not a JSON object");
+    std::vector<std::pair<std::string, JsonPlace>> all;
+    for (const auto& [key, ignored] : value.items())
+        all.emplace_back(key, member(key));
+    return all;
+}
+
+std::vector<JsonPlace> JsonPlace::list() const {
+    if (!value.is_array())
+        fail("is not a list");
     std::vector<JsonPlace> places;
     for (std::size_t k = 0; k < value.size(); ++k)
         places.emplace_back(value[k], path + "[" + std::to_string(k) + "]");
     return places;
 }
 
+std::vector<JsonPlace> JsonPlace::list(std::size_t most) const {
+    if (!value.is_array() || value.size() > most)
+        fail("is not a list of at most " + std::to_string(most));
+    return list();
+}
+
 double JsonPlace::number(double lowest, double highest) const {
     if (!value.is_number())
         fail("is not a number");
     const double number = value;
-    if (!(number >= lowest && number <= highest)) {
-        std::ostringstream range;
-        range << "is not between " << lowest << " and " << highest;
-        fail(range.str());
-    }
+    if (!(number >= lowest && number <= highest))
+        fail("is not between " + numberText(lowest, 10) + " and " + numberText(highest, 10));
     return number;
 }
 
-int JsonPlace::integer(int lowest, int highest) const {
-    if (!value.is_number_integer())
+double JsonPlace::wholeNumber(double lowest, double highest) const {
+    if (!value.is_number() || value.get<double>() != std::floor(value.get<double>()))
         fail("is not a whole number");
-    return static_cast<int>(number(lowest, highest));
+    return number(lowest, highest);
+}
+
+int JsonPlace::integer(int lowest, int highest) const {
+    return static_cast<int>(wholeNumber(lowest, highest));
 }
 
 bool JsonPlace::truth() const {
@@ -59,7 +80,14 @@ bool JsonPlace::truth() const {
 }
 
 std::string JsonPlace::text() const {
-    if (!value.is_string() || value.get_ref<const std::string&>().empty())
+    const auto text = textOrEmpty();
+    if (text.empty())
+        fail("is empty");
+    return text;
+}
+
+std::string JsonPlace::textOrEmpty() const {
+    if (!value.is_string())
         fail("is not a text");
     return value;
 }

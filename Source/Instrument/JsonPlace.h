@@ -2,11 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -30,16 +31,25 @@ public:
     bool has(const char* key) const { return value.contains(key); }
     JsonPlace at(const char* key) const; ///< of an object
 
+    /// Of an object, with their keys.
+    std::vector<std::pair<std::string, JsonPlace>> members() const;
+
+    std::vector<JsonPlace> list() const;
     std::vector<JsonPlace> list(std::size_t most) const;
     double number(double lowest, double highest) const;
+    double wholeNumber(double lowest, double highest) const;
     int integer(int lowest, int highest) const;
     bool truth() const;
     std::string text() const; ///< not empty
+    std::string textOrEmpty() const;
     Eigen::Vector3d vector(double reach) const;
     const nlohmann::json& json() const { return value; }
 
-private:
+    /// What it is called in a sentence.
     std::string name() const { return path.empty() ? "it" : path; }
+
+private:
+    JsonPlace member(const std::string& key) const;
 
     const nlohmann::json& value;
     std::string path;
