@@ -14,12 +14,15 @@ constexpr int lowestRow = 32, highestRow = 52;
 } // namespace
 
 ParameterColumns::ParameterColumns(std::span<const ParameterGroup> wanted, ProcessorView& view) {
-    for (const auto& [name, column] : wanted) {
+    for (const auto& [name, column, first] : wanted) {
+        auto order = first;
+        for (const auto& info : parameterTable())
+            if (info.group == name && std::ranges::find(first, info.parameter) == first.end())
+                order.push_back(info.parameter);
         Group group{.title = fromUtf8(name), .column = column, .controls = {}, .heading = {}};
-        for (const auto& info : parameterTable()) {
-            if (info.group != name)
-                continue;
-            group.controls.push_back(std::make_unique<ParameterControl>(info, view));
+        for (const auto parameter : order) {
+            group.controls.push_back(
+                std::make_unique<ParameterControl>(parameterInfo(parameter), view));
             addAndMakeVisible(*group.controls.back());
         }
         groups.push_back(std::move(group));

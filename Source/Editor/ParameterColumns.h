@@ -10,10 +10,11 @@
 
 namespace idiophone {
 
-/// The parameters of the table that name it as theirs, in the table's order.
+/// The parameters of the table that name it as theirs.
 struct ParameterGroup {
-    std::string_view name; ///< ParameterInfo::group
-    int column;            ///< 0 or 1
+    std::string_view name;               ///< ParameterInfo::group
+    int column;                          ///< 0 or 1
+    std::vector<ParameterId> first = {}; ///< the others follow in the table's order
 };
 
 class ParameterColumns final : public juce::Component {

@@ -8,7 +8,8 @@ namespace {
 constexpr int rackHeight = 62;
 
 std::vector<ParameterGroup> groups() {
-    return {{"Mallet", 0}, {"Place", 1}};
+    using enum ParameterId;
+    return {{"Mallet", 0, {malletHardness, malletMass, malletRadius}}, {"Place", 1}};
 }
 
 } // namespace

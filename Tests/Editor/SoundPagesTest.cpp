@@ -1,6 +1,8 @@
 // The pages of the deck that show the sound, with a processor behind them.
 #include "Editor/ModesPage.h"
 #include "Editor/QualityPage.h"
+#include "Editor/StrikePage.h"
+#include "Editor/WindowParts.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -115,5 +117,21 @@ TEST_CASE("The quality page counts what sounds, and shows who has how much of th
     for (const auto* child : page.getChildren()) {
         CHECK(inside.contains(child->getBounds()));
         CHECK(child->getHeight() >= 48);
+    }
+}
+
+TEST_CASE("What makes a mallet of one's own stands together, above how it is swung") {
+    Prepared prepared;
+    StrikePage page(prepared.processor);
+    page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
+    int above = 0;
+    for (const auto parameter :
+         {ParameterId::malletHardness, ParameterId::malletMass, ParameterId::malletRadius,
+          ParameterId::malletSpeed, ParameterId::velocityCurve}) {
+        const auto* slider = find<juce::Slider>(page, parameterInfo(parameter).name);
+        REQUIRE(slider != nullptr);
+        const int y = page.getLocalPoint(slider, juce::Point<int>()).y;
+        CHECK(y > above);
+        above = y;
     }
 }
