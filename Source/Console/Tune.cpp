@@ -7,6 +7,7 @@
 #include "Console/ProgressLine.h"
 #include "Geometry/MeshWriter.h"
 #include "Instrument/Preset.h"
+#include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/TextFile.h"
 
@@ -156,9 +157,8 @@ writePreset(const Options& options, const BarInstrument& instrument, int from, i
     preset.keyMap = {.kind = KeyMapKind::bars,
                      .lowestNote = from,
                      .highestNote = to,
-                     .object = (std::filesystem::absolute(options.folder) /
-                                (std::string(instrument.name) + "-{note}.modal"))
-                                   .string()};
+                     .object = storedNameOf(std::filesystem::absolute(options.folder) /
+                                            (std::string(instrument.name) + "-{note}.modal"))};
     return writeTextFile(options.folder / (std::string(instrument.name) + ".json"),
                          encodePreset(preset) + "\n");
 }

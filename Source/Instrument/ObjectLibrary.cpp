@@ -1,6 +1,7 @@
 #include "Instrument/ObjectLibrary.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 
 #include <filesystem>
@@ -9,11 +10,11 @@ namespace idiophone {
 namespace {
 
 /// What a file's object is kept under: a file that changed is another object.
-std::string fileKey(const std::string& name) {
+std::string fileKey(const std::filesystem::path& file) {
     std::error_code fault;
-    const auto path = std::filesystem::weakly_canonical(name, fault);
+    const auto path = std::filesystem::weakly_canonical(file, fault);
     const auto written = std::filesystem::last_write_time(path, fault);
-    return path.string() + "@" + std::to_string(written.time_since_epoch().count());
+    return nameOf(path) + "@" + std::to_string(written.time_since_epoch().count());
 }
 
 } // namespace
@@ -27,12 +28,12 @@ Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string
     if (auto object = known(name))
         return object;
     const auto factory = factoryObject(name);
-    const auto key = factory ? name : fileKey(name);
+    const auto key = factory ? name : fileKey(pathNamed(name));
     if (auto object = known(key))
         return object;
 
     // Without the lock: a large file takes seconds, for which nobody else shall wait.
-    auto object = factory ? readModalObject(*factory, name) : readModalObject(name);
+    auto object = factory ? readModalObject(*factory, name) : readModalObject(pathNamed(name));
     if (!object)
         return tl::unexpected(object.error());
     auto read = std::make_shared<const ModalObject>(std::move(*object));

@@ -1,6 +1,7 @@
 #include "Instrument/PresetFile.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 
 namespace idiophone {
@@ -12,7 +13,7 @@ constexpr int foldersAbove = 4;
 
 Result<Preset> readPresetFile(const std::filesystem::path& file) {
     return readTextFile(file, largestPresetBytes).and_then([&](const std::string& text) {
-        return parsePreset(text, file.filename().string());
+        return parsePreset(text, nameOf(file.filename()));
     });
 }
 
@@ -23,8 +24,8 @@ KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile)
     std::error_code fault;
     auto folder = std::filesystem::absolute(presetFile, fault).parent_path();
     for (int above = 0; above <= foldersAbove && !folder.empty(); ++above) {
-        if (std::filesystem::is_regular_file(folder / first, fault)) {
-            keyMap.object = (folder / keyMap.object).string();
+        if (std::filesystem::is_regular_file(folder / pathNamed(first), fault)) {
+            keyMap.object = storedNameOf(folder / pathNamed(keyMap.object));
             break;
         }
         folder = folder.parent_path();

@@ -45,4 +45,16 @@ std::string nameOf(const std::filesystem::path& file) {
     }
 }
 
+std::string storedNameOf(const std::filesystem::path& file) {
+    return nameOf(file.generic_string<std::filesystem::path::value_type>());
+}
+
+std::filesystem::path pathNamed(std::string_view name) {
+    try {
+        return std::u8string(name.begin(), name.end());
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
 } // namespace idiophone

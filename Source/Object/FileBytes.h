@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace idiophone {
 
@@ -15,5 +16,11 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
 
 /// The path in UTF-8, as all our texts are, on every system.
 std::string nameOf(const std::filesystem::path& file);
+
+/// The same with forward slashes, as files of ours keep it: every system reads these.
+std::string storedNameOf(const std::filesystem::path& file);
+
+/// The path that a name in UTF-8 tells; empty where it can be none on this system.
+std::filesystem::path pathNamed(std::string_view name);
 
 } // namespace idiophone

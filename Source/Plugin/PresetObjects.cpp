@@ -3,6 +3,7 @@
 #include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/PresetFile.h"
+#include "Object/FileBytes.h"
 #include "Plugin/ContentHash.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Scene/FactoryScenes.h"
@@ -34,8 +35,9 @@ std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
 
 /// What people called it, as far as a file can be called that.
 juce::String fileStem(const KeyMap& keyMap) {
-    const auto name = fromUtf8(keyMap.object).replace("{note}", "");
-    const auto last = name.trimCharactersAtEnd("/\\").fromLastOccurrenceOf("/", false, false);
+    // A project may have been on Windows before.
+    const auto name = fromUtf8(keyMap.object).replace("{note}", "").replaceCharacter('\\', '/');
+    const auto last = name.trimCharactersAtEnd("/").fromLastOccurrenceOf("/", false, false);
     const auto legal = juce::File::createLegalFileName(last.upToLastOccurrenceOf(".", false, false))
                            .upToLastOccurrenceOf("-", false, false) // as writePresetObjects adds
                            .substring(0, 60)
@@ -70,13 +72,13 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap) {
     if (keyMap.kind == KeyMapKind::scene) {
         std::error_code fault;
         const bool isThere = findFactoryScene(keyMap.object) != nullptr ||
-                             std::filesystem::exists(keyMap.object, fault);
+                             std::filesystem::exists(pathNamed(keyMap.object), fault);
         return isThere ? std::nullopt : std::optional(keyMap.object);
     }
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
         const auto object = keyMap.objectFor(note);
         std::error_code fault;
-        if (!factoryObject(object) && !std::filesystem::exists(object, fault))
+        if (!factoryObject(object) && !std::filesystem::exists(pathNamed(object), fault))
             return object;
     }
     return std::nullopt;

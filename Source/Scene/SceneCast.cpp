@@ -6,6 +6,7 @@
 #include "Instrument/Instrument.h"
 #include "Instrument/PresetFile.h"
 #include "Instrument/StrikePointMetres.h"
+#include "Object/FileBytes.h"
 
 #include <algorithm>
 #include <numbers>
@@ -35,8 +36,9 @@ int collidingGroups(const std::vector<BodyTemplate>& kinds, std::size_t kind) {
 Result<Preset> presetNamed(const std::string& nameOrFile) {
     if (const auto* factory = findFactoryPreset(nameOrFile))
         return *factory;
-    return readPresetFile(nameOrFile).map([&](Preset preset) {
-        preset.keyMap = withObjectsBeside(preset.keyMap, nameOrFile);
+    const auto file = pathNamed(nameOrFile);
+    return readPresetFile(file).map([&](Preset preset) {
+        preset.keyMap = withObjectsBeside(preset.keyMap, file);
         return preset;
     });
 }

@@ -1,5 +1,6 @@
 #include "Scene/SceneStage.h"
 
+#include "Object/FileBytes.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneShow.h"
@@ -22,7 +23,7 @@ double between(const std::array<double, 2>& ends, int velocity) {
 Result<Scene> sceneNamed(const std::string& nameOrFile) {
     if (const auto* factory = findFactoryScene(nameOrFile))
         return *factory;
-    return readSceneFile(nameOrFile);
+    return readSceneFile(pathNamed(nameOrFile));
 }
 
 } // namespace

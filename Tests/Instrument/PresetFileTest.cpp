@@ -3,6 +3,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/InitialPreset.h"
 #include "Instrument/LoudnessMatch.h"
+#include "Object/FileBytes.h"
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -43,21 +44,26 @@ TEST_CASE("Objects beside a preset are found in its folder and those above, the 
     const auto found = [&](const KeyMap& map, const char* preset) {
         return withObjectsBeside(map, testFolder() / preset).object;
     };
-    CHECK(found(bowl, "b/x.json") == top.string());
-    CHECK(found(bowl, "b/Bells/x.json") == near.string());
-    CHECK(found(bowl, "b/Gongs/Large/x.json") == top.string());
+    CHECK(found(bowl, "b/x.json") == storedNameOf(top));
+    CHECK(found(bowl, "b/Bells/x.json") == storedNameOf(near));
+    CHECK(found(bowl, "b/Gongs/Large/x.json") == storedNameOf(top));
     CHECK(found(bowl, "c/x.json") == bowl.object);
     const KeyMap stones{.kind = KeyMapKind::bars,
                         .lowestNote = 60,
                         .highestNote = 64,
                         .object = "Objects/stones/{note}.modal"};
-    CHECK(found(stones, "b/x.json") == (testFolder() / "b" / stones.object).string());
+    CHECK(found(stones, "b/x.json") == storedNameOf(testFolder() / "b" / stones.object));
     const auto& factory = factoryPresets().front();
     write("b/xylophone-65", "not this one");
     CHECK(withObjectsBeside(factory.keyMap, testFolder() / "b/x.json") == factory.keyMap);
     // A full path stays one, and a folder is no object.
-    const KeyMap full{.kind = KeyMapKind::zones, .object = near.string()};
-    CHECK(found(full, "c/x.json") == near.string());
+    const KeyMap full{.kind = KeyMapKind::zones, .object = storedNameOf(near)};
+    CHECK(found(full, "c/x.json") == storedNameOf(near));
+    const auto bell = write(std::filesystem::path("b") / u8"Glöckchen" / u8"γ.modal", "bell");
+    const KeyMap greek{.kind = KeyMapKind::scaled,
+                       .object = "Gl\xc3\xb6"
+                                 "ckchen/\xce\xb3.modal"};
+    CHECK(found(greek, "b/Bells/x.json") == storedNameOf(bell));
     const KeyMap none{.kind = KeyMapKind::zones, .object = ""};
     CHECK(found(none, "b/x.json").empty());
 }

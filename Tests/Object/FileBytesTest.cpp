@@ -19,6 +19,14 @@ TEST_CASE("A file's bytes come whole, or the sentence says what is wrong") {
     CHECK(readBytes(file, 3 << 10).error().message == "it is larger than 3 KiB");
 }
 
+TEST_CASE("Names that files keep are UTF-8 with forward slashes, and lead back to the file") {
+    const auto path = std::filesystem::path(u8"Glöckchen") / u8"γ" / "60.modal";
+    CHECK(storedNameOf(path) == "Gl\xc3\xb6"
+                                "ckchen/\xce\xb3/60.modal");
+    CHECK(pathNamed(storedNameOf(path)) == path);
+    CHECK(pathNamed("").empty());
+}
+
 TEST_CASE("A file's name is told in UTF-8") {
     CHECK(nameOf(std::filesystem::path(u8"Glöckchen/γ.obj").filename()) == "\xce\xb3.obj");
 }

@@ -168,6 +168,17 @@ TEST_CASE("Objects of hostile names are written below the folder and nowhere els
     }
 }
 
+TEST_CASE(
+    "An object's file is called after the last part of its name, on whichever system it was") {
+    for (const auto* name : {"Bowl.modal", "/bells/Bowl.modal", "C:/Bells/Bowl.modal",
+                             "C:\\Bells\\Bowl.modal", "\\\\server\\Bells\\Bowl.modal"}) {
+        const auto played = bowl(name, 300);
+        const auto stored = writePresetObjects(played.keyMap, *played.instrument, freshFolder());
+        REQUIRE(stored);
+        CHECK_THAT(stored->object, StartsWith("Objects/Bowl-"));
+    }
+}
+
 TEST_CASE("One bar that is missing among many is named, and a ring plays") {
     const auto folder = freshFolder();
     const KeyMap map{.kind = KeyMapKind::bars,
