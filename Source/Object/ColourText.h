@@ -1,14 +1,22 @@
-// Colours as the lists of Resources have them: "#rrggbb". Internal to Object.
+// Colours as the lists of mallets and materials write them: "#6b3324". Internal to Object.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
-#include <string>
+#include <optional>
+#include <string_view>
 
 namespace idiophone {
 
-/// 0xRRGGBB. Throws what std::stoul does.
-inline std::uint32_t parseColour(const std::string& text) {
-    return static_cast<std::uint32_t>(std::stoul(text.substr(1), nullptr, 16));
+/// 0xRRGGBB; nothing where the text is no '#' and six hexadecimal digits.
+inline std::optional<std::uint32_t> parseColour(std::string_view text) {
+    std::uint32_t colour = 0;
+    if (text.size() != 7 || text.front() != '#')
+        return std::nullopt;
+    const auto [end, fault] = std::from_chars(text.data() + 1, text.data() + 7, colour, 16);
+    if (fault != std::errc() || end != text.data() + 7)
+        return std::nullopt;
+    return colour;
 }
 
 } // namespace idiophone

@@ -25,7 +25,7 @@ struct Rack {
                                .massKg = mallet.at("mass_kg"),
                                .headRadiusMetres = mallet.at("head_radius_m"),
                                .effectiveModulusPa = mallet.at("effective_modulus_pa"),
-                               .colour = parseColour(mallet.at("colour"))});
+                               .colour = parseColour(text(mallet.at("colour"))).value()});
     }
 };
 

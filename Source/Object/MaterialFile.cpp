@@ -1,5 +1,6 @@
 #include "Object/MaterialFile.h"
 
+#include "Object/ColourText.h"
 #include "Object/FileBytes.h"
 #include "Object/MaterialJson.h"
 #include "Object/OneLine.h"
@@ -97,8 +98,10 @@ Material parseObject(const json& object, const std::string& defaultName) {
             if (!grain)
                 throw Fault{grain.error().message};
             material.grain = *grain;
-        } else if (key != "colour" && key != "t60_s") {
-            // The library's colours are MaterialLibrary's; decay times are added for people.
+        } else if (key == "colour") { // which MaterialLibrary reads of its own
+            if (!value.is_string() || !parseColour(value.get<std::string>()))
+                throw Fault{"'colour' is not of the form '#6b3324'"};
+        } else if (key != "t60_s") { // what `idiophone materials --json` adds for people
             throw Fault{"a material has no " + inQuotes(key)};
         }
     }

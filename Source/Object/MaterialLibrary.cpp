@@ -27,7 +27,7 @@ struct Library {
     Library() noexcept : materials(parseLibrary()) {
         const auto list = nlohmann::json::parse(embeddedMaterials());
         for (const auto& entry : list.at("materials"))
-            colours.push_back(parseColour(entry.at("colour")));
+            colours.push_back(parseColour(entry.at("colour").get<std::string>()).value());
     }
 };
 

@@ -252,7 +252,8 @@ class BadArguments(ConsoleTest):
         good = {"youngs_modulus_pa": 1e10, "density_kg_per_m3": 800, "poisson_ratio": 0.3,
                 "fluid_damping_per_s": 5, "viscoelastic_damping_s": 1e-7}
         for content in ("", "{", "[]", json.dumps({**good, "density_kg_per_m3": -1}),
-                        json.dumps({**good, "colour": 1}), json.dumps({"name": "Empty"}),
+                        json.dumps({**good, "colour": 1}),
+                        json.dumps({**good, "colour": "#12345g"}), json.dumps({"name": "Empty"}),
                         json.dumps({**good, "poisson_ratio": "soft"}),
                         json.dumps({**good, "loss_factor": -1}),
                         json.dumps({**good, "source": {"colour": "seen"}})):
