@@ -38,10 +38,11 @@ struct ImportStatus {
     std::string fileName; ///< without its folder
     /// The mesh opened last is in memory, and nothing else was loaded since.
     bool followsSettings = false;
-    ImportSettings settings; ///< in force: given, or of a single object that was loaded since
-    double progress = 0;     ///< 0 to 1
-    std::string step;        ///< what is being done, such as "Solving for modes"
-    std::string error;       ///< a sentence
+    ImportSettings
+        settings;        ///< in force: those given, or what a single object is that came otherwise
+    double progress = 0; ///< 0 to 1
+    std::string step;    ///< what is being done, such as "Solving for modes"
+    std::string error;   ///< a sentence
     // Of the object made last, empty before.
     std::string summary; ///< such as "171 modes from 412 Hz to 44.0 kHz; 1.60 kg of Steel, ..."
     std::string notes;   ///< what repair and analysis chose and why, in sentences

@@ -174,7 +174,8 @@ private:
     void beginImport(int number);
     bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
     void followWorkshop();
-    void followLoadedObject();
+    std::shared_ptr<const ModalObject> foreignObject() const;
+    ImportSettings settingsInForce() const;
     void playProduct(const ObjectWorkshop::Product& product);
     void renewHistory(const ModalObject& preview,
                       const KeyMap& wholeMap,
@@ -202,11 +203,12 @@ private:
     std::optional<std::size_t> watched; ///< of the instrument of that number
     int watchedInstrument = 0;
     ObjectWorkshop workshop;
-    ImportSettings importSettings;
+    ImportSettings importSettings; ///< given, for what is opened
     int importLoads = -1; ///< number of the load that the workshop's job began from or led to
     bool importFailureShown = true;
     std::weak_ptr<const ModalObject> imported; ///< the workshop's last that played
-    int settingsLoads = -1; ///< number of the load that `importSettings` took notice of
+    std::weak_ptr<const ModalObject>
+        settingsGivenFor; ///< that played then, and not by the workshop
 
     // The message side's, under soundMutex.
     mutable std::mutex soundMutex;

@@ -4,7 +4,7 @@
 #include "Geometry/ObjectMesh.h"
 #include "Instrument/SingleObjectMap.h"
 #include "Instrument/StartingLevel.h"
-#include "Object/MaterialFile.h"
+#include "Object/Material.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
@@ -40,16 +40,6 @@ std::optional<KeyLayout> layoutOf(const std::shared_ptr<const Instrument>& instr
     }
 }
 
-/// What the object is heard to be made of, where that is a material of the library's or the user's;
-/// else nothing.
-std::optional<std::string> knownMaterial(const ModalObject& object, const ParameterValues& values) {
-    const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
-    const auto names = choiceNames(ParameterId::material);
-    const bool isOfLibrary = chosen >= firstLibraryMaterial && chosen < names.size();
-    const std::string name = isOfLibrary ? std::string(names[chosen]) : object.material.name;
-    return findAnyMaterial(name) ? std::optional(name) : std::nullopt;
-}
-
 bool isStruck(const ParameterValues& values) {
     return static_cast<int>(values[ParameterId::contact]) == strikeContact;
 }
@@ -76,34 +66,48 @@ bool Processor::canAnalyseAgain() const {
     return followsImportSettings() || keyLayout().has_value();
 }
 
-/// An object that came from elsewhere than the workshop's mesh is analysed anew as what it is,
-/// unless other settings are asked for.
-void Processor::followLoadedObject() {
-    const auto now = loaded();
-    if (std::exchange(settingsLoads, now.number) == now.number || followsImportSettings() ||
-        !layoutOf(now.sound.instrument))
-        return;
-    const auto& object = *now.sound.instrument->slots().front().object;
-    if (const auto name = knownMaterial(object, now.sound.parameters))
-        importSettings.material = *name;
-    if (object.thicknessMetres > 0)
-        importSettings.thicknessMetres =
-            object.thicknessMetres * now.sound.parameters[ParameterId::thickness] / 100;
+/// The single object that plays, where it is not of the workshop's mesh.
+std::shared_ptr<const ModalObject> Processor::foreignObject() const {
+    if (followsImportSettings())
+        return nullptr;
+    const auto playing = loadedInstrument();
+    return layoutOf(playing) ? playing->slots().front().object : nullptr;
+}
+
+/// Such an object is analysed anew as what it is, until other settings are given for it. Figures of
+/// a custom material have no name here: then it is the one that the object was analysed with.
+ImportSettings Processor::settingsInForce() const {
+    auto settings = importSettings;
+    const auto object = foreignObject();
+    if (object == nullptr || object == settingsGivenFor.lock())
+        return settings;
+    const auto values = parameters.values();
+    const auto chosen = static_cast<std::size_t>(values[ParameterId::material]);
+    const auto names = choiceNames(ParameterId::material);
+    const std::string name = chosen >= firstLibraryMaterial && chosen < names.size()
+                                 ? std::string(names[chosen])
+                                 : object->material.name;
+    if (findMaterial(name) != nullptr ||
+        std::ranges::find(userMaterials, name, &Material::name) != userMaterials.end())
+        settings.material = name;
+    if (object->thicknessMetres > 0)
+        settings.thicknessMetres = object->thicknessMetres * values[ParameterId::thickness] / 100;
+    return settings;
 }
 
 void Processor::setImportSettings(const ImportSettings& settings) {
-    followLoadedObject();
+    settingsGivenFor = foreignObject();
     importSettings = settings;
     if (followsImportSettings())
         analyseAgain();
 }
 
 void Processor::analyseAgain() {
-    followLoadedObject();
     const auto now = loaded();
     const bool isOurs = importLoads == now.number && workshop.hasMesh();
     if (!isOurs && !layoutOf(now.sound.instrument))
         return;
+    importSettings = settingsInForce(); // from now on the mesh is the workshop's
     beginImport(now.number);
     if (isOurs)
         return workshop.analyseAgain(importSettings);
@@ -117,13 +121,12 @@ ImportStatus Processor::importStatus() const {
         importLoads == loads || (object != nullptr && plays(loadedInstrument(), *object));
     auto status = isOfWhatPlays ? workshop.status() : ImportStatus{};
     status.followsSettings = followsImportSettings();
-    status.settings = importSettings;
+    status.settings = status.isWorking() ? importSettings : settingsInForce();
     return status;
 }
 
 /// A product plays where nothing else was chosen meanwhile.
 void Processor::followWorkshop() {
-    followLoadedObject();
     if (importLoads != loads)
         return workshop.cancel();
     if (const auto product = workshop.takeProduct())

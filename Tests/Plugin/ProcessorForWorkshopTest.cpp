@@ -241,6 +241,8 @@ TEST_CASE("An object that did not come from a mesh here is analysed anew as what
     const auto glass = saved(processor);
     processor.setImportSettings({.material = "Brass", .thicknessMetres = 0.001});
     CHECK(processor.importStatus().settings.material == "Brass");
+    processor.setKeyLayout(KeyLayout::zones);
+    CHECK(processor.importStatus().settings.material == "Brass");
     restoreBytes(processor, glass);
     finish(processor);
     CHECK(processor.importStatus().settings.material == "Glass");
@@ -249,6 +251,18 @@ TEST_CASE("An object that did not come from a mesh here is analysed anew as what
     const auto again = processor.playedObjects().front().object;
     CHECK(again->material.name == "Glass");
     CHECK(again->thicknessMetres == copper->thicknessMetres);
+}
+
+TEST_CASE("A mesh is opened with the settings given, whatever plays") {
+    Processor processor;
+    REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wooden Table")));
+    const auto table = processor.importStatus().settings;
+    CHECK(table.material == "Wood");
+    open(processor, smallPlateFile("plate.obj", 1));
+    const auto& plate = *processor.playedObjects().front().object;
+    CHECK(plate.material.name == ImportSettings{}.material);
+    CHECK(plate.thicknessMetres == ImportSettings{}.thicknessMetres);
+    CHECK(processor.importStatus().settings == ImportSettings{});
 }
 
 TEST_CASE("What is said of an opened file is said while that plays") {
