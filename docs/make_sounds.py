@@ -63,7 +63,7 @@ SOUNDS = (
     ("motor", "a vibraphone's discs at rest, and turning", "Vibraphone", blows(CHORD, 0.02), 3,
      ({"motor_depth": 0}, {"motor_depth": 90, "motor_speed": 4})),
     ("radiation", "what is heard at the struck place, and what the whole plate sends to both ears",
-     "Steel Plate", blows([48, 60, 72]), 2, ({"radiation": 0}, {"radiation": 100, "level": 0})),
+     "Steel Plate", blows([48, 60, 72]), 2, ({"radiation": 0}, {"radiation": 100, "level": 6})),
     ("room", "stones without a room, in a small one and in a hall", "Stones", blows([72, 76, 79], 0.2),
      2, ({"room": 0}, {"room": 40, "room_decay": 0.6}, {"room": 60, "room_decay": 3})),
     ("scrape", "a point drawn over a plate: slowly, fast, then pressed harder", "Scraped Plate",
