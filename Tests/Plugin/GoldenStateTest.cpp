@@ -161,6 +161,7 @@ TEST_CASE("Whatever a released version named and numbered is there under its nam
     for (const auto& version : std::filesystem::directory_iterator(goldenFolder)) {
         INFO(version.path());
         std::ifstream file(version.path() / "names.txt");
+        REQUIRE(file);
         for (std::string line; std::getline(file, line); ++found) {
             INFO(line);
             CHECK(present.contains(line));
