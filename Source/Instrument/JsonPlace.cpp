@@ -39,19 +39,16 @@ std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
     return all;
 }
 
-std::vector<JsonPlace> JsonPlace::list() const {
+std::vector<JsonPlace> JsonPlace::list(std::size_t most) const {
     if (!value.is_array())
         fail("is not a list");
+    if (value.size() > most)
+        fail("is a list of more than " + std::to_string(most));
     std::vector<JsonPlace> places;
+    places.reserve(value.size());
     for (std::size_t k = 0; k < value.size(); ++k)
         places.emplace_back(value[k], path + "[" + std::to_string(k) + "]");
     return places;
-}
-
-std::vector<JsonPlace> JsonPlace::list(std::size_t most) const {
-    if (!value.is_array() || value.size() > most)
-        fail("is not a list of at most " + std::to_string(most));
-    return list();
 }
 
 double JsonPlace::number(double lowest, double highest) const {

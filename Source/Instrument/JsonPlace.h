@@ -34,7 +34,7 @@ public:
     /// Of an object, with their keys.
     std::vector<std::pair<std::string, JsonPlace>> members() const;
 
-    std::vector<JsonPlace> list() const;
+    /// Each has its way, many times the bytes of a number in the file: hence `most`.
     std::vector<JsonPlace> list(std::size_t most) const;
     double number(double lowest, double highest) const;
     double wholeNumber(double lowest, double highest) const;

@@ -80,7 +80,7 @@ void parseParameters(const JsonPlace& place, Preset& preset) {
 ModeSet parseMutedModes(const JsonPlace& place) {
     ModeSet muted;
     for (const auto& [name, modes] : place.members())
-        for (const auto& mode : modes.list())
+        for (const auto& mode : modes.list(ModeSet::capacity))
             if (!muted.set(name, mode.integer(0, ModeSet::mostModes - 1), true))
                 place.fail("are more than " + std::to_string(ModeSet::capacity));
     return muted;
@@ -100,7 +100,7 @@ Preset parse(const JsonPlace& root) {
     if (root.has("description"))
         preset.description = root.at("description").textOrEmpty();
     if (root.has("tags"))
-        for (const auto& tag : root.at("tags").list())
+        for (const auto& tag : root.at("tags").list(mostTags))
             preset.tags.push_back(tag.textOrEmpty());
     preset.keyMap = parseKeyMap(root.at("keyMap"));
     if (root.has("parameters"))

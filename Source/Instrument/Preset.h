@@ -67,6 +67,7 @@ struct Preset {
 
 inline constexpr int presetFormatVersion = 1;
 inline constexpr std::size_t largestPresetBytes = 1 << 20;
+inline constexpr std::size_t mostTags = 1000;
 inline constexpr std::size_t mostPathPoints = 1000; ///< of KeyMap::strikePath
 
 /// Parses a preset file; `name` stands for it in errors: it is too large, no JSON, lacks something

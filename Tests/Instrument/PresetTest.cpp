@@ -80,6 +80,13 @@ TEST_CASE("A preset that makes no sense is refused with its fault and where that
                  "name is empty");
     checkRefused(R"({"format":"idiophone-preset","version":1,"name":"A"})", "it lacks 'keyMap'");
     checkRefused(head + map + R"(,"tags":[1]})", "tags[0] is not a text");
+    checkRefused(head + map + R"(,"tags":"bell"})", "tags is not a list");
+    std::string tags = R"("bell")";
+    for (std::size_t tag = 1; tag < mostTags; ++tag)
+        tags += R"(,"bell")";
+    CHECK(parsePreset(head + map + R"(,"tags":[)" + tags + "]}", "x.json"));
+    checkRefused(head + map + R"(,"tags":[)" + tags + R"(,""]})",
+                 "tags is a list of more than 1000");
     checkRefused(head + map + R"(,"parameters":[]})", "parameters is not a JSON object");
     checkRefused(head + map + R"(,"parameters":{"tau":"loud"}})",
                  "parameters.tau is a value that it cannot take");
@@ -128,9 +135,11 @@ TEST_CASE("Muted modes that make no sense are refused with their fault and where
         refuse(R"({"plate":[0,)" + std::string(mode) + "]}",
                "mutedModes.plate[1] is not between 0 and 1048575");
     std::string many = "0";
-    for (int mode = 1; mode <= 16384; ++mode)
+    for (int mode = 1; mode < 16384; ++mode)
         many += "," + std::to_string(mode);
-    refuse(R"({"plate":[)" + many + "]}", "mutedModes are more than 16384");
+    CHECK(parsePreset(head + map + R"(,"mutedModes":{"plate":[)" + many + "]}}", "x.json"));
+    refuse(R"({"plate":[)" + many + R"(],"ring":[0]})", "mutedModes are more than 16384");
+    refuse(R"({"plate":[)" + many + ",0]}", "mutedModes.plate is a list of more than 16384");
 }
 
 TEST_CASE("A surface nested half a million deep is refused, and does not exhaust the stack") {
