@@ -86,7 +86,8 @@ void orientAndCut(Mesh& mesh, bool cut, RepairReport& report) {
 
 bool RepairReport::mayBeCutOff() const {
     constexpr int strayVertices = 8; // a pivot, or the corners of a box around the object
-    return unreferencedVertices - 3 * (degenerateFaces + duplicateFaces) > strayVertices;
+    return boundaryEdges > 0 &&
+           unreferencedVertices - 3 * (degenerateFaces + duplicateFaces) > strayVertices;
 }
 
 std::string RepairReport::text() const {
@@ -110,8 +111,8 @@ std::string RepairReport::text() const {
         text += std::string(text.empty() ? "" : " ") +
                 "Too many open edges to look for vertices that lie on them.";
     say(boundaryEdges, "Open: ", "boundary edge", "boundary edges");
-    if (boundaryEdges > 0 && mayBeCutOff())
-        text += " Its file may be cut off: faces are missing for vertices that are there.";
+    if (mayBeCutOff())
+        text += " Many vertices have no face: the end of the mesh may be missing.";
     say(nonManifoldEdges, "Not a manifold: ", "edge of more than two faces",
         "edges of more than two faces");
     say(oneSidedEdges, "One-sided: ", "edge at which the faces cannot agree on a side",

@@ -37,8 +37,8 @@ struct RepairReport {
     int nonManifoldEdges = 0; ///< edges of more than two faces
     int oneSidedEdges = 0;    ///< where no turning made neighbours agree
 
-    /// More vertices without a face than strayed there, or than lost theirs to repair: an open mesh
-    /// lacks the end of its list of faces.
+    /// The mesh is open and has more vertices without a face than stray there, or than lost theirs
+    /// to repair: the end of its faces may be missing.
     bool mayBeCutOff() const;
     /// Sentences for people, such as "Welded 36 vertices. Open: 40 boundary edges."; may be empty.
     std::string text() const;
