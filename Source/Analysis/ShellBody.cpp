@@ -5,6 +5,7 @@
 #include "Geometry/LengthUnit.h"
 #include "Geometry/Remesh.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -33,12 +34,15 @@ bool isTooThick(const Mesh& mesh, double thicknessMetres) {
 }
 
 /// What a shell lies in is wider than it is thick; empty where this one is. The second of the
-/// mesh's three extents tells, as flat sheets lack the third.
+/// mesh's three extents along its principal axes tells, as flat sheets lack the third.
 std::string doubtOfThickness(const Mesh& mesh, double thicknessMetres) {
-    Eigen::RowVector3d extents =
-        mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
+    constexpr double rounding = 1e-9;
+    const Eigen::MatrixXd centred = mesh.vertices.rowwise() - mesh.vertices.colwise().mean();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(centred.transpose() * centred);
+    const Eigen::MatrixXd turned = centred * axes.eigenvectors();
+    Eigen::RowVector3d extents = turned.colwise().maxCoeff() - turned.colwise().minCoeff();
     std::sort(extents.begin(), extents.end());
-    if (thicknessMetres <= extents(1))
+    if (thicknessMetres <= extents(1) * (1 + rounding))
         return {};
     return "A shell of " + millimetresText(thicknessMetres) +
            " is thicker than its mesh is wide, " + millimetresText(extents(1)) +

@@ -6,7 +6,9 @@
 #include "Support/GeneratedMeshes.h"
 #include "TestMaterials.h"
 
+#include <Eigen/Geometry>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <limits>
@@ -186,11 +188,18 @@ TEST_CASE("Open, non-manifold and separate meshes are analysed") {
 
 TEST_CASE("A shell that is thicker than its mesh is wide is doubted") {
     auto settings = barSettings();
+    auto sheet = sheetMesh(0.4, 0.05, 100);
+    if (GENERATE(false, true)) {
+        const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized();
+        const Eigen::AngleAxisd turn(0.7, axis);
+        sheet.vertices *= turn.toRotationMatrix().transpose();
+    }
     const auto notesAt = [&](double thicknessMetres) {
         settings.thicknessMetres = thicknessMetres;
-        return analyse(sheetMesh(0.4, 0.05, 100), settings)->provenance.notes;
+        return analyse(sheet, settings)->provenance.notes;
     };
     CHECK_THAT(notesAt(3), ContainsSubstring("3000 mm is thicker than its mesh is wide, 50 mm"));
+    CHECK_THAT(notesAt(0.06), ContainsSubstring("60 mm is thicker than its mesh is wide, 50 mm"));
     for (const double plausibleMetres : {0.003, 0.02, 0.05})
         CHECK_THAT(notesAt(plausibleMetres), !ContainsSubstring("thicker than"));
 }
