@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The manual's pages of parameters, presets and mallets, from what the program has: `./dev pages`.
+"""The manual's pages of parameters and presets, from what the program says of them, and of mallets,
+from the rack that is built into it: `./dev pages`.
 
     python3 docs/make_pages.py build/release/Source/Console/idiophone
 """
@@ -80,9 +81,10 @@ def pages(console):
     def said(list_name):
         return json.loads(subprocess.run([console, list_name, "--json"], check=True,
                                          capture_output=True).stdout)
+    rack = json.loads(RACK.read_text(encoding="utf-8"))
     return {FOLDER / "parameters.md": parameters_page(said("parameters")),
             FOLDER / "presets.md": presets_page(said("presets")),
-            FOLDER / "mallets.md": mallets_page(json.loads(RACK.read_text())["mallets"])}
+            FOLDER / "mallets.md": mallets_page(rack["mallets"])}
 
 
 if __name__ == "__main__":
