@@ -7,6 +7,10 @@ namespace {
 
 constexpr int pixelsToDrag = 6;
 
+juce::File dragFolder() {
+    return juce::File::getSpecialLocation(juce::File::tempDirectory).getChildFile("Idiophone");
+}
+
 } // namespace
 
 CaptureButton::CaptureButton(ProcessorView& processor,
@@ -27,11 +31,13 @@ juce::String CaptureButton::fileName() const {
 juce::File CaptureButton::writeForDrag() {
     if (!view.hasCaptured())
         return {};
-    const auto file = juce::File::getSpecialLocation(juce::File::tempDirectory)
-                          .getChildFile("Idiophone")
-                          .getChildFile(fileName());
+    const auto file = dragFolder().getChildFile(fileName());
     file.getParentDirectory().createDirectory();
     return view.writeCapture(kind, pathOf(file)) ? file : juce::File();
+}
+
+bool CaptureButton::isForDrag(const std::filesystem::path& file) {
+    return file.parent_path() == pathOf(dragFolder());
 }
 
 void CaptureButton::mouseDown(const juce::MouseEvent& event) {

@@ -3,6 +3,7 @@
 
 #include "Editor/ProcessorView.h"
 
+#include <filesystem>
 #include <juce_gui_basics/juce_gui_basics.h>
 #include <memory>
 
@@ -23,6 +24,8 @@ public:
 
     /// A file of the system's temporary folder, as it is dragged; none where it was not written.
     juce::File writeForDrag();
+    /// Whether it is such a file, of any window's.
+    static bool isForDrag(const std::filesystem::path& file);
 
 private:
     void save();

@@ -32,12 +32,13 @@ juce::String firstReadable(const juce::StringArray& files, const ProcessorView& 
     return {};
 }
 
-std::string refusalOf(const juce::File& file) {
-    const auto reason =
-        file.hasFileExtension("json")
-            ? "presets belong in the folder that the preset browser shows, materials in Materials "
-              "beside it, and a preset names the scene that it plays."
-            : "it is none of .obj, .off, .ply, .stl, .modal, .scl and .kbm.";
+std::string refusalOf(const juce::File& file, const ProcessorView& view) {
+    juce::String reason = "presets belong in the folder that the preset browser shows, materials "
+                          "in Materials beside it, and a preset names the scene that it plays.";
+    if (!file.hasFileExtension("json")) {
+        const auto patterns = fromUtf8(view.openPatterns() + ";" + view.tuningPatterns());
+        reason = "it is none of " + patterns.removeCharacters("*").replace(";", ", ") + ".";
+    }
     return (file.getFileName().quoted() + " is not opened here: " + reason).toStdString();
 }
 
@@ -125,17 +126,9 @@ void EditorWindow::setBrowsing(bool browses) {
 bool EditorWindow::keyPressed(const juce::KeyPress& key) {
     if (key.isKeyCode(juce::KeyPress::tabKey))
         focusRing.tabPressed();
-    return presets.handleKey(key) || shiftsComputerKeys(key) ||
+    return presets.handleKey(key) ||
+           (juce::JUCEApplicationBase::isStandaloneApp() && keyboard.pressOctaveKey(key)) ||
            AudioProcessorEditor::keyPressed(key);
-}
-
-bool EditorWindow::shiftsComputerKeys(const juce::KeyPress& key) {
-    const auto letter = juce::CharacterFunctions::toLowerCase(key.getTextCharacter());
-    if (!juce::JUCEApplicationBase::isStandaloneApp() || (letter != 'z' && letter != 'x') ||
-        key.getModifiers().isAnyModifierKeyDown())
-        return false;
-    keyboard.shiftComputerKeys(letter == 'z' ? -1 : 1);
-    return true;
 }
 
 // Whatever has the focus, the keys of the computer play where it does not want them. In a host they
@@ -184,7 +177,8 @@ void EditorWindow::setBusy(bool busy) {
 }
 
 bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
-    return !files.isEmpty(); // what cannot be opened is answered, too
+    // What cannot be opened is answered, too; but for a capture that is let go where it came from.
+    return !files.isEmpty() && !CaptureButton::isForDrag(pathOf(files[0]));
 }
 
 void EditorWindow::fileDragEnter(const juce::StringArray& files, int, int) {
@@ -199,7 +193,7 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     dropFrame.show({});
     const auto file = firstReadable(files, view);
     if (file.isEmpty())
-        return view.reportError(refusalOf(juce::File(files[0])));
+        return view.reportError(refusalOf(juce::File(files[0]), view));
     const bool isTuning = view.isTuningFile(pathOf(file));
     if (isTuning) // a scale and its mapping come together
         for (const auto& each : files) {

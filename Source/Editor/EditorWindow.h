@@ -41,7 +41,7 @@ public:
     void setLook(LookScheme scheme);
 
     /// Files that the workshop reads, scales and keyboard mappings may be dropped anywhere on the
-    /// window; of others the status says why not.
+    /// window; of others the status says why not. A window's own capture is not taken.
     bool isInterestedInFileDrag(const juce::StringArray& files) override;
     void fileDragEnter(const juce::StringArray& files, int x, int y) override;
     void fileDragExit(const juce::StringArray& files) override;
@@ -52,7 +52,6 @@ private:
     void makePages();
     void placeParts();
     void setBusy(bool busy);
-    bool shiftsComputerKeys(const juce::KeyPress& key);
 
     ProcessorView& view;
     Preferences preferences;

@@ -35,7 +35,7 @@ ImportPage::ImportPage(ProcessorView& processor)
            "Open a mesh or a modal object",
            "Open a mesh (OBJ, PLY, STL, OFF) or a modal object; dropping it on the window does the "
            "same",
-           "*.obj;*.ply;*.stl;*.off;*.modal",
+           fromUtf8(processor.openPatterns()),
            [this](const std::filesystem::path& chosen) {
                view.openFile(chosen);
                refresh();

@@ -54,10 +54,17 @@ void KeyboardPanel::Keys::drawBlackNote(int note,
 void KeyboardPanel::Keys::greyUnlessPlayed(int note,
                                            juce::Graphics& g,
                                            juce::Rectangle<float> area) const {
-    if (note >= range.lowest && note <= range.highest)
+    if (note >= owner.shown.lowest && note <= owner.shown.highest)
         return;
     g.setColour(juce::Colour(0xa0808286));
     g.fillRect(area);
+}
+
+bool KeyboardPanel::Keys::keyStateChanged(bool isDown) {
+    if (auto& held = owner.octaveKey;
+        held != 0 && !juce::KeyPress::isKeyCurrentlyDown(static_cast<int>(held)))
+        held = 0;
+    return MidiKeyboardComponent::keyStateChanged(isDown);
 }
 
 KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
@@ -108,6 +115,21 @@ void KeyboardPanel::showRange() {
     keyboard.setKeyPressBaseOctave(baseNote / 12);
     resized();
     keyboard.repaint();
+}
+
+void KeyboardPanel::releaseKeys() {
+    octaveKey = 0;
+    keyboard.focusLost(focusChangedDirectly);
+}
+
+bool KeyboardPanel::pressOctaveKey(const juce::KeyPress& key) {
+    const auto letter = juce::CharacterFunctions::toLowerCase(key.getTextCharacter());
+    if ((letter != 'z' && letter != 'x') || key.getModifiers().isAnyModifierKeyDown())
+        return false;
+    if (letter != octaveKey)
+        shiftComputerKeys(letter == 'z' ? -1 : 1);
+    octaveKey = letter;
+    return true;
 }
 
 void KeyboardPanel::shiftComputerKeys(int octaves) {

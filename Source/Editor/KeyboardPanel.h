@@ -21,9 +21,12 @@ public:
     /// Keys of the computer are down or up that nothing else has taken; whether they play.
     bool followKeys(bool isDown) { return keyboard.keyStateChanged(isDown); }
     /// As when it loses the focus: what the computer's keys hold is let go.
-    void releaseKeys() { keyboard.focusLost(focusChangedDirectly); }
-    /// The computer's keys play so many octaves higher, within the keys that are shown.
-    void shiftComputerKeys(int octaves);
+    void releaseKeys();
+    /// Z and X let the computer's keys play an octave lower or higher, within the keys that are
+    /// shown: once until they come up, however often they are repeated. False for other keys.
+    bool pressOctaveKey(const juce::KeyPress& key);
+    /// The C that the computer's first key plays.
+    int computerKeysNote() const { return baseNote; }
 
     void resized() override;
     void lookAndFeelChanged() override;
@@ -36,7 +39,9 @@ private:
     class Keys final : public juce::MidiKeyboardComponent {
     public:
         explicit Keys(KeyboardPanel& panel)
-            : MidiKeyboardComponent(panel.state, horizontalKeyboard), range(panel.shown) {}
+            : MidiKeyboardComponent(panel.state, horizontalKeyboard), owner(panel) {}
+
+        bool keyStateChanged(bool isDown) override;
 
         void drawWhiteNote(int note,
                            juce::Graphics& g,
@@ -55,16 +60,18 @@ private:
     private:
         void greyUnlessPlayed(int note, juce::Graphics& g, juce::Rectangle<float> area) const;
 
-        const ProcessorView::KeyRange& range;
+        KeyboardPanel& owner;
     };
 
     void showRange();
+    void shiftComputerKeys(int octaves);
 
     ProcessorView& view;
     ProcessorView::KeyRange shown{.lowest = -1, .highest = -1};
-    int lowest = 0, highest = 127; ///< of the keys drawn
-    int baseNote = 0;              ///< of the computer's keys
-    juce::MidiKeyboardState state; // never seen by the audio thread: it locks
+    int lowest = 0, highest = 127;  ///< of the keys drawn
+    int baseNote = 0;               ///< of the computer's keys
+    juce::juce_wchar octaveKey = 0; ///< 'z' or 'x' while it is held
+    juce::MidiKeyboardState state;  // never seen by the audio thread: it locks
     Keys keyboard{*this};
 };
 

@@ -39,7 +39,7 @@ TuningPage::TuningPage(ProcessorView& processor)
            "Open a scale or a keyboard mapping",
            "Open a Scala scale (.scl) or a keyboard mapping (.kbm); dropping it on the window does "
            "the same",
-           "*.scl;*.kbm",
+           fromUtf8(processor.tuningPatterns()),
            [this](const std::filesystem::path& file) {
                view.openTuning(file);
                refresh();

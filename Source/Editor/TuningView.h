@@ -29,6 +29,8 @@ public:
 
     /// Whether the extension is .scl or .kbm, in any case.
     virtual bool isTuningFile(const std::filesystem::path& file) const = 0;
+    /// Of these files, separated by semicolons.
+    virtual std::string tuningPatterns() const = 0;
     /// Tunes the keys of this instance by a scale or a keyboard mapping; the other of the two
     /// stays. The project keeps the file's text. What goes wrong is what the status says, and the
     /// tuning stays.

@@ -64,8 +64,10 @@ class WorkshopView {
 public:
     virtual ~WorkshopView() = default;
 
-    /// Whether the extension is one of those read: .obj, .ply, .stl, .off, .modal, in any case.
+    /// Whether the extension is one of those read, in any case.
     virtual bool canOpen(const std::filesystem::path& file) const = 0;
+    /// Of these files, separated by semicolons: "*.obj;*.modal".
+    virtual std::string openPatterns() const = 0;
     /// Makes an object of the file with the settings in force, in the background, and plays it as
     /// soon as it sounds. What was under way is cancelled. What goes wrong is in the status.
     virtual void openFile(const std::filesystem::path& file) = 0;

@@ -11,6 +11,9 @@ bool isMeshFile(const std::filesystem::path& file);        ///< .obj, .off, .ply
 bool isScale(const std::filesystem::path& file);           ///< .scl
 bool isKeyboardMapping(const std::filesystem::path& file); ///< .kbm
 
+std::string objectFilePatterns(); ///< "*.obj;*.off;*.ply;*.stl;*.modal"
+std::string tuningFilePatterns(); ///< "*.scl;*.kbm"
+
 /// Without its folder, in UTF-8.
 std::string fileNameOf(const std::filesystem::path& file);
 

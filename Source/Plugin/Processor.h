@@ -126,11 +126,13 @@ public:
     void setValue(ParameterId parameter, double value) override;
 
     bool isTuningFile(const std::filesystem::path& file) const override;
+    std::string tuningPatterns() const override;
     void openTuning(const std::filesystem::path& file) override;
     void forgetTuning() override;
     TuningStatus tuningStatus() const override;
 
     bool canOpen(const std::filesystem::path& file) const override;
+    std::string openPatterns() const override;
     void openFile(const std::filesystem::path& file) override;
     bool canAnalyseAgain() const override;
     void setImportSettings(const ImportSettings& settings) override;

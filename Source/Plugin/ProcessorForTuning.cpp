@@ -9,6 +9,10 @@ bool Processor::isTuningFile(const std::filesystem::path& file) const {
     return isScale(file) || isKeyboardMapping(file);
 }
 
+std::string Processor::tuningPatterns() const {
+    return tuningFilePatterns();
+}
+
 void Processor::openTuning(const std::filesystem::path& file) {
     const auto tuned = readTextFile(file, ScalaTuning::largestFileBytes)
                            .and_then([&](const std::string& text) -> Result<void> {

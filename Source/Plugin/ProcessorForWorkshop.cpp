@@ -50,6 +50,10 @@ bool Processor::canOpen(const std::filesystem::path& file) const {
     return isMeshFile(file) || isModalFile(file);
 }
 
+std::string Processor::openPatterns() const {
+    return objectFilePatterns();
+}
+
 void Processor::beginImport(int number) {
     shelf.keepAudition(); // who makes another object of it wants it
     importLoads = number;

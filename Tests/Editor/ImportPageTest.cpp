@@ -176,7 +176,12 @@ TEST_CASE("Files are taken wherever they are dropped; of what cannot be opened i
         const auto status = processor.takeStatus();
         CHECK(status.isError);
         CHECK(status.sentence.starts_with('"' + std::string(refused) + '"'));
+        if (!path.hasFileExtension("json"))
+            CHECK(status.sentence.ends_with("none of .obj, .off, .ply, .stl, .modal, .scl, .kbm."));
     }
+    const auto captured = juce::File::getSpecialLocation(juce::File::tempDirectory)
+                              .getChildFile("Idiophone/Idiophone capture.mid");
+    CHECK_FALSE(window.isInterestedInFileDrag({captured.getFullPathName()}));
 }
 
 TEST_CASE("A page that nothing happens on repaints nothing, and no text of its buttons is cut") {

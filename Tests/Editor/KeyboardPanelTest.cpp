@@ -42,3 +42,25 @@ TEST_CASE("Keys that play nothing are told from those that do, in both looks") {
         panel.setLookAndFeel(nullptr);
     }
 }
+
+TEST_CASE("Z and X move the computer's keys by an octave a press, and no further while held") {
+    Processor processor;
+    KeyboardPanel panel(processor);
+    const auto press = [&](juce::juce_wchar letter) {
+        return panel.pressOctaveKey({static_cast<int>(letter), {}, letter});
+    };
+    const int first = panel.computerKeysNote();
+    for (int repeat = 0; repeat < 3; ++repeat)
+        CHECK(press('x'));
+    CHECK(panel.computerKeysNote() == first + 12);
+    CHECK(press('z')); // while X is down
+    CHECK(panel.computerKeysNote() == first);
+    for (int times = 1; times <= 2; ++times) {
+        panel.releaseKeys();
+        CHECK(press('X'));
+        CHECK(panel.computerKeysNote() == first + 12 * times);
+    }
+    CHECK_FALSE(press('y'));
+    CHECK_FALSE(panel.pressOctaveKey({'z', juce::ModifierKeys::ctrlModifier, 'z'}));
+    CHECK(panel.computerKeysNote() == first + 24);
+}
