@@ -171,20 +171,25 @@ ParameterValues of(const MalletFigures& figures, ParameterValues parameters) {
     return parameters;
 }
 
-/// By how much the worst of a grid is off on a preset whose keys do what `kind` says.
+/// By how much the worst of a grid is off on a preset whose keys do what `kind` says, and how many
+/// of it ask for more than the gain's bound.
+struct Worst {
+    double matched = 0, predicted = 0;
+    int beyond = 0;
+};
+
 template <typename Grid>
-Rig::Error
-worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t takes, int velocity) {
+Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t takes, int velocity) {
     Rig rig(preset, kind, takes);
-    Rig::Error worst{};
-    std::size_t compared = 0;
+    Worst worst;
     for (const auto& figures : grid)
         if (const auto error = rig.error(of(figures, rig.own), velocity)) {
+            REQUIRE(std::isfinite(error->matched));
+            REQUIRE(std::isfinite(error->predicted));
             worst.matched = std::max(worst.matched, std::abs(error->matched));
             worst.predicted = std::max(worst.predicted, std::abs(error->predicted));
-            ++compared;
-        }
-    CHECK(2 * compared > grid.size());
+        } else
+            ++worst.beyond;
     return worst;
 }
 
@@ -209,19 +214,24 @@ TEST_CASE("Strikes of another material are within 2.4 LU of every factory preset
     for (const auto& preset : keyedFactoryPresets())
         for (const int velocity : PhrasePrediction::velocities) {
             INFO(preset.name << ", velocity " << velocity);
-            CHECK(worstOf(materialGrid, preset, strikeContact, 4, velocity).matched < 2.4);
+            const auto worst = worstOf(materialGrid, preset, strikeContact, 4, velocity);
+            CHECK(worst.matched < 2.4);
+            CHECK(worst.beyond == 0);
         }
 }
 
 TEST_CASE("Strikes of another mallet are within 3.1 LU of every factory preset's own at velocity "
-          "100, and within 2 LU of what is predicted of them at any") {
+          "100, 5.2 LU at 127 and 16.7 LU at 40, where long contacts have their nulls at other "
+          "keys, and at any within 2 LU of what is predicted of them") {
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{16.7, 3.1, 5.2};
     for (const auto& preset : keyedFactoryPresets())
-        for (const int velocity : PhrasePrediction::velocities) {
+        for (std::size_t level = 0; level < mostLu.size(); ++level) {
+            const int velocity = PhrasePrediction::velocities[level];
             INFO(preset.name << ", velocity " << velocity);
             const auto worst = worstOf(malletGrid, preset, strikeContact, 4, velocity);
+            CHECK(worst.matched < mostLu[level]);
             CHECK(worst.predicted < 2);
-            if (velocity == 100)
-                CHECK(worst.matched < 3.1);
+            CHECK(worst.beyond <= 2);
         }
 }
 
@@ -252,7 +262,9 @@ TEST_CASE("Scrapes of another material are within 2 LU of every factory preset's
           "over places on the surface") {
     for (const auto& preset : keyedFactoryPresets()) {
         INFO(preset.name);
-        CHECK(worstOf(materialGrid, preset, scrapeContact, 16, 100).matched < 2);
+        const auto worst = worstOf(materialGrid, preset, scrapeContact, 16, 100);
+        CHECK(worst.matched < 2);
+        CHECK(worst.beyond <= 1);
     }
 }
 
@@ -260,7 +272,9 @@ TEST_CASE("Rolls of another material are within 2.3 LU of every factory preset's
           "over places on the surface") {
     for (const auto& preset : keyedFactoryPresets()) {
         INFO(preset.name);
-        CHECK(worstOf(materialGrid, preset, rollContact, 16, 100).matched < 2.3);
+        const auto worst = worstOf(materialGrid, preset, rollContact, 16, 100);
+        CHECK(worst.matched < 2.3);
+        CHECK(worst.beyond <= 1);
     }
 }
 
