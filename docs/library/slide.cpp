@@ -17,11 +17,13 @@
 using namespace idiophone;
 
 /// Where a contact in space touches the object, between the vertices that carry shapes. Its force
-/// goes into the surface and drags along x.
-ForcePoint touch(const SurfaceQuery& surface, const Eigen::Vector3d& contactMetres) {
+/// goes into the surface and drags it along x, the way that the contact moves.
+ForcePoint
+touch(const SurfaceQuery& surface, const Eigen::Vector3d& contactMetres, double speedAlongX) {
+    constexpr float friction = 0.3f;
     const SurfacePoint place = surface.nearestPoint(contactMetres);
     ForcePoint touched;
-    touched.direction = {0.3f, 0, 0};
+    touched.direction = {std::copysign(friction, static_cast<float>(speedAlongX)), 0, 0};
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
         touched.point.shapeRows[i] = surface.mesh().faces(place.face, k);
@@ -50,12 +52,13 @@ int main(int count, char** arguments) {
     contact.setSettings({.kind = kind == "roll" ? ContactKind::roll : ContactKind::scrape});
 
     std::ofstream sound(arguments[3], std::ios::binary);
-    ForcePoint last = touch(surface, {0, 0.03, 0});
+    const double fastest = 2 * std::numbers::pi * swingsHz * reachMetres; // at the middle, m/s
+    ForcePoint last = touch(surface, {0, 0.03, 0}, fastest);
     for (int cell = 1; cell <= 3 * rateHz / cellSamples; ++cell) {
         const double seconds = cell * cellSamples / rateHz; // at its end
         const double angle = 2 * std::numbers::pi * swingsHz * seconds;
-        const ForcePoint now = touch(surface, {reachMetres * std::sin(angle), 0.03, 0});
-        const double speed = 2 * std::numbers::pi * swingsHz * reachMetres * std::cos(angle);
+        const double speed = fastest * std::cos(angle);
+        const ForcePoint now = touch(surface, {reachMetres * std::sin(angle), 0.03, 0}, speed);
 
         std::array<float, cellSamples> left{}, right{}, newtons{};
         const CellOutput output(left, right);
