@@ -32,21 +32,21 @@ bool isRolled(const ParameterValues& values, const Played&) {
 bool motorModulates(const ParameterValues& values, const Played&) {
     return values[motorDepth] > 0;
 }
-bool hasTempo(const ParameterValues&, const Played&) {
-    return false;
+/// All else follows the tempo of a host.
+bool isFree(const ParameterValues& values, const Played&) {
+    return motorSyncBeats(static_cast<int>(values[motorSync])) == 0;
 }
 bool hasRoom(const ParameterValues& values, const Played&) {
     return values[room] > 0;
 }
 bool keysDamp(const ParameterValues& values, const Played& played) {
-    return values[letRing] == 0 || played.isPressed;
+    return values[letRing] == 0 || (played.isPressed && strikes(values));
 }
 bool hasPath(const ParameterValues&, const Played& played) {
     return !played.isOnePoint;
 }
 bool hasShells(const ParameterValues&, const Played& played) {
-    return std::ranges::any_of(played.slots,
-                               [](const auto& slot) { return slot.object->hasLiveThickness(); });
+    return hasLiveThickness(played.slots);
 }
 bool hasRadiation(const ParameterValues&, const Played& played) {
     return std::ranges::any_of(played.slots,
@@ -79,9 +79,10 @@ constexpr Condition conditions[]{
     {strikeAlong, hasPath, onPaths},
     {strikeAcross, hasPath, onPaths},
     {strikeSpread, hasPath, onPaths},
-    {releaseTime, keysDamp, "it acts with let_ring=off, and where pressure damps keys"},
+    {releaseTime, keysDamp,
+     "it acts with let_ring=off, and where pressure damps keys that are struck"},
     {motorSpeed, motorModulates, "it acts with motor_depth above 0"},
-    {motorSync, hasTempo, "there is no host with a tempo; motor_speed acts"},
+    {motorSync, isFree, "there is no host with a tempo; motor_speed acts"},
     {roomDecay, hasRoom, "it acts with room above 0"},
     {thickness, hasShells, "no object is a shell, and solids keep the thickness of their mesh"},
     {radiation, hasRadiation, "no object was analysed with its radiation"},
@@ -114,36 +115,56 @@ whyIdle(ParameterId parameter, const ParameterValues& values, const Played& play
     return {};
 }
 
-/// Makes the choice custom where one of its figures was assigned: the others are those of `from`.
-void makeCustom(ParameterValues& values,
-                ParameterId choice,
-                int custom,
-                std::span<const ParameterId> figures,
-                std::span<const ParameterId> assigned,
-                const ParameterValues& from) {
+bool areOfSeveralMaterials(std::span<const SynthesiserSlot> slots) {
+    return std::ranges::any_of(slots, [&](const auto& slot) {
+        return liveMaterial(slot.object->material) != liveMaterial(slots.front().object->material);
+    });
+}
+
+/// The values with the assigned figures in the place of those of what is chosen.
+ParameterValues withAssignedFigures(ParameterValues values,
+                                    const FigureChoice& choice,
+                                    std::span<const ParameterId> assigned,
+                                    std::span<const SynthesiserSlot> slots) {
     const auto isAssigned = [&](ParameterId figure) { return isAmong(assigned, figure); };
-    if (static_cast<int>(values[choice]) == custom || std::ranges::none_of(figures, isAssigned))
-        return;
-    for (const auto figure : figures)
-        if (!isAssigned(figure))
-            values.set(figure, from[figure]);
-    values.set(choice, custom);
+    if (static_cast<int>(values[choice.choice]) == choice.custom ||
+        std::ranges::none_of(choice.figures, isAssigned))
+        return values;
+    auto custom =
+        withCustom(values, choice, slots.empty() ? nullptr : &slots.front().object->material);
+    for (const auto figure : choice.figures)
+        if (isAssigned(figure))
+            custom.set(figure, values[figure]);
+    return custom;
 }
 
 } // namespace
 
-ParameterValues
-withAssigned(ParameterValues values, std::span<const ParameterId> assigned, const Played& played) {
-    const auto chosen = effectiveFigures(values, &played.slots.front().object->material);
-    makeCustom(values, material, customMaterial, materialFigures, assigned, chosen);
-    makeCustom(values, mallet, customMallet, malletFigures, assigned, chosen);
+AssignedEffect assignedEffect(ParameterValues values,
+                              std::span<const ParameterId> assigned,
+                              const Played& played) {
+    const bool keepMaterials =
+        static_cast<int>(values[material]) == ownMaterial && areOfSeveralMaterials(played.slots);
+    for (const auto& choice : figureChoices)
+        if (choice.choice != material || !keepMaterials)
+            values = withAssignedFigures(values, choice, assigned, played.slots);
+    AssignedEffect effect{.values = values, .warnings = {}};
     for (const auto& info : parameterTable()) {
         if (!isAmong(assigned, info.parameter))
             continue;
-        if (const auto why = whyIdle(info.parameter, values, played); !why.empty())
-            std::cerr << "warning: --set " << info.id << " has no effect: " << why << std::endl;
+        auto why = whyIdle(info.parameter, values, played);
+        if (keepMaterials && isAmong(materialFigures, info.parameter))
+            why = "the objects are of several materials; choose one with --set material=...";
+        if (!why.empty())
+            effect.warnings.push_back(std::string("--set ") + info.id +
+                                      " has no effect: " + std::string(why));
     }
-    return values;
+    return effect;
+}
+
+void print(std::span<const std::string> warnings) {
+    for (const auto& warning : warnings)
+        std::cerr << "warning: " << warning << std::endl;
 }
 
 } // namespace idiophone

@@ -1,11 +1,13 @@
 // What parameters that were set by name come to on what is played: figures make their material or
-// mallet custom, and what cannot act is told.
+// mallet custom, and some cannot act.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
 #include "Synth/Synthesiser.h"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace idiophone {
 
@@ -18,15 +20,24 @@ enum class PlayedBy {
 
 struct Played {
     PlayedBy by = PlayedBy::mallets;
-    std::span<const SynthesiserSlot> slots; ///< one at least
+    std::span<const SynthesiserSlot> slots; ///< that are heard
     bool isOnePoint = false;                ///< all keys strike at the same
     bool isPressed = false;                 ///< pressure of keys comes
 };
 
+struct AssignedEffect {
+    ParameterValues values;
+    /// A sentence for each parameter without effect, with what it would have one.
+    std::vector<std::string> warnings;
+};
+
 /// The values with which `assigned` act: where one is a figure of the custom material or mallet and
-/// another one is chosen, that becomes custom with its other figures, as it does in the window. On
-/// standard error it has a line for each that has no effect and what it would have it with.
-ParameterValues
-withAssigned(ParameterValues values, std::span<const ParameterId> assigned, const Played& played);
+/// another one is chosen, that becomes custom with its other figures, as it does in the window.
+/// Objects of several materials keep them.
+AssignedEffect
+assignedEffect(ParameterValues values, std::span<const ParameterId> assigned, const Played& played);
+
+/// On standard error, a line each.
+void print(std::span<const std::string> warnings);
 
 } // namespace idiophone

@@ -7,6 +7,7 @@
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Object/FileBytes.h"
 #include "Object/OneLine.h"
 #include "Synth/Synthesiser.h"
 
@@ -35,7 +36,7 @@ struct ImpulseScore {
 std::string resolved(const std::string& object, const std::filesystem::path& impulseFile) {
     if (factoryObject(object))
         return object;
-    return (impulseFile.parent_path() / object).string();
+    return storedNameOf(impulseFile.parent_path() / pathNamed(object));
 }
 
 /// An object that impulses name, and where it can be struck.
@@ -154,9 +155,10 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
         return tl::unexpected(score.error());
 
     RenderTally tally;
-    const auto values =
-        withAssigned(parameters, assigned, {.by = PlayedBy::impulses, .slots = score->slots});
-    CellPlayer player(*score, synthesisSettings(values), format.sampleRateHz);
+    const auto effect =
+        assignedEffect(parameters, assigned, {.by = PlayedBy::impulses, .slots = score->slots});
+    print(effect.warnings);
+    CellPlayer player(*score, synthesisSettings(effect.values), format.sampleRateHz);
     if (auto done =
             renderTo(recording, format,
                      {.name = file.filename().string(),

@@ -97,7 +97,7 @@ bool isPressure(const SongEvent& event) {
 }
 
 Result<RenderTally> playSong(const Preset& preset,
-                             ParameterValues values,
+                             const ParameterValues& values,
                              std::span<const ParameterId> assigned,
                              const Options& options,
                              Recording& to) {
@@ -111,16 +111,18 @@ Result<RenderTally> playSong(const Preset& preset,
     if (!song)
         return tl::unexpected(song.error());
     warnOfTuning(preset, **instrument, options);
-    values = withAssigned(values, assigned,
-                          {.by = (*instrument)->stage() ? PlayedBy::stage : PlayedBy::mallets,
-                           .slots = (*instrument)->slots(),
-                           .isPressed = std::ranges::any_of(*song, isPressure)});
+    const auto effect =
+        assignedEffect(values, assigned,
+                       {.by = (*instrument)->stage() ? PlayedBy::stage : PlayedBy::mallets,
+                        .slots = (*instrument)->slots(),
+                        .isPressed = std::ranges::any_of(*song, isPressure)});
+    print(effect.warnings);
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
                   preset.parameters);
     player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
-    auto tally =
-        renderSong(player, *song, values, options.format, to, options.midi.filename().string());
+    auto tally = renderSong(player, *song, effect.values, options.format, to,
+                            options.midi.filename().string());
     if (tally)
         warnOfNotes(preset, *tally, options);
     return tally;

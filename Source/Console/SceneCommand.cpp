@@ -148,8 +148,9 @@ Result<void> perform(const Options& options) {
     if (!cast)
         return tl::unexpected(cast.error());
     const auto slots = heardSlots(**cast);
-    if (!slots.empty())
-        values = withAssigned(values, *assigned, {.by = PlayedBy::scene, .slots = slots});
+    const auto effect = assignedEffect(values, *assigned, {.by = PlayedBy::scene, .slots = slots});
+    print(effect.warnings);
+    values = effect.values;
     std::shared_ptr<const HeadResponses> head;
     if (!options.head.empty()) {
         auto read = readSofaHead(options.head, options.format.sampleRateHz);

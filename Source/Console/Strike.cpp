@@ -172,7 +172,10 @@ Result<void> strikeObject(const Options& options) {
         Instrument::build(keyMapFor(options.object, *known, *row), ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
-    values = withAssigned(values, *assigned, {.slots = (*instrument)->slots(), .isOnePoint = true});
+    const auto effect =
+        assignedEffect(values, *assigned, {.slots = (*instrument)->slots(), .isOnePoint = true});
+    print(effect.warnings);
+    values = effect.values;
     auto recording = Recording::start(options.format, values);
     if (!recording)
         return tl::unexpected(recording.error());

@@ -19,7 +19,7 @@ public:
     /// The library shared by every instance of the plugin in this process.
     static ObjectLibrary& shared();
 
-    /// A factory object ("xylophone-72"), or else the modal object file of that path.
+    /// A factory object ("xylophone-72"), or else the modal object file of that path in UTF-8.
     Result<std::shared_ptr<const ModalObject>> find(const std::string& name);
 
     /// Makes an object known under a name, as one embedded in a saved state; it wins over the

@@ -49,9 +49,11 @@ ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, d
     return values;
 }
 
-bool isFigure(ParameterId parameter) {
-    return std::ranges::find(materialFigures, parameter) != materialFigures.end() ||
-           std::ranges::find(malletFigures, parameter) != malletFigures.end();
+const FigureChoice* choiceOfFigure(ParameterId parameter) {
+    const auto found = std::ranges::find_if(figureChoices, [parameter](const auto& choice) {
+        return std::ranges::find(choice.figures, parameter) != choice.figures.end();
+    });
+    return found == figureChoices.end() ? nullptr : &*found;
 }
 
 ParameterValues effectiveFigures(ParameterValues values, const Material* own) {
@@ -67,6 +69,20 @@ ParameterValues effectiveFigures(ParameterValues values, const Material* own) {
         values.set(mallet, chosenMallet);
     }
     return values;
+}
+
+ParameterValues
+withCustom(ParameterValues values, const FigureChoice& choice, const Material* own) {
+    const auto effective = effectiveFigures(values, own);
+    for (const auto figure : choice.figures)
+        values.set(figure, effective[figure]);
+    values.set(choice.choice, choice.custom);
+    return values;
+}
+
+bool hasLiveThickness(std::span<const SynthesiserSlot> slots) {
+    return std::ranges::any_of(slots,
+                               [](const auto& slot) { return slot.object->hasLiveThickness(); });
 }
 
 double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute) {

@@ -5,8 +5,10 @@
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/SynthesisSettings.h"
+#include "Synth/Synthesiser.h"
 
 #include <array>
+#include <span>
 
 namespace idiophone {
 
@@ -19,13 +21,31 @@ inline constexpr std::array materialFigures{
 inline constexpr std::array malletFigures{ParameterId::malletHardness, ParameterId::malletMass,
                                           ParameterId::malletRadius};
 
-/// Of the custom material or mallet.
-bool isFigure(ParameterId parameter);
+/// A choice of whose custom entry there are figures.
+struct FigureChoice {
+    ParameterId choice;
+    int custom; ///< that entry
+    std::span<const ParameterId> figures;
+};
+
+inline constexpr std::array figureChoices{
+    FigureChoice{ParameterId::material, customMaterial, materialFigures},
+    FigureChoice{ParameterId::mallet, customMallet, malletFigures}};
+
+/// The choice that the parameter is a figure of, or nullptr.
+const FigureChoice* choiceOfFigure(ParameterId parameter);
 
 /// The values with the figures of the material and the mallet that are chosen in the place of the
 /// custom ones', so that the custom ones with these sound alike; `own` is what the objects are made
 /// of, or nullptr. Any thread.
 ParameterValues effectiveFigures(ParameterValues values, const Material* own);
+
+/// The values with the choice custom, which sound as before: with the figures of what was chosen,
+/// as `effectiveFigures` has them. Any thread.
+ParameterValues withCustom(ParameterValues values, const FigureChoice& choice, const Material* own);
+
+/// Whether the thickness acts on one of these. Any thread.
+bool hasLiveThickness(std::span<const SynthesiserSlot> slots);
 
 /// The values with that material as the custom one, its figures held to the parameters' ranges. Its
 /// Poisson ratio and contact figures are not among them. Any thread.

@@ -11,6 +11,16 @@
 #include <utility>
 
 namespace idiophone {
+namespace {
+
+/// Of what plays, or nullptr.
+const Material* materialOf(const Instrument* playing) {
+    return playing == nullptr || playing->slots().empty()
+               ? nullptr
+               : &playing->slots().front().object->material;
+}
+
+} // namespace
 
 juce::AudioProcessorEditor* Processor::createEditor() {
     return new EditorWindow(*this, *this);
@@ -28,38 +38,28 @@ double Processor::parameterValue(ParameterId parameter) const {
 }
 
 double Processor::effectiveValue(ParameterId parameter) const {
-    if (!isFigure(parameter))
+    if (choiceOfFigure(parameter) == nullptr)
         return parameterValue(parameter);
     const auto playing = loadedInstrument();
-    const auto* own = playing == nullptr || playing->slots().empty()
-                          ? nullptr
-                          : &playing->slots().front().object->material;
-    return effectiveFigures(parameters.values(), own)[parameter];
+    return effectiveFigures(parameters.values(), materialOf(playing.get()))[parameter];
 }
 
 void Processor::makeCustom(ParameterId figure) {
-    const bool ofMaterial = std::ranges::find(materialFigures, figure) != materialFigures.end();
-    const auto choice = ofMaterial ? ParameterId::material : ParameterId::mallet;
-    const double custom = ofMaterial ? double{customMaterial} : double{customMallet};
-    if (!isFigure(figure) || parameterValue(choice) == custom)
+    const auto* choice = choiceOfFigure(figure);
+    if (choice == nullptr || parameterValue(choice->choice) == choice->custom)
         return;
-    auto wanted = parameters.values();
-    const auto figures = ofMaterial ? std::span<const ParameterId>(materialFigures)
-                                    : std::span<const ParameterId>(malletFigures);
-    for (const auto parameter : figures)
-        wanted.set(parameter, effectiveValue(parameter));
-    wanted.set(choice, custom);
-    changeByHand(wanted, figures);
-    changeByHand(wanted, std::array{choice}); // last: what plays up to here keeps its own figures
+    const auto playing = loadedInstrument();
+    const auto wanted = withCustom(parameters.values(), *choice, materialOf(playing.get()));
+    changeByHand(wanted, choice->figures);
+    // Last: what plays up to here keeps its own figures.
+    changeByHand(wanted, std::array{choice->choice});
 }
 
 bool Processor::isLive(ParameterId parameter) const {
     if (parameter != ParameterId::thickness)
         return true;
     const auto playing = loadedInstrument();
-    return playing != nullptr && std::ranges::any_of(playing->slots(), [](const auto& slot) {
-               return slot.object->hasLiveThickness();
-           });
+    return playing != nullptr && hasLiveThickness(playing->slots());
 }
 
 // A figure that makes a material custom is changed within a gesture of its own: the outer one

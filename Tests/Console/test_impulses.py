@@ -112,11 +112,11 @@ class Impulses(ConsoleTest):
         return OBJECTS / f"{name}.modal"
 
     def test_files_are_found_from_the_directory_of_the_list(self):
-        (self.folder / "models").mkdir()
-        (self.folder / "models" / "mine.modal").write_bytes(self.object_file("plate").read_bytes())
+        (self.folder / "modèles").mkdir()
+        (self.folder / "modèles" / "mine.modal").write_bytes(self.object_file("plate").read_bytes())
         mine, theirs = (self.render(self.lines(self.hit(object=name)), "--seconds", 0.1,
                                     name=f"{i}.wav")[1].read_bytes()
-                        for i, name in enumerate(("models/mine.modal", "plate")))
+                        for i, name in enumerate(("modèles/mine.modal", "plate")))
         self.assertEqual(mine, theirs)
 
     def test_comments_and_blank_lines_are_skipped(self):
@@ -136,6 +136,22 @@ class Impulses(ConsoleTest):
                                                          ("--set", "gamma=500"))))
         self.assertEqual(own.read_bytes(), same.read_bytes())  # it is of steel
         self.assertLess(Wave(damped).level_at(539, 12000), 0.01 * Wave(own).level_at(539, 12000))
+
+    def test_a_figure_makes_no_bodies_of_several_materials_alike(self):
+        file = self.lines(self.hit(), self.hit(object="table"))
+        said, sounds = [], []
+        for settings in ((), ("--set", "gamma=500"),
+                         ("--set", "gamma=500", "--set", "material=Glass"),
+                         ("--set", "material=Glass")):
+            output = self.folder / f"{len(sounds)}.wav"
+            said.append(self.succeed("render", "--impulses", file, "-o", output, "--seconds", 0.2,
+                                     *settings).stderr)
+            sounds.append(output.read_bytes())
+        self.assertIn("warning: --set gamma has no effect: the objects are of several materials; "
+                      "choose one with --set material=...\n", said[1])
+        self.assertEqual([text.count("\n") for text in said], [0, 1, 0, 0])
+        self.assertEqual(sounds[0], sounds[1])
+        self.assertNotEqual(sounds[2], sounds[3])
 
     def test_more_than_64_contacts_at_a_time_are_warned_of(self):
         file = self.lines(*(self.hit(contact_time=0.5) for _ in range(70)))

@@ -237,6 +237,7 @@ class Render(ConsoleTest):
                 ("Scraped Plate", "mallet=Yarn", strike), ("Scraped Plate", "hardness=9", strike),
                 ("Scraped Plate", "velocity_curve=4", strike),
                 (XYLOPHONE, "release=2", ("let_ring=off",)),
+                ("Scraped Plate", "release=2", ("let_ring=off",)),
                 (XYLOPHONE, "motor_speed=9", ("motor_depth=100",)),
                 (XYLOPHONE, "motor_sync=1/4", None), (XYLOPHONE, "room_decay=5", ("room=50",)),
                 (XYLOPHONE, "thickness=50", None), 
@@ -258,6 +259,18 @@ class Render(ConsoleTest):
                 said, heard = self.warnings(song, *there, "--set", setting, preset=preset)
                 self.assertEqual(said, "")
                 self.assertNotEqual(heard, without)
+
+    def test_release_acts_by_pressure_only_where_keys_are_struck(self):
+        pressed = self.song(note(0, 70, length=960) + [(48, bytes([0xd0, 127])), (480, bytes([0xd0, 0]))])
+        for preset, acts in ((XYLOPHONE, True), ("Scraped Plate", False)):
+            _, without = self.warnings(pressed, preset=preset)
+            said, heard = self.warnings(pressed, "--set", "release=2", preset=preset)
+            self.assertEqual("--set release has no effect" in said, not acts, preset)
+            self.assertEqual(heard != without, acts, preset)
+
+    def test_what_happens_anyway_is_not_warned_of(self):
+        song = self.song(note(0, 72))
+        self.assertEqual(self.warnings(song, "--set", "motor_sync=Free")[0], "")
 
     def test_a_scale_that_keys_cannot_follow_is_warned_of(self):
         song = self.song(note(0, 72))

@@ -56,3 +56,26 @@ TEST_CASE("A material made the custom one is played with its figures, held to th
         CHECK(live->damping.lossFactor == material.damping.lossFactor);
     }
 }
+
+TEST_CASE("A choice made custom sounds as before, whatever its figures were") {
+    using enum ParameterId;
+    const auto& first = materialLibrary().front();
+    const auto& own = materialLibrary().back();
+    ParameterValues values;
+    values.set(youngsModulus, 1);
+    for (const double chosen : {double{ownMaterial}, double{firstLibraryMaterial}}) {
+        values.set(material, chosen);
+        const auto custom = withCustom(values, *choiceOfFigure(youngsModulus), &own);
+        CHECK(custom[material] == customMaterial);
+        const auto& source = chosen == ownMaterial ? own : first;
+        CHECK(custom == withCustomMaterial(values, source));
+        CHECK(custom[mallet] == values[mallet]);
+    }
+    values.set(mallet, firstRackMallet);
+    const auto custom = withCustom(values, *choiceOfFigure(malletMass), &own);
+    CHECK(custom[mallet] == customMallet);
+    CHECK(custom[malletMass] == Approx(malletRack().front().massKg * 1e3));
+    CHECK(custom[material] == values[material]);
+    CHECK(custom[youngsModulus] == 1);
+    CHECK(choiceOfFigure(level) == nullptr);
+}
