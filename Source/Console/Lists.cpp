@@ -119,7 +119,7 @@ ordered_json describeScenes() {
 
 void printScenes() {
     for (const auto& scene : factoryScenes())
-        std::cout << leftColumn(scene.name, 22) << scene.description << '\n';
+        std::cout << leftColumn(scene.name, 22) << paragraph(scene.description, 22);
 }
 
 } // namespace

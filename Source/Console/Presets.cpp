@@ -1,15 +1,18 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
+#include "Console/LoudnessMeter.h"
 #include "Console/PresetChoice.h"
+#include "Console/TextColumns.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
+#include "Output/OutputStage.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ebur128.h>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace idiophone {
 namespace {
@@ -17,7 +20,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Options {
-    std::string measured; ///< empty: lists the factory's
+    std::string preset; ///< empty: lists the factory's
     bool json = false;
 };
 
@@ -33,54 +36,68 @@ ordered_json describeAll() {
 
 void printAll() {
     int program = 0;
-    for (const auto& preset : factoryPresets())
-        std::cout << std::right << std::setw(3) << program++ << "  " << std::left << std::setw(22)
-                  << preset.name << std::right << std::setw(3) << preset.keyMap.lowestNote << " to "
-                  << std::left << std::setw(5) << preset.keyMap.highestNote << preset.description
-                  << '\n';
+    for (const auto& preset : factoryPresets()) {
+        const auto& keys = preset.keyMap;
+        std::cout << rightColumn(std::to_string(program++), 3) << "  "
+                  << leftColumn(preset.name, 20) << rightColumn(std::to_string(keys.lowestNote), 4)
+                  << leftColumn(" to " + std::to_string(keys.highestNote), 9)
+                  << paragraph(preset.description, 38);
+    }
 }
 
-constexpr double sampleRateHz = 48000;
+constexpr int sampleRateHz = 48000;
 
-/// Integrated, of one channel at that gain; minus infinity where it is fainter than the gate.
-double integratedLufs(std::vector<float> sound, double gainDb) {
+/// The phrase of the loudness of presets in one channel, as the output stage has it.
+std::vector<float> heardPhrase(const Preset& preset,
+                               const std::shared_ptr<const Instrument>& instrument) {
+    const auto [left, right] = playLoudnessPhrase(preset, instrument, sampleRateHz);
+    std::vector<float> heard(left.size());
+    OutputStage output;
+    output.prepare(sampleRateHz, static_cast<int>(heard.size()));
+    float* channel = heard.data();
+    output.process(left, right, {&channel, 1}, preset.parameters);
+    return heard;
+}
+
+std::optional<double> integratedLufs(std::vector<float> sound, double gainDb) {
     for (float& sample : sound)
         sample *= static_cast<float>(std::pow(10, gainDb / 20));
-    const auto release = [](ebur128_state* state) { ebur128_destroy(&state); };
-    const std::unique_ptr<ebur128_state, decltype(release)> meter(
-        ebur128_init(1, static_cast<unsigned long>(sampleRateHz), EBUR128_MODE_I), release);
-    ebur128_add_frames_float(meter.get(), sound.data(), sound.size());
-    double lufs = 0;
-    ebur128_loudness_global(meter.get(), &lufs);
-    return lufs;
+    LoudnessMeter meter(1, sampleRateHz);
+    meter.add(sound);
+    return meter.integratedLufs();
 }
 
-/// The gain that makes the sound, whose peak is not 0, as loud as the factory's.
-double matchingGainDb(const std::vector<float>& sound, float peak) {
-    double gainDb = -20 * std::log10(peak);
+/// The gain that makes the sound as loud as the factory's; nothing where it is not heard.
+std::optional<double> matchingGainDb(const std::vector<float>& sound) {
+    const auto [lowest, highest] = std::ranges::minmax(sound);
+    if (lowest == 0 && highest == 0)
+        return std::nullopt;
+    double gainDb = -20 * std::log10(std::max(-lowest, highest));
     // What is left after the first step is what the gate takes.
-    for (int step = 0; step < 4; ++step)
-        gainDb += factoryLufs - integratedLufs(sound, gainDb);
+    for (int step = 0; step < 4; ++step) {
+        const auto lufs = integratedLufs(sound, gainDb);
+        if (!lufs)
+            return std::nullopt;
+        gainDb += factoryLufs - *lufs;
+    }
     return gainDb;
 }
 
-/// How loud the preset is, and the `level` at which it would be as loud as the factory's.
+/// Says the `level` at which the preset is as loud as the factory's.
 Result<void> measure(const Options& options) {
-    const auto preset = findOrReadPreset(options.measured);
+    const auto preset = findOrReadPreset(options.preset);
     if (!preset)
         return tl::unexpected(preset.error());
     if (preset->keyMap.kind == KeyMapKind::scene)
-        return failure(options.measured + ": it plays a scene, which is as loud as what falls");
+        return failure(options.preset + ": it plays a scene, which is as loud as what falls");
     const auto instrument = Instrument::build(preset->keyMap, ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
-    const auto sound = playLoudnessPhrase(*preset, *instrument, sampleRateHz);
-    const auto [lowest, highest] = std::ranges::minmax(sound);
-    const float peak = std::max(-lowest, highest);
-    if (peak == 0)
-        return failure(options.measured + ": its keys are silent");
+    const auto gainDb = matchingGainDb(heardPhrase(*preset, *instrument));
+    if (!gainDb)
+        return failure(options.preset + ": its keys are silent");
     const double level = preset->parameters[ParameterId::level];
-    const double matching = level + matchingGainDb(sound, peak);
+    const double matching = level + *gainDb;
     if (options.json)
         std::cout << jsonText(
             {{"name", preset->name}, {"level_db", level}, {"matching_level_db", matching}});
@@ -92,7 +109,7 @@ Result<void> measure(const Options& options) {
 }
 
 Result<void> presets(const Options& options) {
-    if (!options.measured.empty())
+    if (!options.preset.empty())
         return measure(options);
     if (options.json)
         std::cout << jsonText(describeAll());
@@ -106,9 +123,9 @@ Result<void> presets(const Options& options) {
 void addPresets(CLI::App& program, Action& chosen) {
     auto* command = program.add_subcommand("presets", "Lists the factory presets, or measures one");
     auto options = std::make_shared<Options>();
-    command->add_option("--level", options->measured,
-                        "The level at which this preset, by its name or file, is as loud as the "
-                        "factory's");
+    command->add_option("PRESET", options->preset,
+                        "A factory preset's name or a preset file: says the level at which it is "
+                        "as loud as the factory's");
     command->add_flag("--json", options->json, "As JSON");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return presets(*options); }; });

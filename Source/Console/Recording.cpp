@@ -35,13 +35,8 @@ void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
         ->check(numberBetween(0.001, 36000));
 }
 
-void Recording::FreeMeter::operator()(ebur128_state* state) const {
-    ebur128_destroy(&state);
-}
-
 Recording::Recording(RecordingFormat wanted, const ParameterValues& values)
-    : format(std::move(wanted)), parameters(values),
-      meter(ebur128_init(2, static_cast<unsigned long>(format.sampleRateHz), EBUR128_MODE_I)) {
+    : format(std::move(wanted)), parameters(values), meter(2, format.sampleRateHz) {
     const auto size = static_cast<std::size_t>(format.blockSize);
     writtenLeft.resize(size);
     writtenRight.resize(size);
@@ -97,7 +92,7 @@ Result<void> Recording::writeSilence(std::int64_t samples) {
         const auto count = static_cast<int>(std::min<std::int64_t>(samples, format.blockSize));
         if (auto done = writer->write(channels, count); !done)
             return done;
-        ebur128_add_frames_float(meter.get(), interleaved.data(), static_cast<std::size_t>(count));
+        meter.add(std::span(interleaved).first(2 * static_cast<std::size_t>(count)));
         written += count;
         samples -= count;
     }
@@ -114,7 +109,7 @@ Result<void> Recording::write(int samples) {
         highest = std::max<double>(
             {highest, std::abs(interleaved[2 * i]), std::abs(interleaved[2 * i + 1])});
     }
-    ebur128_add_frames_float(meter.get(), interleaved.data(), static_cast<std::size_t>(samples));
+    meter.add(std::span(interleaved).first(2 * static_cast<std::size_t>(samples)));
     written += samples;
     return {};
 }
@@ -145,16 +140,8 @@ void Recording::warnOfPeak() const {
     std::cerr << "warning: " << text.str() << std::endl;
 }
 
-std::optional<double> Recording::loudnessLufs() const {
-    double loudness = 0;
-    if (ebur128_loudness_global(meter.get(), &loudness) != EBUR128_SUCCESS ||
-        !std::isfinite(loudness))
-        return std::nullopt;
-    return loudness;
-}
-
 ordered_json Recording::statistics() const {
-    const auto loudness = loudnessLufs();
+    const auto loudness = meter.integratedLufs();
     return {{"samples", written},
             {"seconds", static_cast<double>(written) / format.sampleRateHz},
             {"sample_rate_hz", format.sampleRateHz},
@@ -170,7 +157,7 @@ std::string Recording::summary() const {
         text << "peak " << std::setprecision(1) << decibelsFullScale(highest) << " dBFS";
     else
         text << "silent";
-    if (const auto loudness = loudnessLufs())
+    if (const auto loudness = meter.integratedLufs())
         text << ", " << std::setprecision(1) << *loudness << " LUFS";
     return text.str();
 }

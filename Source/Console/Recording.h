@@ -1,13 +1,13 @@
 // The output stage recorded to a stereo WAV file, with what is to be said of the sound.
 #pragma once
 
+#include "Console/LoudnessMeter.h"
 #include "Console/WavWriter.h"
 #include "Output/OutputStage.h"
 #include "Parameters/ParameterTable.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <ebur128.h>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -47,8 +47,6 @@ public:
 
     void hush() { output.hush(); }
     bool silent() const { return output.silent(); } ///< nothing sounds on of what was added
-    /// Integrated loudness after ITU-R BS.1770; nothing for silence.
-    std::optional<double> loudnessLufs() const;
 
     /// samples, seconds, sample_rate_hz, peak_dbfs, integrated_lufs: null where there is no sound.
     nlohmann::ordered_json statistics() const;
@@ -56,10 +54,6 @@ public:
     std::string summary() const;
 
 private:
-    struct FreeMeter {
-        void operator()(ebur128_state* state) const;
-    };
-
     Recording(RecordingFormat format, const ParameterValues& parameters);
     void warnOfPeak() const;
     Result<void> writeSilence(std::int64_t samples);
@@ -70,7 +64,7 @@ private:
     std::unique_ptr<WavWriter> writer;
     OutputStage output;
     std::vector<float> writtenLeft, writtenRight, interleaved;
-    std::unique_ptr<ebur128_state, FreeMeter> meter;
+    LoudnessMeter meter;
     std::int64_t written = 0;
     std::int64_t heldBack = 0; ///< zeros not written yet
     double highest = 0;        ///< full scale 1

@@ -2,8 +2,6 @@
 
 #include "Instrument/SpreadNotes.h"
 
-#include <cmath>
-
 namespace idiophone {
 namespace {
 
@@ -28,20 +26,17 @@ std::vector<MidiEvent> loudnessPhrase(const KeyMap& keyMap, int velocity, double
     return events;
 }
 
-std::vector<float> playLoudnessPhrase(const Preset& preset,
-                                      const std::shared_ptr<const Instrument>& instrument,
-                                      double sampleRateHz) {
+PlayedPhrase playLoudnessPhrase(const Preset& preset,
+                                const std::shared_ptr<const Instrument>& instrument,
+                                double sampleRateHz) {
     Player player(instrument, sampleRateHz, preset.surface, preset.seed, preset.parameters);
     player.setSilencedModes(silencedModes(*instrument, preset.mutedModes, {}));
     const auto samples = static_cast<std::size_t>(loudnessPhraseSeconds * sampleRateHz);
-    std::vector<float> left(samples), right(samples);
-    player.process({left, right},
+    PlayedPhrase phrase{.left = std::vector<float>(samples), .right = std::vector<float>(samples)};
+    player.process({phrase.left, phrase.right},
                    loudnessPhrase(preset.keyMap, loudnessPhraseVelocity, sampleRateHz),
                    preset.parameters);
-    const double gain = std::pow(10, preset.parameters[ParameterId::level] / 20);
-    for (std::size_t i = 0; i < samples; ++i)
-        left[i] = static_cast<float>(gain * (left[i] + right[i]) / 2);
-    return left;
+    return phrase;
 }
 
 } // namespace idiophone

@@ -19,10 +19,15 @@ inline constexpr double loudnessPhraseSeconds = (PhraseMeter::notes + 1) * Phras
 /// The notes of PhraseMeter, spread over the keys. In order of time.
 std::vector<MidiEvent> loudnessPhrase(const KeyMap& keyMap, int velocity, double sampleRateHz);
 
-/// The mean of both channels, at the preset's own level. The instrument is the preset's and no
-/// stage. Not for the audio thread.
-std::vector<float> playLoudnessPhrase(const Preset& preset,
-                                      const std::shared_ptr<const Instrument>& instrument,
-                                      double sampleRateHz);
+/// Both channels of one length.
+struct PlayedPhrase {
+    std::vector<float> left, right;
+};
+
+/// As the player has it: without `level` and room, which are the output stage's. The instrument is
+/// the preset's and no stage. Not for the audio thread.
+PlayedPhrase playLoudnessPhrase(const Preset& preset,
+                                const std::shared_ptr<const Instrument>& instrument,
+                                double sampleRateHz);
 
 } // namespace idiophone

@@ -27,20 +27,27 @@ class Lists(ConsoleTest):
 
     def test_the_level_at_which_a_preset_is_as_loud_as_the_factorys_does_not_depend_on_its_own(self):
         wok = next(p for p in self.json("presets") if p["name"] == "Wok")
-        own = self.json("presets", "--level", "wok")
+        own = self.json("presets", "wok")
         self.assertLess(abs(own["matching_level_db"] - own["level_db"]), 1)
         wok["parameters"]["level"] = own["level_db"] - 40
-        faint = self.json("presets", "--level", self.write("faint.json", json.dumps(wok)))
+        faint = self.json("presets", self.write("faint.json", json.dumps(wok)))
         self.assertAlmostEqual(faint["level_db"], own["level_db"] - 40)
         self.assertAlmostEqual(faint["matching_level_db"], own["matching_level_db"], places=3)
-        said = self.succeed("presets", "--level", "wok").stdout
+        said = self.succeed("presets", "wok").stdout
         self.assertIn(f" {own['matching_level_db']:.1f} dB;", said)
 
+    def test_the_level_of_a_preset_is_found_with_its_room(self):
+        wok = next(p for p in self.json("presets") if p["name"] == "Wok")
+        dry = self.json("presets", "wok")["matching_level_db"]
+        wok["parameters"]["room"] = 100
+        roomy = self.json("presets", self.write("roomy.json", json.dumps(wok)))
+        self.assertLess(roomy["matching_level_db"], dry - 0.5)
+
     def test_presets_that_have_no_level_to_find_are_refused(self):
-        self.refuse("presets", "--level", "Thrown Shells", naming="Thrown Shells", saying="scene")
+        self.refuse("presets", "Thrown Shells", naming="Thrown Shells", saying="scene")
         wok = next(p for p in self.json("presets") if p["name"] == "Wok")
         wok["mutedModes"] = {"all": list(range(1000))}
-        self.refuse("presets", "--level", self.write("muted.json", json.dumps(wok)),
+        self.refuse("presets", self.write("muted.json", json.dumps(wok)),
                     naming="muted.json", saying="silent")
 
     def test_presets_are_told_with_all_that_a_preset_file_holds(self):
@@ -50,6 +57,7 @@ class Lists(ConsoleTest):
         text = self.succeed("presets").stdout
         for preset in presets:
             self.assertIn(preset["name"], text)
+            self.assertIn(preset["description"], " ".join(text.split()))
             self.assertEqual(preset["format"], "idiophone-preset")
 
     def test_materials_are_told_with_figures_and_sources(self):
@@ -67,7 +75,8 @@ class Lists(ConsoleTest):
         return {word.rstrip(";") for word in text.split()}
 
     def test_listings_keep_to_80_characters_a_line(self):
-        for listing in (("materials",), ("materials", "--sources"), ("parameters",)):
+        for listing in (("materials",), ("materials", "--sources"), ("parameters",), ("presets",),
+                        ("scenes",)):
             lines = self.succeed(*listing).stdout.splitlines()
             settings = str(self.folder)  # where materials of one's own go, however long
             self.assertLessEqual(max(len(line) for line in lines if settings not in line), 80)

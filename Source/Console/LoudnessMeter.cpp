@@ -1,0 +1,33 @@
+#include "Console/LoudnessMeter.h"
+
+#include <cmath>
+#include <new>
+
+namespace idiophone {
+
+void LoudnessMeter::Free::operator()(ebur128_state* freed) const {
+    ebur128_destroy(&freed);
+}
+
+LoudnessMeter::LoudnessMeter(int channels, int sampleRateHz)
+    : state(ebur128_init(static_cast<unsigned>(channels),
+                         static_cast<unsigned long>(sampleRateHz),
+                         EBUR128_MODE_I)) {
+    if (state == nullptr)
+        throw std::bad_alloc();
+}
+
+void LoudnessMeter::add(std::span<const float> interleaved) {
+    if (ebur128_add_frames_float(state.get(), interleaved.data(),
+                                 interleaved.size() / state->channels) != EBUR128_SUCCESS)
+        throw std::bad_alloc();
+}
+
+std::optional<double> LoudnessMeter::integratedLufs() const {
+    double lufs = 0;
+    if (ebur128_loudness_global(state.get(), &lufs) != EBUR128_SUCCESS || !std::isfinite(lufs))
+        return std::nullopt;
+    return lufs;
+}
+
+} // namespace idiophone

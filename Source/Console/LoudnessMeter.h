@@ -1,0 +1,30 @@
+// The integrated loudness of ITU-R BS.1770, by libebur128.
+#pragma once
+
+#include <ebur128.h>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace idiophone {
+
+/// Throws std::bad_alloc where memory ends.
+class LoudnessMeter {
+public:
+    LoudnessMeter(int channels, int sampleRateHz);
+
+    /// Appends samples of full scale 1: one of each channel, and so on.
+    void add(std::span<const float> interleaved);
+
+    /// Of all so far; nothing where it is fainter than the gate, -70 LUFS.
+    std::optional<double> integratedLufs() const;
+
+private:
+    struct Free {
+        void operator()(ebur128_state* state) const;
+    };
+
+    std::unique_ptr<ebur128_state, Free> state;
+};
+
+} // namespace idiophone
