@@ -3,12 +3,19 @@
 #include "Object/TextFile.h"
 
 #include <algorithm>
+#include <iterator>
 #include <juce_audio_basics/juce_audio_basics.h>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
 constexpr double longestSeconds = 36000;
+
+bool isPressure(const SongEvent& event) {
+    const int kind = event.bytes[0] & 0xf0;
+    return kind == 0xa0 || kind == 0xd0;
+}
 
 // Controllers hold for the notes that start with them, pressure is that of a key that is down.
 int orderAtOneTime(const SongEvent& event) {
@@ -16,8 +23,7 @@ int orderAtOneTime(const SongEvent& event) {
         return 1;
     if (event.isNoteOn())
         return 2;
-    const int kind = event.bytes[0] & 0xf0;
-    return kind == 0xa0 || kind == 0xd0 ? 3 : 0;
+    return isPressure(event) ? 3 : 0;
 }
 
 /// JUCE divides by the parts of this field.
@@ -26,8 +32,13 @@ bool isUsableTimeFormat(short format) {
 }
 
 std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
-    std::vector<SongEvent> events;
-    for (int track = 0; track < midi.getNumTracks(); ++track)
+    struct Ranked {
+        SongEvent event;
+        int order = 0; ///< among all of its time; no less than of those before it in its track
+    };
+    std::vector<Ranked> all;
+    for (int track = 0; track < midi.getNumTracks(); ++track) {
+        const auto first = static_cast<std::ptrdiff_t>(all.size());
         for (const auto* holder : *midi.getTrack(track)) {
             const auto& message = holder->message;
             const int size = message.getRawDataSize();
@@ -35,12 +46,20 @@ std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
                 continue;
             SongEvent event{.seconds = message.getTimeStamp()};
             std::copy_n(message.getRawData(), size, event.bytes.begin());
-            events.push_back(event);
+            all.push_back({event, orderAtOneTime(event)});
         }
-    std::ranges::stable_sort(events, [](const SongEvent& a, const SongEvent& b) {
-        return a.seconds != b.seconds ? a.seconds < b.seconds
-                                      : orderAtOneTime(a) < orderAtOneTime(b);
-    });
+        const auto ofTrack = std::ranges::subrange(all.begin() + first, all.end());
+        std::ranges::stable_sort(ofTrack, {}, [](const Ranked& each) {
+            return std::pair(each.event.seconds, isPressure(each.event));
+        });
+        for (std::size_t k = 1; k < ofTrack.size(); ++k)
+            if (ofTrack[k].event.seconds == ofTrack[k - 1].event.seconds)
+                ofTrack[k].order = std::max(ofTrack[k].order, ofTrack[k - 1].order);
+    }
+    std::ranges::stable_sort(
+        all, {}, [](const Ranked& each) { return std::pair(each.event.seconds, each.order); });
+    std::vector<SongEvent> events;
+    std::ranges::transform(all, std::back_inserter(events), &Ranked::event);
     return events;
 }
 

@@ -48,6 +48,13 @@ bool has(const Instrument& instrument, std::size_t slot, const StrikePoint& poin
     });
 }
 
+/// Of events in order of time, those up to a sample.
+std::span<const MidiEvent> dueAt(int sample, std::span<const MidiEvent> events) {
+    const auto later = std::ranges::find_if(
+        events, [sample](const MidiEvent& event) { return event.sampleOffset > sample; });
+    return {events.begin(), later};
+}
+
 /// The number of the first strike: 0 for the default seed, and far from one seed to the next.
 std::uint32_t firstStrike(std::uint64_t seed) {
     return static_cast<std::uint32_t>((seed - 1) * 0x9e3779b97f4a7c15u >> 32);
@@ -95,14 +102,14 @@ void Player::process(const StereoSpan& output,
     const int count = static_cast<int>(output.size());
     std::size_t next = 0;
     for (int position = 0; position < count;) {
-        const auto due = next;
-        while (next < events.size() && events[next].sampleOffset <= position)
-            follow(events[next++]);
+        const auto due = dueAt(position, events.subspan(next));
+        next += due.size();
+        const auto striking = follow(due);
         if (cellPosition == cellSamples)
             beginCell();
         strikeWaiting();
-        for (auto event = due; event < next; ++event)
-            strikeFor(events[event]);
+        for (const auto& event : striking)
+            strikeFor(event);
 
         int until = std::min(count, position + cellSamples - cellPosition);
         if (next < events.size())
@@ -115,10 +122,12 @@ void Player::process(const StereoSpan& output,
     }
     // Stamped at or beyond the end, as what is handed over with an empty block is: notes strike
     // with the first sample there is.
-    for (; next < events.size(); ++next) {
-        follow(events[next]);
-        if (events[next].isNoteOn() && late.size() < lateCapacity)
-            late.push_back(events[next]);
+    while (next < events.size()) {
+        const auto due = dueAt(events[next].sampleOffset, events.subspan(next));
+        next += due.size();
+        for (const auto& event : follow(due))
+            if (event.isNoteOn() && late.size() < lateCapacity)
+                late.push_back(event);
     }
 }
 

@@ -34,6 +34,9 @@ struct MidiEvent {
     std::array<std::uint8_t, 3> bytes{};
 
     bool isNoteOn() const { return (bytes[0] & 0xf0) == 0x90 && (bytes[2] & 0x7f) > 0; }
+    bool isNoteOff() const {
+        return (bytes[0] & 0xf0) == 0x80 || ((bytes[0] & 0xf0) == 0x90 && !isNoteOn());
+    }
 };
 
 /// A blow on a place of an object beside the keys, such as a click on its picture.
@@ -131,6 +134,8 @@ public:
     std::optional<std::size_t> slotPlayedLast() const { return playedLast; }
 
 private:
+    std::span<const MidiEvent> follow(std::span<const MidiEvent> events);
+    void letGoOfEndingNotes(std::span<const MidiEvent> events);
     void follow(const MidiEvent& event);
     void strikeFor(const MidiEvent& event);
     void strikeAt(std::size_t slot,

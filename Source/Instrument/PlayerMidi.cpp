@@ -13,6 +13,40 @@ constexpr double softestShare = 0.5; // of the mallet's speed, with the soft ped
 
 // Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
 // the next grid point; what follows for the sound happens there.
+//
+// Returns those whose notes are to strike: what "all sound off" came after is silent.
+std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOneSample) {
+    letGoOfEndingNotes(eventsOfOneSample);
+    auto striking = eventsOfOneSample;
+    for (std::size_t k = 0; k < eventsOfOneSample.size(); ++k) {
+        const auto& event = eventsOfOneSample[k];
+        follow(event);
+        if ((event.bytes[0] & 0xf0) == 0xb0 && (event.bytes[1] & 0x7f) == midi::allSoundOff)
+            striking = eventsOfOneSample.subspan(k + 1);
+    }
+    return striking;
+}
+
+/// A wheel that moves as one note of its channel ends and the next one begins is the next one's,
+/// though it may come first: JUCE's VST3 wrapper has wheels and pressure before the notes of their
+/// sample.
+void Player::letGoOfEndingNotes(std::span<const MidiEvent> eventsOfOneSample) {
+    if (eventsOfOneSample.size() < 2)
+        return;
+    std::array<std::bitset<128>, 16> begun;
+    for (const auto& event : eventsOfOneSample) {
+        const int channel = event.bytes[0] & 0x0f;
+        const int note = event.bytes[1] & 0x7f;
+        auto& begunHere = begun[static_cast<std::size_t>(channel)];
+        if (event.isNoteOn()) {
+            begunHere.set(static_cast<std::size_t>(note));
+        } else if (event.isNoteOff() && !begunHere[static_cast<std::size_t>(note)]) {
+            bend.noteOff(channel, note);
+            held.release(channel, note);
+        }
+    }
+}
+
 void Player::follow(const MidiEvent& event) {
     const int kind = event.bytes[0] & 0xf0;
     const int channel = event.bytes[0] & 0x0f;
@@ -20,7 +54,7 @@ void Player::follow(const MidiEvent& event) {
     const int second = event.bytes[2] & 0x7f;
     if (event.isNoteOn())
         keyDown(channel, first, second);
-    else if (kind == 0x80 || kind == 0x90)
+    else if (event.isNoteOff())
         keyUp(channel, first);
     else if (kind == 0xa0)
         press(channel, first, second / 127.0);

@@ -148,6 +148,22 @@ class Render(ConsoleTest):
         tracks = self.song([tempo(0, 500000)], one, other, name="tracks.mid")
         self.assert_same_sound(merged, tracks)
 
+    def test_what_comes_at_one_time_keeps_its_tracks_order(self):
+        def rings(*tracks):
+            song = self.song([tempo(0, 500000)], *tracks)
+            report, _ = self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
+                                    preset="Singing Xylophone")
+            return report["seconds"]
+
+        def pedal(value):
+            return [(480, bytes([0xB0, 64, value]))]
+
+        key = note(0, 72, length=480)
+        self.assertLess(rings(key + pedal(127)), 0.8)
+        self.assertGreater(rings(pedal(127) + key), 1)
+        # Those of other tracks come before notes.
+        self.assertGreater(rings(key, pedal(127)), 1)
+
     def test_a_key_struck_again_as_it_is_released_is_down(self):
         repeated = (note(0, 72, length=480) + note(480, 72, length=480))
         upside_down = [repeated[0], repeated[2], repeated[1], repeated[3]]
