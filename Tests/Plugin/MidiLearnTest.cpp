@@ -112,7 +112,7 @@ TEST_CASE("The sustain pedal can be learned and still sustains") {
         auto midi = controllers({{64, 127}});
         midi.addEvent(juce::MidiMessage::noteOn(1, 60, static_cast<juce::uint8>(100)), 5);
         midi.addEvent(juce::MidiMessage::noteOff(1, 60), 20);
-        const auto output = render(processor, 4800, 480, midi);
+        const auto output = render(processor, 4800, 480, midi).left;
         if (learned)
             CHECK(processor.parameterValue(chatter) == 100);
         return loudest({output.end() - 480, output.end()}) > 1e-3f;

@@ -31,7 +31,7 @@ const ShelvedPreset* find(const PresetShelf& shelf, const std::string& name) {
     return found == shelf.presets().end() ? nullptr : &*found;
 }
 
-std::vector<float> firstSecond(Processor& processor) {
+HostSound firstSecond(Processor& processor) {
     processor.prepareToPlay(48000, 480);
     return render(processor, 48000, 480, testMusic(48000, 4801));
 }
@@ -86,7 +86,7 @@ TEST_CASE("A saved sound comes back as it was, and plays the same samples") {
 
 TEST_CASE("A preset saved while foreign objects play opens later and elsewhere") {
     const UserSettings user;
-    std::vector<float> expected;
+    HostSound expected;
     {
         Processor processor;
         restore(processor, testState("stones"));

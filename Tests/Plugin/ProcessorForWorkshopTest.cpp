@@ -88,14 +88,14 @@ TEST_CASE("The sound before plays on until the object is there, and nothing clic
             largest = std::max(largest, std::abs(samples[i] - 2 * samples[i - 1] + samples[i - 2]));
         return largest;
     };
-    const auto ringing = render(processor, 4800, blockSamples, chord);
+    const auto ringing = render(processor, 4800, blockSamples, chord).left;
     const float steepest = stepOf(ringing);
     REQUIRE(steepest > 0);
     processor.openFile(smallPlateFile("plate.obj", 1));
     std::vector<float> heard;
     const auto load = processor.instrumentNumber();
     finish(processor, [&] {
-        const auto block = render(processor, blockSamples, blockSamples, {});
+        const auto block = render(processor, blockSamples, blockSamples, {}).left;
         if (processor.instrumentNumber() == load) {
             // Restruck, so that there is something to be heard.
             if (loudest(block) < 0.1f * loudest(ringing))

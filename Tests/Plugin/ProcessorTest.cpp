@@ -137,12 +137,12 @@ TEST_CASE("A preset chosen while notes ring makes no step larger than the sound'
             step = std::max(step, std::abs(samples[i] - samples[i - 1]));
         return step;
     };
-    auto before =
-        render(processor, 9600, 480,
-               oneMessage(juce::MidiMessage::noteOn(1, 60, static_cast<juce::uint8>(90))));
+    auto before = render(processor, 9600, 480,
+                         oneMessage(juce::MidiMessage::noteOn(1, 60, static_cast<juce::uint8>(90))))
+                      .left;
     before.erase(before.begin(), before.end() - 480);
     restore(processor, testState("other", 1.3));
-    auto after = render(processor, 960, 480, {});
+    auto after = render(processor, 960, 480, {}).left;
     CHECK(loudest({after.end() - 480, after.end()}) == 0);
     const float natural = largestStep(before);
     after.insert(after.begin(), before.back());

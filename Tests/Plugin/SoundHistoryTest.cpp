@@ -154,12 +154,12 @@ TEST_CASE("Undo, compare and mutate while notes ring make no step larger than th
     drag(processor, malletHardness, {200});
     drag(processor, material, {firstLibraryMaterial});
     history.compare();
-    const auto ringing = render(processor, 9600, 480, oneNote());
+    const auto ringing = render(processor, 9600, 480, oneNote()).left;
     float natural = largestStep({ringing.end() - 4800, ringing.end()});
     float last = ringing.back();
     const auto check = [&](auto&& action) {
         action();
-        auto after = render(processor, 960, 480, {});
+        auto after = render(processor, 960, 480, {}).left;
         after.insert(after.begin(), last);
         CHECK(loudest(after) > 0);
         CHECK(largestStep(after) <= 1.5f * natural);

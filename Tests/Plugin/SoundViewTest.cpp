@@ -121,14 +121,13 @@ TEST_CASE("Watched sound is the sound, bit for bit") {
     const auto music = testMusic(48000);
     Prepared plain, watched;
     const auto expected = render(plain.processor, 48000, 480, music);
-    std::vector<float> seen;
+    HostSound seen;
     int frames = 0;
     watched.processor.takeSoundFrame();
     for (int start = 0; start < 48000; start += 480) {
         juce::MidiBuffer block;
         block.addEvents(music, start, 480, -start);
-        const auto sound = render(watched.processor, 480, 480, block);
-        seen.insert(seen.end(), sound.begin(), sound.end());
+        seen.append(render(watched.processor, 480, 480, block));
         frames += watched.processor.takeSoundFrame() != nullptr ? 1 : 0;
     }
     CHECK(seen == expected);
@@ -235,13 +234,12 @@ TEST_CASE("Modes and objects that do not exist are not muted") {
 TEST_CASE("Muting while it sounds is repeatable, and without a click") {
     const auto played = [](bool mutes) {
         Prepared prepared;
-        std::vector<float> sound;
+        HostSound sound;
         for (int block = 0; block < 100; ++block) {
             if (mutes && block >= 20)
                 prepared.processor.muteMode(9, 1, block / 10 % 2 == 0);
-            const auto next =
-                render(prepared.processor, 480, 480, block == 0 ? note(69) : juce::MidiBuffer());
-            sound.insert(sound.end(), next.begin(), next.end());
+            sound.append(
+                render(prepared.processor, 480, 480, block == 0 ? note(69) : juce::MidiBuffer()));
         }
         return sound;
     };
@@ -256,7 +254,7 @@ TEST_CASE("Muting while it sounds is repeatable, and without a click") {
             most = std::max(most, std::abs(of[k] - 2 * of[k - 1] + of[k - 2]));
         return most;
     };
-    CHECK(roughest(sound) < 1.02f * roughest(plain));
+    CHECK(roughest(sound.left) < 1.02f * roughest(plain.left));
 }
 
 TEST_CASE("The shares of objects that sound are what the budget leaves them, loudest first") {

@@ -35,7 +35,7 @@ juce::MidiBuffer chord() {
     return midi;
 }
 
-std::vector<float> bounce(const std::string& state, int blockSize) {
+HostSound bounce(const std::string& state, int blockSize) {
     Processor processor;
     processor.setNonRealtime(true);
     restoreBytes(processor, state);
@@ -62,7 +62,8 @@ TEST_CASE("A preset of a scene is heard after the delay that the status tells") 
     CHECK(processor.getTailLengthSeconds() > delay);
     const auto sound = bounce(saved(processor), 512);
     CHECK(loudest(sound) > 0);
-    CHECK_THAT(static_cast<double>(onset(sound)) / rate, WithinAbs(100.0 / rate + delay, 0.002));
+    CHECK_THAT(static_cast<double>(onset(sound.left)) / rate,
+               WithinAbs(100.0 / rate + delay, 0.002));
     choose(processor, factoryPresets().front().name);
     CHECK(processor.takeStatus().delaySeconds == 0);
 }
@@ -84,15 +85,14 @@ TEST_CASE("In real time a scene sounds as in a bounce where its worker is in tim
     const auto midi = chord();
     // The worker runs a second ahead, and this is one: it is given ever more time to do so, but
     // only where it was late.
-    std::vector<float> sound;
+    HostSound sound;
     int milliseconds = 50;
     do {
         processor.setNonRealtime(false);
         processor.prepareToPlay(rate, 480);
         sound = render(processor, 480, 480, midi);
         juce::Thread::sleep(milliseconds);
-        const auto rest = render(processor, rate - 480, 480, {});
-        sound.insert(sound.end(), rest.begin(), rest.end());
+        sound.append(render(processor, rate - 480, 480, {}));
         processor.setNonRealtime(true); // waits for what is late still, which is counted then
         render(processor, 480, 480, {});
         milliseconds *= 2;

@@ -147,7 +147,7 @@ TEST_CASE("Messages tune at their sample, whatever the blocks") {
     midi.addEvent(juce::MidiMessage::controllerEvent(1, 64, 127), 9001);
     const auto played = [&](int blockSize) {
         Prepared instance;
-        return render(instance.processor, 20000, blockSize, midi);
+        return render(instance.processor, 20000, blockSize, midi).left;
     };
     const auto expected = played(64);
     for (const int blockSize : {1, 777, 4096, 20000})
@@ -157,7 +157,7 @@ TEST_CASE("Messages tune at their sample, whatever the blocks") {
         juce::MidiBuffer notes;
         notes.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{100}), 100);
         notes.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{90}), 3000);
-        return render(instance.processor, 20000, 512, notes);
+        return render(instance.processor, 20000, 512, notes).left;
     }();
     CHECK(std::equal(plain.begin(), plain.begin() + 9001, expected.begin()));
     CHECK_FALSE(std::equal(plain.begin() + 9100, plain.end(), expected.begin() + 9100));

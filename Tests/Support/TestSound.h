@@ -57,14 +57,17 @@ inline void restoreBytes(Processor& processor, const std::string& bytes) {
 }
 
 /// Notes, releases, bends and pedals, stamped from 0 to `samples`; always the same ones.
-inline juce::MidiBuffer testMusic(int samples, int spacing = 701) {
+inline juce::MidiBuffer testMusic(int samples,
+                                  int spacing = 701,
+                                  const ProcessorView::KeyRange& keys = {lowestTestNote,
+                                                                         highestTestNote}) {
     std::mt19937 random(7);
     const auto between = [&](int low, int high) {
         return std::uniform_int_distribution<int>(low, high)(random);
     };
     juce::MidiBuffer midi;
     for (int stamp = 3; stamp < samples; stamp += spacing) {
-        const int note = between(lowestTestNote, highestTestNote);
+        const int note = between(keys.lowest, keys.highest);
         midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(between(1, 127))),
                       stamp);
         midi.addEvent(juce::MidiMessage::noteOff(1, note), stamp + spacing / 2);
@@ -74,13 +77,34 @@ inline juce::MidiBuffer testMusic(int samples, int spacing = 701) {
     return midi;
 }
 
-/// Renders as a host does, in blocks of one size; channel 0.
-inline std::vector<float> render(Processor& processor,
-                                 int samples,
-                                 int blockSize,
-                                 const juce::MidiBuffer& midi,
-                                 int channels = 2) {
-    std::vector<float> output;
+/// What a host gets; of a mono bus all of it is left.
+struct HostSound {
+    std::vector<float> left, right;
+
+    bool operator==(const HostSound&) const = default;
+
+    void append(const HostSound& later) {
+        left.insert(left.end(), later.left.begin(), later.left.end());
+        right.insert(right.end(), later.right.begin(), later.right.end());
+    }
+    void append(const juce::AudioBuffer<float>& later) {
+        const auto append = [&](std::vector<float>& samples, int channel) {
+            const auto* from = later.getReadPointer(channel);
+            samples.insert(samples.end(), from, from + later.getNumSamples());
+        };
+        append(left, 0);
+        if (later.getNumChannels() > 1)
+            append(right, 1);
+    }
+};
+
+/// Renders as a host does, in blocks of one size.
+inline HostSound render(Processor& processor,
+                        int samples,
+                        int blockSize,
+                        const juce::MidiBuffer& midi,
+                        int channels = 2) {
+    HostSound output;
     juce::AudioBuffer<float> buffer(channels, blockSize);
     for (int start = 0; start < samples; start += blockSize) {
         const int count = std::min(blockSize, samples - start);
@@ -90,7 +114,7 @@ inline std::vector<float> render(Processor& processor,
         juce::MidiBuffer block;
         block.addEvents(midi, start, count, -start);
         processor.processBlock(buffer, block);
-        output.insert(output.end(), buffer.getReadPointer(0), buffer.getReadPointer(0) + count);
+        output.append(buffer);
     }
     return output;
 }
@@ -103,8 +127,12 @@ inline float loudest(const std::vector<float>& samples) {
     return result;
 }
 
-inline bool allFinite(const std::vector<float>& samples) {
-    return std::all_of(samples.begin(), samples.end(), [](float x) { return std::isfinite(x); });
+inline float loudest(const HostSound& sound) {
+    return std::max(loudest(sound.left), loudest(sound.right));
+}
+
+inline bool allFinite(const HostSound& sound) {
+    return std::isfinite(loudest(sound));
 }
 
 } // namespace idiophone::test
