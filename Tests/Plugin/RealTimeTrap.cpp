@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <ctime>
+#include <cxxabi.h>
 #include <dlfcn.h>
 #include <pthread.h>
 #include <semaphore.h>
@@ -136,16 +138,47 @@ void free(void* block) {
 }
 }
 
+using Time = const timespec*;
 IDIOPHONE_WATCHED_LOCK(pthread_mutex_lock, (pthread_mutex_t * m), m)
 IDIOPHONE_WATCHED_LOCK(pthread_mutex_trylock, (pthread_mutex_t * m), m)
+IDIOPHONE_WATCHED_LOCK(pthread_mutex_timedlock, (pthread_mutex_t * m, Time t), m, t)
+IDIOPHONE_WATCHED_LOCK(pthread_mutex_clocklock, (pthread_mutex_t * m, clockid_t k, Time t), m, k, t)
 IDIOPHONE_WATCHED_LOCK(pthread_rwlock_rdlock, (pthread_rwlock_t * l), l)
 IDIOPHONE_WATCHED_LOCK(pthread_rwlock_wrlock, (pthread_rwlock_t * l), l)
+IDIOPHONE_WATCHED_LOCK(pthread_rwlock_tryrdlock, (pthread_rwlock_t * l), l)
+IDIOPHONE_WATCHED_LOCK(pthread_rwlock_trywrlock, (pthread_rwlock_t * l), l)
+IDIOPHONE_WATCHED_LOCK(pthread_rwlock_timedrdlock, (pthread_rwlock_t * l, Time t), l, t)
+IDIOPHONE_WATCHED_LOCK(pthread_rwlock_timedwrlock, (pthread_rwlock_t * l, Time t), l, t)
+IDIOPHONE_WATCHED_LOCK(
+    pthread_rwlock_clockrdlock, (pthread_rwlock_t * l, clockid_t k, Time t), l, k, t)
+IDIOPHONE_WATCHED_LOCK(
+    pthread_rwlock_clockwrlock, (pthread_rwlock_t * l, clockid_t k, Time t), l, k, t)
 IDIOPHONE_WATCHED_LOCK(pthread_spin_lock, (pthread_spinlock_t * l), l)
+IDIOPHONE_WATCHED_LOCK(pthread_spin_trylock, (pthread_spinlock_t * l), l)
 IDIOPHONE_WATCHED_LOCK(pthread_cond_wait, (pthread_cond_t * c, pthread_mutex_t* m), c, m)
+IDIOPHONE_WATCHED_LOCK(
+    pthread_cond_timedwait, (pthread_cond_t * c, pthread_mutex_t* m, Time t), c, m, t)
+IDIOPHONE_WATCHED_LOCK(pthread_cond_clockwait,
+                       (pthread_cond_t * c, pthread_mutex_t* m, clockid_t k, Time t),
+                       c,
+                       m,
+                       k,
+                       t)
 IDIOPHONE_WATCHED_LOCK(pthread_cond_signal, (pthread_cond_t * c), c)
 IDIOPHONE_WATCHED_LOCK(pthread_cond_broadcast, (pthread_cond_t * c), c)
+IDIOPHONE_WATCHED_LOCK(pthread_barrier_wait, (pthread_barrier_t * b), b)
+IDIOPHONE_WATCHED_LOCK(pthread_once, (pthread_once_t * o, void (*f)()), o, f)
 IDIOPHONE_WATCHED_LOCK(sem_wait, (sem_t * s), s)
+IDIOPHONE_WATCHED_LOCK(sem_trywait, (sem_t * s), s)
+IDIOPHONE_WATCHED_LOCK(sem_timedwait, (sem_t * s, Time t), s, t)
+IDIOPHONE_WATCHED_LOCK(sem_clockwait, (sem_t * s, clockid_t k, Time t), s, k, t)
 IDIOPHONE_WATCHED_LOCK(sem_post, (sem_t * s), s)
+
+// A static variable in a function, made when it is first asked for, behind a lock.
+extern "C" int __cxxabiv1::__cxa_guard_acquire(__guard* guard) {
+    static int (*function)(__guard*) = nullptr;
+    return lockCall(function, "__cxa_guard_acquire", guard);
+}
 
 namespace idiophone::test {
 

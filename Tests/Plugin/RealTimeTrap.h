@@ -8,7 +8,8 @@ namespace idiophone::test {
 
 struct RealTimeFaults {
     int allocations = 0; ///< malloc, free and their kin, and so new and delete
-    int locks = 0;       ///< mutexes, read-write locks, condition variables, semaphores
+    int locks = 0;       ///< any call that may wait for another thread or wake one, of pthread and
+                         ///< semaphores, and the first use of a function's static variable
     int systemCalls = 0;
     std::string first; ///< names the first fault
 
