@@ -16,8 +16,11 @@ constexpr double smallestStep = 2e-5;
 
 } // namespace
 
-ParameterGlide::ParameterGlide(double secondsPerCell)
-    : share(-std::expm1(-secondsPerCell / glideSeconds)) {}
+double ParameterGlide::shareOfWay(double secondsPerCell) noexcept {
+    return -std::expm1(-secondsPerCell / glideSeconds);
+}
+
+ParameterGlide::ParameterGlide(double secondsPerCell) : share(shareOfWay(secondsPerCell)) {}
 
 void ParameterGlide::setGoal(const ParameterValues& wanted) noexcept {
     if (wanted == goal && !isFresh)

@@ -14,6 +14,9 @@ public:
     /// ear than at once.
     static constexpr double glideSeconds = 0.01;
 
+    /// Of the way to a goal, in a cell.
+    static double shareOfWay(double secondsPerCell) noexcept;
+
     explicit ParameterGlide(double secondsPerCell);
 
     /// What glides is on its way from here on: material, size, pitch and what a held contact does.
@@ -28,7 +31,7 @@ public:
     void reset() noexcept { isFresh = true; }
 
 private:
-    double share; ///< of the way, in a cell
+    double share;
     bool isFresh = true;
     bool isMoving = false;
     ParameterValues goal, now;

@@ -79,7 +79,8 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
                  seed,
                  handStrengths(playedInstrument, surface, sampleRateHz, own)),
       loudness(playedInstrument, surface, sampleRateHz, own), motor(cellSamples / sampleRateHz),
-      slotTuning(*playedInstrument), slotTouched(playedInstrument->slots().size(), false),
+      slotTuning(*playedInstrument, cellSamples / sampleRateHz),
+      slotTouched(playedInstrument->slots().size(), false),
       slotHeld(playedInstrument->slots().size(), false),
       slotPressed(playedInstrument->slots().size(), 0),
       slotSilenced(playedInstrument->slots().size(), false) {
@@ -168,7 +169,7 @@ void Player::setSilencedModes(const SilencedModes& silenced) {
 }
 
 SynthesisSettings Player::settingsNow() const {
-    return synthesisSettings(current, bend.commonSemitones());
+    return synthesisSettings(current);
 }
 
 void Player::beginCell() {
@@ -311,6 +312,7 @@ void Player::reset() {
     forgetPressures();
     liftPedals();
     bend.reset();
+    slotTuning.reset();
     programChange.reset();
     allSoundOffCame = false;
     std::fill(slotSilenced.begin(), slotSilenced.end(), false);

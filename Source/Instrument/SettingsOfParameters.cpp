@@ -92,7 +92,7 @@ double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute)
     return beatsPerMinute / 60 / beats / 2;
 }
 
-SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones) {
+SynthesisSettings synthesisSettings(const ParameterValues& values) {
     const double slope = values[qualitySlope];
     return {.tau = values[tau],
             .qualitySlope = slope == parameterInfo(qualitySlope).maximum ? greedySlope : slope,
@@ -101,7 +101,7 @@ SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSe
             .sizeRatio = values[size],
             .thicknessRatio = values[thickness] / 100,
             .frequencyRatio = values[concertPitch] / parameterInfo(concertPitch).defaultValue *
-                              std::exp2((values[tune] / 100 + bendSemitones) / 12),
+                              std::exp2(values[tune] / 100 / 12),
             .radiation = values[radiation] / 100,
             .material = liveMaterial(values)};
 }

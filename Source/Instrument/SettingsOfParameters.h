@@ -55,9 +55,8 @@ ParameterValues withCustomMaterial(ParameterValues values, const Material& mater
 /// Any thread.
 ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, double contactPa);
 
-/// The settings that the values stand for, with every frequency bent by so many semitones on top of
-/// "tune" and concert pitch. Any thread.
-SynthesisSettings synthesisSettings(const ParameterValues& values, double bendSemitones = 0);
+/// The settings that the values stand for. Any thread.
+SynthesisSettings synthesisSettings(const ParameterValues& values);
 
 /// How fast the motor turns: two openings a turn, one in every note of the chosen length, where a
 /// length is chosen and the tempo is known, which 0 is not. Any thread.

@@ -1,13 +1,21 @@
 #include "Instrument/SlotTuning.h"
 
+#include "Instrument/ParameterGlide.h"
+
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace idiophone {
+namespace {
 
-SlotTuning::SlotTuning(const Instrument& playedInstrument)
-    : instrument(playedInstrument), keysHaveObjects(instrument.keysHaveObjects()),
-      slots(instrument.slots().size()) {
+constexpr double smallestStep = 1e-3; // in semitones; less is not heard as a step
+
+} // namespace
+
+SlotTuning::SlotTuning(const Instrument& playedInstrument, double secondsPerCell)
+    : instrument(playedInstrument), glideShare(ParameterGlide::shareOfWay(secondsPerCell)),
+      keysHaveObjects(instrument.keysHaveObjects()), slots(instrument.slots().size()) {
     if (keysHaveObjects)
         for (int note = 0; note < KeyTuning::notes; ++note)
             noteOn(note);
@@ -21,24 +29,37 @@ bool SlotTuning::sounds(int note) const noexcept {
 void SlotTuning::noteOn(int note) noexcept {
     if (instrument.stage() && !keysHaveObjects)
         return; // no slot is the note's
-    if (const int slot = instrument.key(note).slot; slot >= 0)
-        slots[static_cast<std::size_t>(slot)].note = note;
+    if (const int key = instrument.key(note).slot; key >= 0) {
+        auto& slot = slots[static_cast<std::size_t>(key)];
+        slot.note = note;
+        slot.bendsAtOnce = true;
+    }
 }
 
 void SlotTuning::apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept {
     for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-        auto& [note, tuned, semitones] = slots[slot];
-        if (note < 0)
-            continue;
-        if (const auto index = static_cast<std::size_t>(note);
-            keysHaveObjects && !tuning.unmapped[index])
-            tuned = tuning.semitonesFromEqual[index];
-        const double wanted = tuned + bend.ownSemitones(note);
+        auto& [note, tuned, bent, bendsAtOnce, semitones] = slots[slot];
+        double goal = bend.commonSemitones();
+        if (note >= 0) {
+            goal += bend.ownSemitones(note);
+            if (const auto index = static_cast<std::size_t>(note);
+                keysHaveObjects && !tuning.unmapped[index])
+                tuned = tuning.semitonesFromEqual[index];
+        }
+        const double way = goal - bent;
+        const bool isThere = std::exchange(bendsAtOnce, false) || std::abs(way) <= smallestStep;
+        bent = isThere ? goal : bent + glideShare * way;
+        const double wanted = tuned + bent;
         if (wanted == semitones)
             continue;
         semitones = wanted;
         synthesiser.setFrequencyRatio(slot, std::exp2(wanted / 12));
     }
+}
+
+void SlotTuning::reset() noexcept {
+    for (auto& slot : slots)
+        slot.bendsAtOnce = true;
 }
 
 } // namespace idiophone

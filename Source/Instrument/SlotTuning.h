@@ -15,9 +15,12 @@ namespace idiophone {
 ///
 /// Where keys have objects of their own (bars, scaled) these follow their keys. An object that keys
 /// share (zones) keeps its pitch in any tuning, and is bent as the note played last is.
+///
+/// Bends glide as parameters do (ParameterGlide.h), for wheels send steps; what a note plays is
+/// bent at once as that is.
 class SlotTuning {
 public:
-    explicit SlotTuning(const Instrument& instrument);
+    SlotTuning(const Instrument& instrument, double secondsPerCell);
 
     void setTuning(const KeyTuning& wanted) noexcept { tuning = wanted; }
     /// False where the tuning has no pitch for the key's object, and where there is none.
@@ -25,15 +28,19 @@ public:
     void noteOn(int note) noexcept;
     /// Once a cell, before it begins.
     void apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept;
+    void reset() noexcept; ///< at the next `apply` all bends are as they should be
 
 private:
     struct SlotPitch {
-        int note = -1;        ///< whose pitch it has, or −1: none was played
-        double tuned = 0;     ///< by the tuning that last had a pitch for it
+        int note = -1;    ///< whose pitch it has, or −1: none was played
+        double tuned = 0; ///< by the tuning that last had a pitch for it
+        double bent = 0;  ///< on the way to where wheels are
+        bool bendsAtOnce = true;
         double semitones = 0; ///< as the synthesiser has it
     };
 
     const Instrument& instrument;
+    double glideShare;
     bool keysHaveObjects;
     KeyTuning tuning;
     std::vector<SlotPitch> slots;

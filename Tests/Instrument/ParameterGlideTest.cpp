@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -72,20 +73,30 @@ TEST_CASE("The figures of a material that was just chosen do not glide from anot
     CHECK(glide.values()[youngsModulus] == 200);
 }
 
-TEST_CASE("Tune that a host moves once a block is heard as a slide, not as steps") {
+TEST_CASE("A pitch that comes once a block is heard as a slide, not as steps") {
     // The pitch of a ringing bar, from the phase that it gains in a millisecond.
-    ParameterValues values = with(strikeSpread, 0);
+    constexpr int blockSize = 512, samples = 48000;
+    enum Source { tuneParameter, wheel, wheelOfNote };
+    const auto source = GENERATE(tuneParameter, wheel, wheelOfNote);
+    CAPTURE(source);
+    ParameterValues values = with(strikeSpread, 0, with(bendRange, 12));
+    values = with(mpe, source == wheelOfNote, with(mpeBendRange, 12, values));
     Player player(keysOn(syntheticObject({440}), KeyMapKind::scaled, 60, 72), rateHz);
-    StereoSound sound(48000);
-    constexpr int blockSize = 512;
-    const std::array note{midi(0, 0x90, 69, 100)};
-    for (int start = 0; start < 48000; start += blockSize) {
-        const auto count = static_cast<std::size_t>(std::min(blockSize, 48000 - start));
-        values.set(tune, 1200.0 * start / 48000);
-        player.process({std::span(sound.left).subspan(static_cast<std::size_t>(start), count),
-                        std::span(sound.right).subspan(static_cast<std::size_t>(start), count)},
-                       start == 0 ? std::span<const MidiEvent>(note) : std::span<const MidiEvent>{},
-                       values);
+    StereoSound sound(samples);
+    for (int start = 0; start < samples; start += blockSize) {
+        const auto count = std::min(blockSize, samples - start);
+        std::vector<MidiEvent> events;
+        if (start == 0)
+            events.push_back(midi(0, 0x91, 69, 100));
+        if (source == tuneParameter) {
+            values.set(tune, 1200.0 * start / samples);
+        } else {
+            const int bend = 8192 + 8191 * start / samples;
+            events.push_back(midi(0, 0xe1, bend % 128, bend / 128));
+        }
+        player.process(StereoSpan(sound).subspan(static_cast<std::size_t>(start),
+                                                 static_cast<std::size_t>(count)),
+                       events, values);
     }
     // Heterodyned, and averaged over 5 ms.
     std::vector<double> cents;
