@@ -1,6 +1,7 @@
 #include "Plugin/Favourites.h"
 
 #include "Object/UntrustedJson.h"
+#include "Plugin/WholeFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -54,11 +55,7 @@ Result<void> Favourites::write() {
                             .getNonexistentSibling());
     const auto text = json{{"format", formatName}, {"version", 1}, {"presets", ids}}.dump(
         4, ' ', false, json::error_handler_t::replace);
-    if (!file.getParentDirectory().createDirectory().wasOk() ||
-        !file.replaceWithData(text.data(), text.size()))
-        return failure(file.getFullPathName().toStdString() +
-                       ": the favourites cannot be written.");
-    return {};
+    return writeWhole(file, std::as_bytes(std::span(text)));
 }
 
 } // namespace idiophone

@@ -4,6 +4,7 @@
 #include "Instrument/PresetFile.h"
 #include "Object/UntrustedJson.h"
 #include "Plugin/PresetObjects.h"
+#include "Plugin/WholeFile.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -27,13 +28,6 @@ Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
         return failure(std::string(ofWhat) + " needs a name of at most " +
                        std::to_string(longestName) + " characters.");
     return legal;
-}
-
-Result<void> replaceText(const juce::File& file, const std::string& text) {
-    if (!file.getParentDirectory().createDirectory().wasOk() ||
-        !file.replaceWithData(text.data(), text.size()))
-        return failure(file.getFullPathName().toStdString() + ": the preset cannot be written.");
-    return {};
 }
 
 /// The preset's JSON with another name; what this version does not know stays in it.
@@ -144,7 +138,8 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
     if (place->exists() && !replace)
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
-    return replaceText(*place, encodePreset(preset)).map([&] { return idOf(*place); });
+    const auto text = encodePreset(preset);
+    return writeWhole(*place, std::as_bytes(std::span(text))).map([&] { return idOf(*place); });
 }
 
 Result<std::string> PresetFolder::rename(const std::string& id, const std::string& name) {
@@ -160,7 +155,9 @@ Result<std::string> PresetFolder::rename(const std::string& id, const std::strin
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
     return renamedText(file, name)
-        .and_then([&](const std::string& text) { return replaceText(*place, text); })
+        .and_then([&](const std::string& text) {
+            return writeWhole(*place, std::as_bytes(std::span(text)));
+        })
         .and_then([&]() -> Result<std::string> {
             if (!sameFile && !file.deleteFile()) {
                 place->deleteFile();

@@ -6,6 +6,7 @@
 #include "Object/FileBytes.h"
 #include "Plugin/ContentHash.h"
 #include "Plugin/ObjectEmbedding.h"
+#include "Plugin/WholeFile.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneStage.h"
 
@@ -53,10 +54,7 @@ bool holds(const juce::File& file, const Bytes& bytes) {
 Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
     if (file.existsAsFile() && holds(file, bytes))
         return {};
-    if (!file.getParentDirectory().createDirectory().wasOk() ||
-        !file.replaceWithData(bytes.data(), bytes.size()))
-        return failure(file.getFullPathName().toStdString() + ": the object cannot be written.");
-    return {};
+    return writeWhole(file, bytes);
 }
 
 /// The factory's ring at the pitches of the keys.

@@ -2,8 +2,8 @@
 
 #include "Editor/Utf8.h"
 #include "Instrument/ImpulseLine.h"
-#include "Object/TextFile.h"
 #include "Plugin/OwnSlots.h"
+#include "Plugin/WholeFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,9 +108,9 @@ Result<void> StageCapture::writeMidi(const std::filesystem::path& file,
     midi.setTicksPerQuarterNote(ticksPerBeat);
     midi.addTrack(track);
     juce::MemoryOutputStream bytes;
-    if (!midi.writeTo(bytes) || !fileOf(file).replaceWithData(bytes.getData(), bytes.getDataSize()))
-        return failure(textOf(file).toStdString() + ": it cannot be written.");
-    return {};
+    midi.writeTo(bytes);
+    return writeWhole(fileOf(file),
+                      {static_cast<const std::byte*>(bytes.getData()), bytes.getDataSize()});
 }
 
 Result<void> StageCapture::writeImpulses(const std::filesystem::path& file) const {
@@ -119,7 +119,7 @@ Result<void> StageCapture::writeImpulses(const std::filesystem::path& file) cons
     std::string lines;
     for (const auto& blow : inOrder())
         lines += impulseLine(played->slots()[blow.slot], blow);
-    return writeTextFile(file, lines);
+    return writeWhole(fileOf(file), std::as_bytes(std::span(lines)));
 }
 
 } // namespace idiophone

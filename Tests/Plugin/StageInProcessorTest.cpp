@@ -2,6 +2,7 @@
 // kept in states.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/PresetObjects.h"
+#include "Support/FullDisk.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
 
@@ -147,6 +148,18 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
         before = seconds;
     }
     CHECK(before > 0.1);
+
+    const auto sizeOf = [](const auto& file) { return std::filesystem::file_size(file); };
+    for (const auto& [kind, file] : {std::pair(midi, midiFile), std::pair(impulses, list)}) {
+        const auto size = sizeOf(file);
+        const bool written = [&] {
+            const FullDisk disk(16);
+            return processor.writeCapture(kind, file);
+        }();
+        CHECK_FALSE(written);
+        CHECK(processor.takeStatus().isError);
+        CHECK(sizeOf(file) == size);
+    }
 
     processor.resetStage();
     CHECK_FALSE(processor.hasCaptured());

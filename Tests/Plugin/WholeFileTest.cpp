@@ -1,0 +1,138 @@
+// What the user's files are where the disk is full.
+#include "Plugin/WholeFile.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Plugin/Favourites.h"
+#include "Plugin/PresetFolder.h"
+#include "Plugin/PresetObjects.h"
+#include "Plugin/StageCapture.h"
+#include "Scene/SceneStage.h"
+#include "Support/FullDisk.h"
+#include "Support/SyntheticObject.h"
+#include "Support/TestFolder.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <vector>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+juce::File freshFolder() {
+    const auto folder = juce::File(testFolder().string()).getChildFile("written");
+    folder.deleteRecursively();
+    return folder;
+}
+
+template <class Write>
+auto onFullDisk(rlim_t bytesOfFile, const Write& write) {
+    const FullDisk disk(bytesOfFile);
+    return write();
+}
+
+/// With one sentence that begins with the file's path.
+template <class Outcome>
+void checkRefused(const Outcome& outcome, const juce::File& file) {
+    REQUIRE_FALSE(outcome);
+    CHECK_THAT(outcome.error().message, StartsWith(file.getFullPathName().toStdString()));
+    CHECK_THAT(outcome.error().message, EndsWith("."));
+}
+
+/// Below the folder, files that are hidden too.
+int files(const juce::File& folder) {
+    return folder.findChildFiles(juce::File::findFiles, true).size();
+}
+
+Preset longPreset(const std::string& name) {
+    auto preset = factoryPresets()[3];
+    preset.name = name;
+    preset.description = std::string(2000, 'x');
+    return preset;
+}
+
+/// None at all, and for part of every file of these tests.
+rlim_t roomInBytes() {
+    return GENERATE(rlim_t{0}, rlim_t{16});
+}
+
+} // namespace
+
+TEST_CASE("A file is written whole, in a folder that is made for it, or stays as it was") {
+    const auto folder = freshFolder();
+    const auto file = folder.getChildFile("deeper/bytes");
+    const auto write = [&](std::size_t count) {
+        const std::vector<std::byte> bytes(count, std::byte{7});
+        return writeWhole(file, bytes);
+    };
+    REQUIRE(write(100'000));
+    CHECK(file.getSize() == 100'000);
+    REQUIRE(write(2000));
+    CHECK(file.getSize() == 2000);
+    // Short and long files take different ways through a stream's buffer.
+    for (const std::size_t count : {3000u, 100'000u})
+        for (const rlim_t room : {0, 1024}) {
+            CAPTURE(count, room);
+            checkRefused(onFullDisk(room, [&] { return write(count); }), file);
+            CHECK(file.getSize() == 2000);
+            CHECK(files(folder) == 1);
+        }
+    REQUIRE(onFullDisk(1024, [&] { return write(1024); }));
+    CHECK(file.getSize() == 1024);
+    CHECK(files(folder) == 1);
+}
+
+TEST_CASE("A file that cannot be written is named with what is wrong, in one sentence") {
+    const auto folder = freshFolder();
+    const auto blocked = folder.getChildFile("a file/x");
+    blocked.getParentDirectory().create();
+    const std::vector<std::byte> bytes(10);
+    checkRefused(writeWhole(blocked, bytes), blocked);
+    const auto directory = folder.getChildFile("a folder");
+    directory.getChildFile("with something in it").create();
+    checkRefused(writeWhole(directory, bytes), directory);
+    CHECK(files(folder) == 2);
+}
+
+TEST_CASE("On a full disk a preset is neither replaced nor renamed, and no file is left") {
+    const auto room = roomInBytes();
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    REQUIRE(folder.write(longPreset("One"), "", false));
+    auto other = longPreset("One");
+    other.description += "another";
+    checkRefused(onFullDisk(room, [&] { return folder.write(other, "", true); }),
+                 root.getChildFile("One.json"));
+    folder.read();
+    checkRefused(onFullDisk(room, [&] { return folder.rename("One.json", "Two"); }),
+                 root.getChildFile("Two.json"));
+    REQUIRE(folder.read().size() == 1);
+    CHECK(folder.read().front().preset.value() == longPreset("One"));
+    CHECK(files(root) == 1);
+}
+
+TEST_CASE("On a full disk no part of an object is left for a preset to name") {
+    const auto room = roomInBytes();
+    const auto root = freshFolder();
+    ObjectLibrary library;
+    const auto kept = library.add("bowl.modal", syntheticObject({300, 900}));
+    const KeyMap map{
+        .kind = KeyMapKind::scaled, .lowestNote = 48, .highestNote = 60, .object = "bowl.modal"};
+    const auto bowl = Instrument::build(map, library).value();
+    checkRefused(onFullDisk(room, [&] { return writePresetObjects(map, *bowl, root); }),
+                 root.getChildFile("Objects"));
+    CHECK(files(root) == 0);
+}
+
+TEST_CASE("On a full disk favourites stay as they were") {
+    const auto room = roomInBytes();
+    const auto file = freshFolder().getChildFile("favourites.json");
+    Favourites favourites(file);
+    REQUIRE(favourites.set("factory:Wok", true));
+    checkRefused(onFullDisk(room, [&] { return favourites.set("factory:Gong", true); }), file);
+    CHECK(favourites.read() == std::set<std::string>{"factory:Wok"});
+}
