@@ -36,7 +36,8 @@ int run(int argc, char** argv) {
         return complain("Say which command to run; `idiophone --help` lists them.", badUsage);
     const auto outcome = chosen();
     if (outcome)
-        return success;
+        return std::cout.flush() ? success
+                                 : complain("the standard output cannot be written", failed);
     const auto& sentence = outcome.error().message;
     const bool stopped = sentence == cancelledMessage || sentence == interruptedMessage;
     return complain(sentence, stopped ? interrupted : failed);

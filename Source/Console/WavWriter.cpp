@@ -43,7 +43,7 @@ Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::filesystem::path
         stream.get(), sampleRateHz, static_cast<unsigned>(channelCount), bitDepth, {}, 0));
     if (result->writer == nullptr)
         return result->fault();
-    stream.release(); // the writer owns it now
+    result->stream = stream.release(); // the writer owns it now
     return result;
 }
 
@@ -77,9 +77,14 @@ bool WavWriter::writeRounded(const float* const* channels, int sampleCount) {
 }
 
 Result<void> WavWriter::finish() {
-    const bool complete = writer->flush();
+    writer->flush(); // without a fault whatever becomes of the last samples
+    const auto end = stream->getPosition();
+    stream->flush();
+    const bool isWritten = stream->getStatus().wasOk();
     writer.reset();
     std::error_code error;
+    const bool complete = isWritten && std::filesystem::file_size(partial, error) ==
+                                           static_cast<std::uintmax_t>(end + end % 2);
     if (complete)
         std::filesystem::rename(partial, file, error);
     if (!complete || error) {

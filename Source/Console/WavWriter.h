@@ -8,7 +8,8 @@
 
 namespace juce {
 class AudioFormatWriter;
-}
+class FileOutputStream;
+} // namespace juce
 
 namespace idiophone {
 
@@ -36,6 +37,7 @@ private:
     std::filesystem::path file;
     std::filesystem::path partial;
     std::unique_ptr<juce::AudioFormatWriter> writer;
+    juce::FileOutputStream* stream = nullptr; ///< the writer's
 };
 
 } // namespace idiophone

@@ -14,9 +14,17 @@ PROGRAM = os.environ["IDIOPHONE"]
 OBJECTS = pathlib.Path(__file__).resolve().parents[2] / "Resources" / "Objects"
 
 
-def run(*arguments, timeout=120, environment=()):
+def run(*arguments, timeout=120, environment=(), largest_file_bytes=None):
+    def fill_disk():
+        import resource  # of POSIX
+        import signal
+
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file_bytes, largest_file_bytes))
+
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                          timeout=timeout, env={**os.environ, **dict(environment)})
+                          timeout=timeout, env={**os.environ, **dict(environment)},
+                          preexec_fn=None if largest_file_bytes is None else fill_disk)
 
 
 class ConsoleTest(unittest.TestCase):
@@ -37,10 +45,11 @@ class ConsoleTest(unittest.TestCase):
     def json(self, *arguments):
         return json.loads(self.succeed(*arguments, "--json").stdout)
 
-    def refuse(self, *arguments, naming, saying=""):
+    def refuse(self, *arguments, naming, saying="", largest_file_bytes=None):
         """Fails with one sentence, which names what is at fault, and leaves no files behind."""
         before = set(self.folder.rglob("*"))
-        result = run(*arguments, environment=self.environment)
+        result = run(*arguments, environment=self.environment,
+                     largest_file_bytes=largest_file_bytes)
         with self.subTest(arguments=arguments, stderr=result.stderr):
             self.assertIn(result.returncode, (1, 2), "a refusal, no signal and no success")
             self.assertEqual(result.stdout, "")

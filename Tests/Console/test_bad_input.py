@@ -2,8 +2,11 @@ import array
 import json
 import random
 import struct
+import subprocess
+import sys
+import unittest
 
-from console import (OBJECTS, ConsoleTest, midi_file, modal_bytes, modal_parts, note,
+from console import (OBJECTS, PROGRAM, ConsoleTest, midi_file, modal_bytes, modal_parts, note,
                      obj_text, run)
 
 BAR = OBJECTS / "xylophone-108.modal"
@@ -270,3 +273,38 @@ class BadArguments(ConsoleTest):
         self.refuse("strike", BAR, naming="--output")
         self.refuse("strike", BAR, *self.out, "--loudly", naming="--loudly")
         self.refuse("mesh", "cow", "-o", self.folder / "cow.obj", naming="cow")
+
+
+@unittest.skipIf(sys.platform == "win32", "limits of POSIX")
+class FullDisks(ConsoleTest):
+    """There is room for all but the last bytes of what a command writes."""
+
+    def refuse_last_bytes(self, output, *command, keeps):
+        output = self.folder / output
+        self.succeed(*command, "-o", output)
+        written = output.read_bytes()
+        for missing in (64, len(written) // 2, len(written)):
+            self.refuse(*command, "-o", output, naming=output, saying="written",
+                        largest_file_bytes=len(written) - missing)
+            if keeps:
+                self.assertEqual(output.read_bytes(), written, "what was there stays")
+
+    def test_sound(self):
+        strike = ("strike", BAR, "--seconds", 0.1)
+        for bits in (16, 24, 32):
+            self.refuse_last_bytes("bar.wav", *strike, "--bit-depth", bits, keeps=True)
+
+    def test_objects(self):
+        mesh = self.folder / "bar.obj"
+        self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
+        self.refuse_last_bytes("bar.modal", "analyse", mesh, keeps=True)
+
+    def test_meshes(self):
+        self.refuse_last_bytes("bar.obj", "mesh", "bar", keeps=False)
+
+    def test_the_standard_output(self):
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "presets"], stdout=full, stderr=subprocess.PIPE,
+                                    text=True)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, "idiophone: the standard output cannot be written\n")
