@@ -7,7 +7,10 @@
 #include "Plugin/WholeFile.h"
 
 #include <algorithm>
+#include <deque>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace idiophone {
 namespace {
@@ -28,6 +31,51 @@ Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
         return failure(std::string(ofWhat) + " needs a name of at most " +
                        std::to_string(longestName) + " characters.");
     return legal;
+}
+
+struct FoundFile {
+    juce::File file;
+    juce::int64 bytes = 0;
+    juce::Time written;
+};
+
+/// The folder's own first, by depth; then what links lead to, as that may be all of a disk.
+std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries) {
+    struct Place {
+        juce::File folder;
+        int depth = 0;
+    };
+    std::vector<FoundFile> files;
+    std::deque<Place> own{{.folder = root}}, linked;
+    std::set<std::filesystem::path> visited; // as links may lead in circles
+    int entries = 0;
+    while (!own.empty() || !linked.empty()) {
+        auto& waiting = own.empty() ? linked : own;
+        const Place place = std::move(waiting.front());
+        waiting.pop_front();
+        std::error_code fault;
+        const auto path = std::filesystem::canonical(pathOf(place.folder), fault);
+        if (fault || !visited.insert(path).second)
+            continue;
+        for (const auto& entry : juce::RangedDirectoryIterator(place.folder, false, "*",
+                                                               juce::File::findFilesAndDirectories |
+                                                                   juce::File::ignoreHiddenFiles)) {
+            if (++entries > mostEntries)
+                return files;
+            const auto file = entry.getFile();
+            if (!entry.isDirectory()) {
+                if (file.hasFileExtension(ending))
+                    files.push_back({.file = file,
+                                     .bytes = entry.getFileSize(),
+                                     .written = entry.getModificationTime()});
+            } else if (place.depth < PresetFolder::deepestFolder &&
+                       (place.depth > 0 || file.getFileName() != presetObjectFolder)) {
+                (file.isSymbolicLink() ? linked : own)
+                    .push_back({.folder = file, .depth = place.depth + 1});
+            }
+        }
+    }
+    return files;
 }
 
 /// The preset's JSON with another name; what this version does not know stays in it.
@@ -58,31 +106,18 @@ juce::File PresetFolder::fileOf(const std::string& id) const {
 const std::vector<PresetFolder::Entry>& PresetFolder::read() {
     found.clear();
     std::map<std::string, Known> seen;
-    if (root != juce::File() && root.isDirectory())
-        for (const auto& item :
-             juce::RangedDirectoryIterator(root, true, juce::String("*") + ending,
-                                           juce::File::findFiles | juce::File::ignoreHiddenFiles,
-                                           juce::File::FollowSymlinks::noCycles)) {
-            const auto id = idOf(item.getFile());
-            const auto depth = std::ranges::count(id, '/');
-            if (depth > deepestFolder || id.starts_with(std::string(presetObjectFolder) + "/"))
-                continue;
-            if (seen.size() >= mostFiles)
-                break;
-            const auto bytes = item.getFileSize();
-            const auto written = item.getModificationTime();
-            const auto before = known.find(id);
-            const bool isKnown = before != known.end() && before->second.bytes == bytes &&
-                                 before->second.written == written;
-            auto preset =
-                isKnown ? std::move(before->second.preset) : readPresetFile(pathOf(item.getFile()));
-            const auto slash = id.rfind('/');
-            found.push_back({.id = id,
-                             .folder = slash == std::string::npos ? "" : id.substr(0, slash),
-                             .preset = preset});
-            seen.emplace(id,
-                         Known{.bytes = bytes, .written = written, .preset = std::move(preset)});
-        }
+    for (const auto& [file, bytes, written] : presetFilesBelow(root, entryLimit)) {
+        const auto id = idOf(file);
+        const auto before = known.find(id);
+        const bool isKnown = before != known.end() && before->second.bytes == bytes &&
+                             before->second.written == written;
+        auto preset = isKnown ? std::move(before->second.preset) : readPresetFile(pathOf(file));
+        const auto slash = id.rfind('/');
+        found.push_back({.id = id,
+                         .folder = slash == std::string::npos ? "" : id.substr(0, slash),
+                         .preset = preset});
+        seen.emplace(id, Known{.bytes = bytes, .written = written, .preset = std::move(preset)});
+    }
     known = std::move(seen);
     std::ranges::sort(found, [](const Entry& a, const Entry& b) {
         const int folders = fromUtf8(a.folder).compareNatural(fromUtf8(b.folder));

@@ -19,11 +19,12 @@ public:
         Result<Preset> preset;
     };
 
-    /// Deeper folders and further files are not looked at.
-    static constexpr int deepestFolder = 4, mostFiles = 10000;
+    static constexpr int deepestFolder = 4; ///< deeper ones are not looked at
 
-    /// An empty file is a folder that this machine has no place for.
-    explicit PresetFolder(juce::File folder) : root(std::move(folder)) {}
+    /// An empty file is a folder that this machine has no place for. No more than `mostEntries`
+    /// files and folders of any kind are looked at, and what links lead to last, and once.
+    explicit PresetFolder(juce::File folder, int mostEntries = 20'000)
+        : root(std::move(folder)), entryLimit(mostEntries) {}
 
     /// By folder and name, whatever the case. Files that are as they were are not read again.
     const std::vector<Entry>& read();
@@ -52,6 +53,7 @@ private:
     std::string idOf(const juce::File& file) const;
 
     juce::File root;
+    int entryLimit;
     std::map<std::string, Known> known;
     std::vector<Entry> found;
 };

@@ -1,12 +1,15 @@
 #include "Plugin/PresetFolder.h"
 
+#include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cstdlib>
+#include <fstream>
 #include <random>
+#include <set>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -24,6 +27,15 @@ Preset named(const std::string& name) {
     auto preset = factoryPresets()[3];
     preset.name = name;
     return preset;
+}
+
+using Ids = std::set<std::string>;
+
+Ids idsOf(PresetFolder& folder) {
+    Ids ids;
+    for (const auto& entry : folder.read())
+        CHECK(ids.insert(entry.id).second);
+    return ids;
 }
 
 template <class Outcome>
@@ -158,16 +170,44 @@ TEST_CASE("A file that changed is read again, and one that is gone is gone") {
 TEST_CASE("Folders deeper than the deepest, links in a circle and objects are not looked at") {
     const auto root = freshFolder();
     PresetFolder folder(root);
-    REQUIRE(folder.write(named("Top"), "a/b/c/d", false));
-    const auto file = folder.fileOf("a/b/c/d/Top.json");
-    const auto deep = root.getChildFile("a/b/c/d/e/Deep.json");
-    deep.create();
-    file.copyFileTo(deep);
-    root.getChildFile("Objects/hidden.json").create();
+    REQUIRE(folder.write(named("Deep"), "a/b/c/d", false));
+    REQUIRE(folder.write(named("Top"), "", false));
+    const auto file = folder.fileOf("Top.json");
+    for (const auto* unseen : {"a/b/c/d/e/Deeper.json", "Objects/hidden.json"}) {
+        root.getChildFile(unseen).create();
+        REQUIRE(file.copyFileTo(root.getChildFile(unseen)));
+    }
     root.createSymbolicLink(root.getChildFile("a/b/again"), true);
-    REQUIRE(folder.read().size() >= 1);
-    for (const auto& entry : folder.read())
-        CHECK(entry.id.ends_with("Top.json"));
+    CHECK(idsOf(folder) == Ids{"Top.json", "a/b/c/d/Deep.json"});
+}
+
+TEST_CASE("A folder elsewhere is looked at where a link leads to it") {
+    const auto root = freshFolder();
+    const auto elsewhere = juce::File(testFolder().string()).getChildFile("elsewhere");
+    PresetFolder folder(root);
+    REQUIRE(folder.write(named("Own"), "", false));
+    REQUIRE(PresetFolder(elsewhere).write(named("Shared"), "Bells", false));
+    elsewhere.createSymbolicLink(root.getChildFile("link"), true);
+    CHECK(idsOf(folder) == Ids{"Own.json", "link/Bells/Shared.json"});
+}
+
+TEST_CASE(
+    "Presets are found beside objects and links to folders that are larger than is looked at") {
+    const auto root = freshFolder();
+    const auto large = juce::File(testFolder().string()).getChildFile("large");
+    constexpr int mostEntries = 100;
+    PresetFolder folder(root, mostEntries);
+    REQUIRE(folder.write(named("Own"), "a/b/c/d", false));
+    const Ids own{"a/b/c/d/Own.json"};
+    REQUIRE(PresetFolder(large).write(named("Far"), "in", false));
+    for (int i = 0; i < mostEntries; ++i)
+        std::ofstream(pathOf(large) / (std::to_string(i) + ".txt"));
+    const auto link = root.getChildFile("0");
+    large.createSymbolicLink(link, true);
+    CHECK(idsOf(folder) == own);
+    link.deleteFile();
+    REQUIRE(large.moveFileTo(root.getChildFile("Objects")));
+    CHECK(idsOf(folder) == own);
 }
 
 TEST_CASE("A renamed preset keeps its folder and all that this version does not know") {
