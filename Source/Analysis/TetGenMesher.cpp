@@ -7,11 +7,13 @@
 #include <tetgen.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <memory>
 #include <mutex>
 #include <new>
+#include <thread>
 
 namespace idiophone {
 namespace {
@@ -151,9 +153,19 @@ constexpr std::int64_t mostChecks = 30'000'000;
 
 } // namespace
 
+std::mutex& tetGenTurn() {
+    static std::mutex turn;
+    return turn;
+}
+
 Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings) {
-    static std::mutex oneAtATime; // exactinit() sets globals
-    const std::scoped_lock lock(oneAtATime);
+    std::unique_lock turn(tetGenTurn(), std::defer_lock);
+    // Another may take half a minute. The thread sanitizer does not know std::timed_mutex.
+    while (!turn.try_lock()) {
+        if (settings.cancelled != nullptr && settings.cancelled->load())
+            return failure(sentence(TetGenStop::cancelled));
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
     TetGenWatch::current() = {.cancelled = settings.cancelled, .checksLeft = mostChecks};
     try {
         tetgenio input, output;

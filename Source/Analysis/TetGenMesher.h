@@ -5,6 +5,7 @@
 #include "Object/Result.h"
 
 #include <atomic>
+#include <mutex>
 
 namespace idiophone {
 
@@ -23,7 +24,11 @@ struct LinearTetrahedra {
     Eigen::VectorXi regions;    ///< [T] number of the closed-off part of space, ≥ 0
 };
 
-/// See `tetrahedralise`. No exception leaves it; a stopped one fails with `cancelledMessage`.
+/// Whoever is in TetGen, whose arithmetic has globals (exactinit), holds it.
+std::mutex& tetGenTurn();
+
+/// See `tetrahedralise`. No exception leaves it; a stopped one fails with `cancelledMessage`, also
+/// while it waits for its turn.
 Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings);
 
 } // namespace idiophone

@@ -1,17 +1,23 @@
 #include "Analysis/TetMesh.h"
 
+#include "Analysis/TetGenMesher.h"
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/TestMeshes.h"
+#include "Object/WorkControl.h"
 #include "Support/GeneratedMeshes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <numbers>
 #include <thread>
 #include <vector>
@@ -135,6 +141,24 @@ TEST_CASE("The same surface gives the same mesh, also on several threads at once
         CHECK(other->nodes == first->nodes);
         CHECK(other->tetrahedra == first->tetrahedra);
     }
+}
+
+TEST_CASE("Who waits for TetGen while another is in it stops once cancelled, and the next may in") {
+    const auto surface = icosphereMesh(0.1, 1);
+    std::atomic<bool> cancelled = false;
+    std::unique_lock another(tetGenTurn());
+    auto waiting = std::async(std::launch::async, [&] {
+        return tetrahedralise(surface, {.targetEdgeMetres = 0.05, .cancelled = &cancelled});
+    });
+    cancelled = true;
+    // It ends while the other is still in there; the bound only ends a test that fails.
+    const bool ended = waiting.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
+    another.unlock();
+    CHECK(ended);
+    const auto stopped = waiting.get();
+    REQUIRE_FALSE(stopped);
+    CHECK(stopped.error().message == cancelledMessage);
+    CHECK(tetrahedralise(surface, {.targetEdgeMetres = 0.05}));
 }
 
 TEST_CASE("Bodies that cannot be filled are refused in one sentence") {
