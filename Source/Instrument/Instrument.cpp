@@ -1,6 +1,7 @@
 #include "Instrument/Instrument.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -20,7 +21,14 @@ double lowestModeHz(const ModalObject& object) {
     return std::sqrt(std::max(eigenvalue - decay * decay, 1.0)) / (2 * std::numbers::pi);
 }
 
+std::uint64_t nextSerialNumber() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
 } // namespace
+
+Instrument::Instrument(KeyMap keyMap) : serial(nextSerialNumber()), map(std::move(keyMap)) {}
 
 Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap,
                                                             ObjectLibrary& library) {

@@ -9,6 +9,7 @@
 #include "Synth/Synthesiser.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -35,6 +36,10 @@ public:
                                                      const std::array<int, 128>& slotOfKey,
                                                      std::shared_ptr<const Stage> stage);
 
+    /// Another one for every instrument of the process, from 1 on. Threads that do not keep an
+    /// instrument alive know it by this: another one may come to lie at its address.
+    std::uint64_t serialNumber() const { return serial; }
+
     const KeyMap& keyMap() const { return map; }
     std::span<const SynthesiserSlot> slots() const { return synthesiserSlots; }
     const Key& key(int midiNote) const { return keys[static_cast<std::size_t>(midiNote & 127)]; }
@@ -48,11 +53,12 @@ public:
     bool keysHaveObjects() const;
 
 private:
-    explicit Instrument(KeyMap keyMap) : map(std::move(keyMap)) {}
+    explicit Instrument(KeyMap keyMap);
 
     Result<void> buildBars(ObjectLibrary& library);
     Result<void> buildSingleObject(ObjectLibrary& library);
 
+    std::uint64_t serial;
     KeyMap map;
     std::vector<SynthesiserSlot> synthesiserSlots;
     std::vector<StrikeStrip> strips;

@@ -5,6 +5,7 @@
 #include "Instrument/SilencedModes.h"
 #include "Plugin/Handoff.h"
 
+#include <cstdint>
 #include <memory>
 
 namespace idiophone {
@@ -14,7 +15,7 @@ public:
     /// [message side, one at a time] Holds for players of this instrument from their next callback
     /// on, and replaces what was sent before.
     void send(const Instrument& instrument, SilencedModes silenced) {
-        handoff.publish(std::make_unique<Silences>(&instrument, std::move(silenced)));
+        handoff.publish(std::make_unique<Silences>(instrument.serialNumber(), std::move(silenced)));
     }
 
     /// [audio thread] Gives what was sent last to the player; what is meant for another instrument,
@@ -23,17 +24,17 @@ public:
         Silences* const sent = handoff.take();
         if (sent == nullptr)
             return;
-        if (player != nullptr && &player->instrument() == sent->instrument)
+        if (player != nullptr && player->instrument().serialNumber() == sent->instrument)
             player->setSilencedModes(sent->modes);
         handoff.retire(sent);
     }
 
 private:
     struct Silences {
-        Silences(const Instrument* of, SilencedModes silenced)
+        Silences(std::uint64_t of, SilencedModes silenced)
             : instrument(of), modes(std::move(silenced)) {}
 
-        const Instrument* instrument; ///< compared, never read
+        std::uint64_t instrument; ///< its serial number
         SilencedModes modes;
     };
 

@@ -32,7 +32,7 @@ const SoundFrame* Processor::takeSoundFrame() {
     if (std::exchange(watchedInstrument, subject.instrumentNumber) != subject.instrumentNumber)
         watchObject(std::nullopt);
     picture.show(std::move(subject));
-    if (monitored != nullptr && monitored->instrument == playing.get()) {
+    if (monitored != nullptr && monitored->instrument == playing->serialNumber()) {
         asksUnanswered = 0;
         return &picture.of(*monitored);
     }

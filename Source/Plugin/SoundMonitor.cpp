@@ -60,7 +60,7 @@ void SoundMonitor::hear(std::size_t channel, float peak) noexcept {
 void SoundMonitor::look(const Player& player) noexcept {
     const Synthesiser& synthesiser = player.synthesiser();
     MonitoredSound& seen = latest->next();
-    seen.instrument = &player.instrument();
+    seen.instrument = player.instrument().serialNumber();
     seen.sampleRateHz = synthesiser.sampleRateHz();
     seen.slot = slotToShow(player);
     synthesiser.report(seen.slot, seen.groups);

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <juce_audio_basics/juce_audio_basics.h>
 #include <memory>
 #include <optional>
@@ -20,7 +21,7 @@ struct MonitoredSound {
     static constexpr std::size_t mostModes = 8192; ///< of an object; those beyond are not shown
     static constexpr std::size_t mostSlots = 128;
 
-    const Instrument* instrument = nullptr; ///< compared, never read
+    std::uint64_t instrument = 0; ///< its serial number
     double sampleRateHz = 0;
     std::size_t slot = 0; ///< whose groups these are
     SoundingGroups groups{mostModes};

@@ -49,7 +49,7 @@ std::vector<int> notesOf(const Instrument& instrument) {
 
 void StageCapture::take(Player& player) noexcept {
     for (const auto& blow : player.takeBlows())
-        messages.push({.instrument = &player.instrument(),
+        messages.push({.instrument = player.instrument().serialNumber(),
                        .performance = player.performanceNumber(),
                        .blow = blow});
 }
@@ -70,7 +70,7 @@ void StageCapture::follow(const std::shared_ptr<const Instrument>& instrument) {
         clear();
     }
     messages.read([this](const Message& message) {
-        if (message.instrument != played.get())
+        if (played == nullptr || message.instrument != played->serialNumber())
             return;
         if (std::exchange(performance, message.performance) != message.performance)
             clear();

@@ -5,6 +5,7 @@
 #include "Object/Result.h"
 #include "Plugin/OneWayQueue.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -37,7 +38,7 @@ private:
     std::vector<PlacedBlow> inOrder() const;
 
     struct Message {
-        const Instrument* instrument = nullptr; ///< compared, never read
+        std::uint64_t instrument = 0; ///< its serial number
         std::uint32_t performance = 0;
         PlacedBlow blow;
     };

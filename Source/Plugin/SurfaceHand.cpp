@@ -26,7 +26,7 @@ void SurfaceHand::strike(const std::shared_ptr<const Instrument>& instrument,
                          const std::array<double, 3>& pointMetres,
                          int velocity) {
     const auto& places = placesOn(instrument->slots()[slot].object);
-    push({.instrument = instrument.get(),
+    push({.instrument = instrument->serialNumber(),
           .isTouch = false,
           .strike = {.slot = slot, .point = places.nearest(pointMetres), .velocity = velocity},
           .touch = {}},
@@ -39,14 +39,14 @@ void SurfaceHand::scrape(const std::shared_ptr<const Instrument>& instrument,
                          double pressure) {
     const auto& places = placesOn(instrument->slots()[slot].object);
     const auto touchAt = [&](const std::array<double, 3>& point) {
-        push({.instrument = instrument.get(),
+        push({.instrument = instrument->serialNumber(),
               .isTouch = true,
               .strike = {},
               .touch = {.slot = slot, .point = places.nearest(point), .pressure = pressure}},
              !(pressure > 0));
     };
-    const bool goesOn =
-        drag && pressure > 0 && drag->instrument == instrument.get() && drag->slot == slot;
+    const bool goesOn = drag && pressure > 0 && drag->instrument == instrument->serialNumber() &&
+                        drag->slot == slot;
     if (goesOn) {
         const auto& from = drag->pointMetres;
         const int steps = stepsBetween(from, pointMetres, places.meanEdgeMetres());
@@ -60,7 +60,7 @@ void SurfaceHand::scrape(const std::shared_ptr<const Instrument>& instrument,
     }
     touchAt(pointMetres);
     if (pressure > 0)
-        drag = {.instrument = instrument.get(), .slot = slot, .pointMetres = pointMetres};
+        drag = {.instrument = instrument->serialNumber(), .slot = slot, .pointMetres = pointMetres};
     else
         drag.reset();
 }
@@ -78,7 +78,7 @@ void SurfaceHand::push(const Gesture& gesture, bool lifts) noexcept {
 
 void SurfaceHand::playOn(Player* player) noexcept {
     gestures.read([player](const Gesture& gesture) {
-        if (player == nullptr || &player->instrument() != gesture.instrument)
+        if (player == nullptr || player->instrument().serialNumber() != gesture.instrument)
             return;
         if (gesture.isTouch)
             player->scrapeSurface(gesture.touch);

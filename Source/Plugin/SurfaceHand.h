@@ -8,6 +8,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -38,14 +39,14 @@ public:
 private:
     /// A blow or a touch.
     struct Gesture {
-        const Instrument* instrument = nullptr; ///< compared, never read
+        std::uint64_t instrument = 0; ///< its serial number
         bool isTouch = false;
         SurfaceStrike strike;
         SurfaceTouch touch;
     };
     /// Where the hand was dragged to last.
     struct Drag {
-        const Instrument* instrument = nullptr; ///< compared, never read
+        std::uint64_t instrument = 0; ///< its serial number
         std::size_t slot = 0;
         std::array<double, 3> pointMetres{};
     };

@@ -1,6 +1,7 @@
 #include "Instrument/Instrument.h"
 #include "Support/SyntheticObject.h"
 
+#include <array>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -30,6 +31,20 @@ double weightOf(const StrikePoint& point, int row) {
 }
 
 } // namespace
+
+TEST_CASE("Every instrument has a serial number of its own, of whatever it is made") {
+    ObjectLibrary library;
+    const auto kept = library.add("bar", syntheticObject({261.6}));
+    const auto map = keyMap(KeyMapKind::zones, 60, 61, "bar");
+    const auto first = Instrument::build(map, library), second = Instrument::build(map, library);
+    REQUIRE((first && second));
+    CHECK((*first)->serialNumber() != 0);
+    CHECK((*second)->serialNumber() != (*first)->serialNumber());
+    std::array<int, 128> silent;
+    silent.fill(-1);
+    const auto onStage = Instrument::onStage(map, {}, silent, nullptr);
+    CHECK(onStage->serialNumber() != (*second)->serialNumber());
+}
 
 TEST_CASE("Bars give every key an object of its own") {
     ObjectLibrary library;

@@ -183,7 +183,7 @@ TEST_CASE("Folders deeper than the deepest, links in a circle and objects are no
 
 TEST_CASE("A folder elsewhere is looked at where a link leads to it") {
     const auto root = freshFolder();
-    const auto elsewhere = juce::File(testFolder().string()).getChildFile("elsewhere");
+    const auto elsewhere = juce::File(testFolder().string()).getChildFile("shared presets");
     PresetFolder folder(root);
     REQUIRE(folder.write(named("Own"), "", false));
     REQUIRE(PresetFolder(elsewhere).write(named("Shared"), "Bells", false));
