@@ -12,6 +12,15 @@ bool allFinite(const Values& values) {
     return std::ranges::all_of(values, [](auto value) { return std::isfinite(value); });
 }
 
+/// No value is beyond the limit, nor none at all.
+template <class Values, class Limit>
+bool allWithin(const Values& values, Limit limit) {
+    return std::ranges::all_of(values, [limit](auto value) { return std::abs(value) <= limit; });
+}
+
+// Of a mesh file's vertices too.
+constexpr double farthestMetres = 1e6;
+
 std::string sizesFault(const ModalObject& object) {
     if (object.modeCount() == 0)
         return "it has no modes";
@@ -37,9 +46,12 @@ std::string eigenvaluesFault(const ModalObject& object) {
         return "an eigenvalue is not positive";
     if (!std::ranges::is_sorted(object.eigenvalues))
         return "the eigenvalues are not in ascending order";
-    // Beyond 1 GHz nothing vibrates as this model says, and later squares could overflow.
+    // Beyond 1 GHz nothing vibrates as this model says, and later squares could overflow; so could
+    // the size of a key that is tuned by less than 1 mHz.
     if (object.eigenvalues.back() > 4e19)
         return "an eigenvalue lies beyond 1 GHz";
+    if (object.eigenvalues.front() < 3.9e-5)
+        return "an eigenvalue lies below 1 mHz";
     for (std::size_t mode = 0; mode < object.bending.size(); ++mode)
         if (object.bending[mode] < 0 || object.bending[mode] > object.eigenvalues[mode])
             return "a bending part is not between 0 and its eigenvalue";
@@ -49,21 +61,25 @@ std::string eigenvaluesFault(const ModalObject& object) {
 std::string decaysFault(const ModalObject& object) {
     // Nothing vibrates that dies away faster than a nanosecond.
     constexpr double fastestPerSecond = 1e9;
+    // Another material's damping is multiplied by it.
+    constexpr double largestScale = 1e12;
     for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode) {
         const double decay = object.decaysPerSecond[mode];
         if (!(decay > 0 && decay <= fastestPerSecond))
             return "a decay is not between 0 and 1e9 per second";
         if (!(object.material.damping.perSecond(object.eigenvalues[mode]) > 0))
             return "its modes have decays, but its material has no damping that they could keep to";
+        if (object.dampingScale(mode) > largestScale)
+            return "a decay is more than 1e12 times what its material's damping makes it";
     }
     return {};
 }
 
 std::string geometryFault(const ModalObject& object) {
-    if (!allFinite(object.shapes))
-        return "a mode shape is not a finite number";
-    if (!allFinite(object.vertices))
-        return "a vertex is not a finite number";
+    if (!allWithin(object.shapes, largestShape))
+        return "a mode shape is not between -1e8 and 1e8 per √kg";
+    if (!allWithin(object.vertices, farthestMetres))
+        return "a vertex does not lie within 1000 km";
     const auto vertexCount = static_cast<std::int64_t>(object.vertexCount());
     const auto isVertex = [&](std::int32_t index) { return index >= 0 && index < vertexCount; };
     if (!std::ranges::all_of(object.faces, isVertex))
@@ -77,19 +93,29 @@ std::string geometryFault(const ModalObject& object) {
 }
 
 std::string radiationFault(const ModalObject& object) {
-    return faultOf(object.radiation, object.modeCount());
+    if (auto fault = faultOf(object.radiation, object.modeCount()); !fault.empty())
+        return fault;
+    // They are means of shapes.
+    if (!allWithin(object.radiation.weights, largestShape))
+        return "a weight of the radiation is not between -1e8 and 1e8 per √kg";
+    return {};
 }
 
 std::string scalarsFault(const ModalObject& object) {
-    if (!std::isfinite(object.thicknessMetres) || object.thicknessMetres < 0 ||
+    if (!(object.thicknessMetres >= 0 && object.thicknessMetres <= farthestMetres) ||
         (object.body == BodyKind::shell && object.thicknessMetres == 0))
-        return "the thickness is not a positive number";
+        return "the thickness is not a positive number of at most 1000 km";
     if (!std::isfinite(object.bandHz) || object.bandHz <= 0)
         return "the analysed band is not a positive number";
-    if (!std::isfinite(object.mass.massKg) || object.mass.massKg <= 0)
-        return "the mass is not a positive number";
-    if (!allFinite(object.mass.centreMetres) || !allFinite(object.mass.inertiaKgM2))
-        return "the centre or the inertia is not a finite number";
+    // From what has shapes that are far too large to what weighs as much as the moon.
+    const double massKg = object.mass.massKg;
+    if (!(massKg >= 1e-18 && massKg <= 1e23))
+        return "the mass is not between 1e-18 and 1e23 kg";
+    if (!allWithin(object.mass.centreMetres, farthestMetres))
+        return "the centre does not lie within 1000 km";
+    constexpr double farthestApartSquared = 12 * farthestMetres * farthestMetres;
+    if (!allWithin(object.mass.inertiaKgM2, farthestApartSquared * massKg))
+        return "the inertia is more than that of its mass 1000 km away";
     if (!std::isfinite(object.provenance.analysisSeconds))
         return "the analysis time is not a finite number";
     return {};

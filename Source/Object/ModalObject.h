@@ -14,6 +14,11 @@
 
 namespace idiophone {
 
+/// 1/√kg, of mode shapes and radiation weights. A shape is nowhere larger than 1/√(the mass at that
+/// vertex), and is hardly beyond 10/√(the whole mass): this is that of a hundredth of a nanogram.
+/// In single precision all that a mallet can do to such shapes stays finite.
+inline constexpr float largestShape = 1e8f;
+
 enum class BodyKind { solid, shell };
 
 struct MassProperties {
@@ -42,8 +47,8 @@ struct ModalObject {
     std::string method;         ///< "spring-mass", "van-gelder", "two-layer", "fem", "measured"
     double bandHz = 0;          ///< every mode from 20 Hz up to here is present
 
-    std::vector<double> eigenvalues;         ///< [M] λ = ω² in rad²/s², ascending, > 0
-    std::vector<float> shapes;               ///< [V,M,3] mass-normalised (GᵀMG = I), in 1/√kg
+    std::vector<double> eigenvalues; ///< [M] λ = ω² in rad²/s², ascending, 1 mHz to 1 GHz
+    std::vector<float> shapes;       ///< [V,M,3] mass-normalised (GᵀMG = I), in 1/√kg
     std::vector<std::int32_t> shapeVertices; ///< [V] which mesh vertices carry shapes, ascending
     std::vector<float> vertices;             ///< [N,3] in metres
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
@@ -100,7 +105,7 @@ struct ModalObject {
 };
 
 /// The object unchanged, or the first thing wrong with it: sizes that disagree, an index out of
-/// range, a value that is not finite or not in order, texts too long for a file.
+/// range, a value that is not in order or that no object has, texts too long for a file.
 Result<ModalObject> validated(ModalObject object);
 
 /// Unit outward normals [N,3], the area-weighted mean over the faces at each mesh vertex

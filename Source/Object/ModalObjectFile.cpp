@@ -8,6 +8,7 @@
 #include "Object/UntrustedJson.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -290,7 +291,9 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
     }
     writer.add("faces", "I32", {object.faceCount(), 3}, object.faces);
     writer.add("shape_vertices", "I32", {shapeVertices}, object.shapeVertices);
-    if (precision == ShapePrecision::single) {
+    const bool fitsHalf = std::ranges::all_of(
+        object.shapes, [](float shape) { return std::isfinite(halfToFloat(floatToHalf(shape))); });
+    if (precision == ShapePrecision::single || !fitsHalf) {
         writer.add("shapes", "F32", {shapeVertices, modes, 3}, object.shapes);
     } else {
         std::vector<std::uint16_t> halves(object.shapes.size());

@@ -12,6 +12,7 @@
 
 namespace idiophone {
 
+/// Half, for shapes below 65 520 /√kg; larger ones are written in single all the same.
 enum class ShapePrecision { half, single };
 
 /// Reads and validates; the error names the file and the fault. Not for the audio thread.

@@ -119,6 +119,24 @@ class BadObjects(ConsoleTest):
             self.refuse_object(modal_bytes(header, data[:begin] + values.tobytes() + data[end:]),
                                saying="eigenvalue")
 
+    def test_shapes_that_cannot_be(self):
+        header, data = self.parts()
+        begin, end = header["shapes"]["data_offsets"]
+        count = (end - begin) // 2  # of half precision
+        header["shapes"]["dtype"] = "F32"
+        header["shapes"]["data_offsets"] = [begin, begin + 4 * count]
+        for tensor in header.values():
+            if tensor.get("data_offsets", [0])[0] > begin:
+                tensor["data_offsets"] = [x + 2 * count for x in tensor["data_offsets"]]
+        for shape in (1.0, 3e20, -3e10, float("inf"), float("nan")):
+            shapes = array.array("f", [1.0] * count)
+            shapes[count // 2] = shape
+            content = modal_bytes(header, data[:begin] + shapes.tobytes() + data[end:])
+            if shape == 1:
+                self.succeed("info", self.write("good.modal", content))
+            else:
+                self.refuse_object(content, saying="a mode shape is not between")
+
     def test_counts_that_cannot_be(self):
         for shape in ([-1], [2 ** 63], [1.5], ["many"], [], [2 ** 32, 2 ** 32]):
             header, data = self.parts()

@@ -113,6 +113,13 @@ TEST_CASE("Half-precision shapes are within half a unit of the eleventh bit") {
         CHECK(std::abs(back->shapes[i] - object.shapes[i]) <= std::abs(object.shapes[i]) / 2048);
 }
 
+TEST_CASE("Shapes that half precision cannot hold are written in single precision") {
+    const auto object = syntheticObject({100, 200}, {65'520, -largestShape});
+    const auto back = readModalObject(encodeModalObject(object, ShapePrecision::half), "x.modal");
+    REQUIRE(back);
+    CHECK(back->shapes == object.shapes);
+}
+
 TEST_CASE("A file written to disk reads back, and an unwritable place is one sentence") {
     const auto directory = test::testFolder();
     const auto file = directory / "written.modal";

@@ -27,6 +27,7 @@ TEST_CASE("Each malformed field is named") {
         CHECK_THAT(result.error().message, ContainsSubstring(sentence));
     };
     const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
     refuse(
         [](auto& o) {
             o.eigenvalues.clear();
@@ -55,8 +56,23 @@ TEST_CASE("Each malformed field is named") {
     refuse([](auto& o) { o.eigenvalues[0] = -1; }, "not positive");
     refuse([](auto& o) { std::swap(o.eigenvalues[0], o.eigenvalues[2]); }, "ascending");
     refuse([](auto& o) { o.eigenvalues[2] = 1e30; }, "1 GHz");
-    refuse([&](auto& o) { o.shapes[5] = nan; }, "mode shape");
-    refuse([&](auto& o) { o.vertices[5] = nan; }, "vertex");
+    refuse([](auto& o) { o.eigenvalues[0] = 1e-5; }, "1 mHz");
+    refuse(
+        [](auto& o) {
+            o.decaysPerSecond = {1, 2, 3};
+            o.material.damping = {.fluidPerSecond = 1e-12};
+        },
+        "more than 1e12 times");
+    for (const float shape : {nan, infinity, 1.01e8f, -3e20f})
+        refuse([=](auto& o) { o.shapes[5] = shape; }, "mode shape is not between -1e8 and 1e8");
+    for (const float weight : {1.01e8f, -3e20f})
+        refuse(
+            [=](auto& o) {
+                o.radiation = {{{1, 0, 0}}, {1}, {1, weight, 3}};
+            },
+            "weight of the radiation is not between -1e8 and 1e8");
+    for (const float coordinate : {nan, 1.1e6f, -1e20f})
+        refuse([=](auto& o) { o.vertices[5] = coordinate; }, "vertex does not lie within 1000 km");
     refuse([](auto& o) { o.vertices.pop_back(); }, "threes");
     refuse([](auto& o) { o.faces[0] = 4; }, "face");
     refuse([](auto& o) { o.faces[0] = -1; }, "face");
@@ -70,10 +86,29 @@ TEST_CASE("Each malformed field is named") {
         "radiation is not directions");
     refuse([](auto& o) { o.radiation = {{{1, 1, 0}}, {1}, {1, 2, 3}}; }, "unit vector");
     refuse([](auto& o) { o.thicknessMetres = 0; }, "thickness");
+    refuse([](auto& o) { o.thicknessMetres = 1e7; }, "thickness");
     refuse([](auto& o) { o.bandHz = 0; }, "band");
-    refuse([](auto& o) { o.mass.massKg = -1; }, "mass");
-    refuse([&](auto& o) { o.mass.inertiaKgM2[4] = nan; }, "inertia");
+    for (const double massKg : {-1.0, 0.0, 1e-19, 1e24})
+        refuse([=](auto& o) { o.mass.massKg = massKg; }, "mass is not between");
+    for (const double metres : {double{nan}, 1.1e6})
+        refuse([=](auto& o) { o.mass.centreMetres[1] = metres; }, "centre does not lie");
+    for (const double inertia : {double{nan}, 1.3e13})
+        refuse([=](auto& o) { o.mass.inertiaKgM2[4] = inertia; }, "inertia");
     refuse([](auto& o) { o.material.densityKgPerM3 = 0; }, "density");
+}
+
+TEST_CASE("An object at the ends of all ranges is taken") {
+    auto object = syntheticObject({0.00101, 999e6}, {largestShape, -largestShape});
+    object.decaysPerSecond = {1e-300, 1e9};
+    object.vertices[3] = -1e6f;
+    object.radiation = {{{1, 0, 0}}, {1}, {largestShape, -largestShape}};
+    for (const double massKg : {1e-18, 1e23}) {
+        object.mass = {
+            .massKg = massKg, .centreMetres = {1e6, 0, 0}, .inertiaKgM2 = {1.1e13 * massKg}};
+        const auto result = validated(object);
+        INFO((result ? "" : result.error().message));
+        CHECK(result);
+    }
 }
 
 TEST_CASE("A mode's damping ratio is its measured decay over half the law's damping") {
