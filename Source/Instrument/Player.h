@@ -135,7 +135,6 @@ public:
 
 private:
     std::span<const MidiEvent> follow(std::span<const MidiEvent> events);
-    void letGoOfEndingNotes(std::span<const MidiEvent> events);
     void follow(const MidiEvent& event);
     void strikeFor(const MidiEvent& event);
     void strikeAt(std::size_t slot,
@@ -146,6 +145,7 @@ private:
     void strikeWaiting();
     void keyDown(int channel, int note, int velocity);
     void keyUp(int channel, int note);
+    void letGo(int channel, int note);
     void press(int channel, int note, double pressure);
     void press(int channel, double pressure);
     void setKeyPressure(int channel, std::size_t note, double pressure);

@@ -13,10 +13,15 @@ constexpr double softestShare = 0.5; // of the mallet's speed, with the soft ped
 
 // Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
 // the next grid point; what follows for the sound happens there.
-//
-// Returns those whose notes are to strike: what "all sound off" came after is silent.
+
+/// Returns those whose notes are to strike: what "all sound off" came after is silent.
 std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOneSample) {
-    letGoOfEndingNotes(eventsOfOneSample);
+    // A wheel that moves as one note of its channel ends and the next one begins is the next one's,
+    // though it may come first: JUCE's VST3 wrapper has wheels and pressure before the notes of
+    // their sample.
+    for (const auto& event : eventsOfOneSample)
+        if (event.isNoteOff())
+            letGo(event.bytes[0] & 0x0f, event.bytes[1] & 0x7f);
     auto striking = eventsOfOneSample;
     for (std::size_t k = 0; k < eventsOfOneSample.size(); ++k) {
         const auto& event = eventsOfOneSample[k];
@@ -25,26 +30,6 @@ std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOne
             striking = eventsOfOneSample.subspan(k + 1);
     }
     return striking;
-}
-
-/// A wheel that moves as one note of its channel ends and the next one begins is the next one's,
-/// though it may come first: JUCE's VST3 wrapper has wheels and pressure before the notes of their
-/// sample.
-void Player::letGoOfEndingNotes(std::span<const MidiEvent> eventsOfOneSample) {
-    if (eventsOfOneSample.size() < 2)
-        return;
-    std::array<std::bitset<128>, 16> begun;
-    for (const auto& event : eventsOfOneSample) {
-        const int channel = event.bytes[0] & 0x0f;
-        const int note = event.bytes[1] & 0x7f;
-        auto& begunHere = begun[static_cast<std::size_t>(channel)];
-        if (event.isNoteOn()) {
-            begunHere.set(static_cast<std::size_t>(note));
-        } else if (event.isNoteOff() && !begunHere[static_cast<std::size_t>(note)]) {
-            bend.noteOff(channel, note);
-            held.release(channel, note);
-        }
-    }
 }
 
 void Player::follow(const MidiEvent& event) {
@@ -91,6 +76,11 @@ void Player::keyUp(int channel, int note) {
         keysSustained.set(index);
     down.reset(index);
     setKeyPressure(channel, index, 0);
+    letGo(channel, note);
+}
+
+/// Its channel's wheel and pressure act on it no more.
+void Player::letGo(int channel, int note) {
     bend.noteOff(channel, note);
     held.release(channel, note);
 }

@@ -125,15 +125,6 @@ TEST_CASE("With MPE two notes bend apart, and each keeps its bend after its rele
     CHECK(std::abs(cents(soundingHz(std::span(sound).subspan(24064), bentHz), bentHz)) < 0.5);
 }
 
-TEST_CASE("A note that begins and ends at one sample has its channel's bend") {
-    const auto played = [](const std::vector<MidiEvent>& events) {
-        Player player(bars(), sampleRateHz);
-        return render(player, events, 4800, 256, withMpe());
-    };
-    CHECK(played({midi(0, 0x91, 69, 100), midi(0, 0xe1, 0, 66), midi(0, 0x81, 69, 0)}) ==
-          played({midi(0, 0xe1, 0, 66), midi(0, 0x91, 69, 100)}));
-}
-
 TEST_CASE("Notes bend one another where they share an object: the last one's bend holds") {
     const auto instrument = plate();
     const double lowestHz =
