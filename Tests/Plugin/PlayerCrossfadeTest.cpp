@@ -151,6 +151,41 @@ TEST_CASE("Pedal and pitch wheel stay where they are when the player changes") {
     CHECK(loudest({output.end() - 960, output.end()}) > 0.001f); // held by the pedal
 }
 
+TEST_CASE("Zones and bend ranges that MIDI gave hold for every player that comes after") {
+    const auto controller = [](int channel, int number, int value) {
+        return MidiEvent{.sampleOffset = 0,
+                         .bytes = {static_cast<std::uint8_t>(0xb0 | channel),
+                                   static_cast<std::uint8_t>(number),
+                                   static_cast<std::uint8_t>(value)}};
+    };
+    const std::array setup{controller(0, 101, 0), controller(0, 100, 6), controller(0, 6, 5),
+                           controller(1, 101, 0), controller(1, 100, 0), controller(1, 6, 24)};
+    const std::array notes{MidiEvent{.sampleOffset = 0, .bytes = {0x91, 65, 110}},
+                           MidiEvent{.sampleOffset = 0, .bytes = {0x92, 66, 110}},
+                           MidiEvent{.sampleOffset = 0, .bytes = {0xe1, 127, 127}},
+                           MidiEvent{.sampleOffset = 0, .bytes = {0xe2, 0, 0}}};
+    std::vector<float> before(64), expected(4800), unbent(4800), output(4800);
+    const auto alone = testPlayer("other"), plain = testPlayer("other");
+    play(*alone, before, setup, values);
+    alone->reset();
+    play(*alone, expected, notes, values);
+    play(*plain, unbent, notes, values);
+    CHECK(expected != unbent);
+
+    Handoff<Player> handoff;
+    PlayerCrossfade sound(handoff);
+    sound.install(testPlayer());
+    play(sound, before, setup, values);
+    SECTION("in the middle of the sound") {
+        sound.changeTo(testPlayer("other").release());
+    }
+    SECTION("from its start") {
+        sound.install(testPlayer("other"));
+    }
+    play(sound, output, notes, values);
+    CHECK(output == expected);
+}
+
 TEST_CASE("Speed and place of each channel stay where they are when the player changes") {
     auto scraping = values;
     scraping.set(ParameterId::contact, scrapeContact);
