@@ -226,24 +226,31 @@ void HeldContacts::move(Contact& contact,
         instrument.slots()[static_cast<std::size_t>(key.slot)].sizeRatio * parameters[size];
     const double furthest =
         fastestGlideMetresPerSecond * cellSeconds / (strip.lengthMetres * ratio);
-    // 98 % of the way in the glide time.
-    const double approach = (target - contact.along) * -std::expm1(-4 * cellSeconds / glideSeconds);
-    contact.along =
-        contact.begins ? target : contact.along + std::clamp(approach, -furthest, furthest);
-    contact.place = strip.around(contact.along, own.across);
+    if (contact.begins) {
+        contact.along = target;
+        contact.across = own.across;
+    }
+    const double share = -std::expm1(-4 * cellSeconds / glideSeconds); // 98 % in the glide time
+    contact.along += std::clamp(share * (target - contact.along), -furthest, furthest);
+    contact.across += share * (own.across - contact.across);
+    contact.place = strip.around(contact.along, contact.across);
 }
 
 bool HeldContacts::silent() const noexcept {
     return std::ranges::none_of(contacts, &Contact::isActive);
 }
 
-void HeldContacts::reset() noexcept {
+void HeldContacts::forgetAll() noexcept {
     for (auto& contact : contacts) {
         contact.note = -1;
         contact.pressCount = 0;
         contact.force.reset();
     }
     pressCount = 0;
+}
+
+void HeldContacts::reset() noexcept {
+    forgetAll();
     controllers = {};
 }
 

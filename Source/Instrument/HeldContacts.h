@@ -29,7 +29,8 @@ public:
     /// Keys held at a time; beyond, the oldest gives way as if it were released.
     static constexpr std::size_t capacity = 16;
     static constexpr std::size_t channels = 16;
-    /// A contact follows CC74 in about this time, but no faster than this speed.
+    /// A contact follows CC74 and the strike's place in about this time, along the key no faster
+    /// than this speed.
     static constexpr double glideSeconds = 0.02;
     static constexpr double fastestGlideMetresPerSecond = 5;
 
@@ -49,6 +50,8 @@ public:
     /// The force fades out, and the object rings on.
     void release(int channel, int note) noexcept;
     void releaseAll() noexcept;
+    /// Nothing is in contact, at once. The caller fades the output.
+    void forgetAll() noexcept;
 
     /// 0 to 1; of one held key, or of all of a channel.
     void setPressure(int channel, int note, double pressure) noexcept;
@@ -85,9 +88,9 @@ private:
         double strikePressure = 0; ///< of its velocity
         double pressure = 0;
         bool isReleased = false;
-        double fade = 1;     ///< 0 to 1, falling after the release
-        bool begins = false; ///< nothing of it has sounded yet
-        double along = 0;    ///< on the key's strip
+        double fade = 1;              ///< 0 to 1, falling after the release
+        bool begins = false;          ///< nothing of it has sounded yet
+        double along = 0, across = 0; ///< on the key's strip
         StripStep place;
         double gain = 0;
     };

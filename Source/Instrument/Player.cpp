@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace idiophone {
@@ -82,14 +83,20 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       slotTuning(*playedInstrument, cellSamples / sampleRateHz),
       slotTouched(playedInstrument->slots().size(), false),
       slotHeld(playedInstrument->slots().size(), false),
-      slotPressed(playedInstrument->slots().size(), 0),
-      slotSilenced(playedInstrument->slots().size(), false) {
+      slotPressed(playedInstrument->slots().size(), 0) {
     if (playedInstrument->stage()) {
         performance = playedInstrument->stage()->perform(sampleRateHz, seed);
         slotSamples.resize(synth.slotCount() * cellSamples);
         slotCells = cellsOfSlotsIn(slotSamples);
-    } else
+        remains.resize(slotSamples.size());
+        remainsOfSlots = cellsOfSlotsIn(remains);
+    } else {
         slotCells.assign(synth.slotCount(), cell());
+        remains.resize(2 * cellSamples);
+        const std::span samples(remains);
+        remainsOfSlots.assign(synth.slotCount(),
+                              {samples.first<cellSamples>(), samples.last<cellSamples>()});
+    }
     late.reserve(lateCapacity);
     surfaceStrikes.reserve(surfaceCapacity);
 }
@@ -139,7 +146,7 @@ void Player::strikeSurface(const SurfaceStrike& strike) {
     slotTouched[strike.slot] = strike.velocity > 0;
     if (strike.velocity <= 0 || surfaceStrikes.size() == surfaceCapacity)
         return;
-    slotSilenced[strike.slot] = false;
+    forgetSilenced();
     surfaceStrikes.push_back(strike);
 }
 
@@ -147,7 +154,7 @@ void Player::scrapeSurface(const SurfaceTouch& touch) {
     if (!has(*playedInstrument, touch.slot, touch.point))
         return;
     playedLast = touch.slot;
-    slotSilenced[touch.slot] = false;
+    forgetSilenced();
     handScrape.touch(touch);
 }
 
@@ -175,21 +182,56 @@ SynthesisSettings Player::settingsNow() const {
 void Player::beginCell() {
     glide.advance();
     current = glide.values();
-    const auto settings = settingsNow();
-    synth.setSettings(settings);
+    synth.setSettings(settingsNow());
     slotTuning.apply(bend, synth);
     updateDampers();
-    if (performance)
-        synth.beginCell(slotCells);
-    else
-        synth.beginCell(cell());
-    held.sound(current, settings, synth, slotCells);
-    handScrape.sound(current, malletScales, synth, slotCells);
+    soundCell(cell(), slotCells);
+    addRemains();
     ++cellIndex;
     if (performance)
         playStage();
     updateGain();
     cellPosition = 0;
+}
+
+/// What rings and what is held, over what was in the cells; `mixed` is that of all slots where they
+/// share one.
+void Player::soundCell(const CellOutput& mixed, std::span<const CellOutput> cellsOfSlots) {
+    if (performance)
+        synth.beginCell(cellsOfSlots);
+    else
+        synth.beginCell(mixed);
+    held.sound(current, settingsNow(), synth, cellsOfSlots);
+    handScrape.sound(current, malletScales, synth, cellsOfSlots);
+}
+
+/// Before the first blow after "all sound off": a damper that is lifted for the blow would let
+/// what it has not silenced yet ring on. So that goes on for a cell, in which it fades, and is no
+/// more. A second time in the same cell nothing rings but blows that have hardly begun.
+void Player::forgetSilenced() {
+    if (!std::exchange(isSilenced, false))
+        return;
+    updateDampers();
+    if (synth.silent() && held.silent() && handScrape.silent())
+        return;
+    if (!std::exchange(hasRemains, true))
+        soundCell(remainsOfSlots.front(), remainsOfSlots);
+    synth.reset();
+    held.forgetAll();
+    handScrape.reset();
+}
+
+void Player::addRemains() {
+    if (!std::exchange(hasRemains, false))
+        return;
+    const std::size_t cells = performance ? slotCells.size() : 1;
+    for (std::size_t k = 0; k < cellSamples; ++k) {
+        const double way = static_cast<double>(k + 1) / cellSamples;
+        const auto gain = static_cast<float>((1 + std::cos(std::numbers::pi * way)) / 2);
+        for (std::size_t slot = 0; slot < cells; ++slot)
+            for (std::size_t c = 0; c < slotCells[slot].channels(); ++c)
+                slotCells[slot][c][k] += gain * remainsOfSlots[slot][c][k];
+    }
 }
 
 /// The ears take in whole cells, so that everything in it must be known when it begins.
@@ -283,8 +325,8 @@ void Player::updateDampers() {
     }
     for (std::size_t slot = 0; slot < slotHeld.size(); ++slot) {
         const double share = slotHeld[slot] ? slotPressed[slot] * slotPressed[slot] : 1;
-        synth.setDamping(slot, slotSilenced[slot] ? decayPerSecond(silencingSeconds)
-                                                  : share * decayPerSecond(current[releaseTime]));
+        synth.setDamping(slot, isSilenced ? decayPerSecond(silencingSeconds)
+                                          : share * decayPerSecond(current[releaseTime]));
     }
 }
 
@@ -315,7 +357,7 @@ void Player::reset() {
     slotTuning.reset();
     programChange.reset();
     allSoundOffCame = false;
-    std::fill(slotSilenced.begin(), slotSilenced.end(), false);
+    isSilenced = hasRemains = false;
 }
 
 bool Player::silent() const {
@@ -323,9 +365,9 @@ bool Player::silent() const {
         return std::all_of(samples.begin() + cellPosition, samples.end(),
                            [](float x) { return x == 0; });
     };
-    return synth.silent() && (!performance || performance->silent()) && pending.empty() &&
-           late.empty() && surfaceStrikes.empty() && held.silent() && handScrape.silent() &&
-           played(leftCell) && played(rightCell);
+    return !hasRemains && synth.silent() && (!performance || performance->silent()) &&
+           pending.empty() && late.empty() && surfaceStrikes.empty() && held.silent() &&
+           handScrape.silent() && played(leftCell) && played(rightCell);
 }
 
 std::optional<int> Player::takeProgramChange() {

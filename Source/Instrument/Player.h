@@ -157,6 +157,9 @@ private:
     void strikePendingBefore(double sampleInCell);
     void beginCell();
     SynthesisSettings settingsNow() const;
+    void soundCell(const CellOutput& mixed, std::span<const CellOutput> cellsOfSlots);
+    void forgetSilenced();
+    void addRemains();
     void updateDampers();
     void updateGain();
     void copyOut(const StereoSpan& output, int position, int count) const;
@@ -206,7 +209,11 @@ private:
     std::vector<bool> slotTouched;                         ///< a hand on its surface holds it
     std::vector<bool> slotHeld; ///< that, or some key of it is down or sustained, or it may ring
     std::vector<float> slotPressed; ///< the most that one of its keys presses
-    std::vector<bool> slotSilenced; ///< by "all sound off", until the next strike
+    bool isSilenced = false;        ///< by "all sound off", until the next blow
+    /// What rang until that blow goes on in the next cell, laid out as the cells of slots are.
+    AlignedVector<float> remains;
+    std::vector<CellOutput> remainsOfSlots;
+    bool hasRemains = false;
     std::optional<int> programChange;
     bool allSoundOffCame = false;
 };

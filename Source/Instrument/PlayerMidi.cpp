@@ -60,13 +60,10 @@ void Player::keyDown(int channel, int note, int velocity) {
     slotTuning.noteOn(note);
     setKeyPressure(channel, static_cast<std::size_t>(note), 0);
     keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
+    forgetSilenced();
     if (!strikes(current) && !performance)
         held.press(channel, note, softness * velocity / 127.0);
-    const auto slot = static_cast<std::size_t>(playedInstrument->key(note).slot);
-    if (performance) // bodies strike whatever there is
-        std::fill(slotSilenced.begin(), slotSilenced.end(), false);
-    slotSilenced[slot] = false;
-    playedLast = slot;
+    playedLast = static_cast<std::size_t>(playedInstrument->key(note).slot);
 }
 
 void Player::keyUp(int channel, int note) {
@@ -172,7 +169,7 @@ void Player::controller(int channel, int number, int value) {
         softness = 1 - (1 - softestShare) * value / 127.0;
         break;
     case midi::allSoundOff:
-        std::fill(slotSilenced.begin(), slotSilenced.end(), true);
+        isSilenced = true;
         allSoundOffCame = true;
         if (performance)
             performance->stop();

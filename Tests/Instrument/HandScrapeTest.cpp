@@ -345,6 +345,21 @@ TEST_CASE("All notes off lifts the hand, and a reset forgets it") {
     CHECK(player.silent());
 }
 
+TEST_CASE("A hand that all sound off lifts leaves nothing under the next note") {
+    Player player(shortSquare(), rateHz), alone(shortSquare(), rateHz);
+    double x = 0.1;
+    const auto scraped = drag(player, x, 1, 0.2);
+    auto parameters = quiet();
+    parameters.set(ParameterId::strikeSpread, 0);
+    const auto next = midi(0, 0x90, 60, 1);
+    const auto sound = render(player, {midi(0, 0xb0, 120, 0), next}, 4800, 480, parameters);
+    const auto expected = render(alone, {next}, 4800, 480, parameters);
+    float most = 0;
+    for (std::size_t i = 2 * cellSamples; i < sound.size(); ++i)
+        most = std::max(most, std::abs(sound[i] - expected[i]));
+    CHECK(most < 1e-6f * peak(scraped));
+}
+
 TEST_CASE("Silenced modes of an object are silenced in every slot that shares it") {
     const auto instrument = keysOn(syntheticObject({300, 810, 1600}), KeyMapKind::scaled, 60, 62);
     Player player(instrument, rateHz), plain(instrument, rateHz);

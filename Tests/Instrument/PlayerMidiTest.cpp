@@ -124,16 +124,6 @@ TEST_CASE("The pitch wheel bends by its range, and reset controllers brings the 
     CHECK(std::abs(cents(back.frequencyHz, 440)) < 0.5);
 }
 
-TEST_CASE("All sound off silences within 50 ms, and the next note sounds again") {
-    Player player(bars(), sampleRateHz);
-    const auto sound = render(player,
-                              {midi(0, 0x90, 69, 127), midi(0, 0x90, 60, 127),
-                               midi(4800, 0xb0, 120, 0), midi(9600, 0x90, 69, 127)},
-                              14400, 256);
-    CHECK(peak(std::span(sound).subspan(7200, 2400)) < 1e-4f * peak(sound));
-    CHECK(peak(std::span(sound).subspan(9600)) > 0.5f * peak(sound));
-}
-
 TEST_CASE("Notes outside the keys, and messages that mean nothing here, are silent") {
     Player player(bars(), sampleRateHz);
     const auto sound = render(player,

@@ -165,6 +165,32 @@ TEST_CASE("After all sound off a table rings again under the next cylinder") {
     CHECK(play(second, {{0, 60, 64}}, 0.5, 128) == expected);
 }
 
+TEST_CASE("What rolled before all sound off does not ring on under the next note") {
+    Player player(sceneInstrument("Cylinder off a table"), rate);
+    player.setOffline(true);
+    const auto before = play(player, {{0, 60, 100}}, 0.6, 128);
+    std::vector<float> left(64), right(64);
+    const std::vector<MidiEvent> next{{0, {0xb0, 120, 0}}, {0, {0x90, 60, 1}}};
+    player.process({left, right}, next, {});
+    // Before the next cylinder lands, and behind the way to the ears.
+    const auto after = play(player, {}, 0.06, 128);
+    CHECK(tailLevel(after, 0.025) < 1e-4f * tailLevel(before, 0.5));
+}
+
+TEST_CASE("The soft pedal slows what a note throws") {
+    const auto thrown = [](int pedal, int velocity) {
+        Player player(sceneInstrument("Dice on a xylophone"), rate);
+        player.setOffline(true);
+        std::vector<float> left(64), right(64);
+        const std::vector<MidiEvent> down{{0, {0xb0, 67, static_cast<std::uint8_t>(pedal)}}};
+        player.process({left, right}, down, {});
+        return play(player, {{0, 72, velocity}}, 0.7, 128);
+    };
+    const auto softly = thrown(127, 100);
+    CHECK(softly == thrown(0, 50));
+    CHECK(softly != thrown(0, 100));
+}
+
 TEST_CASE("Bars that nothing is dropped on can be rolled over") {
     auto scene = *findFactoryScene("Dice on a xylophone");
     scene.noteDrop.reset();
