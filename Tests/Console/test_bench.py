@@ -63,6 +63,22 @@ class Bench(ConsoleTest):
             self.assertLess(error, -110)
         self.assertTrue(document["build"]["simd_target"])
 
+    def test_the_worst_cell_is_held_against_the_mean_of_those_in_which_all_ring(self):
+        document = self.bench("callback")
+        figures = document["benchmarks"]["callback"]
+        measured = {goal["name"]: goal["measured"] for goal in document["goals"]}
+        self.assertEqual(len(measured), 3)
+        for scene in figures["scenes"]:
+            ringing = scene["seconds"][37:]
+            self.assertEqual(len(ringing), 35)
+            self.assertEqual(scene["worst_s"], max(ringing))
+            self.assertEqual(scene["struck_s"], scene["seconds"][48])
+            self.assertAlmostEqual(scene["mean_s"], sum(ringing) / 35)
+            self.assertEqual(measured["callback: worst over mean, " + scene["name"]],
+                             scene["worst_s"] / scene["mean_s"])
+            self.assertGreater(scene["struck_s"], scene["mean_s"])
+        self.assertLess(figures["silence_over_sound"], 1)
+
     def test_force_is_held_against_free_cells_of_the_same_run(self):
         document = self.bench("force")
         figures = document["benchmarks"]["force"]
