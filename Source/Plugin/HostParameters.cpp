@@ -24,6 +24,17 @@ void HostParameters::load(const ParameterValues& values) noexcept {
     ++loads;
 }
 
+void HostParameters::loadChanges(const ParameterValues& before,
+                                 const ParameterValues& after) noexcept {
+    ++loads;
+    for (auto* parameter : parameters) {
+        const auto id = parameter->info().parameter;
+        if (after[id] != before[id])
+            parameter->setExactValue(after[id]);
+    }
+    ++loads;
+}
+
 void HostParameters::notifyListeners() const {
     for (auto* parameter : parameters)
         parameter->sendValueChangedMessageToListeners(parameter->getValue());

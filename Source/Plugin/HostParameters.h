@@ -24,6 +24,10 @@ public:
     /// [message side, one at a time] Sets all of them; a snapshot sees all or none.
     void load(const ParameterValues& values) noexcept;
 
+    /// [message side, one at a time] Sets those in which the two differ, as `load` does, and leaves
+    /// others to whoever moves them.
+    void loadChanges(const ParameterValues& before, const ParameterValues& after) noexcept;
+
     /// [message side] Tells the host and other listeners of all values, after `load`.
     void notifyListeners() const;
 

@@ -123,6 +123,7 @@ public:
     SoundLabel loadedLabel() const override;
     void playSound(const Sound& wanted) override;
     int hostLoads() const override { return loadsByHost; }
+    void changeParameters(const Sound& of, const ParameterValues& wanted) override;
     void setValue(ParameterId parameter, double value) override;
 
     bool isTuningFile(const std::filesystem::path& file) const override;
@@ -187,7 +188,7 @@ private:
                              const Preset& preset,
                              const std::shared_ptr<const Instrument>& built,
                              ParameterValues values) const;
-    std::optional<int> playInstead(int number,
+    std::optional<int> playInstead(const Loaded& now,
                                    const Preset& preset,
                                    const std::shared_ptr<const Instrument>& built,
                                    const ParameterValues& values);

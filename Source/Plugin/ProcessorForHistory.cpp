@@ -75,6 +75,17 @@ void Processor::playSound(const Sound& wanted) {
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }
 
+void Processor::changeParameters(const Sound& of, const ParameterValues& wanted) {
+    {
+        const std::scoped_lock lock(soundMutex);
+        if (instrument != of.instrument)
+            return;
+        parameters.loadChanges(of.parameters, wanted);
+    }
+    parameters.notifyListeners();
+    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+}
+
 void Processor::setValue(ParameterId parameter, double value) {
     auto& changed = parameters[parameter];
     const bool isInGesture = openGestures[static_cast<std::size_t>(parameter)] > 0;

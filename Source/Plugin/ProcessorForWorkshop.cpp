@@ -177,7 +177,7 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
         values = asLoudAs(now.sound, preset, *built, values);
 
     std::optional<int> number;
-    const auto play = [&] { number = playInstead(now.number, preset, *built, values); };
+    const auto play = [&] { number = playInstead(now, preset, *built, values); };
     if (product.isFirst)
         history.record((product.isNewFile ? "Open " : "Analyse ") + object.name, play);
     else
@@ -238,16 +238,19 @@ ParameterValues Processor::asLoudAs(const Sound& before,
     return values;
 }
 
-/// Returns the number of its load; nothing where the one of `number` does not play any more.
-std::optional<int> Processor::playInstead(int number,
+/// Plays it instead of what was loaded, of whose parameters it changes those in which `values`
+/// differ, and whose unknown members it keeps. Returns the number of its load; nothing where that
+/// does not play any more.
+std::optional<int> Processor::playInstead(const Loaded& now,
                                           const Preset& preset,
                                           const std::shared_ptr<const Instrument>& built,
                                           const ParameterValues& values) {
+    int number;
     {
         const std::scoped_lock lock(soundMutex);
-        if (loads != number)
+        if (loads != now.number)
             return std::nullopt;
-        parameters.load(values);
+        parameters.loadChanges(now.sound.parameters, values);
         play(preset, built);
         programIndex = -1;
         number = loads;
@@ -297,7 +300,7 @@ void Processor::playMapped(const Loaded& now, const KeyMap& map, const std::stri
     const auto values = asLoudAs(now.sound, preset, *built, now.sound.parameters);
     shelf.keepAudition(); // who changes its keys wants it
     std::optional<int> number;
-    history.record(step, [&] { number = playInstead(now.number, preset, *built, values); });
+    history.record(step, [&] { number = playInstead(now, preset, *built, values); });
     if (number)
         importLoads = isOurs ? *number : -1;
 }

@@ -52,6 +52,9 @@ public:
     virtual int hostLoads() const = 0;
 
     virtual double parameterValue(ParameterId parameter) const = 0;
+    /// Sets the parameters in which `wanted` differs from those of a sound, all at once, if that
+    /// still plays: others stay where automation has moved them meanwhile.
+    virtual void changeParameters(const Sound& of, const ParameterValues& wanted) = 0;
     /// As a change by hand, which the host records.
     virtual void setValue(ParameterId parameter, double value) = 0;
 };

@@ -81,9 +81,9 @@ void SoundHistory::copyToOther() {
 
 void SoundHistory::mutate(double strength, std::uint32_t seed) {
     record("Mutate", [&] {
-        auto next = holder.loadedSound();
-        next.parameters = mutated(next.parameters, next.instrument, next.preset, strength, seed);
-        holder.playSound(next);
+        const auto now = holder.loadedSound();
+        holder.changeParameters(
+            now, mutated(now.parameters, now.instrument, now.preset, strength, seed));
     });
 }
 

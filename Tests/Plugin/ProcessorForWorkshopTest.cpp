@@ -388,6 +388,47 @@ TEST_CASE("What the host loads while an object is made ready to play is not play
     }
 }
 
+TEST_CASE(
+    "Automation that arrives while an object is made, keys are changed or the sound is mutated "
+    "stays") {
+    Processor processor;
+    processor.prepareToPlay(48000, blockSamples);
+    open(processor, smallPlateFile("automated.obj", 1));
+    auto* const automated = processor.getParameters()[static_cast<int>(ParameterId::tune)];
+    std::atomic<bool> ends{false};
+    std::atomic<int> overwritten{0};
+    std::thread host([&] {
+        for (int i = 0; !ends; i = (i + 1) % 1000) {
+            const auto value = 0.0005f * static_cast<float>(i);
+            automated->setValue(value);
+            const float sent = automated->getValue();
+            for (int look = 0; look < 200; ++look) {
+                std::this_thread::yield();
+                if (automated->getValue() != sent)
+                    ++overwritten;
+            }
+        }
+    });
+    const auto stays = [&](const char* what, const std::function<void()>& step) {
+        INFO(what);
+        step();
+        CHECK(processor.editHistory().undoName() == what);
+        CHECK(overwritten.exchange(0) == 0);
+    };
+    stays("Open another", [&] { open(processor, smallPlateFile("another.obj", 1)); });
+    stays("Analyse another", [&] {
+        processor.analyseAgain();
+        finish(processor);
+    });
+    for (int i = 0; i < 6; ++i) {
+        stays(i % 2 == 0 ? "Keys along a path" : "Keys at their pitches",
+              [&] { processor.setKeyLayout(i % 2 == 0 ? KeyLayout::zones : KeyLayout::scaled); });
+        stays("Mutate", [&] { processor.soundVariants().mutate(0.5, 7); });
+    }
+    ends = true;
+    host.join();
+}
+
 TEST_CASE("An object that is opened while presets are auditioned follows the one that plays") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
