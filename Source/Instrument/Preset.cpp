@@ -94,7 +94,7 @@ Preset parse(const JsonPlace& root) {
     if (version > presetFormatVersion)
         root.fail("was made by a newer Idiophone (preset version " + std::to_string(version) + ")");
     Preset preset;
-    preset.name = root.at("name").text();
+    preset.name = root.at("name").textOrEmpty();
     if (root.has("author"))
         preset.author = root.at("author").textOrEmpty();
     if (root.has("description"))
@@ -125,11 +125,19 @@ std::string KeyMap::objectFor(int midiNote) const {
 }
 
 Result<Preset> parsePreset(std::string_view text, std::string_view name) {
+    if (text.size() > largestPresetBytes)
+        return failure(std::string(name) + ": it is too large for a preset");
+    return parseSavedPreset(text, name).and_then([&](Preset preset) -> Result<Preset> {
+        if (preset.name.empty())
+            return failure(std::string(name) + ": name is empty");
+        return preset;
+    });
+}
+
+Result<Preset> parseSavedPreset(std::string_view text, std::string_view name) {
     const auto refuse = [&](const std::string& sentence) {
         return failure(std::string(name) + ": " + sentence);
     };
-    if (text.size() > largestPresetBytes)
-        return refuse("it is too large for a preset");
     try {
         const auto root = parseUntrusted(text);
         if (root.is_discarded())

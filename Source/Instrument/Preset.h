@@ -75,8 +75,11 @@ inline constexpr std::size_t mostPathPoints = 1000; ///< of KeyMap::strikePath
 /// audio thread.
 Result<Preset> parsePreset(std::string_view text, std::string_view name);
 
-/// The preset as JSON text that `parsePreset` reads back to an equal preset. Any thread but
-/// audio.
+/// The same of a preset in a saved state, which may be of any length and need not have a name.
+Result<Preset> parseSavedPreset(std::string_view text, std::string_view name);
+
+/// The preset as JSON text that `parseSavedPreset` reads back to an equal preset, and `parsePreset`
+/// where it takes one of that length and name. Any thread but audio.
 std::string encodePreset(const Preset& preset);
 
 } // namespace idiophone

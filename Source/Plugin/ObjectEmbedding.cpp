@@ -1,11 +1,16 @@
 #include "Plugin/ObjectEmbedding.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Object/FileBytes.h"
 #include "Object/HalfFloat.h"
 #include "Object/ModalObjectFile.h"
+#include "Object/OneLine.h"
+#include "Scene/FactoryScenes.h"
 #include "Scene/SceneStage.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <mutex>
 #include <set>
 
@@ -19,17 +24,64 @@ std::mutex& libraryMutex() {
     return mutex;
 }
 
-/// Half precision where it loses nothing, as of what the workshop makes.
-ShapePrecision leastPrecision(const ModalObject& object) {
-    const bool isHalf = std::ranges::all_of(
-        object.shapes, [](float shape) { return shape == halfToFloat(floatToHalf(shape)); });
-    return isHalf ? ShapePrecision::half : ShapePrecision::single;
+/// What states have of the objects that live: hosts ask for states often, and packing is slow.
+class PackedObjects {
+public:
+    using Text = std::shared_ptr<const std::string>;
+
+    static PackedObjects& shared() {
+        static PackedObjects packed;
+        return packed;
+    }
+
+    Text of(const std::shared_ptr<const ModalObject>& object) {
+        if (auto known = find(object))
+            return known;
+        // Without the lock: others shall not wait.
+        auto text = std::make_shared<const std::string>(packedModal(modalFile(*object)));
+        keep(object, text);
+        return text;
+    }
+
+    void keep(const std::shared_ptr<const ModalObject>& object, Text text) {
+        const std::scoped_lock lock(mutex);
+        texts[object] = std::move(text);
+    }
+
+private:
+    Text find(const std::shared_ptr<const ModalObject>& object) {
+        const std::scoped_lock lock(mutex);
+        std::erase_if(texts, [](const auto& entry) { return entry.first.expired(); });
+        const auto found = texts.find(object);
+        return found == texts.end() ? nullptr : found->second;
+    }
+
+    std::mutex mutex;
+    std::map<std::weak_ptr<const ModalObject>, Text, std::owner_less<>> texts;
+};
+
+std::string shown(const std::string& name) {
+    constexpr std::size_t longest = 97;
+    return name.size() > longest ? "..." + oneLine(name.substr(name.size() - longest))
+                                 : oneLine(name);
+}
+
+/// Of its .modal file, at most.
+std::size_t largestFileBytes(const ModalObject& object) {
+    constexpr std::size_t largestHeader = 1 << 20;
+    const auto& radiation = object.radiation;
+    return largestHeader +
+           sizeof(double) * (object.eigenvalues.size() + object.bending.size() +
+                             object.decaysPerSecond.size() + radiation.frequencyRatios.size()) +
+           sizeof(float) * (object.shapes.size() + object.vertices.size() + object.faces.size() +
+                            object.shapeVertices.size() + radiation.weights.size() +
+                            3 * radiation.directions.size());
 }
 
 } // namespace
 
-std::vector<EmbeddedObject> foreignObjects(const Instrument& instrument) {
-    std::vector<EmbeddedObject> objects;
+std::vector<ForeignObject> foreignObjects(const Instrument& instrument) {
+    std::vector<ForeignObject> objects;
     std::set<std::string> known;
     const auto& map = instrument.keyMap();
     if (map.kind == KeyMapKind::scene)
@@ -37,13 +89,36 @@ std::vector<EmbeddedObject> foreignObjects(const Instrument& instrument) {
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         const int slot = instrument.key(note).slot;
         const auto name = map.objectFor(note);
-        if (slot < 0 || factoryObject(name) || !known.insert(name).second)
-            continue;
-        const auto& object = *instrument.slots()[static_cast<std::size_t>(slot)].object;
-        objects.push_back(
-            {.name = name, .modal = encodeModalObject(object, leastPrecision(object))});
+        if (slot >= 0 && !factoryObject(name) && known.insert(name).second)
+            objects.push_back(
+                {.name = name,
+                 .object = instrument.slots()[static_cast<std::size_t>(slot)].object});
     }
     return objects;
+}
+
+std::vector<std::byte> modalFile(const ModalObject& object) {
+    const bool isHalf = std::ranges::all_of(
+        object.shapes, [](float shape) { return shape == halfToFloat(floatToHalf(shape)); });
+    return encodeModalObject(object, isHalf ? ShapePrecision::half : ShapePrecision::single);
+}
+
+std::vector<EmbeddedObject> embeddedObjects(const Instrument& instrument) {
+    std::vector<EmbeddedObject> objects;
+    for (const auto& [name, object] : foreignObjects(instrument))
+        objects.push_back(
+            {.name = name, .modal = {}, .packed = PackedObjects::shared().of(object)});
+    return objects;
+}
+
+Result<std::shared_ptr<const Instrument>>
+fitForState(std::shared_ptr<const Instrument> instrument) {
+    std::size_t bytes = 0;
+    for (const auto& [name, object] : foreignObjects(*instrument))
+        bytes += largestFileBytes(*object);
+    if (bytes > static_cast<std::size_t>(largestEmbeddedBytes))
+        return failure("its objects take more than the 1 GiB that a project can hold");
+    return instrument;
 }
 
 Result<std::shared_ptr<const Instrument>>
@@ -58,8 +133,10 @@ buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects
         if (!object)
             return tl::unexpected(object.error());
         kept.push_back(library.add(embedded.name, std::move(*object)));
+        if (embedded.packed != nullptr)
+            PackedObjects::shared().keep(kept.back(), embedded.packed);
     }
-    return buildInstrument(keyMap, library);
+    return buildInstrument(keyMap, library).and_then(fitForState);
 }
 
 Result<std::shared_ptr<const Instrument>>
@@ -67,7 +144,7 @@ buildSingleObject(const KeyMap& keyMap, const std::shared_ptr<const ModalObject>
     const std::scoped_lock lock(libraryMutex());
     auto& library = ObjectLibrary::shared();
     library.add(keyMap.object, object);
-    return buildInstrument(keyMap, library);
+    return buildInstrument(keyMap, library).and_then(fitForState);
 }
 
 Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const KeyMap& keyMap) {
@@ -80,6 +157,33 @@ Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const 
         if (const int slot = from.key(note).slot; slot >= 0)
             library.add(map.objectFor(note), from.slots()[static_cast<std::size_t>(slot)].object);
     return buildInstrument(keyMap, library);
+}
+
+std::optional<std::string> firstMissing(const KeyMap& keyMap,
+                                        const std::vector<EmbeddedObject>& objects) {
+    const auto isFile = [](const std::string& name) {
+        std::error_code fault;
+        return std::filesystem::exists(pathNamed(name), fault);
+    };
+    if (keyMap.kind == KeyMapKind::scene) {
+        const bool isThere = findFactoryScene(keyMap.object) != nullptr || isFile(keyMap.object);
+        return isThere ? std::nullopt : std::optional(shown(keyMap.object));
+    }
+    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
+        const auto name = keyMap.objectFor(note);
+        const bool isGiven =
+            std::ranges::find(objects, name, &EmbeddedObject::name) != objects.end();
+        if (!isGiven && !factoryObject(name) && !isFile(name))
+            return shown(name);
+    }
+    return std::nullopt;
+}
+
+KeyMap standInFor(const KeyMap& keyMap) {
+    return {.kind = KeyMapKind::scaled,
+            .lowestNote = keyMap.lowestNote,
+            .highestNote = keyMap.highestNote,
+            .object = "ring"};
 }
 
 } // namespace idiophone

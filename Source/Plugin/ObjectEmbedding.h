@@ -6,17 +6,44 @@
 #include "Plugin/State.h"
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace idiophone {
 
-/// The instrument's objects that came from files, each once, in the order of the keys.
-std::vector<EmbeddedObject> foreignObjects(const Instrument& instrument);
+/// An object of an instrument that came from a file; not null.
+struct ForeignObject {
+    std::string name; ///< by which the key map knows it
+    std::shared_ptr<const ModalObject> object;
+};
+
+/// Each once, in the order of the keys.
+std::vector<ForeignObject> foreignObjects(const Instrument& instrument);
+
+/// Its .modal file, with shapes in half precision where that loses nothing.
+std::vector<std::byte> modalFile(const ModalObject& object);
+
+/// The same objects as a state carries them, packed. Each object of the process is packed once, or
+/// not at all where it came from a state, for as long as it lives.
+std::vector<EmbeddedObject> embeddedObjects(const Instrument& instrument);
 
 /// Builds the instrument with the given objects under their names; factory objects keep theirs,
-/// whatever is embedded under the same name. May wait for another instance that does the same.
+/// whatever is embedded under the same name. May wait for another instance that does the same. As
+/// all that build instruments here, refuses one whose objects no state can carry.
 Result<std::shared_ptr<const Instrument>>
 buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects);
+
+/// The instrument unless its objects are too large for a state.
+Result<std::shared_ptr<const Instrument>> fitForState(std::shared_ptr<const Instrument> instrument);
+
+/// The first object of its notes, or its scene, that is neither the factory's nor given nor a file:
+/// its name for a sentence, of a long one the end.
+std::optional<std::string> firstMissing(const KeyMap& keyMap,
+                                        const std::vector<EmbeddedObject>& objects);
+
+/// The factory's ring at the pitches of the keys, to play in the place of what is missing.
+KeyMap standInFor(const KeyMap& keyMap);
 
 /// Builds the instrument of a single object, which is not null: the map's, whose kind is not
 /// `bars`.

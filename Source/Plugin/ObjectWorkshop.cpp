@@ -260,6 +260,8 @@ void ObjectWorkshop::deliver(const Job& job,
                              const UnitGuess& unit,
                              Finish finish) {
     const bool isPreview = finish == Finish::preview;
+    if (object.name.empty())
+        object.name = job.file.empty() ? "Object" : textOf(job.file.stem()).toStdString();
     auto name = uniqueName(object);
     const auto shared = std::make_shared<const ModalObject>(std::move(object));
     auto summary = summaryOf(*shared);

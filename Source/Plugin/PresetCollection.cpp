@@ -21,7 +21,8 @@ Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std
     return {.preset = std::move(preset),
             .instrument = std::move(instrument),
             .parameters = values,
-            .unknownParameters = {},
+            .unknownMembers = {},
+            .missing = nullptr,
             .presetId = std::move(id),
             .stored = values};
 }

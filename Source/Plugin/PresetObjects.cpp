@@ -7,13 +7,10 @@
 #include "Plugin/ContentHash.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/WholeFile.h"
-#include "Scene/FactoryScenes.h"
 #include "Scene/SceneStage.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <optional>
 
 namespace idiophone {
 namespace {
@@ -23,8 +20,8 @@ using Bytes = std::vector<std::byte>;
 /// By name, for every note that has one; none where all are the factory's.
 std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
     std::map<std::string, Bytes> files;
-    for (auto& object : foreignObjects(instrument))
-        files.emplace(std::move(object.name), std::move(object.modal));
+    for (const auto& [name, object] : foreignObjects(instrument))
+        files.emplace(name, modalFile(*object));
     if (files.empty())
         return files;
     const auto& map = instrument.keyMap();
@@ -55,31 +52,6 @@ Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
     if (file.existsAsFile() && holds(file, bytes))
         return {};
     return writeWhole(file, bytes);
-}
-
-/// The factory's ring at the pitches of the keys.
-KeyMap standInFor(const KeyMap& keyMap) {
-    return {.kind = KeyMapKind::scaled,
-            .lowestNote = keyMap.lowestNote,
-            .highestNote = keyMap.highestNote,
-            .object = "ring"};
-}
-
-/// The first object of its notes, or its scene, that is neither the factory's nor a file.
-std::optional<std::string> firstMissing(const KeyMap& keyMap) {
-    if (keyMap.kind == KeyMapKind::scene) {
-        std::error_code fault;
-        const bool isThere = findFactoryScene(keyMap.object) != nullptr ||
-                             std::filesystem::exists(pathNamed(keyMap.object), fault);
-        return isThere ? std::nullopt : std::optional(keyMap.object);
-    }
-    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
-        const auto object = keyMap.objectFor(note);
-        std::error_code fault;
-        if (!factoryObject(object) && !std::filesystem::exists(pathNamed(object), fault))
-            return object;
-    }
-    return std::nullopt;
 }
 
 /// The objects of `found`, by the names of `keyMap`.
@@ -142,7 +114,7 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
 
 Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile) {
     const auto found = withObjectsBeside(keyMap, pathOf(presetFile));
-    if (const auto missing = firstMissing(found)) {
+    if (const auto missing = firstMissing(found, {})) {
         const auto standIn = standInFor(keyMap);
         return buildInstrument(standIn, ObjectLibrary::shared()).transform([&](auto built) {
             return PresetInstrument{.keyMap = standIn,
@@ -154,6 +126,7 @@ Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce:
     const bool isScene = keyMap.kind == KeyMapKind::scene;
     const auto& played = isScene ? found : keyMap;
     return (isScene ? buildInstrument(found, ObjectLibrary::shared()) : buildWith(keyMap, found))
+        .and_then(fitForState)
         .transform([&](auto built) {
             return PresetInstrument{
                 .keyMap = played, .instrument = std::move(built), .notice = std::string()};

@@ -70,7 +70,8 @@ public:
 
     void getStateInformation(juce::MemoryBlock& destination) override;
     /// Returns with the instrument ready: the next block plays it. What cannot be restored leaves
-    /// everything as it was, and one sentence for the status line.
+    /// what plays as it was, with one sentence for the status line, and is what
+    /// `getStateInformation` gives back until somebody chooses another sound or changes this one.
     void setStateInformation(const void* bytes, int byteCount) override;
 
     bool hasEditor() const override { return true; }
@@ -157,6 +158,8 @@ private:
     void followProgramChange();
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
+    void giveUpRefused();
+    void changedByHand();
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     void tuneTo(const ScalaTuning& wanted, const KeyTuning& keys);
     std::unique_ptr<Player> newPlayer() const;
@@ -219,7 +222,14 @@ private:
     ModeSet modesHeardAlone;
     ScalaTuning scala; ///< of files
     std::shared_ptr<const Instrument> instrument;
-    std::vector<std::pair<std::string, double>> unknownParameters;
+    std::string unknownOfSound, unknownOfInstance; ///< as in State
+    std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
+    /// A state that could not be restored, and the controllers learned then.
+    struct RefusedState {
+        std::string bytes, notice;
+        ControllerAssignments controllers;
+    };
+    std::optional<RefusedState> refused;
     std::string presetId;             ///< of the shelf, or empty
     ParameterValues storedParameters; ///< of that preset
     std::string lastError;

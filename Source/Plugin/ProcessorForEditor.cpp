@@ -73,6 +73,7 @@ void Processor::beginParameterChange(ParameterId parameter) {
 
 void Processor::changeParameter(ParameterId parameter, double value) {
     history.willChange(parameter);
+    changedByHand();
     auto& changed = parameters[parameter];
     changed.setExactValue(value);
     changed.sendValueChangedMessageToListeners(changed.getValue());

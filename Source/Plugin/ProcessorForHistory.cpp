@@ -29,7 +29,8 @@ Processor::Loaded Processor::loaded() const {
     return {.sound = {.preset = loadedPreset,
                       .instrument = instrument,
                       .parameters = parameters.values(),
-                      .unknownParameters = unknownParameters,
+                      .unknownMembers = unknownOfSound,
+                      .missing = missing,
                       .presetId = presetId,
                       .stored = storedParameters},
             .number = loads};
@@ -61,12 +62,14 @@ void Processor::playSound(const Sound& wanted) {
             loadedPreset = wanted.preset;
             if (!sameModes)
                 sendSilences();
+            giveUpRefused();
         } else {
             play(wanted.preset, wanted.instrument);
         }
         if (isImport)
             importLoads = loads;
-        unknownParameters = wanted.unknownParameters;
+        unknownOfSound = wanted.unknownMembers;
+        missing = wanted.missing;
         presetId = wanted.presetId;
         storedParameters = wanted.stored;
         programIndex = factoryProgram(presetId);
@@ -81,12 +84,14 @@ void Processor::changeParameters(const Sound& of, const ParameterValues& wanted)
         if (instrument != of.instrument)
             return;
         parameters.loadChanges(of.parameters, wanted);
+        giveUpRefused();
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }
 
 void Processor::setValue(ParameterId parameter, double value) {
+    changedByHand();
     auto& changed = parameters[parameter];
     const bool isInGesture = openGestures[static_cast<std::size_t>(parameter)] > 0;
     if (!isInGesture)

@@ -61,8 +61,10 @@ bool Processor::muteMode(std::size_t object, std::int32_t mode, bool isMuted) {
                    loadedPreset.mutedModes.set(key, mode, isMuted);
         });
     });
-    if (done)
+    if (done) {
+        changedByHand();
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+    }
     return done;
 }
 
@@ -81,8 +83,10 @@ void Processor::unmuteModes(std::size_t object) {
             return true;
         });
     });
-    if (done)
+    if (done) {
+        changedByHand();
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+    }
 }
 
 void Processor::hearAllModes(std::size_t object) {

@@ -38,6 +38,7 @@ void Processor::forgetTuning() {
 
 /// Under soundMutex.
 void Processor::tuneTo(const ScalaTuning& wanted, const KeyTuning& keys) {
+    giveUpRefused();
     scala = wanted;
     tuner.setOwn(wanted.isGiven() ? std::optional(keys) : std::nullopt);
 }

@@ -143,7 +143,7 @@ void Processor::followWorkshop() {
 void Processor::playProduct(const ObjectWorkshop::Product& product) {
     if (product.isFirst)
         shelf.keepAudition(); // recording would end it, and so load
-    const auto now = loaded();
+    auto now = loaded();
     if (now.number != importLoads)
         return;
     const auto& object = *product.object;
@@ -151,6 +151,8 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     auto preset = now.sound.preset;
     auto& map = preset.keyMap;
     const bool isNew = product.isFirst && product.isNewFile;
+    if (isNew)
+        now.sound.unknownMembers.clear();
     if (isNew || map.kind == KeyMapKind::bars)
         map = singleObjectMap(object, product.objectName, KeyMapKind::scaled);
     map.object = product.objectName;
@@ -251,6 +253,7 @@ std::optional<int> Processor::playInstead(const Loaded& now,
         if (loads != now.number)
             return std::nullopt;
         parameters.loadChanges(now.sound.parameters, values);
+        unknownOfSound = now.sound.unknownMembers;
         play(preset, built);
         programIndex = -1;
         number = loads;

@@ -3,20 +3,28 @@
 
 #include "Instrument/Instrument.h"
 #include "Instrument/Preset.h"
+#include "Plugin/State.h"
 
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace idiophone {
 
+/// What a state names and this machine lacks, while something plays in its place: saved again, so
+/// that the sound is whole once it is back.
+struct MissingObjects {
+    KeyMap keyMap;
+    ModeSet mutedModes;
+    std::vector<EmbeddedObject> objects; ///< those that are there
+};
+
 struct Sound {
     Preset preset; ///< as loaded: its values are what "match loudness" keeps to
     std::shared_ptr<const Instrument> instrument;
-    ParameterValues parameters; ///< as they are now
-    /// Of a state from a newer version: kept, and saved again.
-    std::vector<std::pair<std::string, double>> unknownParameters;
+    ParameterValues parameters;                    ///< as they are now
+    std::string unknownMembers;                    ///< State::unknownOfSound
+    std::shared_ptr<const MissingObjects> missing; ///< or null
     std::string presetId;   ///< of the preset on the shelf (PresetShelf.h), or empty
     ParameterValues stored; ///< what that preset has, to tell whether the sound was changed
 

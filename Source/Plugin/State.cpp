@@ -3,9 +3,7 @@
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
 
-#include <algorithm>
 #include <juce_core/juce_core.h>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 namespace idiophone {
@@ -15,7 +13,6 @@ using nlohmann::json; // read: sorted, as ordered_json takes quadratic time for 
 using nlohmann::ordered_json; // written: in the order that people expect
 
 constexpr const char* formatName = "idiophone-state";
-constexpr juce::int64 largestTotalBytes = juce::int64{1} << 30; // of embedded objects, unpacked
 
 // Inside this file a fault travels as an exception and becomes a Result at parseState.
 struct Fault {
@@ -35,42 +32,8 @@ std::string text(const json& object, const char* key) {
     return value;
 }
 
-std::string packed(std::span<const std::byte> bytes) {
-    juce::MemoryOutputStream compressed;
-    {
-        juce::GZIPCompressorOutputStream zip(compressed);
-        zip.write(bytes.data(), bytes.size());
-    }
-    return juce::Base64::toBase64(compressed.getData(), compressed.getDataSize()).toStdString();
-}
-
-/// The same, where it was packed a while ago without packing it anew: hosts ask for states often,
-/// and a large object takes some tenths of a second. Keeps the last few.
-std::string packedOnce(const std::vector<std::byte>& bytes) {
-    constexpr std::size_t smallest = 1 << 17, most = 4;
-    if (bytes.size() < smallest)
-        return packed(bytes);
-    struct Packed {
-        std::vector<std::byte> bytes;
-        std::string text;
-    };
-    static std::mutex mutex;
-    static std::vector<Packed> kept; // the one used last is last
-    const std::scoped_lock lock(mutex);
-    const auto known =
-        std::ranges::find_if(kept, [&](const Packed& each) { return each.bytes == bytes; });
-    if (known != kept.end()) {
-        std::rotate(known, known + 1, kept.end());
-    } else {
-        if (kept.size() == most)
-            kept.erase(kept.begin());
-        kept.push_back({.bytes = bytes, .text = packed(bytes)});
-    }
-    return kept.back().text;
-}
-
 std::vector<std::byte>
-unpacked(const std::string& packedText, const std::string& name, juce::int64 largestBytes) {
+unpacked(const std::string& packedText, const std::string& name, std::int64_t largestBytes) {
     juce::MemoryOutputStream compressed;
     if (!juce::Base64::convertFromBase64(compressed, juce::String(packedText)))
         throw Fault{"holds a damaged object " + inQuotes(name)};
@@ -93,8 +56,6 @@ void parseParameters(const json& object, State& state) {
             throw Fault{"has a parameter " + inQuotes(id) + " that is not a number"};
         if (const auto* info = findParameter(id))
             state.parameters.set(info->parameter, value);
-        else
-            state.unknownParameters.emplace_back(id, value.get<double>());
     }
 }
 
@@ -102,12 +63,15 @@ std::vector<EmbeddedObject> parseObjects(const json& list) {
     if (!list.is_array())
         throw Fault{"has 'objects' that are not a list"};
     std::vector<EmbeddedObject> objects;
-    auto bytesLeft = largestTotalBytes;
+    auto bytesLeft = largestEmbeddedBytes;
     for (const auto& entry : list) {
         auto name = text(entry, "name");
-        auto modal = unpacked(text(entry, "modal"), name, bytesLeft);
-        bytesLeft -= static_cast<juce::int64>(modal.size());
-        objects.push_back({.name = std::move(name), .modal = std::move(modal)});
+        auto packed = text(entry, "modal");
+        auto modal = unpacked(packed, name, bytesLeft);
+        bytesLeft -= static_cast<std::int64_t>(modal.size());
+        objects.push_back({.name = std::move(name),
+                           .modal = std::move(modal),
+                           .packed = std::make_shared<const std::string>(std::move(packed))});
     }
     return objects;
 }
@@ -133,8 +97,10 @@ ControllerAssignments parseControllers(const json& object) {
 ScalaFile parseScalaFile(const json& tuning, const char* key) {
     if (!tuning.contains(key))
         return {};
+    // A byte of a file that is not UTF-8 is three when it has been saved.
+    constexpr auto largestBytes = 3 * ScalaTuning::largestFileBytes;
     auto file = ScalaFile{.name = text(tuning[key], "name"), .text = text(tuning[key], "text")};
-    if (file.text.size() > ScalaTuning::largestFileBytes)
+    if (file.text.size() > largestBytes)
         throw Fault{"has a " + std::string(key) + " that is too long"};
     return file;
 }
@@ -154,6 +120,92 @@ ordered_json encodeTuning(const ScalaTuning& tuning) {
     return object;
 }
 
+/// All that this version knows of a state.
+ordered_json encodeKnown(const State& state) {
+    ordered_json parameters = ordered_json::object();
+    for (const auto& info : parameterTable())
+        parameters[info.id] = state.parameters[info.parameter];
+    ordered_json objects = ordered_json::array();
+    for (const auto& object : state.objects)
+        objects.push_back(
+            {{"name", object.name},
+             {"modal", object.packed != nullptr ? *object.packed : packedModal(object.modal)}});
+    ordered_json controllers = ordered_json::object();
+    for (const auto& info : parameterTable())
+        if (const int number = state.controllers[info.parameter]; number != noController)
+            controllers[info.id] = number;
+    return {{"format", formatName},
+            {"version", stateFormatVersion},
+            {"engine", state.engineVersion},
+            {"parameters", parameters},
+            {"preset", ordered_json::parse(encodePreset(state.preset))},
+            {"objects", objects},
+            {"controllers", controllers},
+            {"tuning", encodeTuning(state.tuning)}};
+}
+
+/// The members that this version knows, where they stand: a state that has all of them. Below what
+/// is no object here everything is known.
+const json& knownMembers() {
+    static const json known = [] {
+        State full;
+        full.preset.keyMap.referenceNote = 0;
+        full.controllers.numbers.fill(1);
+        full.tuning = {.scale = {.name = "a", .text = "a"}, .mapping = {.name = "a", .text = "a"}};
+        json members = encodeKnown(full);
+        members["preset"]["surface"] = members["preset"]["mutedModes"] = nullptr;
+        return members;
+    }();
+    return known;
+}
+
+json unknownIn(const json& object, const json& known) {
+    json unknown = json::object();
+    for (const auto& [key, value] : object.items()) {
+        const auto place = known.find(key);
+        if (place == known.end())
+            unknown[key] = value;
+        else if (place->is_object() && value.is_object())
+            if (auto inner = unknownIn(value, *place); !inner.empty())
+                unknown[key] = std::move(inner);
+    }
+    return unknown;
+}
+
+void keepUnknown(const json& root, State& state) {
+    auto ofSound = unknownIn(root, knownMembers());
+    if (const auto tuning = ofSound.find("tuning"); tuning != ofSound.end()) {
+        // Of a file that is not given nothing is written.
+        if (!state.tuning.scale.isGiven())
+            tuning->erase("scale");
+        if (!state.tuning.mapping.isGiven())
+            tuning->erase("mapping");
+        if (tuning->empty())
+            ofSound.erase(tuning);
+    }
+    json ofInstance = json::object();
+    for (const auto* key : {"controllers", "tuning"})
+        if (const auto found = ofSound.find(key); found != ofSound.end()) {
+            ofInstance[key] = std::move(*found);
+            ofSound.erase(found);
+        }
+    if (!ofSound.empty())
+        state.unknownOfSound = ofSound.dump();
+    if (!ofInstance.empty())
+        state.unknownOfInstance = ofInstance.dump();
+}
+
+/// Behind what is known; what belongs to something that is not there any more is left out.
+void addUnknown(const json& unknown, const json& known, ordered_json& object) {
+    for (const auto& [key, value] : unknown.items()) {
+        if (const auto place = known.find(key); place == known.end())
+            // No look for the same key: it takes quadratic time.
+            object.get_ref<ordered_json::object_t&>().emplace_back(key, value);
+        else if (object.contains(key))
+            addUnknown(value, *place, object[key]);
+    }
+}
+
 State parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
         throw Fault{"is not one of Idiophone's"};
@@ -161,48 +213,43 @@ State parse(const json& root) {
     if (!version.is_number_integer() || version.get<double>() < 1)
         throw Fault{"has a 'version' that is not a whole number from 1 on"};
     if (version.get<double>() > stateFormatVersion)
-        throw Fault{"was made by a newer Idiophone (" + oneLine(text(root, "engine")) +
-                    "); the sound stays as it was"};
+        throw Fault{"was made by a newer Idiophone (" + oneLine(text(root, "engine")) + ")"};
     State state;
     state.engineVersion = text(root, "engine");
     parseParameters(member(root, "parameters"), state);
-    auto preset = parsePreset(member(root, "preset").dump(), "its preset");
+    auto preset = parseSavedPreset(member(root, "preset").dump(), "its preset");
     if (!preset)
         throw Fault{"has a fault in " + preset.error().message};
     state.preset = std::move(*preset);
+    state.preset.unknownParameters.clear();
     state.objects = parseObjects(member(root, "objects"));
     if (root.contains("controllers"))
         state.controllers = parseControllers(root["controllers"]);
     if (root.contains("tuning"))
         state.tuning = parseTuning(root["tuning"]);
+    keepUnknown(root, state);
     return state;
 }
 
 } // namespace
 
+std::string packedModal(std::span<const std::byte> modal) {
+    juce::MemoryOutputStream compressed;
+    {
+        juce::GZIPCompressorOutputStream zip(compressed);
+        zip.write(modal.data(), modal.size());
+    }
+    return juce::Base64::toBase64(compressed.getData(), compressed.getDataSize()).toStdString();
+}
+
 std::string encodeState(const State& state) {
-    ordered_json parameters = ordered_json::object();
-    for (const auto& info : parameterTable())
-        parameters[info.id] = state.parameters[info.parameter];
-    for (const auto& [id, value] : state.unknownParameters)
-        parameters[id] = value;
-    ordered_json objects = ordered_json::array();
-    for (const auto& object : state.objects)
-        objects.push_back({{"name", object.name}, {"modal", packedOnce(object.modal)}});
-    ordered_json controllers = ordered_json::object();
-    for (const auto& info : parameterTable())
-        if (const int number = state.controllers[info.parameter]; number != noController)
-            controllers[info.id] = number;
-    ordered_json root{{"format", formatName},
-                      {"version", stateFormatVersion},
-                      {"engine", state.engineVersion},
-                      {"parameters", parameters},
-                      {"preset", ordered_json::parse(encodePreset(state.preset))},
-                      {"objects", objects}};
-    if (!controllers.empty())
-        root["controllers"] = controllers;
-    if (state.tuning.isGiven())
-        root["tuning"] = encodeTuning(state.tuning);
+    auto root = encodeKnown(state);
+    for (const auto* unknown : {&state.unknownOfSound, &state.unknownOfInstance})
+        if (!unknown->empty())
+            addUnknown(json::parse(*unknown), knownMembers(), root);
+    for (const auto* key : {"controllers", "tuning"})
+        if (root[key].empty())
+            root.erase(key);
     // Names come from people and files: replace what is not UTF-8 rather than throw.
     return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

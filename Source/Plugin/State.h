@@ -9,33 +9,45 @@
 #include "Plugin/ControllerAssignments.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace idiophone {
 
 inline constexpr int stateFormatVersion = 1;
 
+/// The .modal files of all objects that a state can carry, together.
+inline constexpr std::int64_t largestEmbeddedBytes = std::int64_t{1} << 30;
+
 /// A modal object that is not part of the program and so travels with the state.
 struct EmbeddedObject {
     std::string name;             ///< by which the preset's key map knows it
-    std::vector<std::byte> modal; ///< the .modal file
+    std::vector<std::byte> modal; ///< the .modal file; not needed where `packed` is given
+    std::shared_ptr<const std::string> packed = {}; ///< the same as the state has it, or null
 
-    bool operator==(const EmbeddedObject&) const = default;
+    bool operator==(const EmbeddedObject& other) const {
+        return name == other.name && modal == other.modal;
+    }
 };
+
+/// A .modal file as states have it: as text. Takes some tenths of a second for a large one.
+std::string packedModal(std::span<const std::byte> modal);
 
 struct State {
     std::string engineVersion; ///< of the Idiophone that saved it
     ParameterValues parameters;
-    /// Parameters that this version does not know: kept, and saved again, so that a project from a
-    /// newer version loses nothing here.
-    std::vector<std::pair<std::string, double>> unknownParameters;
-    Preset preset;
+    Preset preset; ///< its `unknownParameters` are in `unknownOfSound`
     std::vector<EmbeddedObject> objects;
     ControllerAssignments controllers; ///< none in states that say none
     ScalaTuning tuning;                ///< none in states that say none; the files' text as it is
+    /// The members that this version does not know, as JSON: kept, and saved again, so that a
+    /// project from a newer version loses nothing here. Empty where there are none.
+    std::string unknownOfSound;
+    std::string unknownOfInstance; ///< those of "controllers" and "tuning"
 
     bool operator==(const State&) const = default;
 };

@@ -1,6 +1,7 @@
 #include "Plugin/ObjectEmbedding.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Plugin/PresetObjects.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
 
@@ -67,6 +68,80 @@ TEST_CASE("A damaged embedded object is one sentence that names it") {
     const auto built = buildInstrument(state.preset.keyMap, state.objects);
     REQUIRE_FALSE(built);
     CHECK_THAT(built.error().message, ContainsSubstring("test/63"));
+}
+
+TEST_CASE("Each object is packed once while it lives, however many there are") {
+    auto state = testState("packed once");
+    for (auto& object : state.objects)
+        object.packed = nullptr;
+    const auto textsOf = [](const Instrument& instrument) {
+        std::vector<const std::string*> texts;
+        for (const auto& object : embeddedObjects(instrument))
+            texts.push_back(object.packed.get());
+        return texts;
+    };
+    std::weak_ptr<const std::string> text;
+    {
+        const auto built = buildInstrument(state.preset.keyMap, state.objects);
+        REQUIRE(built);
+        const auto first = textsOf(**built);
+        REQUIRE(first.size() == state.objects.size());
+        CHECK(textsOf(**built) == first);
+        text = embeddedObjects(**built).front().packed;
+        CHECK_FALSE(text.expired());
+    }
+    const auto other =
+        buildInstrument(testState("another").preset.keyMap, testState("another").objects);
+    embeddedObjects(**other);
+    CHECK(text.expired());
+}
+
+TEST_CASE("What came packed is saved as it came") {
+    auto state = testState("as it came");
+    for (auto& object : state.objects)
+        object.packed = std::make_shared<const std::string>("its own text");
+    const auto built = buildInstrument(state.preset.keyMap, state.objects);
+    REQUIRE(built);
+    for (const auto& object : embeddedObjects(**built))
+        CHECK(*object.packed == "its own text");
+}
+
+TEST_CASE("Objects that no state can carry are refused where they would begin to play") {
+    // A file of nine megabytes for every note, which are all the same one.
+    const auto folder = testFolder() / "large";
+    std::filesystem::create_directories(folder);
+    auto large = syntheticObject({440});
+    large.vertices.resize(2'250'000);
+    REQUIRE(writeModalObject(large, folder / "all"));
+    for (int note = 0; note < 128; ++note) {
+        std::error_code fault;
+        const auto file = folder / (std::to_string(note) + ".modal");
+        std::filesystem::remove(file, fault);
+        std::filesystem::create_symlink(folder / "all", file, fault);
+        if (fault)
+            SKIP("no links between files here");
+    }
+    KeyMap map{.lowestNote = 0, .highestNote = 127, .object = (folder / "{note}.modal").string()};
+    const auto preset = juce::File((folder / "preset.json").string());
+    const std::string sentence = "its objects take more than the 1 GiB that a project can hold";
+    CHECK(buildInstrument(map, {}).error().message == sentence);
+    CHECK(buildPresetInstrument(map, preset).error().message == sentence);
+    Processor processor;
+    auto state = testState();
+    state.objects.clear();
+    state.preset.keyMap = map;
+    restore(processor, state);
+    CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring(sentence));
+
+    state.preset.keyMap.highestNote = map.highestNote = 99;
+    CHECK(buildPresetInstrument(map, preset));
+    restore(processor, state);
+    CHECK_FALSE(processor.takeStatus().isError);
+    const auto bytes = saved(processor);
+    restore(processor, testState());
+    restoreBytes(processor, bytes);
+    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK(saved(processor) == bytes);
 }
 
 TEST_CASE("Instances that restore different objects of one name at once each get their own") {

@@ -193,15 +193,33 @@ TEST_CASE("A preset of a scene file beside it opens, and again from a project el
               ->notice.find("gone.json") == 0);
 }
 
-TEST_CASE("A scene that is missing leaves what plays, and is named") {
-    Processor processor;
+TEST_CASE("A scene that is missing has a ring in its place, and plays once it is back") {
+    const auto file = testFolder() / "moved.json";
+    std::filesystem::remove(file);
     auto state = testState();
-    state.preset.keyMap = {.kind = KeyMapKind::scene, .object = "/nowhere/mine.json"};
+    state.preset.keyMap = {
+        .kind = KeyMapKind::scene, .lowestNote = 48, .highestNote = 72, .object = file.string()};
+    REQUIRE(state.preset.mutedModes.set("die", 2, true));
+    state.parameters.set(ParameterId::size, 1.5);
     state.objects.clear();
-    const auto before = processor.loadedLabel().name;
-    restore(processor, state);
-    const auto status = processor.takeStatus();
+    Processor first;
+    restore(first, state);
+    const auto status = first.takeStatus();
     CHECK(status.isError);
-    CHECK(status.sentence.find("/nowhere/mine.json") != std::string::npos);
-    CHECK(processor.loadedLabel().name == before);
+    CHECK(status.sentence.find(file.string() + " is missing") != std::string::npos);
+    CHECK(first.loadedLabel().name == "Test keyboard");
+    CHECK(first.keyRange().lowest == 48);
+    CHECK(first.parameterValue(ParameterId::size) == 1.5);
+    const auto bytes = saved(first);
+    CHECK(parseState(bytes)->preset == state.preset);
+
+    std::ofstream(file) << R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
+               "kinds": [{"name": "plate", "object": "plate", "fixed": true},
+                         {"name": "die", "object": "die"}],
+               "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.2]}]})";
+    Processor second;
+    restoreBytes(second, bytes);
+    CHECK_FALSE(second.takeStatus().isError);
+    CHECK(second.hasStage());
+    CHECK(saved(second) == bytes);
 }
