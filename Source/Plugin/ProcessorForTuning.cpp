@@ -14,10 +14,11 @@ std::string Processor::tuningPatterns() const {
 }
 
 void Processor::openTuning(const std::filesystem::path& file) {
+    ScalaTuning before, wanted;
     const auto tuned = readTextFile(file, ScalaTuning::largestFileBytes)
                            .and_then([&](const std::string& text) -> Result<void> {
                                const std::scoped_lock lock(soundMutex);
-                               auto wanted = scala;
+                               before = wanted = scala;
                                (isScale(file) ? wanted.scale : wanted.mapping) = {
                                    .name = fileNameOf(file), .text = text};
                                return keyTuning(wanted).transform(
@@ -25,15 +26,38 @@ void Processor::openTuning(const std::filesystem::path& file) {
                            });
     if (!tuned)
         return reportError(tuned.error().message);
-    updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+    recordTuning(fileNameOf(file), before, wanted);
 }
 
 void Processor::forgetTuning() {
+    ScalaTuning before;
     {
         const std::scoped_lock lock(soundMutex);
+        before = scala;
         tuneTo({}, {});
     }
-    updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+    recordTuning("Forget tuning", before, {});
+}
+
+/// Makes a step of what has been done, and tells the host of it.
+void Processor::recordTuning(const std::string& step,
+                             const ScalaTuning& before,
+                             const ScalaTuning& after) {
+    const auto tellHost = [this] {
+        updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+    };
+    const auto tune = [this, tellHost](const ScalaTuning& wanted) {
+        {
+            const std::scoped_lock lock(soundMutex);
+            if (const auto keys = keyTuning(wanted)) // as it has before
+                tuneTo(wanted, *keys);
+        }
+        tellHost();
+    };
+    if (before != after)
+        history.recordDone(
+            step, [tune, before] { tune(before); }, [tune, after] { tune(after); });
+    tellHost();
 }
 
 /// Under soundMutex.

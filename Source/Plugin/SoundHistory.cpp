@@ -13,6 +13,7 @@ namespace {
 constexpr int mostUnits = 512 * 1024, fewestSteps = 8;
 constexpr int unitsOfParameters = 64; // more than they take: so no more than 8192 steps are kept
 constexpr int unitsOfSound = 256;
+constexpr int unitsOfTunings = 1024; // two of two files each
 
 int unitsOfObjects(const Sound& sound) {
     if (sound.instrument == nullptr)
@@ -81,6 +82,28 @@ private:
     bool isDone = false;
 };
 
+/// What the history knows nothing of.
+class SoundHistory::DoneStep final : public juce::UndoableAction {
+public:
+    DoneStep(std::function<void()> undoIt, std::function<void()> doItAgain)
+        : undone(std::move(undoIt)), doneAgain(std::move(doItAgain)) {}
+
+    bool perform() override {
+        if (std::exchange(isDone, true))
+            doneAgain();
+        return true;
+    }
+    bool undo() override {
+        undone();
+        return true;
+    }
+    int getSizeInUnits() override { return unitsOfTunings; }
+
+private:
+    std::function<void()> undone, doneAgain;
+    bool isDone = false;
+};
+
 SoundHistory::SoundHistory(SoundHolder& soundHolder)
     : holder(soundHolder), steps(mostUnits, fewestSteps) {}
 
@@ -127,6 +150,15 @@ void SoundHistory::record(const std::string& name, const std::function<void()>& 
     const auto before = session();
     load();
     pushLoad(name, before);
+}
+
+void SoundHistory::recordDone(const std::string& name,
+                              std::function<void()> undone,
+                              std::function<void()> doneAgain) {
+    endAudition();
+    followHolder();
+    closeEdit();
+    push(new DoneStep(std::move(undone), std::move(doneAgain)), name);
 }
 
 void SoundHistory::renewSounds(const std::function<void(Sound&)>& renew) {

@@ -56,6 +56,11 @@ public:
     /// the same afterwards, as when it failed.
     void record(const std::string& name, const std::function<void()>& load);
 
+    /// One step of something beside the sound, which is done already.
+    void recordDone(const std::string& name,
+                    std::function<void()> undone,
+                    std::function<void()> doneAgain);
+
     /// Objects have been replaced for good, what plays among them, as the preview of an analysis by
     /// its end: every sound that the steps and the other variant know passes through `renew`. No
     /// step.
@@ -71,6 +76,7 @@ public:
 private:
     class ParameterStep;
     class LoadStep;
+    class DoneStep;
     struct LoadedSessions {
         Session before, after;
     };

@@ -80,6 +80,38 @@ TEST_CASE("A scale from a file tunes the keys, and is forgotten when asked") {
     CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
 }
 
+TEST_CASE("A tuning that is opened or forgotten is a step, which is undone and redone") {
+    Prepared instance;
+    auto& processor = instance.processor;
+    auto& history = processor.editHistory();
+    const auto scale = written("six.scl", sixSteps), mapping = written("from432.kbm", from432);
+    processor.openTuning(scale);
+    processor.openTuning(mapping);
+    const auto tuned = processor.tuningStatus();
+    CHECK(history.undoName() == "from432.kbm");
+    history.undo();
+    CHECK(processor.tuningStatus().scale == "Six steps");
+    CHECK(processor.tuningStatus().mappingFile.empty());
+    history.undo();
+    CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
+    CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
+    CHECK_FALSE(history.canUndo());
+    history.redo();
+    history.redo();
+    CHECK(processor.tuningStatus() == tuned);
+    CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
+
+    processor.forgetTuning();
+    CHECK(history.undoName() == "Forget tuning");
+    history.undo();
+    CHECK(processor.tuningStatus() == tuned);
+    // What changes nothing is no step.
+    processor.openTuning(scale);
+    processor.openTuning(written("damaged.scl", "no scale"));
+    CHECK(history.undoName() == "from432.kbm");
+    CHECK(history.redoName() == "Forget tuning");
+}
+
 TEST_CASE("Scale and mapping come from files of their own, one after the other") {
     Prepared instance;
     auto& processor = instance.processor;
