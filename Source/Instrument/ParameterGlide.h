@@ -19,7 +19,8 @@ public:
 
     explicit ParameterGlide(double secondsPerCell);
 
-    /// What glides is on its way from here on: material, size, pitch and what a held contact does.
+    /// What glides is on its way from here on: material, size, pitch, where all is heard from and
+    /// what a held contact does.
     /// All else is so at once, as are all values after `reset`, and the figures of a material that
     /// was just chosen.
     void setGoal(const ParameterValues& wanted) noexcept;

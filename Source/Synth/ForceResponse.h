@@ -10,6 +10,15 @@
 
 namespace idiophone {
 
+/// How the object is heard: what its residues are multiplied by, and from where, 0 at the point
+/// itself to 1 from afar.
+struct Hearing {
+    double gainRatio = 1;
+    double radiation = 0;
+
+    bool operator==(const Hearing&) const = default;
+};
+
 /// What is heard of it within a cell, in each channel.
 using ForceSound = std::array<std::array<float, cellSamples>, mostChannels>;
 
@@ -18,6 +27,7 @@ struct ForceResponse {
     std::uint64_t version = 0;    ///< of what it depends on besides
     std::uint64_t lastUse = 0;
     ForcePoint at;
+    Hearing heard;
     ModeResidues residues; ///< [G]
     alignas(64) ForceSound sound{};
 };

@@ -294,7 +294,7 @@ void SoundingObject::reset() noexcept {
     mixedIsRinging = true;
     contacts.clear();
     keptKicks.reset();
-    forcedCell = -1;
+    forcedCell = never;
     ++responseVersion;
     fader.reset();
     demanded = {};

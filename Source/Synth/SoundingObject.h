@@ -217,9 +217,11 @@ private:
     // SoundingObjectForce.cpp: continuous contact.
     void admitForced(std::int32_t allowance) noexcept;
     bool valid(const ForcePlace& place) const noexcept;
-    void answer(const ForcePoint& at, ForceResponse& response) noexcept;
-    const ForceResponse& responseAt(const ForcePoint& at, ForceResponses& known) noexcept;
+    void answer(const ForcePoint& at, const Hearing& heard, ForceResponse& response) noexcept;
+    const ForceResponse&
+    responseAt(const ForcePoint& at, const Hearing& heard, ForceResponses& known) noexcept;
     void answerAt(const ForcePlace& place,
+                  const Hearing& heard,
                   ForceResponses& known,
                   ModeResidues& residues,
                   ForceSound& sound) noexcept;
@@ -289,7 +291,9 @@ private:
     ModeKicks kicks; ///< of the last strike or end of a contact
 
     std::uint64_t responseVersion = 1;
-    std::int64_t forcedCell = -1; ///< the last cell that was forced
+    static constexpr std::int64_t never = -2;
+    std::int64_t forcedCell = never;  ///< the last cell that was forced
+    Hearing heardAtStart, heardAtEnd; ///< of that cell
 
     static bool isSet(std::uint16_t bits, std::size_t g) noexcept {
         return (bits >> (g % modeBlock) & 1u) != 0;

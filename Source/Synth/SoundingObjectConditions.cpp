@@ -19,8 +19,6 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     const double newGainRatio = live.gainRatio / thickness;
     // τ = 0 truncates nothing that could be heard after all.
     const double newTau = std::max(settings.tau * metresPerSecondPerTau, faintestVelocity);
-    if (newGainRatio != gainRatio || settings.radiation != radiation)
-        ++responseVersion;
     gainRatio = newGainRatio;
     radiation = settings.radiation;
 

@@ -26,8 +26,15 @@ bool SoundingObject::applyForce(const ForceCell& force,
         return false;
     takeInKicks(cellIndex + 1);
     prepareBank();
-    widen(object->radiation.empty() ? 0 : radiation);
+    const Hearing heard{.gainRatio = gainRatio,
+                        .radiation = object->radiation.empty() ? 0 : radiation};
+    // What is heard of a force that goes on must not step: that would be a step of the force.
+    if (forcedCell != cellIndex) {
+        heardAtStart = forcedCell + 1 == cellIndex ? heardAtEnd : heard;
+        heardAtEnd = heard;
+    }
     forcedCell = cellIndex;
+    widen(std::max(heardAtStart.radiation, heardAtEnd.radiation));
     admitForced(allowance);
 
     alignas(64) std::array<float, cellSamples> impulses;
@@ -36,13 +43,14 @@ bool SoundingObject::applyForce(const ForceCell& force,
         impulses[k] = force.newtons[k] * secondsPerSample;
     ForceResponses& known = scratch.responses[force.contact];
     alignas(64) ForceSound start, end;
-    answerAt(force.start, known, scratch.startResidues, start);
-    if (!stays)
-        answerAt(force.end, known, scratch.endResidues, end);
-    soundForce(impulses, start, stays ? start : end, cell);
+    const bool changes = !stays || heardAtStart != heardAtEnd;
+    answerAt(force.start, heardAtStart, known, scratch.startResidues, start);
+    if (changes)
+        answerAt(force.end, heardAtEnd, known, scratch.endResidues, end);
+    soundForce(impulses, start, changes ? end : start, cell);
     bringRestingUpToDate(cellIndex + 1);
-    bank.force(impulses, scratch.startResidues, stays ? scratch.startResidues : scratch.endResidues,
-               damping);
+    bank.force(impulses, scratch.startResidues,
+               changes ? scratch.endResidues : scratch.startResidues, damping);
     if (!allMixed())
         listWhatRings();
     return true;
@@ -63,17 +71,18 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
 
 /// What the object answers between two points, in step with the way between them.
 void SoundingObject::answerAt(const ForcePlace& place,
+                              const Hearing& heard,
                               ForceResponses& known,
                               ModeResidues& residues,
                               ForceSound& sound) noexcept {
-    const ForceResponse& first = responseAt(place.points[0], known);
+    const ForceResponse& first = responseAt(place.points[0], heard, known);
     if (place.way == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
             std::copy_n(first.residues[c].begin(), bank.paddedSize(), residues[c].begin());
         sound = first.sound;
         return;
     }
-    const ForceResponse& second = responseAt(place.points[1], known);
+    const ForceResponse& second = responseAt(place.points[1], heard, known);
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         blendResponses(first.residues[c].data(), second.residues[c].data(), place.way,
                        bank.paddedSize(), residues[c].data());
@@ -84,29 +93,37 @@ void SoundingObject::answerAt(const ForcePlace& place,
 
 /// Of the four that a contact keeps, the one that was not used for longest gives way.
 const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
+                                                const Hearing& heard,
                                                 ForceResponses& known) noexcept {
+    const auto isAnswer = [&](const ForceResponse& response) {
+        return response.object == this && response.version == responseVersion &&
+               response.heard == heard && response.at == at;
+    };
     ForceResponse* chosen = &known.front();
     for (ForceResponse& response : known) {
-        if (response.object == this && response.version == responseVersion && response.at == at) {
+        if (isAnswer(response)) {
             chosen = &response;
             break;
         }
         if (response.lastUse < chosen->lastUse)
             chosen = &response;
     }
-    if (chosen->object != this || chosen->version != responseVersion || chosen->at != at)
-        answer(at, *chosen);
+    if (!isAnswer(*chosen))
+        answer(at, heard, *chosen);
     chosen->lastUse = ++scratch.responseUses;
     return *chosen;
 }
 
-void SoundingObject::answer(const ForcePoint& at, ForceResponse& response) noexcept {
+void SoundingObject::answer(const ForcePoint& at,
+                            const Hearing& heard,
+                            ForceResponse& response) noexcept {
     response.object = this;
     response.version = responseVersion;
     response.at = at;
+    response.heard = heard;
     computeResidues({.strike = {.point = at.point, .impulseNewtonSeconds = at.direction},
-                     .gainRatio = gainRatio,
-                     .listening = object->radiation.empty() ? 0 : radiation});
+                     .gainRatio = heard.gainRatio,
+                     .listening = heard.radiation});
     bank.impulseStates(scratch.contact);
     bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
     for (std::size_t c = 0; c < bank.channels(); ++c)

@@ -1,0 +1,294 @@
+// Every parameter that a host may move while something sounds, moved in one jump, as a host does
+// that hands over one value a block: what is heard of it comes gradually, without a step.
+#include "Support/Level.h"
+#include "Support/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <complex>
+#include <span>
+#include <utility>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using enum ParameterId;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int cellSize = 64;
+// A motor that turns once a second has shut the discs a quarter of a second in.
+constexpr int struckCell = 150, releasedCell = 160, jumpCell = 188, endCell = 260;
+// Of the farthest that a jump gets, the most that may be there in its first 64 samples. What is
+// there at once gets to 1.
+constexpr double mostAtOnce = 0.3;
+
+enum class Heard {
+    asPole,  ///< in the frequency and the decay of what rings
+    asLevel, ///< in what is heard of what rings
+    ofBlows, ///< in the blows that follow, and not in what rings
+};
+
+struct Jump {
+    ParameterId parameter;
+    double from, to;
+    Heard heard;
+    std::vector<std::pair<ParameterId, double>> with = {};
+};
+
+/// Objects of one mode, or of twelve in pairs that are as good as one; not everywhere alike, heard
+/// unlike on both sides, and as thick as is liked.
+State ringingState(bool inOneMode) {
+    auto state = testState();
+    state.objects.clear();
+    for (int note = lowestTestNote; note <= highestTestNote; ++note) {
+        std::vector<double> frequenciesHz;
+        for (int mode = 0; mode < (inOneMode ? 1 : 12); ++mode)
+            frequenciesHz.push_back(2000 * std::pow(1.2, mode / 2) * (1 + 0.002 * (mode % 2)) *
+                                    std::exp2((note - lowestTestNote) / 12.0));
+        const auto modes = frequenciesHz.size();
+        auto object = syntheticObject(frequenciesHz, std::vector<float>(modes, 0.2f));
+        for (std::size_t i = 0; i < object.shapes.size(); ++i)
+            object.shapes[i] *= std::array{0.3f, 0.7f, 1.0f, 0.5f}[i / (3 * modes)];
+        object.bending = object.eigenvalues;
+        object.radiation = {.directions = {{0.8f, -0.6f, 0}, {0.8f, 0.6f, 0}},
+                            .frequencyRatios = {1},
+                            .weights = std::vector<float>(2 * modes, -0.1f)};
+        std::fill_n(object.radiation.weights.begin(), modes, -0.3f);
+        object.name = std::to_string(note);
+        state.objects.push_back(
+            {.name = "test/" + std::to_string(note), .modal = encodeModalObject(object)});
+    }
+    state.preset.parameters.set(material, customMaterial);
+    state.preset.parameters.set(youngsModulus, 10);
+    state.preset.parameters.set(density, 1000);
+    state.preset.parameters.set(fluidDamping, 5);
+    state.preset.parameters.set(viscoelasticDamping, 0.0001);
+    state.preset.parameters.set(radiation, 100);
+    state.preset.parameters.set(tau, parameterInfo(tau).minimum);
+    return state;
+}
+
+class AutomatedHost {
+public:
+    AutomatedHost(State state, const Jump& jump) : moved(jump) {
+        auto& values = state.preset.parameters;
+        for (const auto& [parameter, value] : jump.with)
+            values.set(parameter, value);
+        values.set(jump.parameter, jump.from);
+        state.parameters = values;
+        restore(processor, state);
+        processor.prepareToPlay(rateHz, cellSize);
+    }
+
+    void moveTo(double value) {
+        processor.getParameters()[static_cast<int>(moved.parameter)]->setValue(
+            static_cast<float>(parameterInfo(moved.parameter).toNormalised(value)));
+    }
+
+    HostSound cell(const std::vector<juce::MidiMessage>& messages = {}) {
+        juce::MidiBuffer midi;
+        for (const auto& message : messages)
+            midi.addEvent(message, 0);
+        return render(processor, cellSize, cellSize, midi);
+    }
+
+private:
+    Processor processor;
+    Jump moved;
+};
+
+juce::MidiMessage noteOn(int note, int velocity = 100) {
+    return juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(velocity));
+}
+
+/// A chord in which the parameter jumps or does not, from the jump's cell before on.
+std::vector<HostSound> ringing(const Jump& jump, bool jumps) {
+    AutomatedHost host(ringingState(jump.heard == Heard::asPole), jump);
+    std::vector<HostSound> cells;
+    for (int cell = 0; cell < endCell; ++cell) {
+        if (cell == jumpCell && jumps)
+            host.moveTo(jump.to);
+        HostSound sound;
+        if (cell == struckCell && jump.heard == Heard::asPole)
+            sound = host.cell({noteOn(60)});
+        else if (cell == struckCell)
+            sound = host.cell({noteOn(60, 127), noteOn(64, 80), noteOn(67, 60)});
+        else if (cell == releasedCell)
+            sound = host.cell({juce::MidiMessage::noteOff(1, 60)});
+        else
+            sound = host.cell();
+        if (cell >= jumpCell - 1)
+            cells.push_back(std::move(sound));
+    }
+    return cells;
+}
+
+/// [1/s] The pole of a lone mode, from samples in which it stays: s(n+1) = 2 Re z s(n) − |z|²
+/// s(n−1).
+std::complex<double> poleOf(const std::vector<float>& samples) {
+    double aa = 0, ab = 0, bb = 0, ac = 0, bc = 0;
+    for (std::size_t n = 1; n + 1 < samples.size(); ++n) {
+        const double a = samples[n], b = -samples[n - 1], c = samples[n + 1];
+        aa += a * a, ab += a * b, bb += b * b, ac += a * c, bc += b * c;
+    }
+    const double determinant = aa * bb - ab * ab;
+    const double twiceReal = (ac * bb - bc * ab) / determinant;
+    const double square = (aa * bc - ab * ac) / determinant;
+    return rateHz *
+           std::log(std::complex(twiceReal / 2, std::sqrt(square - twiceReal * twiceReal / 4)));
+}
+
+/// How far each cell is from where it would be.
+std::vector<double> distances(const Jump& jump) {
+    const auto moved = ringing(jump, true), still = ringing(jump, false);
+    std::vector<double> result;
+    for (std::size_t cell = 0; cell < moved.size(); ++cell) {
+        if (jump.heard == Heard::asPole) {
+            result.push_back(std::abs(poleOf(moved[cell].left) - poleOf(still[cell].left)));
+            continue;
+        }
+        auto difference = moved[cell].left;
+        difference.insert(difference.end(), moved[cell].right.begin(), moved[cell].right.end());
+        auto reference = still[cell].left;
+        reference.insert(reference.end(), still[cell].right.begin(), still[cell].right.end());
+        for (std::size_t i = 0; i < difference.size(); ++i)
+            difference[i] -= reference[i];
+        result.push_back(rms(difference));
+    }
+    return result;
+}
+
+constexpr auto asPole = Heard::asPole, asLevel = Heard::asLevel, ofBlows = Heard::ofBlows;
+
+const std::vector<Jump> jumpsWhileRinging{
+    {youngsModulus, 10, 12, asPole},
+    {density, 1000, 1200, asPole},
+    {fluidDamping, 5, 50, asPole},
+    {viscoelasticDamping, 0.1, 0.4, asPole},
+    {lossFactor, 0.001, 0.005, asPole},
+    {size, 1, 1.1, asPole},
+    {thickness, 100, 120, asPole},
+    {tune, 0, 100, asPole},
+    {concertPitch, 440, 460, asPole},
+    {releaseTime, 1, 0.2, asPole, {{letRing, 0}}},
+    {tau, 0.1, 1000, asLevel, {{fluidDamping, 100}}},
+    {qualitySlope, 0, 10, asLevel, {{modeBudget, 16}}},
+    {modeBudget, 16384, 16, asLevel},
+    {compression, 0, 4, asLevel, {{fluidDamping, 100}}},
+    {level, 0, -20, asLevel},
+    {width, 0, 200, asLevel},
+    {room, 20, 100, asLevel},
+    {roomDecay, 0.4, 10, asLevel, {{room, 100}}},
+    {motorDepth, 0, 100, asLevel, {{motorSpeed, 1}}},
+    {motorSpeed, 1, 12, asLevel, {{motorDepth, 100}}},
+    {strikeAlong, -90, 90, ofBlows},
+    {strikeAcross, -90, 90, ofBlows},
+    {strikeSpread, 0, 100, ofBlows},
+    {malletHardness, 1000, 10, ofBlows},
+    {malletMass, 20, 100, ofBlows},
+    {malletSpeed, 3, 1, ofBlows},
+    {velocityCurve, 1, 4, ofBlows},
+    {malletRadius, 10, 50, ofBlows},
+    {chatter, 0, 100, ofBlows},
+    {radiation, 0, 100, ofBlows},
+};
+
+/// By how many decibels they are heard is measured.
+const std::vector<Jump> jumpsWhilePressed{
+    {contactForce, 1, 30, asLevel},  {contactSpeed, 0.1, 1, asLevel},
+    {roughness, 0.25, 4, asLevel},   {rollCoupling, 0, 100, asLevel, {{contact, rollContact}}},
+    {strikeAlong, -90, 90, asLevel}, {strikeAcross, -90, 90, asLevel},
+    {radiation, 0, 100, asLevel, {{strikeAlong, -100}, {strikeAcross, -100}}},    {size, 1, 2, asLevel},
+    {thickness, 100, 200, asLevel},
+};
+
+/// Without what is far below the mode's frequency.
+double energyOfSteps(const std::vector<float>& samples) {
+    double sum = 0;
+    for (std::size_t n = 1; n < samples.size(); ++n)
+        sum += std::pow(samples[n] - samples[n - 1], 2);
+    return sum;
+}
+
+/// Decibels of a scrape or roll, cell by cell, in the mean over many jumps; first the cell before.
+std::vector<double> pressedDb(const Jump& jump) {
+    constexpr int repeats = 150, stay = 75; // cells
+    auto state = ringingState(true);
+    state.preset.parameters.set(fluidDamping, 1000); // so that it follows the force
+    state.preset.parameters.set(contact, scrapeContact);
+    AutomatedHost host(state, jump);
+    host.cell({juce::MidiMessage::controllerEvent(1, 1, 127), noteOn(60, 127)});
+    std::vector<double> energies(stay + 1);
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        host.moveTo(jump.from);
+        for (int cell = 1; cell < stay; ++cell)
+            host.cell();
+        energies.front() += energyOfSteps(host.cell().left);
+        host.moveTo(jump.to);
+        for (std::size_t cell = 1; cell <= stay; ++cell)
+            energies[cell] += energyOfSteps(host.cell().left);
+    }
+    for (auto& energy : energies)
+        energy = 10 * std::log10(energy);
+    return energies;
+}
+
+} // namespace
+
+TEST_CASE("What a host moves while keys ring is heard gradually") {
+    for (const auto& jump : jumpsWhileRinging) {
+        if (jump.heard == ofBlows)
+            continue;
+        const auto found = distances(jump);
+        const double farthest = *std::max_element(found.begin(), found.end());
+        INFO(parameterInfo(jump.parameter).name);
+        CAPTURE(found[1] / farthest, farthest);
+        CHECK(found[0] == 0);
+        CHECK(farthest > 1e-6);
+        CHECK(found[1] < mostAtOnce * farthest);
+    }
+}
+
+TEST_CASE("What a host moves of blows leaves what rings as it was") {
+    for (const auto& jump : jumpsWhileRinging) {
+        if (jump.heard != ofBlows)
+            continue;
+        INFO(parameterInfo(jump.parameter).name);
+        CHECK(ringing(jump, true) == ringing(jump, false));
+        const auto nextBlow = [&](bool moves) {
+            AutomatedHost host(ringingState(false), jump);
+            if (moves)
+                host.moveTo(jump.to);
+            auto sound = host.cell({noteOn(60, 110)});
+            for (int cell = 0; cell < 10; ++cell)
+                sound.append(host.cell());
+            return sound;
+        };
+        CHECK(nextBlow(true) != nextBlow(false));
+    }
+}
+
+TEST_CASE("What a host moves while a key scrapes or rolls is heard gradually") {
+    for (const auto& jump : jumpsWhilePressed) {
+        const auto found = pressedDb(jump);
+        const double way = found.back() - found.front();
+        CAPTURE(parameterInfo(jump.parameter).name, way);
+        CHECK(std::abs(way) > 1);
+        // Nor may a step of the force click on the way.
+        for (std::size_t cell = 1; cell <= 2; ++cell)
+            CHECK(std::abs(found[cell] - found.front()) < mostAtOnce * std::abs(way));
+    }
+}
+
+TEST_CASE("These are all the parameters that a host may move from value to value") {
+    for (const auto& info : parameterTable()) {
+        using enum ParameterScale;
+        if (info.scale == linear || info.scale == logarithmic || info.scale == cubic) {
+            INFO(info.name);
+            const auto isOfIt = [&](const Jump& jump) { return jump.parameter == info.parameter; };
+            CHECK((std::ranges::any_of(jumpsWhileRinging, isOfIt) ||
+                   std::ranges::any_of(jumpsWhilePressed, isOfIt)));
+        }
+    }
+}
