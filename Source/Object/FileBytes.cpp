@@ -21,8 +21,10 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
     if (std::filesystem::is_directory(file, fault))
         return failure("it is a directory");
     const auto size = std::filesystem::file_size(file, fault);
-    std::ifstream stream(file, std::ios::binary);
-    if (fault || !stream)
+    std::ifstream stream;
+    if (!fault) // a pipe, which has no size, would be waited for
+        stream.open(file, std::ios::binary);
+    if (!stream.is_open())
         return failure("the file cannot be opened");
     if (size > limitBytes)
         return failure("it is larger than " + sizeText(limitBytes));

@@ -2,7 +2,12 @@
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <chrono>
 #include <fstream>
+#include <future>
+#if !defined(_WIN32)
+#include <sys/stat.h>
+#endif
 
 using namespace idiophone;
 
@@ -18,6 +23,20 @@ TEST_CASE("A file's bytes come whole, or the sentence says what is wrong") {
     CHECK(readBytes(file, 1 << 20).error().message == "it is larger than 1 MiB");
     CHECK(readBytes(file, 3 << 10).error().message == "it is larger than 3 KiB");
 }
+
+#if !defined(_WIN32)
+TEST_CASE("A pipe that nobody writes to is not waited for") {
+    const auto pipe = test::testFolder() / "pipe";
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    auto reading = std::async(std::launch::async, [&] { return readBytes(pipe, 4); });
+    // The bound only ends a test that fails.
+    const bool ended = reading.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
+    if (!ended)
+        std::ofstream{pipe};
+    CHECK(ended);
+    CHECK(reading.get().error().message == "the file cannot be opened");
+}
+#endif
 
 TEST_CASE("Names that files keep are UTF-8 with forward slashes, and lead back to the file") {
     const auto path = std::filesystem::path(u8"Glöckchen") / u8"γ" / "60.modal";
