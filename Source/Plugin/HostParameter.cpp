@@ -26,7 +26,28 @@ float HostParameter::getValue() const {
     return static_cast<float>(row.toNormalised(exactValue()));
 }
 
+void HostParameter::moveByController(double value) noexcept {
+    setExactValue(value);
+    controlled = getValue();
+    movedByController = true;
+}
+
+void HostParameter::tellHost() {
+    if (!movedByController.exchange(false))
+        return;
+    const float now = getValue();
+    const float newest = controlled;
+    if (now != newest && now != told)
+        return;
+    told = newest;
+    beginChangeGesture();
+    sendValueChangedMessageToListeners(newest);
+    endChangeGesture();
+}
+
 void HostParameter::setValue(float normalised) {
+    if (movedByController && normalised == told)
+        return;
     if (normalised != getValue())
         setExactValue(row.fromNormalised(normalised));
 }

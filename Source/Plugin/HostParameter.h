@@ -17,10 +17,17 @@ public:
     double exactValue() const noexcept { return exact.load(); }
     void setExactValue(double value) noexcept { exact.store(row.clamped(value)); }
 
+    /// [audio thread] As a controller has it; `tellHost` tells the host.
+    void moveByController(double value) noexcept;
+    /// [message thread] Tells the host where a controller moved it since this was called last,
+    /// unless it was moved otherwise since.
+    void tellHost();
+
     const ParameterInfo& info() const noexcept { return row; }
 
     float getValue() const override;
-    /// A host that echoes what `getValue` said changes nothing: the exact value stays.
+    /// A host that echoes what `getValue` said changes nothing: the exact value stays. Nor does one
+    /// that echoes late what it was told, while it is to be told where the controller went since.
     void setValue(float normalised) override;
     float getDefaultValue() const override;
     juce::String getText(float normalised, int maximumLength) const override;
@@ -32,6 +39,10 @@ public:
 private:
     const ParameterInfo& row;
     std::atomic<double> exact;
+    std::atomic<bool> movedByController{false};  ///< since the host was told
+    std::atomic<float> controlled{-1}, told{-1}; ///< normalised, by a controller and to the host
+    static_assert(std::atomic<bool>::is_always_lock_free);
+    static_assert(std::atomic<float>::is_always_lock_free);
     static_assert(std::atomic<double>::is_always_lock_free);
 };
 

@@ -23,25 +23,17 @@ void MidiLearn::follow(const juce::MidiBuffer& midi, const HostParameters& param
             numbers[static_cast<std::size_t>(waiting)] = static_cast<std::int8_t>(number);
     }
     for (const auto& info : parameterTable()) {
-        const auto index = static_cast<std::size_t>(info.parameter);
-        const int number = numbers[index];
+        const int number = numbers[static_cast<std::size_t>(info.parameter)];
         if (number == noController || values[static_cast<std::size_t>(number)] == nothing)
             continue;
-        parameters[info.parameter].setExactValue(
+        parameters[info.parameter].moveByController(
             controlledValue(info, values[static_cast<std::size_t>(number)]));
-        moved[index] = true;
     }
 }
 
 void MidiLearn::tellHost(const HostParameters& parameters) {
-    for (const auto& info : parameterTable()) {
-        if (!moved[static_cast<std::size_t>(info.parameter)].exchange(false))
-            continue;
-        auto& parameter = parameters[info.parameter];
-        parameter.beginChangeGesture();
-        parameter.sendValueChangedMessageToListeners(parameter.getValue());
-        parameter.endChangeGesture();
-    }
+    for (const auto& info : parameterTable())
+        parameters[info.parameter].tellHost();
 }
 
 ControllerAssignments MidiLearn::assignments() const noexcept {

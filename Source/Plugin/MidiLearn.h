@@ -40,10 +40,8 @@ private:
     static constexpr int nothing = -1;
 
     std::array<std::atomic<std::int8_t>, parameterCount> numbers;
-    std::array<std::atomic<bool>, parameterCount> moved{};
     std::atomic<int> learning{nothing}; ///< a ParameterId
     static_assert(std::atomic<std::int8_t>::is_always_lock_free);
-    static_assert(std::atomic<bool>::is_always_lock_free);
     static_assert(std::atomic<int>::is_always_lock_free);
 };
 
