@@ -47,7 +47,8 @@ TuningPage::TuningPage(ProcessorView& processor)
       columns(groups(), processor) {
     addAndMakeVisible(open);
     addButton(forget, "Forget the tuning",
-              "Forget scale and mapping: keys are as the session tunes them, or equally tempered",
+              "Forget scale and mapping, or else what MIDI messages have tuned: keys are as the "
+              "session tunes them, or equally tempered",
               [this] { view.forgetTuning(); });
     for (auto* label : {&scale, &origin}) {
         label->setBorderSize({0, 0, 0, 0});
@@ -79,7 +80,7 @@ void TuningPage::showTuning() {
                   juce::dontSendNotification);
     scale.setTooltip(name);
     origin.setText(originOf(shown), juce::dontSendNotification);
-    forget.setEnabled(shown.source == Source::files);
+    forget.setEnabled(shown.source == Source::files || shown.source == Source::messages);
 }
 
 void TuningPage::resized() {

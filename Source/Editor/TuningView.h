@@ -35,7 +35,8 @@ public:
     /// stays. The project keeps the file's text. What goes wrong is what the status says, and the
     /// tuning stays.
     virtual void openTuning(const std::filesystem::path& file) = 0;
-    /// Forgets scale and mapping: keys are as the session tunes them, or equally tempered.
+    /// Forgets scale and mapping, or else what messages have tuned: keys are as the session tunes
+    /// them, or equally tempered.
     virtual void forgetTuning() = 0;
     virtual TuningStatus tuningStatus() const = 0;
 };

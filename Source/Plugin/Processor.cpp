@@ -351,6 +351,7 @@ Result<void> Processor::restore(const State& state) {
 }
 
 /// Under soundMutex, where somebody changes the sound: now it is what plays that is saved.
+    tuner.forgetMessages(); // the state knows of none
 void Processor::giveUpRefused() {
     if (refused && lastError == refused->notice)
         lastError.clear();

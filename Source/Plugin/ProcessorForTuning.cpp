@@ -33,6 +33,8 @@ void Processor::forgetTuning() {
     ScalaTuning before;
     {
         const std::scoped_lock lock(soundMutex);
+        if (!scala.isGiven())
+            return tuner.forgetMessages();
         before = scala;
         tuneTo({}, {});
     }

@@ -2,6 +2,7 @@
 
 #include "Instrument/Player.h"
 
+#include <array>
 #include <cmath>
 #include <libMTSClient.h>
 
@@ -10,6 +11,11 @@ namespace {
 
 constexpr char anyChannel = -1;
 constexpr double farthestSemitones = 128;
+
+/// Scale of an octave, one byte a note, on all channels.
+constexpr std::array<juce::uint8, 21> equalTemperament{0xf0, 0x7e, 0x7f, 0x08, 0x08, 0x03, 0x7f,
+                                                       0x7f, 64,   64,   64,   64,   64,   64,
+                                                       64,   64,   64,   64,   64,   64,   0xf7};
 
 } // namespace
 
@@ -43,7 +49,19 @@ void Tuner::retune(std::span<const juce::uint8> message) noexcept {
     tunedByMessages = true;
 }
 
+/// The client has no way to forget but a message: no offset for any of the twelve notes.
+void Tuner::followForgetting() noexcept {
+    if (!forgetsMessages)
+        return;
+    if (tunedByMessages)
+        MTS_ParseMIDIDataU(client.get(), equalTemperament.data(),
+                           static_cast<int>(equalTemperament.size()));
+    tunedByMessages = false;
+    forgetsMessages = false;
+}
+
 void Tuner::tune(Player* player) noexcept {
+    followForgetting();
     if (const auto* given = handoff.take())
         own = *given;
     if (player == nullptr)

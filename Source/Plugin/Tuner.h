@@ -33,7 +33,9 @@ public:
     std::string masterScaleName() const;
 
     /// [any thread] Whether messages of the MIDI Tuning Standard have tuned keys.
-    bool isTunedByMessages() const noexcept { return tunedByMessages; }
+    bool isTunedByMessages() const noexcept { return tunedByMessages && !forgetsMessages; }
+    /// [any thread] From the next callback on keys are as without the messages before.
+    void forgetMessages() noexcept { forgetsMessages = true; }
 
     /// [audio thread] Once a callback, and after `retune`: gives the tuning that holds to the
     /// player, if there is one. Neither allocates, locks nor throws, as the next one.
@@ -50,11 +52,13 @@ private:
         void operator()(MTSClient* client) const;
     };
 
+    void followForgetting() noexcept;
     void readSession() noexcept;
 
     std::unique_ptr<MTSClient, Deregister> client;
     LatestValue<Own> handoff{Own{}}; ///< message side to audio thread
     std::atomic<bool> tunedByMessages{false};
+    std::atomic<bool> forgetsMessages{false}; ///< the client has not forgotten them yet
 
     // The audio thread's.
     Own own;

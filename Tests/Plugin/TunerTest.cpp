@@ -231,3 +231,36 @@ TEST_CASE("Messages of the MIDI Tuning Standard tune keys, unless the instance h
     processor.forgetTuning();
     CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
 }
+
+TEST_CASE("What messages tuned is forgotten when asked, and by a state, of which it is no part") {
+    Prepared instance;
+    auto& processor = instance.processor;
+    const auto before = saved(processor);
+    const auto up = singleNoteTuning(struckNote, 70, 8192);
+    const auto other = singleNoteTuning(60, 61, 0);
+    const double hertz = 440 * std::exp2(1.5 / 12);
+    const auto isForgottenBy = [&](auto&& forget) {
+        CHECK(std::abs(cents(struckHz(processor, hertz, &up), hertz)) < 0.5);
+        CHECK(processor.tuningStatus().source == TuningStatus::Source::messages);
+        CHECK(saved(processor) == before);
+        forget();
+        CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
+        CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
+        // Nor does it come back with the next message.
+        CHECK(std::abs(cents(struckHz(processor, 440, &other), 440)) < 0.5);
+        CHECK(processor.tuningStatus().source == TuningStatus::Source::messages);
+    };
+    isForgottenBy([&] { processor.forgetTuning(); });
+    isForgottenBy([&] { restoreBytes(processor, before); });
+}
+
+TEST_CASE("A message that comes between forgetting and the next callback tunes") {
+    Prepared instance;
+    const auto up = singleNoteTuning(struckNote, 70, 8192);
+    const double hertz = 440 * std::exp2(1.5 / 12);
+    instance.processor.forgetTuning();
+    CHECK(std::abs(cents(struckHz(instance.processor, hertz, &up), hertz)) < 0.5);
+    instance.processor.forgetTuning();
+    CHECK(std::abs(cents(struckHz(instance.processor, hertz, &up), hertz)) < 0.5);
+    CHECK(instance.processor.tuningStatus().source == TuningStatus::Source::messages);
+}
