@@ -85,6 +85,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         followProgramChange();
 }
 
+    midi.clear(); // what is left in it some wrappers send on
 /// [audio thread] Beats a minute; 0 where the host tells none, or none that is one.
 double Processor::hostTempo() const noexcept {
     constexpr double fastest = 2000;
@@ -92,7 +93,9 @@ double Processor::hostTempo() const noexcept {
     if (host == nullptr)
         return 0;
     const auto position = host->getPosition();
-    const double told = position ? position->getBpm().orFallback(0) : 0;
+    if (!position)
+        return tempo;
+    const double told = position->getBpm().orFallback(0);
     return told > 0 && told <= fastest ? told : 0;
 }
 

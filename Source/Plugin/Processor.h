@@ -253,7 +253,7 @@ private:
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
     std::atomic<double> ownDampingScale{1}; ///< the least of their modes, to their materials' law
-    std::atomic<double> tempo{0};           ///< the host's, or 0
+    std::atomic<double> tempo{0};           ///< that the host told last, or 0
     std::atomic<double> stageSeconds{0};    ///< that bodies move after a note
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateBlows{0};

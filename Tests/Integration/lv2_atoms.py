@@ -27,6 +27,16 @@ def patch_set(urid, parameter, value):
     return atom(urid(LV2 + "ext/atom#Object"), body)
 
 
+def position(urid, beats_per_minute):
+    """Where a host that plays is, as far as its tempo goes."""
+    properties = (("speed", 1.0), ("beatsPerMinute", beats_per_minute))
+    body = struct.pack("=II", 0, urid(LV2 + "ext/time#Position"))
+    for key, value in properties:
+        body += struct.pack("=II", urid(LV2 + "ext/time#" + key), 0)
+        body += padded(atom(urid(LV2 + "ext/atom#Float"), struct.pack("=f", value)))
+    return atom(urid(LV2 + "ext/atom#Object"), body)
+
+
 def sequence(urid, events):
     """Of (frame, atom), in time order."""
     body = struct.pack("=II", 0, 0)
@@ -38,3 +48,14 @@ def sequence(urid, events):
 def empty_chunk(urid, capacity):
     """What an output port holds before the plugin writes a sequence over it."""
     return struct.pack("=II", capacity, urid(LV2 + "ext/atom#Chunk"))
+
+
+def events_of(written):
+    """The types of the events in a sequence, as URIDs."""
+    size, = struct.unpack_from("=I", written)
+    types, start = [], 16
+    while start < 8 + size:
+        length, kind = struct.unpack_from("=II", written, start + 8)
+        types.append(kind)
+        start += 16 + length + -length % 8
+    return types

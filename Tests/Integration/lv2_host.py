@@ -6,7 +6,7 @@ import subprocess
 import numpy
 
 import lv2_state
-from lv2_atoms import LV2, empty_chunk, midi_event, patch_set, sequence
+from lv2_atoms import LV2, empty_chunk, events_of, midi_event, patch_set, position, sequence
 
 SEQUENCE_BYTES = 1 << 16
 LONGEST_BLOCK = 1 << 14
@@ -130,6 +130,15 @@ class Lv2Host:
     def set_parameter(self, uri, value):
         """From the first sample of the next block on."""
         self.changes.append((0, patch_set(self.urid, uri, value)))
+
+    def set_tempo(self, beats_per_minute):
+        """Told with the next block."""
+        self.changes.append((0, position(self.urid, beats_per_minute)))
+
+    def sent(self):
+        """The types of what the plugin sent in the last block."""
+        names = {number: uri for uri, number in self.uris.items()}
+        return [names[number] for number in events_of(self.events_out.raw)]
 
     def save(self):
         return lv2_state.save(self.descriptor, self.handle)

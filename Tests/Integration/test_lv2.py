@@ -128,6 +128,36 @@ def test_instances_side_by_side_leave_each_other_alone(host):
             assert not audio.any()
 
 
+def test_a_tempo_told_once_holds_until_another_is_told(host, uri):
+    """Hosts tell theirs when it changes, and at no other block."""
+    notes, blocks = [(0, bytes((0x90, 84, 100)))], range(40)
+    sixteenths = 8 / 15  # the last of nine notes, with room for seven more
+
+    def played(told):
+        one = host()
+        for symbol, value in (("motor_depth", 1.0), ("motor_sync", sixteenths)):
+            one.set_parameter(f"{uri}:{symbol}", value)
+        rendered = []
+        for number in blocks:
+            if number in told:
+                one.set_tempo(told[number])
+            rendered.append(one.run(notes if number == 0 else [], BLOCK))
+        return numpy.concatenate(rendered, axis=1)
+
+    once = played({0: 120.0})
+    assert_equal_sound(once, played(dict.fromkeys(blocks, 120.0)), IDENTICAL)
+    assert numpy.abs(once - played({})).max() > 0.01 * numpy.abs(once).max()
+    assert_equal_sound(played({0: 120.0, 20: 240.0}),
+                       played({number: 120.0 if number < 20 else 240.0 for number in blocks}),
+                       IDENTICAL)
+
+
+def test_what_is_played_is_not_sent_on(host):
+    one = host()
+    one.run([(3, bytes((0x90, 84, 100))), (9, bytes((0xb0, 64, 127)))], BLOCK)
+    assert not [kind for kind in one.sent() if kind.endswith("MidiEvent")]
+
+
 def test_what_is_disabled_is_silent_and_sounds_again_when_enabled(host):
     scale, one = Performance.scale().midi_events(), host()
     one.set_control("enabled", 0)
