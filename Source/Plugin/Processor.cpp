@@ -177,11 +177,8 @@ double Processor::getTailLengthSeconds() const {
     const auto live = synthesisSettings(values).material;
     const double slowest =
         live ? slowestDecay(live->damping) * ownDampingScale.load() : ownSlowestDecay.load();
-    const bool mayRing = values[letRing] != 0 || stageSeconds > 0; // keys damp nothing on a stage
-    const double released = mayRing ? 0 : std::log(1000) / values[releaseTime];
     const double inRoom = values[room] > 0 ? values[roomDecay] * std::log10(65536) / 3 : 0;
-    return std::min(stageSeconds + std::log(65536) / (slowest + released) + inRoom,
-                    longestTailSeconds);
+    return std::min(stageSeconds + std::log(65536) / slowest + inRoom, longestTailSeconds);
 }
 
 int Processor::getNumPrograms() {

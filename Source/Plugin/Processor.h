@@ -58,7 +58,8 @@ public:
     juce::AudioProcessorParameter* getBypassParameter() const override;
     /// The time in which a stage's bodies move and the slowest possible mode falls from full scale
     /// by 96 dB, one 16-bit step, and then in the room by as much; at most `longestTailSeconds`, as
-    /// hosts do not stop for longer and lightly damped objects ring for minutes.
+    /// hosts do not stop for longer and lightly damped objects ring for minutes. Undamped, whatever
+    /// `let_ring` says: pedals hold keys that were let go, and many hosts ask but once.
     double getTailLengthSeconds() const override;
     static constexpr double longestTailSeconds = 120;
 

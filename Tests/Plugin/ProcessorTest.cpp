@@ -202,12 +202,6 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     const double slowest =
         5 + parameterInfo(viscoelasticDamping).defaultValue * 1e-6 * std::pow(40 * pi, 2) / 2;
     CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(std::log(65536) / slowest, 1e-12));
-    state.parameters.set(letRing, 0);
-    state.parameters.set(releaseTime, 0.1);
-    restore(processor, state);
-    CHECK_THAT(processor.getTailLengthSeconds(),
-               WithinRel(std::log(65536) / (slowest + std::log(1000) / 0.1), 1e-12));
-    state.parameters.set(letRing, 1);
     state.parameters.set(fluidDamping, 0.01);
     restore(processor, state);
     CHECK(processor.getTailLengthSeconds() == Processor::longestTailSeconds);
