@@ -182,23 +182,30 @@ double Processor::getTailLengthSeconds() const {
 }
 
 int Processor::getNumPrograms() {
-    return static_cast<int>(factoryPresets().size());
+    return isVst3() ? vst3Programs : static_cast<int>(factoryPresets().size());
 }
 
 int Processor::getCurrentProgram() {
-    return std::max(programIndex.load(), 0);
+    const int index = programIndex;
+    return index >= 0 ? index : isVst3() ? vst3Programs - 1 : 0;
 }
 
 const juce::String Processor::getProgramName(int index) {
     const auto presets = factoryPresets();
     if (index < 0 || index >= static_cast<int>(presets.size()))
         return {};
-    return fromUtf8(presets[static_cast<std::size_t>(index)].name);
+    if (index < static_cast<int>(presets.size()))
+        return fromUtf8(presets[static_cast<std::size_t>(index)].name);
+    return index == vst3Programs - 1 ? juce::String("Own sound")
+                                     : fromUtf8("\xe2\x80\x93 unused " + std::to_string(index));
 }
 
 void Processor::setCurrentProgram(int index) {
+// To a VST3 host a program is a share of their number, and one that is current cannot be chosen: so
+// that number never changes, and the last program is any sound that is none of the factory's.
+
     const auto presets = factoryPresets();
-    if (index < 0 || index >= static_cast<int>(presets.size()))
+    if (index < 0 || index >= getNumPrograms())
         return;
     {
         const std::scoped_lock lock(soundMutex);

@@ -64,7 +64,10 @@ public:
     static constexpr double longestTailSeconds = 120;
 
     int getNumPrograms() override;
+    /// The factory's presets, and in a VST3 as many programs as MIDI numbers: unused ones behind
+    /// them, which do nothing, and as the last the sound that is none of these.
     int getCurrentProgram() override;
+    static constexpr int vst3Programs = 128;
     void setCurrentProgram(int index) override;
     const juce::String getProgramName(int index) override;
     void changeProgramName(int, const juce::String&) override {} // factory presets keep theirs
@@ -202,6 +205,7 @@ private:
     double hostTempo() const noexcept;
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
+    bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
 
     HostParameters parameters;
     // The message thread's.
