@@ -40,6 +40,13 @@ public:
         held.reset();
     }
 
+    /// [audio thread] Forgets what waits, where all keys are up.
+    void clear() noexcept {
+        queue.read([](const MidiEvent&) {});
+        releaseLost = false;
+        held.reset();
+    }
+
 private:
     static constexpr std::uint8_t noteOn = 0x90, noteOff = 0x80;
 

@@ -44,8 +44,9 @@ std::vector<EmbeddedObject> packedOnly(std::vector<EmbeddedObject> objects) {
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
     const juce::ScopedNoDenormals noDenormals;
     const SoundMonitor::Callback watchedCallback(monitor, sound, buffer.getNumSamples());
+    ++callbacks;
     if (resetRequested.exchange(false)) {
-        pieces.reset();
+        forgetEvents();
         sound.reset();
         output.reset();
     }
@@ -65,6 +66,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             player->resetStage();
     }
     hand.playOn(sound.player());
+    if (next != nullptr) // an empty block's notes strike with the first sample there is
+        sound.process({}, awaitingKeys.take(), values);
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
     while (const auto piece = pieces.next()) {
@@ -75,18 +78,29 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             tuner.retune(piece->systemExclusive);
             tuner.tune(sound.player());
         }
+        awaitingKeys.follow(piece->events);
         sound.process(rendered, piece->events, values);
         if (auto* player = sound.player(); player != nullptr && player->takeAllSoundOff())
             output.hush();
         output.process(rendered.left, rendered.right, channels, values);
         report(channels, piece->length);
     }
+    midi.clear(); // what is left in it some wrappers send on
     if (isNonRealtime())
         followProgramChange();
 }
 
-    midi.clear(); // what is left in it some wrappers send on
-/// [audio thread] Beats a minute; 0 where the host tells none, or none that is one.
+/// [audio thread] Notes and blows that wait, as those do that came while the host did not process:
+/// for when all keys are up.
+void Processor::forgetEvents() noexcept {
+    pieces.reset();
+    awaitingKeys.take();
+    editorNotes.clear();
+    hand.clear();
+}
+
+/// [audio thread] Beats a minute; 0 where the host tells none, or none that is one. A host that
+/// says nothing of a block means what it told last: those of LV2 speak when something changes.
 double Processor::hostTempo() const noexcept {
     constexpr double fastest = 2000;
     auto* const host = getPlayHead();
@@ -129,9 +143,9 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
 
 Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
-      parameters(*this) {
+      parameters(*this), awaitingKeys(static_cast<int>(factoryPresets().size())) {
     setCurrentProgram(0);
-    startTimer(busyMilliseconds);
+    startTimer(lookMilliseconds);
 }
 
 Processor::~Processor() {
@@ -154,8 +168,10 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     delete handoff.take();
     sound.install(instrument ? newPlayer() : nullptr);
     handoff.collect();
-    pieces.reset();
+    forgetEvents();
+    tempo = 0;
     resetRequested = false;
+    ++callbacks; // the first will come
 }
 
 void Processor::releaseResources() {
@@ -181,6 +197,9 @@ double Processor::getTailLengthSeconds() const {
     return std::min(stageSeconds + std::log(65536) / slowest + inRoom, longestTailSeconds);
 }
 
+// To a VST3 host a program is a share of their number, and one that is current cannot be chosen: so
+// that number never changes, and the last program is any sound that is none of the factory's.
+
 int Processor::getNumPrograms() {
     return isVst3() ? vst3Programs : static_cast<int>(factoryPresets().size());
 }
@@ -192,7 +211,7 @@ int Processor::getCurrentProgram() {
 
 const juce::String Processor::getProgramName(int index) {
     const auto presets = factoryPresets();
-    if (index < 0 || index >= static_cast<int>(presets.size()))
+    if (index < 0 || index >= getNumPrograms())
         return {};
     if (index < static_cast<int>(presets.size()))
         return fromUtf8(presets[static_cast<std::size_t>(index)].name);
@@ -201,11 +220,8 @@ const juce::String Processor::getProgramName(int index) {
 }
 
 void Processor::setCurrentProgram(int index) {
-// To a VST3 host a program is a share of their number, and one that is current cannot be chosen: so
-// that number never changes, and the last program is any sound that is none of the factory's.
-
     const auto presets = factoryPresets();
-    if (index < 0 || index >= getNumPrograms())
+    if (index < 0 || index >= static_cast<int>(presets.size()))
         return;
     {
         const std::scoped_lock lock(soundMutex);
@@ -335,6 +351,7 @@ Result<void> Processor::restore(const State& state) {
     if (!built)
         return failure("The saved state cannot be played: " + built.error().message);
     tuneTo(state.tuning, *keys);
+    tuner.forgetMessages(); // the state knows of none
     unknownOfSound = state.unknownOfSound;
     unknownOfInstance = state.unknownOfInstance;
     parameters.load(state.parameters);
@@ -358,7 +375,6 @@ Result<void> Processor::restore(const State& state) {
 }
 
 /// Under soundMutex, where somebody changes the sound: now it is what plays that is saved.
-    tuner.forgetMessages(); // the state knows of none
 void Processor::giveUpRefused() {
     if (refused && lastError == refused->notice)
         lastError.clear();
@@ -371,13 +387,12 @@ void Processor::changedByHand() {
 }
 
 void Processor::timerCallback() {
-    const bool busy = modesMixed > 0 || workshop.status().isWorking();
-    if (const int period = busy ? busyMilliseconds : restMilliseconds; getTimerInterval() != period)
-        startTimer(period);
-    followProgramChange();
+    isProcessing();
     followWorkshop();
-    if (!isNonRealtime())
+    if (!isNonRealtime()) { // or else the callback follows
+        followProgramChange();
         controllers.tellHost(parameters);
+    }
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock) {
         handoff.collect();

@@ -5,6 +5,7 @@
 #include "Editor/ProcessorView.h"
 #include "Editor/SettingsFolder.h"
 #include "Output/OutputStage.h"
+#include "Plugin/AwaitingKeys.h"
 #include "Plugin/BlockPieces.h"
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
@@ -63,11 +64,11 @@ public:
     double getTailLengthSeconds() const override;
     static constexpr double longestTailSeconds = 120;
 
-    int getNumPrograms() override;
     /// The factory's presets, and in a VST3 as many programs as MIDI numbers: unused ones behind
     /// them, which do nothing, and as the last the sound that is none of these.
-    int getCurrentProgram() override;
+    int getNumPrograms() override;
     static constexpr int vst3Programs = 128;
+    int getCurrentProgram() override;
     void setCurrentProgram(int index) override;
     const juce::String getProgramName(int index) override;
     void changeProgramName(int, const juce::String&) override {} // factory presets keep theirs
@@ -154,12 +155,12 @@ public:
     std::shared_ptr<const Instrument> loadedInstrument() const;
 
 private:
-    /// How often the message thread looks after what the audio thread and the workshop have left:
-    /// while something sounds or is analysed, and otherwise.
-    static constexpr int busyMilliseconds = 50, restMilliseconds = 200;
+    /// How often the message thread looks after what the audio thread and the workshop have left.
+    static constexpr int lookMilliseconds = 50;
 
     void timerCallback() override;
     void followProgramChange();
+    bool isProcessing();
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void giveUpRefused();
@@ -202,16 +203,18 @@ private:
                                    const std::shared_ptr<const Instrument>& built,
                                    const ParameterValues& values);
 
+    void forgetEvents() noexcept;
     double hostTempo() const noexcept;
+    bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
-    bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
 
     HostParameters parameters;
     // The message thread's.
     std::vector<Material> userMaterials;
     SoundPicture picture;
     StageCapture capture; ///< the audio thread gives it blows
+    std::uint32_t callbacksSeen = 0, lastCallbackMilliseconds = 0;
     int asksUnanswered = 0;
     std::optional<std::size_t> watched; ///< of the instrument of that number
     int watchedInstrument = 0;
@@ -251,6 +254,7 @@ private:
     SoundMonitor monitor;
     MidiLearn controllers;
     std::atomic<int> loads{0}, loadsByHost{0};
+    std::atomic<std::uint32_t> callbacks{0}; ///< that came, and times that the first was announced
     std::atomic<bool> resetRequested{false};
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};
@@ -267,6 +271,7 @@ private:
     // The audio thread's.
     BlockPieces pieces;
     PlayerCrossfade sound{handoff};
+    AwaitingKeys awaitingKeys;
     OutputStage output;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<float*, 2> channelPointers{};

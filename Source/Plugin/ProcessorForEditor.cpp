@@ -131,8 +131,18 @@ void Processor::changeByHand(const ParameterValues& wanted, std::span<const Para
     }
 }
 
+/// Whether callbacks come. Blows meanwhile would all wait, and sound as one when the host goes on.
+bool Processor::isProcessing() {
+    constexpr std::uint32_t longestPauseMilliseconds = 400; // twice that of 8192 samples at 44.1 kHz
+    const auto now = juce::Time::getMillisecondCounter();
+    if (const auto count = callbacks.load(); std::exchange(callbacksSeen, count) != count)
+        lastCallbackMilliseconds = now;
+    return now - lastCallbackMilliseconds < longestPauseMilliseconds;
+}
+
 void Processor::playNote(int midiNote, int velocity) {
-    editorNotes.push(midiNote, velocity);
+    if (velocity <= 0 || isProcessing())
+        editorNotes.push(midiNote, velocity);
 }
 
 ProcessorView::KeyRange Processor::keyRange() const {
@@ -232,7 +242,7 @@ void Processor::strikeObject(std::size_t index,
                              const std::array<double, 3>& pointMetres,
                              int velocity) {
     const auto playing = loadedInstrument();
-    if (playing == nullptr)
+    if (playing == nullptr || (velocity > 0 && !isProcessing()))
         return;
     if (const auto slots = ownSlots(*playing); index < slots.size())
         hand.strike(playing, slots[index], pointMetres, velocity);
@@ -242,7 +252,7 @@ void Processor::scrapeObject(std::size_t index,
                              const std::array<double, 3>& pointMetres,
                              double pressure) {
     const auto playing = loadedInstrument();
-    if (playing == nullptr)
+    if (playing == nullptr || (pressure > 0 && !isProcessing()))
         return;
     if (const auto slots = ownSlots(*playing); index < slots.size())
         hand.scrape(playing, slots[index], pointMetres, pressure);

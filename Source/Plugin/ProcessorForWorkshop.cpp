@@ -58,7 +58,6 @@ void Processor::beginImport(int number) {
     shelf.keepAudition(); // who makes another object of it wants it
     importLoads = number;
     importFailureShown = false;
-    startTimer(busyMilliseconds); // else what is made would wait for a timer at rest
 }
 
 void Processor::openFile(const std::filesystem::path& file) {

@@ -89,4 +89,9 @@ void SurfaceHand::playOn(Player* player) noexcept {
         player->liftHands();
 }
 
+void SurfaceHand::clear() noexcept {
+    gestures.read([](const Gesture&) {});
+    liftLost = false;
+}
+
 } // namespace idiophone

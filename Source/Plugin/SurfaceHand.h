@@ -36,6 +36,9 @@ public:
     /// instrument, which has gone since, is dropped. Neither allocates, locks nor throws.
     void playOn(Player* player) noexcept;
 
+    /// [audio thread] Forgets what waits, where all hands are lifted.
+    void clear() noexcept;
+
 private:
     /// A blow or a touch.
     struct Gesture {

@@ -1,0 +1,83 @@
+#include "Plugin/AwaitingKeys.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <vector>
+
+using namespace idiophone;
+
+namespace {
+
+constexpr int programs = 3;
+
+MidiEvent message(int status, int first, int second = 0) {
+    return {.sampleOffset = 7,
+            .bytes = {static_cast<std::uint8_t>(status), static_cast<std::uint8_t>(first),
+                      static_cast<std::uint8_t>(second)}};
+}
+
+struct Struck {
+    int channel, note, velocity;
+    bool operator==(const Struck&) const = default;
+};
+
+std::vector<Struck> taken(AwaitingKeys& keys) {
+    std::vector<Struck> result;
+    for (const auto& event : keys.take()) {
+        CHECK(event.isNoteOn());
+        CHECK(event.sampleOffset == 0);
+        result.push_back({event.bytes[0] & 0x0f, event.bytes[1], event.bytes[2]});
+    }
+    return result;
+}
+
+std::vector<Struck> takenAfter(std::initializer_list<MidiEvent> messages) {
+    AwaitingKeys keys(programs);
+    keys.follow(std::vector(messages));
+    return taken(keys);
+}
+
+const auto change = message(0xc0, 2);
+
+} // namespace
+
+TEST_CASE(
+    "Keys that go down after a program change, and are down still, are struck again in order") {
+    CHECK(takenAfter({message(0x90, 50, 9), change, message(0x93, 60, 100), message(0x90, 62, 90),
+                      message(0x90, 64, 80), message(0x80, 62), message(0x90, 60, 70)}) ==
+          std::vector<Struck>{{3, 60, 100}, {0, 64, 80}, {0, 60, 70}});
+    CHECK(takenAfter({change, message(0x90, 60, 100), message(0x90, 60, 0)}).empty());
+    CHECK(takenAfter({change, message(0x90, 60, 100), message(0x80, 60, 64),
+                      message(0x90, 60, 50)}) == std::vector<Struck>{{0, 60, 50}});
+}
+
+TEST_CASE("Nothing is struck again where no program was asked for that there is") {
+    CHECK(takenAfter({message(0x90, 60, 100)}).empty());
+    CHECK(takenAfter({message(0xc0, programs), message(0x90, 60, 100)}).empty());
+}
+
+TEST_CASE("Once taken, keys are waited for no longer") {
+    AwaitingKeys keys(programs);
+    const std::vector messages{change, message(0x90, 60, 100)};
+    keys.follow(messages);
+    CHECK(taken(keys).size() == 1);
+    CHECK(taken(keys).empty());
+    keys.follow(std::span(messages).last(1));
+    CHECK(taken(keys).empty());
+}
+
+TEST_CASE("Another program change starts anew, and what lets all keys go lets these go") {
+    CHECK(takenAfter({change, message(0x90, 60, 100), message(0xc0, 0)}).empty());
+    for (const int controller : {120, 123, 124, 127})
+        CHECK(takenAfter({change, message(0x90, 60, 100), message(0xb0, controller)}).empty());
+    CHECK(takenAfter({change, message(0x90, 60, 100), message(0xb0, 121)}).size() == 1);
+    CHECK(takenAfter({change, message(0x90, 60, 100), message(0xe0, 123)}).size() == 1);
+}
+
+TEST_CASE("Of more keys than there is room for the first are struck") {
+    AwaitingKeys keys(programs);
+    keys.follow(std::vector{change});
+    for (int channel = 0; channel < 16; ++channel)
+        for (int note = 0; note < 128; ++note)
+            keys.follow(std::vector{message(0x90 | channel, note, 1)});
+    CHECK(taken(keys).size() == 256);
+}
