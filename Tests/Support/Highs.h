@@ -1,6 +1,7 @@
 // The high end of a signal, where a click shows.
 #pragma once
 
+#include "Support/Larger.h"
 #include "Support/Phasor.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ inline double loudestHighsDb(std::span<const float> signal, double sampleRateHz)
         double power = 0;
         for (double hz = 8000; hz < 20000; hz += 250)
             power += std::norm(phasorAt(signal.subspan(from, length), hz, sampleRateHz));
-        loudest = std::max(loudest, power);
+        loudest = larger(loudest, power);
     }
     return 10 * std::log10(loudest);
 }

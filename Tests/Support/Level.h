@@ -1,7 +1,8 @@
 // How loud a signal is, for tests: its root mean square and its peak.
 #pragma once
 
-#include <algorithm>
+#include "Support/Larger.h"
+
 #include <cmath>
 #include <span>
 
@@ -18,7 +19,7 @@ inline double rms(std::span<const float> signal) {
 inline float peak(std::span<const float> signal) {
     float highest = 0;
     for (const float sample : signal)
-        highest = std::max(highest, std::abs(sample));
+        highest = larger(highest, std::abs(sample));
     return highest;
 }
 

@@ -1,5 +1,6 @@
 #include "Synth/ContactForce.h"
 
+#include "Support/Larger.h"
 #include "Support/Level.h"
 #include "Support/Periodogram.h"
 
@@ -280,7 +281,7 @@ TEST_CASE("Under random speed, force, kind and modes the force stays within ten 
                              .rollLowPassHz = 20 + 5000 * uniform()});
         contact.render({uniform() < 0.2 ? 0 : 2 * uniform(), 5 * uniform()}, cell);
         for (const float sample : cell)
-            highest = std::max(highest, std::abs(sample));
+            highest = larger(highest, std::abs(sample));
     }
     CHECK(highest > loudest / 10);
     CHECK(highest < 10 * loudest);

@@ -31,8 +31,8 @@ TEST_CASE("Forced and free parts make up the convolution with the pulse within -
             velocity += std::exp(-extraDamping * (t - contactSeconds)) *
                         (propagator(pole, t - contactSeconds) * again).x;
         const double expected = pulseVelocity(mode, contactSeconds, t, extraDamping);
-        peak = std::max(peak, std::abs(expected));
-        error = std::max(error, std::abs(velocity - expected));
+        peak = larger(peak, std::abs(expected));
+        error = larger(error, std::abs(velocity - expected));
     }
     CHECK(error < 1e-9 * peak);
 }

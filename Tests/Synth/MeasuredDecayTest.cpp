@@ -81,7 +81,7 @@ TEST_CASE("Decays equal to the law's sound as no decays do, to rounding") {
     REQUIRE(plain.size() == given.size());
     float largest = 0;
     for (std::size_t n = 0; n < plain.size(); ++n)
-        largest = std::max(largest, std::abs(plain[n] - given[n]));
+        largest = larger(largest, std::abs(plain[n] - given[n]));
     CHECK(largest <= 1e-6f);
 }
 

@@ -1,6 +1,7 @@
 // The bank on every SIMD target that this machine has.
 #include "Synth/ModalBank.h"
 
+#include "Support/Larger.h"
 #include "Support/SimdTargets.h"
 
 #include <array>
@@ -79,7 +80,7 @@ TEST_CASE(
                 expected += (std::complex<double>(1, -0.5) *
                              std::exp(reference.poles[static_cast<std::size_t>(g)] * t))
                                 .real();
-            worst = std::max(worst, std::abs(static_cast<double>(output[k]) - expected));
+            worst = larger(worst, std::abs(static_cast<double>(output[k]) - expected));
         }
     }
     CHECK(worst < 1e-6 * static_cast<double>(mixed.size()));
@@ -110,13 +111,13 @@ TEST_CASE("SIMD targets agree within -110 dB, and each with itself bit for bit")
         }
     double peak = 0;
     for (const float sample : renders.front())
-        peak = std::max(peak, std::abs(static_cast<double>(sample)));
+        peak = larger(peak, std::abs(static_cast<double>(sample)));
     for (std::size_t r = 0; r < renders.size(); r += 2) {
         CHECK(renders[r] == renders[r + 1]);
         double worst = 0;
         for (std::size_t k = 0; k < renders[r].size(); ++k)
-            worst = std::max(worst, std::abs(static_cast<double>(renders[r][k]) -
-                                             static_cast<double>(renders[0][k])));
+            worst = larger(worst, std::abs(static_cast<double>(renders[r][k]) -
+                                           static_cast<double>(renders[0][k])));
         CHECK(worst < peak * 3.16e-6);
     }
 }

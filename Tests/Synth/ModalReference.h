@@ -2,6 +2,7 @@
 // form a sample in double precision, and the tools to play the same strikes on the synthesiser.
 #pragma once
 
+#include "Support/Larger.h"
 #include "Support/Phasor.h"
 #include "Support/SyntheticObject.h"
 #include "Synth/Synthesiser.h"
@@ -142,9 +143,9 @@ inline double errorDb(const std::vector<float>& signal,
     double error = 0;
     for (std::size_t k = 0; k < signal.size(); ++k) {
         const double value = expected(static_cast<double>(k));
-        peak = std::max(peak, std::abs(value));
+        peak = larger(peak, std::abs(value));
         if (k >= from && k < to)
-            error = std::max(error, std::abs(static_cast<double>(signal[k]) - value));
+            error = larger(error, std::abs(static_cast<double>(signal[k]) - value));
     }
     return 20 * std::log10(error / peak + 1e-30);
 }
@@ -156,7 +157,7 @@ inline double broadbandDb(std::span<const float> signal, double sampleRate) {
     for (std::size_t start = 0; start + frame <= signal.size(); start += frame / 4)
         for (double hz = 5000; hz < 21000; hz += 700) {
             const auto phasor = phasorAt(signal.subspan(start, frame), hz, sampleRate);
-            largest = std::max(largest, std::abs(phasor) / (frame / 2.0));
+            largest = larger(largest, std::abs(phasor) / (frame / 2.0));
         }
     return 20 * std::log10(largest);
 }

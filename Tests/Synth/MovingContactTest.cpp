@@ -67,8 +67,8 @@ TEST_CASE("A contact ends as it should for a mode that is out of band at its end
     double error = 0;
     for (std::size_t k = 40 * cellSamples; k < output.size(); ++k) {
         const double expected = high.velocity(double(k));
-        peak = std::max(peak, std::abs(expected));
-        error = std::max(error, std::abs(double(output[k]) - low.velocity(double(k)) - expected));
+        peak = larger(peak, std::abs(expected));
+        error = larger(error, std::abs(double(output[k]) - low.velocity(double(k)) - expected));
     }
     CHECK(peak > 1e-4);
     CHECK(error < 0.01 * peak);
@@ -104,8 +104,8 @@ TEST_CASE(
         double faint = 0;
         for (std::size_t i = 1; i < modes.size(); ++i)
             faint += 1e-2 * modes[i].velocity(double(k));
-        peak = std::max(peak, std::abs(faint));
-        error = std::max(error, std::abs(double(output[k]) - faint - modes[0].velocity(double(k))));
+        peak = larger(peak, std::abs(faint));
+        error = larger(error, std::abs(double(output[k]) - faint - modes[0].velocity(double(k))));
     }
     CHECK(peak > 1e-4);
     CHECK(error < 0.01 * peak);
