@@ -15,4 +15,13 @@ inline bool allFinite(std::span<const float> values) noexcept {
     return finite;
 }
 
+/// Whether each is a number between −limit and limit (≥ 0).
+inline bool allWithin(std::span<const float> values, float limit) noexcept {
+    const auto limitBits = std::bit_cast<std::uint32_t>(limit);
+    bool within = true;
+    for (const float value : values)
+        within &= (std::bit_cast<std::uint32_t>(value) & 0x7fffffffu) <= limitBits;
+    return within;
+}
+
 } // namespace idiophone

@@ -37,7 +37,13 @@ double radiationScale(const ModalObject& object) {
             far += ringing * weight * weight;
         }
     }
-    return far > 0 ? std::sqrt(near / far) : 0;
+    if (!(far > 0))
+        return 0;
+    // No weight becomes larger than a shape may be, however faint these two directions are.
+    float largest = 0;
+    for (const float weight : object.radiation.weights)
+        largest = std::max(largest, std::abs(weight));
+    return std::min(std::sqrt(near / far), static_cast<double>(largestShape) / largest);
 }
 
 } // namespace idiophone

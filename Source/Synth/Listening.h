@@ -21,7 +21,8 @@ inline std::array<float, 3> listeningDirection(const StrikePoint& point) noexcep
 /// loud from afar as near, and one whose parts cancel one another is not lost: the ratio of what
 /// rings on after blows all over the surface, √(Σ a⁴/α / Σ a² w²/α) with a² the mean of |φ|² over
 /// the surface, α the decay and w the mean over left and right, all at the object's own size and
-/// material. 0 without weights. Takes time: not for the audio thread.
+/// material, but at most what leaves no weight beyond `largestShape`. 0 without weights. Takes
+/// time: not for the audio thread.
 double radiationScale(const ModalObject& object);
 
 } // namespace idiophone

@@ -18,6 +18,11 @@ inline constexpr std::size_t modeBlock = 16;
 /// |s|² that no object that makes sense reaches; beyond, squares would overflow.
 inline constexpr float largestEnergy = 1e36f;
 
+/// Residues [m/s] and forces [N] that nothing reaches, however light it is and hard it is struck:
+/// up to these all that is added to states and sound is finite.
+inline constexpr float largestResidue = 1e17f;
+inline constexpr float largestForceNewtons = 1e12f;
+
 /// Smaller entries of tables are zero: far below the rounding of a table, far above denormals even
 /// when multiplied by a faint state.
 inline constexpr double faintestTableEntry = 1e-15;

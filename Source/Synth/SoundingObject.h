@@ -175,7 +175,7 @@ private:
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
     void prepareBank() noexcept;
     void widen(double listening) noexcept;
-    void computeForced(const Contact& contact) noexcept;
+    bool computeForced(const Contact& contact) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
     void admitWanted(std::int32_t allowance) noexcept;
     void listWanted(std::size_t most) noexcept;
@@ -198,7 +198,7 @@ private:
     void listWhatRings() noexcept;
 
     // SoundingObjectResidues.cpp: what is heard of each group.
-    void computeResidues(const Contact& contact) noexcept;
+    bool computeResidues(const Contact& contact) noexcept;
     void mergeResidues(std::size_t channel) noexcept;
     void findLost() noexcept;
     void findRadiation(std::int32_t heardFrom) noexcept;

@@ -22,7 +22,7 @@ bool SoundingObject::applyForce(const ForceCell& force,
                                 const CellOutput& cell) noexcept {
     const bool stays = force.start == force.end;
     if (force.contact >= forceCapacity || !valid(force.start) || (!stays && !valid(force.end)) ||
-        !allFinite(force.newtons))
+        !allWithin(force.newtons, largestForceNewtons))
         return false;
     takeInKicks(cellIndex + 1);
     prepareBank();

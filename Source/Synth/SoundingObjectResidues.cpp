@@ -1,4 +1,5 @@
 // What is heard of each group of modes when a sounding object is struck at a place.
+#include "Synth/AllFinite.h"
 #include "Synth/Listening.h"
 #include "Synth/ModeCompression.h"
 #include "Synth/PointShapes.h"
@@ -9,8 +10,9 @@
 namespace idiophone {
 
 /// Residues of all groups in each channel. What is heard is a mean of the velocity at the struck
-/// point, along the listening direction there, and of what the whole surface radiates.
-void SoundingObject::computeResidues(const Contact& contact) noexcept {
+/// point, along the listening direction there, and of what the whole surface radiates. False, and
+/// all of them 0, where one of them is beyond all reason.
+bool SoundingObject::computeResidues(const Contact& contact) noexcept {
     const StrikePoint& struck = contact.strike.point;
     projectShapes(pointShapes(*object, struck), contact.strike.impulseNewtonSeconds,
                   listeningDirection(struck), object->modeCount(), scratch.struckGains.data(),
@@ -29,6 +31,16 @@ void SoundingObject::computeResidues(const Contact& contact) noexcept {
                 scratch.modeResidues[i] = near * scratch.struckGains[i] * scratch.heardGains[i];
         mergeResidues(c);
     }
+    const auto residuesOf = [this](std::size_t c) {
+        return std::span(scratch.groupResidues[c]).first(bank.paddedSize());
+    };
+    bool reasonable = true;
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        reasonable = reasonable && allWithin(residuesOf(c), largestResidue);
+    if (!reasonable)
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            std::ranges::fill(residuesOf(c), 0.0f);
+    return reasonable;
 }
 
 void SoundingObject::mergeResidues(std::size_t channel) noexcept {

@@ -61,11 +61,12 @@ void SoundingObject::widen(double listening) noexcept {
     }
 }
 
-void SoundingObject::computeForced(const Contact& contact) noexcept {
-    computeResidues(contact);
+bool SoundingObject::computeForced(const Contact& contact) noexcept {
+    const bool reasonable = computeResidues(contact);
     bank.forcedStates(
         {.contactSeconds = contact.strike.durationSeconds, .dampingPerSecond = damping},
         scratch.contact);
+    return reasonable;
 }
 
 bool SoundingObject::strike(const Strike& asked,
@@ -86,11 +87,11 @@ bool SoundingObject::strike(const Strike& asked,
     double& seconds = contact.strike.durationSeconds;
     seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
 
+    if (!(isPulse ? computeForced(contact) : computeResidues(contact)))
+        return false;
     if (isPulse) {
-        computeForced(contact);
         startKicks(-1, sampleInCell);
     } else {
-        computeResidues(contact);
         bank.impulseStates(scratch.contact);
         startKicks(1, sampleInCell);
     }

@@ -69,7 +69,7 @@ public:
     /// mode's period moves by 1 %. Returns false, and does nothing, where 64 contacts that last
     /// beyond this cell are already under way in this slot, where the slot, a shape row or the
     /// direction it is heard from does not exist, where `sampleInCell` or the duration is out of
-    /// range, or where a figure is not finite.
+    /// range, where a figure is not finite, or where a mode would move faster than 1e17 m/s.
     bool strike(std::size_t slot,
                 const Strike& strike,
                 double sampleInCell,
@@ -81,8 +81,9 @@ public:
     /// Presses on a slot throughout the cell begun last, in addition to whatever else does, and
     /// adds the sound to it. While a force lasts the modes that the budget allows stay mixed,
     /// however faint. A contact that ends wants a last cell whose force goes to 0, or it clicks.
-    /// Returns false, and does nothing, where the slot or a shape row does not exist or a figure is
-    /// not finite.
+    /// Returns false, and does nothing, where the slot or a shape row does not exist, a figure is
+    /// not finite or a force larger than 1e12 N. What answers 1 N s with more than 1e17 m/s is
+    /// silent.
     bool applyForce(std::size_t slot, const ForceCell& force, const CellOutput& cell) noexcept;
 
     /// Forgets all that rings, at once. The caller fades the output.

@@ -104,8 +104,8 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
 double differenceDb(const std::vector<float>& output, const std::vector<double>& expected) {
     double peak = 0, worst = 0;
     for (std::size_t n = 0; n < output.size(); ++n) {
-        peak = std::max(peak, std::abs(expected[n]));
-        worst = std::max(worst, std::abs(static_cast<double>(output[n]) - expected[n]));
+        peak = larger(peak, std::abs(expected[n]));
+        worst = larger(worst, std::abs(static_cast<double>(output[n]) - expected[n]));
     }
     return 20 * std::log10(worst / peak);
 }
@@ -178,8 +178,8 @@ TEST_CASE("A force and strikes on the same object add up") {
     const auto pressed = play(false, true);
     double peak = 0, worst = 0;
     for (std::size_t n = 0; n < both.size(); ++n) {
-        peak = std::max(peak, std::abs(double(both[n])));
-        worst = std::max(worst, std::abs(double(both[n]) - double(struck[n]) - double(pressed[n])));
+        peak = larger(peak, std::abs(double(both[n])));
+        worst = larger(worst, std::abs(double(both[n]) - double(struck[n]) - double(pressed[n])));
     }
     CHECK(worst < 1e-5 * peak);
 }
@@ -194,8 +194,30 @@ TEST_CASE("A force that makes no sense is refused and does no harm") {
         synthesiser.applyForce(1, {.start = place(0), .end = place(0), .newtons = newtons}, cell));
     CHECK_FALSE(
         synthesiser.applyForce(0, {.start = place(0), .end = place(2), .newtons = newtons}, cell));
-    newtons[7] = std::numeric_limits<float>::quiet_NaN();
-    CHECK_FALSE(
-        synthesiser.applyForce(0, {.start = place(0), .end = place(0), .newtons = newtons}, cell));
+    for (const float newton : {std::numeric_limits<float>::quiet_NaN(), 1.1e12f, -3e38f}) {
+        newtons[7] = newton;
+        CHECK_FALSE(synthesiser.applyForce(
+            0, {.start = place(0), .end = place(0), .newtons = newtons}, cell));
+    }
     CHECK(synthesiser.silent());
+}
+
+TEST_CASE(
+    "Where an object would answer a force beyond all reason it is silent, and all else rings") {
+    ModalObject object = twoPlaces({300, 800});
+    object.shapes[3 * 2 + 2] = 3e20f; // of the first mode at the second place
+    Synthesiser synthesiser({slotOf(object)}, sampleRate), spared({slotOf(object)}, sampleRate);
+    std::array<float, cellSamples> newtons{};
+    for (int c = 0; c < 200; ++c) {
+        std::array<float, cellSamples> cell{}, expected{};
+        synthesiser.beginCell(cell);
+        spared.beginCell(expected);
+        newtons.fill(c < 100 ? 5 : 0);
+        for (auto* both : {&synthesiser, &spared})
+            both->applyForce(0, {.start = place(0), .end = place(0), .newtons = newtons},
+                             both == &spared ? expected : cell);
+        synthesiser.applyForce(0, {.start = place(1), .end = place(1), .newtons = newtons}, cell);
+        REQUIRE(cell == expected);
+    }
+    CHECK_FALSE(spared.silent());
 }

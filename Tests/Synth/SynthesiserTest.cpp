@@ -276,6 +276,70 @@ TEST_CASE("Strikes and settings that make no sense are refused and do no harm") 
           }) < -110);
 }
 
+TEST_CASE("A blow that would move a mode beyond all reason is refused, and what rings rings on") {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const float shape = GENERATE_COPY(1.1e9f, -3e20f, 3e38f, infinity, nan);
+    const double seconds = GENERATE(0.0, 0.001, 0.02);
+    ModalObject object = syntheticObject({440, 900, 901});
+    object.shapes[9 + 5] = shape; // of the second mode at row 1
+    Strike blow = unitStrike(seconds);
+    Synthesiser played({slotOf(object)}, sampleRate), spared({slotOf(object)}, sampleRate);
+    for (int c = 0; c < 200; ++c) {
+        std::array<float, cellSamples> sound{}, expected{};
+        played.beginCell(sound);
+        spared.beginCell(expected);
+        if (c % 50 == 0) {
+            CHECK(played.strike(0, blow, 3.5, sound));
+            CHECK(spared.strike(0, blow, 3.5, expected));
+        }
+        auto bad = blow;
+        bad.point.shapeRows[0] = 1;
+        bad.impulseNewtonSeconds[2] = -0.1f;
+        CHECK_FALSE(played.strike(0, bad, 7, sound));
+        bad.point.shapeRows[0] = 0;
+        bad.impulseNewtonSeconds[2] = 3e38f;
+        CHECK_FALSE(played.strike(0, bad, 7, sound));
+        REQUIRE(sound == expected);
+    }
+    CHECK_FALSE(spared.silent());
+}
+
+TEST_CASE("The hardest blows that are taken sound finite, however many they are") {
+    const double seconds = GENERATE(0.0, 0.001);
+    const double damping = GENERATE(0.0, 1e4);
+    ModalObject object =
+        syntheticObject({30, 440, 441, 15'000}, std::vector<float>(4, largestShape));
+    object.radiation = {{{0, 0, 1}, {1, 0, 0}},
+                        {1},
+                        {largestShape, 1, 1e-30f, 0, 1, largestShape, -1e-30f, 1e-38f}};
+    Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
+    auto settings = exactSettings();
+    settings.compression = 1;
+    settings.radiation = 0.5;
+    synthesiser.setSettings(settings);
+    Strike hardest = unitStrike(seconds);
+    hardest.impulseNewtonSeconds[2] = -5; // of a mallet of 0.5 kg at 10 m/s
+    std::array<float, cellSamples> left{}, right{}, newtons{};
+    newtons.fill(1e12f);
+    const auto isFinite = [](float x) { return std::isfinite(x); };
+    int taken = 0;
+    for (int c = 0; c < 4000; ++c) {
+        synthesiser.setDamping(0, c > 1000 ? damping : 0);
+        synthesiser.beginCell({left, right});
+        for (int k = 0; k < 30 && c < 500; ++k)
+            taken += synthesiser.strike(0, hardest, k, {left, right}) ? 1 : 0;
+        if (c >= 300 && c < 500) {
+            const ForcePlace place{.points = {ForcePoint{.point = hardest.point}}};
+            CHECK(synthesiser.applyForce(0, {.start = place, .end = place, .newtons = newtons},
+                                         {left, right}));
+        }
+        REQUIRE(std::ranges::all_of(left, isFinite));
+        REQUIRE(std::ranges::all_of(right, isFinite));
+    }
+    CHECK(taken > 500);
+}
+
 TEST_CASE("Reset silences at once and the object plays as new") {
     const ModalObject object = syntheticObject({440, 1000});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
