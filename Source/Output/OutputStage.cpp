@@ -1,5 +1,9 @@
 #include "Output/OutputStage.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
 namespace idiophone {
 namespace {
 
@@ -7,6 +11,15 @@ float targetGain(const ParameterValues& values) {
     if (values[ParameterId::bypass] != 0)
         return 0;
     return juce::Decibels::decibelsToGain(static_cast<float>(values[ParameterId::level]));
+}
+
+/// Without a branch for each.
+bool allFinite(std::span<const float> samples) {
+    constexpr std::uint32_t exponent = 0x7f800000u;
+    bool finite = true;
+    for (const float sample : samples)
+        finite &= (std::bit_cast<std::uint32_t>(sample) & exponent) != exponent;
+    return finite;
 }
 
 } // namespace
@@ -26,12 +39,12 @@ void OutputStage::reset() noexcept {
     room.reset();
 }
 
-void OutputStage::process(std::span<const float> left,
+bool OutputStage::process(std::span<const float> left,
                           std::span<const float> right,
                           std::span<float* const> channels,
                           const ParameterValues& values) noexcept {
     if (left.empty() || channels.empty())
-        return;
+        return true;
     gain.setGainLinear(targetGain(values));
     width.setTargetValue(static_cast<float>(values[ParameterId::width] / 100));
     if (startsAtTarget) {
@@ -43,6 +56,13 @@ void OutputStage::process(std::span<const float> left,
     spread(room.process({left, right}, values), channels);
     juce::dsp::AudioBlock<float> block(channels.data(), channels.size(), left.size());
     gain.process(juce::dsp::ProcessContextReplacing<float>(block));
+    if (std::ranges::all_of(channels, [&](const float* channel) {
+            return allFinite({channel, left.size()});
+        }))
+        return true;
+    block.clear();
+    room.reset();
+    return false;
 }
 
 void OutputStage::spread(const Room::Sound& sound, std::span<float* const> channels) noexcept {

@@ -27,8 +27,9 @@ public:
     /// Writes `left.size()` samples, at most `maximumBlockSize`, to each channel, L and R with what
     /// the room adds. Of two, the first gets M + wS and the second M − wS, where M = (L + R)/2, S =
     /// (L − R)/2 and w is the width; one gets M. Left may be the first of them and right the
-    /// second. Values act from the block's first sample on.
-    void process(std::span<const float> left,
+    /// second. Values act from the block's first sample on. False where a sample would not be
+    /// finite: the block is silent then, and nothing sounds on in the room.
+    bool process(std::span<const float> left,
                  std::span<const float> right,
                  std::span<float* const> channels,
                  const ParameterValues& values) noexcept;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -194,6 +196,46 @@ TEST_CASE("Bypass is silent after its ramp, and leaving it restores the level") 
     const auto on = processed(stage, ones, 2000, valuesWith(0));
     CHECK(on.front() < 0.01f);
     CHECK(on.back() == 1.0f);
+}
+
+TEST_CASE("A block that is not finite is silent, and what comes after it is as good as new") {
+    const float bad =
+        GENERATE(std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                 -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::max());
+    const bool onBothSides = GENERATE(true, false);
+    auto values = valuesWith(24);
+    values.set(ParameterId::room, GENERATE(0.0, 50.0));
+    values.set(ParameterId::roomDecay, 10);
+    PreparedStage stage;
+    const Stereo input{sine(48'000), sine(48'000, 700)};
+    processed(stage, input, 480, values); // the room sounds
+
+    std::vector<float> left(480, 0.5f), right = left;
+    left[100] = bad;
+    if (onBothSides)
+        right[100] = bad;
+    const std::array<float*, 2> channels{left.data(), right.data()};
+    CHECK_FALSE(stage.process(left, right, channels, values));
+    CHECK(left == std::vector<float>(480));
+    CHECK(right == left);
+    CHECK(stage.silent());
+
+    PreparedStage fresh;
+    const bool same = processed(stage, input, 480, values) == processed(fresh, input, 480, values);
+    CHECK(same);
+}
+
+TEST_CASE("Finite sound is told from what is not, channel by channel") {
+    const std::array bad{std::numeric_limits<float>::quiet_NaN(), -1.0f};
+    const std::array good{0.5f, std::numeric_limits<float>::denorm_min()};
+    std::array<float, 2> first{}, second{};
+    const std::array<float*, 2> channels{first.data(), second.data()};
+    PreparedStage stage;
+    CHECK(stage.process(good, good, channels, valuesWith(0)));
+    CHECK_FALSE(stage.process(bad, good, channels, valuesWith(0)));
+    CHECK_FALSE(stage.process(good, bad, channels, valuesWith(0)));
+    CHECK_FALSE(stage.process(good, bad, std::span(channels).first(1), valuesWith(0)));
+    CHECK(stage.process({}, {}, {}, valuesWith(0)));
 }
 
 TEST_CASE("One channel that is also the input is processed in place") {
