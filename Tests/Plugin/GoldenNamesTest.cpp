@@ -151,8 +151,7 @@ Lines published() {
 
 } // namespace
 
-TEST_CASE("Whatever a released version named and numbered is there under its name and number, and "
-          "is what it was") {
+TEST_CASE("What a released version named and numbered is there and is what it was") {
     const auto now = published();
     const std::set<std::string> present(now.begin(), now.end());
     int found = 0;

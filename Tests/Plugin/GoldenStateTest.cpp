@@ -1,6 +1,5 @@
-// Projects of released versions sound as they did: states saved by each of
-// them, with renders of what they sounded like then (Golden/VERSION/NAME.state
-// and .wav).
+// Projects of released versions sound as they did: states saved by each of them, with renders of
+// what they sounded like then (Golden/VERSION/NAME.state and .wav).
 #include "Plugin/GoldenFolder.h"
 #include "Support/SimdTargets.h"
 
@@ -128,8 +127,7 @@ std::string changed(const char* preset, std::initializer_list<std::pair<const ch
 
 } // namespace
 
-TEST_CASE("States of every released version sound as they did, on every SIMD "
-          "target") {
+TEST_CASE("States of every released version sound as they did, on every SIMD target") {
     int found = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(goldenFolder)) {
         if (entry.path().extension() != ".state")
@@ -148,8 +146,7 @@ TEST_CASE("States of every released version sound as they did, on every SIMD "
     CHECK(found >= 12);
 }
 
-TEST_CASE("A state plays the preset that it holds, whatever the factory's of "
-          "that name becomes") {
+TEST_CASE("A state plays the preset that it holds, whatever the factory's of that name becomes") {
     const auto factory = changed("Scraped Plate", {});
     const auto asFactory = played(factory);
     const auto checkHeard = [&](const std::function<void(State&)>& change) {
@@ -206,9 +203,9 @@ std::string mutedGlassWok() {
 
 } // namespace
 
-// For a release, once its version is set: `IDIOPHONE_MAKE_GOLDEN=1 test_plugin
-// "[make-golden]"`. Never for an older version, and so never by a pattern of
-// names that happens to fit. What is there already stays.
+// For a release, once its version is set: `IDIOPHONE_MAKE_GOLDEN=1 test_plugin "[make-golden]"`.
+// Never for an older version, and so never by a pattern of names that happens to fit. What is there
+// already stays.
 TEST_CASE("Make the golden states of this version", "[.][make-golden]") {
     const auto folder = folderOfThisVersion();
     const std::pair<const char*, std::string> states[] = {
