@@ -1,0 +1,292 @@
+// What hosts say once and not again, and what is to happen when.
+#include "Instrument/FactoryContent.h"
+#include "Support/TestSound.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <functional>
+#include <set>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 512;
+
+/// Tells a tempo where it says anything.
+class SparingHost final : public juce::AudioPlayHead {
+public:
+    juce::Optional<PositionInfo> getPosition() const override { return position; }
+
+    void tell(double beatsPerMinute) {
+        position.emplace();
+        position->setBpm(beatsPerMinute);
+    }
+    void sayNothing() { position = juce::nullopt; }
+
+private:
+    juce::Optional<PositionInfo> position;
+};
+
+juce::MidiBuffer programChange(int program, int stamp = 0) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::programChange(1, program), stamp);
+    return midi;
+}
+
+void followTimers(int milliseconds) {
+    for (int i = 0; i < milliseconds; i += 5) {
+        juce::Thread::sleep(5);
+        juce::Timer::callPendingTimersSynchronously();
+    }
+}
+
+} // namespace
+
+TEST_CASE("A tempo told once holds while the host says no more, until it prepares again") {
+    constexpr double eighth = 6; // of the choices
+    enum class Told { never, once, always };
+    const auto played = [](Told told, bool preparesAgain) {
+        SparingHost host;
+        Processor processor;
+        restore(processor, testState());
+        processor.setPlayHead(&host);
+        processor.prepareToPlay(rateHz, blockSize);
+        processor.changeParameter(ParameterId::motorDepth, 90);
+        processor.changeParameter(ParameterId::motorSync, eighth);
+        if (told != Told::never)
+            host.tell(150);
+        render(processor, blockSize, blockSize, {});
+        if (told == Told::once)
+            host.sayNothing();
+        if (preparesAgain)
+            processor.prepareToPlay(rateHz, blockSize);
+        return render(processor, 24000, blockSize, testMusic(24000));
+    };
+    const auto once = played(Told::once, false);
+    CHECK((once == played(Told::always, false)));
+    CHECK((once != played(Told::never, false)));
+    CHECK((played(Told::once, true) == played(Told::never, true)));
+}
+
+TEST_CASE("Nothing of what is played is left in the buffer to be sent on") {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    juce::AudioBuffer<float> sound(2, blockSize);
+    auto midi = testMusic(blockSize, 50);
+    processor.processBlock(sound, midi);
+    CHECK(midi.isEmpty());
+}
+
+TEST_CASE(
+    "A program change in real time waits for one look of the message thread, after a rest too") {
+    struct Clock final : juce::Timer {
+        void timerCallback() override { ++ticks; }
+        int ticks = 0;
+    } clock;
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    int program = 0;
+    for (const int rest : {205, 60, 205, 110}) {
+        followTimers(rest);
+        render(processor, blockSize, blockSize, programChange(++program));
+        clock.ticks = 0;
+        clock.startTimer(50);
+        while (processor.getCurrentProgram() != program && clock.ticks < 10)
+            followTimers(5);
+        CHECK(clock.ticks <= 2); // at most one early, where the machine is busy
+    }
+}
+
+TEST_CASE(
+    "Offline the callback alone loads the program, and in real time the message thread alone") {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    render(processor, blockSize, blockSize, programChange(2));
+    CHECK(processor.getCurrentProgram() == 0);
+    processor.setNonRealtime(true);
+    followTimers(150);
+    CHECK(processor.getCurrentProgram() == 0);
+    render(processor, blockSize, blockSize, {});
+    CHECK(processor.getCurrentProgram() == 2);
+}
+
+TEST_CASE("A key held since the program change is struck in the new preset, and let go there") {
+    constexpr int vibraphone = 9, note = 60; // no key of the first preset's
+    const auto struck = [](int stamp) {
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), stamp);
+        return midi;
+    };
+    const auto played = [&](bool asksByMidi, bool isLetGo) {
+        Processor processor;
+        processor.setNonRealtime(true);
+        processor.prepareToPlay(rateHz, blockSize);
+        juce::MidiBuffer midi;
+        if (asksByMidi) {
+            midi = programChange(vibraphone, 100);
+            midi.addEvents(struck(100), 0, blockSize, 0);
+            if (isLetGo)
+                midi.addEvent(juce::MidiMessage::noteOff(1, note), 300);
+        }
+        CHECK(loudest(render(processor, blockSize, blockSize, midi)) == 0);
+        if (!asksByMidi)
+            processor.setCurrentProgram(vibraphone);
+        auto later = asksByMidi ? juce::MidiBuffer() : struck(0);
+        later.addEvent(juce::MidiMessage::noteOff(1, note), 4000);
+        return render(processor, 24000, blockSize, later);
+    };
+    const auto expected = played(false, false);
+    REQUIRE(loudest(expected) > 0.001f);
+    CHECK((played(true, false) == expected));
+    CHECK(loudest(played(true, true)) == 0);
+}
+
+TEST_CASE(
+    "A VST3's programs are as many for ever, the last the sound that is none of the factory's") {
+    juce::AudioProcessor::setTypeOfNextNewPlugin(juce::AudioProcessor::wrapperType_VST3);
+    Processor processor;
+    juce::AudioProcessor::setTypeOfNextNewPlugin(juce::AudioProcessor::wrapperType_Undefined);
+    REQUIRE(processor.getNumPrograms() == 128);
+    const int presets = static_cast<int>(factoryPresets().size()), own = 127;
+    REQUIRE(presets <= own);
+    std::set<juce::String> names;
+    for (int program = 0; program < 128; ++program) {
+        names.insert(processor.getProgramName(program));
+        processor.setCurrentProgram(program);
+        CHECK(processor.getCurrentProgram() == std::min(program, presets - 1));
+    }
+    CHECK(names.size() == 128); // by which some hosts choose
+    CHECK(names.count({}) == 0);
+    CHECK(processor.getProgramName(128).isEmpty());
+
+    // Hosts are kept from choosing what is current.
+    restore(processor, testState());
+    CHECK(processor.getCurrentProgram() == own);
+    const auto before = saved(processor);
+    processor.setCurrentProgram(own);
+    CHECK(saved(processor) == before);
+    processor.setCurrentProgram(0);
+    CHECK(processor.getCurrentProgram() == 0);
+}
+
+TEST_CASE("Elsewhere there are no more programs than presets") {
+    Processor processor;
+    CHECK(processor.getNumPrograms() == static_cast<int>(factoryPresets().size()));
+    restore(processor, testState());
+    CHECK(processor.getCurrentProgram() == 0);
+}
+
+TEST_CASE("A host's late echo of what a controller did takes nothing back") {
+    struct Host final : juce::AudioProcessorListener {
+        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float value) override {
+            heard.push_back(value);
+        }
+        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
+        std::vector<float> heard;
+    } host;
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    processor.addListener(&host);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    const auto turn = [&](int value) {
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::controllerEvent(1, 21, value), 0);
+        render(processor, blockSize, blockSize, midi);
+        return parameter.getValue();
+    };
+    processor.midiLearn().learnController(ParameterId::density);
+    const float first = turn(20);
+    followTimers(150);
+    REQUIRE(host.heard == std::vector{first});
+
+    const float second = turn(90);
+    parameter.setValue(first); // the echo
+    CHECK(parameter.getValue() == second);
+    followTimers(150);
+    CHECK(host.heard == std::vector{first, second});
+    parameter.setValue(second);
+    CHECK(parameter.getValue() == second);
+
+    // With nothing to tell it is no echo; and another value never is.
+    for (const float value : {first, second}) {
+        parameter.setValue(value);
+        CHECK(parameter.getValue() == value);
+    }
+    turn(60);
+    parameter.setValue(0.125f);
+    CHECK(parameter.getValue() == 0.125f);
+    followTimers(150);
+    CHECK(host.heard == std::vector{first, second}); // the host knows best where it is now
+    turn(20);
+    followTimers(150);
+    CHECK(host.heard == std::vector{first, second, first});
+    processor.removeListener(&host);
+}
+
+TEST_CASE("The tail is no shorter with dampers, which a pedal may hold up") {
+    Processor processor;
+    auto state = testState();
+    state.parameters.set(ParameterId::letRing, 1);
+    restore(processor, state);
+    const double ringing = processor.getTailLengthSeconds();
+    state.parameters.set(ParameterId::letRing, 0);
+    state.parameters.set(ParameterId::releaseTime, 0.05);
+    restore(processor, state);
+    CHECK(processor.getTailLengthSeconds() == ringing);
+}
+
+TEST_CASE("What was clicked while the host did not process is not heard when it goes on") {
+    const auto clicked = [](auto&& pause) {
+        Processor processor;
+        processor.prepareToPlay(rateHz, blockSize);
+        render(processor, blockSize, blockSize, {});
+        for (int blow = 0; blow < 20; ++blow) {
+            processor.playNote(72, 100);
+            processor.strikeObject(0, {}, 100);
+            processor.scrapeObject(0, {}, 1);
+        }
+        pause(processor);
+        return loudest(render(processor, 4800, blockSize, {}));
+    };
+    CHECK(clicked([](Processor&) {}) > 0.001f);
+    CHECK(clicked([](Processor& processor) { processor.reset(); }) == 0);
+    CHECK(clicked([](Processor& processor) { processor.prepareToPlay(rateHz, blockSize); }) == 0);
+}
+
+TEST_CASE("Where no callbacks come nothing is struck or touched, but keys and hands are lifted") {
+    constexpr int vibraphone = 9, key = 60, pauseMilliseconds = 600;
+    constexpr std::size_t bar = 7; // of that key
+    Processor processor;
+    processor.setCurrentProgram(vibraphone);
+    processor.prepareToPlay(rateHz, blockSize);
+    const auto soundFor = [&](double seconds, const juce::MidiBuffer& midi = {}) {
+        return loudest(render(processor, static_cast<int>(seconds * rateHz), blockSize, midi));
+    };
+    const auto ringsOn = [&] { // when another channel taps the key: somebody holds its bar
+        juce::MidiBuffer tap;
+        tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
+        tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);
+        const float tapped = soundFor(0.1, tap);
+        soundFor(1);
+        return soundFor(0.1) > 0.05f * tapped;
+    };
+    const std::function<void(bool)> grips[] = {
+        [&](bool isDown) { processor.playNote(key, isDown ? 100 : 0); },
+        [&](bool isDown) { processor.strikeObject(bar, {}, isDown ? 100 : 0); },
+        [&](bool isDown) { processor.scrapeObject(bar, {}, isDown ? 1 : 0); },
+    };
+    for (const auto& grip : grips) {
+        CHECK_FALSE(ringsOn());
+        followTimers(pauseMilliseconds);
+        grip(true);
+        CHECK_FALSE(ringsOn());
+        grip(true); // callbacks have come again
+        CHECK(ringsOn());
+        followTimers(pauseMilliseconds);
+        grip(false);
+        CHECK_FALSE(ringsOn());
+    }
+}
