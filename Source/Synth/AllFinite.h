@@ -17,11 +17,12 @@ inline bool allFinite(std::span<const float> values) noexcept {
 
 /// Whether each is a number between −limit and limit (≥ 0).
 inline bool allWithin(std::span<const float> values, float limit) noexcept {
-    const auto limitBits = std::bit_cast<std::uint32_t>(limit);
-    bool within = true;
+    // Magnitudes are in the order of their bits; what is not a number comes last.
+    const auto limitBits = std::bit_cast<std::int32_t>(limit);
+    std::int32_t room = 0; // negative once there is none
     for (const float value : values)
-        within &= (std::bit_cast<std::uint32_t>(value) & 0x7fffffffu) <= limitBits;
-    return within;
+        room |= limitBits - (std::bit_cast<std::int32_t>(value) & 0x7fffffff);
+    return room >= 0;
 }
 
 } // namespace idiophone
