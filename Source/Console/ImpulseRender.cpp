@@ -17,6 +17,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -119,7 +120,10 @@ public:
                 break;
             const bool taken =
                 synth.strike(contacts[due].slot, contacts[due].strike, std::max(sample, 0.0), cell);
-            taken ? ++tally.strikes : ++dropped;
+            if (taken)
+                ++tally.strikes;
+            else
+                ++(synth.contactsUsedUp(contacts[due].slot) ? crowdedOut : beyondReason);
         }
         cellStart += cellSamples;
         tally.renderSeconds +=
@@ -129,7 +133,15 @@ public:
     }
 
     bool finished() const { return due == contacts.size() && synth.silent(); }
-    std::int64_t droppedCount() const { return dropped; }
+    /// Says how many impulses were left out, and why.
+    void warnOfLeftOut(const std::filesystem::path& file) const {
+        for (const auto& [count, why] :
+             {std::pair{crowdedOut, "their bodies were in 64 contacts already"},
+              std::pair{beyondReason, "they are too hard for objects as light as theirs"}})
+            if (count > 0)
+                std::cerr << "warning: " << file.string() << ": " << count
+                          << " impulses were left out, because " << why << std::endl;
+    }
 
 private:
     std::span<const Contact> contacts;
@@ -137,7 +149,7 @@ private:
     alignas(64) std::array<float, cellSamples> left{}, right{};
     double cellStart = 0;
     std::size_t due = 0;
-    std::int64_t dropped = 0;
+    std::int64_t crowdedOut = 0, beyondReason = 0;
 };
 
 } // namespace
@@ -172,10 +184,7 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
                       .finished = [&] { return player.finished(); }});
         !done)
         return tl::unexpected(done.error());
-    if (player.droppedCount() > 0)
-        std::cerr << "warning: " << file.string() << ": " << player.droppedCount()
-                  << " impulses were left out, because their bodies were in 64 contacts already"
-                  << std::endl;
+    player.warnOfLeftOut(file);
     return tally;
 }
 

@@ -48,14 +48,15 @@ void printAll() {
 constexpr int sampleRateHz = 48000;
 
 /// The phrase of the loudness of presets in one channel, as the output stage has it.
-std::vector<float> heardPhrase(const Preset& preset,
-                               const std::shared_ptr<const Instrument>& instrument) {
+Result<std::vector<float>> heardPhrase(const Preset& preset,
+                                       const std::shared_ptr<const Instrument>& instrument) {
     const auto [left, right] = playLoudnessPhrase(preset, instrument, sampleRateHz);
     std::vector<float> heard(left.size());
     OutputStage output;
     output.prepare(sampleRateHz, static_cast<int>(heard.size()));
     float* channel = heard.data();
-    output.process(left, right, {&channel, 1}, preset.parameters);
+    if (!output.process(left, right, {&channel, 1}, preset.parameters))
+        return failure(preset.name + ": its sound is not finite");
     return heard;
 }
 
@@ -93,7 +94,10 @@ Result<void> measure(const Options& options) {
     const auto instrument = Instrument::build(preset->keyMap, ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
-    const auto gainDb = matchingGainDb(heardPhrase(*preset, *instrument));
+    const auto phrase = heardPhrase(*preset, *instrument);
+    if (!phrase)
+        return tl::unexpected(phrase.error());
+    const auto gainDb = matchingGainDb(*phrase);
     if (!gainDb)
         return failure(options.preset + ": its keys are silent");
     const double level = preset->parameters[ParameterId::level];

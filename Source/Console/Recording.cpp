@@ -58,7 +58,8 @@ Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& forma
 
 Result<void> Recording::add(std::span<const float> left, std::span<const float> right) {
     float* channels[] = {writtenLeft.data(), writtenRight.data()};
-    output.process(left, right, channels, parameters);
+    if (!output.process(left, right, channels, parameters))
+        return failure(format.file.string() + ": the sound is not finite, and is not written");
     auto sounding = static_cast<int>(left.size());
     while (sounding > 0 && writtenLeft[static_cast<std::size_t>(sounding - 1)] == 0 &&
            writtenRight[static_cast<std::size_t>(sounding - 1)] == 0)

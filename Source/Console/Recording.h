@@ -35,7 +35,8 @@ public:
                                                     const ParameterValues& parameters);
     ~Recording();
 
-    /// Appends a block of at most the block size, both channels of one length.
+    /// Appends a block of at most the block size, both channels of one length. Fails where what is
+    /// heard of it is not finite.
     Result<void> add(std::span<const float> left, std::span<const float> right);
 
     /// Appends samples of any number, block by block.

@@ -12,6 +12,7 @@
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/StrikePointMetres.h"
 #include "Object/ModalObjectFile.h"
+#include "Object/OneLine.h"
 
 #include <cmath>
 #include <iomanip>
@@ -155,7 +156,10 @@ Result<void> strikeObject(const Options& options) {
         const auto material = findOrReadMaterial(options.material);
         if (!material)
             return tl::unexpected(material.error());
-        object = withMaterial(std::move(*object), *material);
+        object = validated(withMaterial(std::move(*object), *material));
+        if (!object)
+            return failure(options.object + ": as " + inQuotes(material->name) + ", " +
+                           object.error().message);
     }
     const auto row = chooseRow(*object, options);
     if (!row)

@@ -1,3 +1,4 @@
+import json
 import math
 import os
 import signal
@@ -6,7 +7,7 @@ import sys
 import time
 import unittest
 
-from console import PROGRAM, ConsoleTest, mesh_text, obj_text
+from console import PROGRAM, ConsoleTest, Wave, mesh_text, obj_text
 
 
 class Analyse(ConsoleTest):
@@ -86,6 +87,21 @@ class Analyse(ConsoleTest):
         self.assertEqual(metres["mode_count"], scaled["mode_count"])
         for a, b in zip(metres["modes"], scaled["modes"]):
             self.assertAlmostEqual(a["frequency_hz"] / b["frequency_hz"], 1, places=6)
+
+    def test_a_grain_of_foam_is_an_object_that_sounds(self):
+        foam = self.write("foam.json", json.dumps({
+            "name": "foam", "youngs_modulus_pa": 1e4, "density_kg_per_m3": 10,
+            "poisson_ratio": 0.1, "fluid_damping_per_s": 5, "viscoelastic_damping_s": 1e-7,
+            "friction": 0.5, "restitution": 0.5, "roughness": 0.5, "source": "made up"}))
+        cube = self.mesh("box", "--length", 0.001, "--width", 0.001, "--height", 0.001)
+        _, info = self.analyse(cube, "--material", foam)
+        self.assertLess(info["mass_kg"], 2e-8)
+        sound = self.folder / "sound.wav"
+        self.succeed("strike", self.folder / "object.modal", "-o", sound, "--velocity", 127,
+                     "--set", "mallet_mass=500", "--set", "mallet_speed=10",
+                     "--set", "level=24", "--set", "room=100")
+        self.assertTrue(all(map(math.isfinite, Wave(sound).left)))
+        self.assertGreater(Wave(sound).peak(), 0)
 
     def test_repair_is_reported_in_words(self):
         bar = self.mesh("bar", "--vertices", 120)

@@ -159,6 +159,15 @@ class Impulses(ConsoleTest):
         result = self.succeed("render", "--impulses", file, "-o", output)
         self.assertIn("6 impulses were left out", result.stderr)
 
+    def test_impulses_beyond_all_reason_are_warned_of(self):
+        hard = [self.hit(object="die", vertex=0, size=0.001, impulse=(-1e6, -1e6, -1e6))
+                for _ in range(3)]
+        file = self.lines(*hard, self.hit(0.1))
+        output = self.folder / "out.wav"
+        result = self.succeed("render", "--impulses", file, "-o", output)
+        self.assertIn("3 impulses were left out, because they are too hard", result.stderr)
+        self.assertTrue(all(map(math.isfinite, Wave(output).left)))
+
     def test_every_bad_line_gets_a_sentence_with_its_number(self):
         good = self.hit()
         bad = {

@@ -71,6 +71,15 @@ class Strike(ConsoleTest):
         self.assertEqual((self.folder / "file.wav").read_bytes(),
                          (self.folder / "name.wav").read_bytes())
 
+    def test_a_material_that_nothing_can_be_of_is_refused_with_its_object(self):
+        vapour = self.write("vapour.json", json.dumps({
+            "name": "vapour", "youngs_modulus_pa": 1e14, "density_kg_per_m3": 1e-3,
+            "poisson_ratio": 0.3, "fluid_damping_per_s": 1, "viscoelastic_damping_s": 1e-8,
+            "friction": 0.5, "restitution": 0.5, "roughness": 0.5, "source": "made up"}))
+        plate = OBJECTS / "plate.modal"
+        self.refuse("strike", plate, "--material", vapour, "-o", self.folder / "x.wav",
+                    naming=plate, saying="as 'vapour', an eigenvalue lies beyond 1 GHz")
+
     def test_live_material_and_reanalysis_sound_alike(self):
         _, live = self.strike(PLATE, "--vertex", 0, "--set", "material=Glass", "--seconds", 0.2,
                               name="live.wav")
