@@ -239,9 +239,9 @@ TEST_CASE("Make the golden states of this version", "[.][make-golden]") {
         {"dice", changed("Dice on Rosewood", {})}};
     for (const auto& [name, state] : states) {
         const auto file = folder / (std::string(name) + ".state");
-        if (std::filesystem::exists(file))
-            continue;
-        std::ofstream(file, std::ios::binary) << state;
-        writeWave(folder / (std::string(name) + ".wav"), played(state));
+        if (!std::filesystem::exists(file))
+            std::ofstream(file, std::ios::binary) << state;
+        if (const auto wave = folder / (std::string(name) + ".wav"); !std::filesystem::exists(wave))
+            writeWave(wave, played(bytesOf(file)));
     }
 }
