@@ -85,8 +85,8 @@ void ObjectWorkshop::analyse(Mesh meshMetres,
                              const std::string& name,
                              const ImportSettings& settings) {
     auto job = std::make_shared<Job>();
-    job->source = std::make_shared<const Source>(
-        Source{.name = name, .mesh = std::move(meshMetres), .isMetres = true});
+    job->source = std::make_shared<const Source>(Source{
+        .name = name.empty() ? "Object" : name, .mesh = std::move(meshMetres), .isMetres = true});
     job->settings = settings;
     start(job);
 }
@@ -235,6 +235,8 @@ Result<void> ObjectWorkshop::makeFromModal(const Job& job) {
         return tl::unexpected(object.error());
     if (object->modeCount() == 0 || object->shapeVertexCount() == 0 || object->faceCount() == 0)
         return failure(fileNameOf(job.file) + ": it has no mode, or no surface to be struck.");
+    if (object->name.empty())
+        object->name = textOf(job.file.stem()).toStdString();
     deliver(job, std::move(*object), {}, Finish::whole);
     return {};
 }
@@ -260,8 +262,6 @@ void ObjectWorkshop::deliver(const Job& job,
                              const UnitGuess& unit,
                              Finish finish) {
     const bool isPreview = finish == Finish::preview;
-    if (object.name.empty())
-        object.name = job.file.empty() ? "Object" : textOf(job.file.stem()).toStdString();
     auto name = uniqueName(object);
     const auto shared = std::make_shared<const ModalObject>(std::move(object));
     auto summary = summaryOf(*shared);

@@ -307,6 +307,12 @@ TEST_CASE(
     CHECK(ofInstance(saved(processor)) == learned);
     processor.editHistory().undo();
     CHECK(ofSound(saved(processor)) == kept);
+    processor.editHistory().redo();
+    CHECK(ofSound(saved(processor)).empty());
+    processor.editHistory().undo();
+    processor.editHistory().undo();
+    processor.editHistory().redo();
+    CHECK(ofSound(saved(processor)) == kept);
 
     processor.setCurrentProgram(1);
     CHECK(ofSound(saved(processor)).empty());
@@ -342,15 +348,28 @@ TEST_CASE("Whatever can be loaded can be saved and restored") {
             REQUIRE(writeModalObject(object, file));
             first.openFile(file);
             finish(first);
-            comesBack();
-            first.analyseAgain();
-            finish(first);
+            CHECK((first.loadedLabel().name == "nameless") == object.name.empty());
             comesBack();
             for (const auto layout : {KeyLayout::zones, KeyLayout::scaled}) {
                 first.setKeyLayout(layout);
                 comesBack();
             }
         }
+    }
+    SECTION("another analysis of an object without a name") {
+        auto object = syntheticObject({300, 700});
+        object.name.clear();
+        for (auto& coordinate : object.vertices)
+            coordinate *= 0.1f;
+        auto state = testState();
+        state.preset.keyMap.kind = KeyMapKind::zones;
+        state.preset.keyMap.object = "without";
+        state.objects = {{.name = "without", .modal = encodeModalObject(object)}};
+        restore(first, state);
+        first.analyseAgain();
+        finish(first);
+        CHECK(first.loadedLabel().name == "Object");
+        comesBack();
     }
     SECTION("scales of any bytes") {
         std::string text = "from 1995\n2\n600.\n1200.\n! ";

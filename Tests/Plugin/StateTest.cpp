@@ -119,6 +119,12 @@ TEST_CASE("What a newer version added is saved again where it stood") {
     CHECK(written["controllers"] == nlohmann::json::parse(R"({"radiance":"any"})"));
     CHECK(written["tuning"] == nlohmann::json::parse(R"({"octave":2.01})"));
 
+    auto noFile = encodeState(testState());
+    noFile.insert(noFile.size() - 1, R"(,"tuning":{"scale":{"name":"","text":"","weight":7}})");
+    const auto without = parseState(noFile);
+    REQUIRE(without);
+    CHECK(parseState(encodeState(*without)) == *without);
+
     auto known = *read;
     known.unknownOfSound.clear();
     known.unknownOfInstance.clear();
