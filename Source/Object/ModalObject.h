@@ -47,7 +47,7 @@ struct ModalObject {
     std::string method;         ///< "spring-mass", "van-gelder", "two-layer", "fem", "measured"
     double bandHz = 0;          ///< every mode from 20 Hz up to here is present
 
-    std::vector<double> eigenvalues; ///< [M] λ = ω² in rad²/s², ascending, 1 mHz to 1 GHz
+    std::vector<double> eigenvalues; ///< [M] λ = ω² in rad²/s², ascending, 0.001 Hz to 1 GHz
     std::vector<float> shapes;       ///< [V,M,3] mass-normalised (GᵀMG = I), in 1/√kg
     std::vector<std::int32_t> shapeVertices; ///< [V] which mesh vertices carry shapes, ascending
     std::vector<float> vertices;             ///< [N,3] in metres
