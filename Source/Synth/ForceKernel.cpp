@@ -32,10 +32,10 @@ HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
     const Floats f;
 #pragma GCC unroll 2
     for (std::size_t k = 0; k < subBlockSamples; k += hornerStep) {
-        const float* HWY_RESTRICT last = impulses + k + hornerStep - 1;
+        const std::size_t last = k + hornerStep - 1;
 #pragma GCC unroll 4
         for (std::size_t b = 0; b < subBlocks; ++b) {
-            const auto impulse = hn::Set(f, last[b * subBlockSamples]);
+            const auto impulse = hn::Set(f, impulses[last + b * subBlockSamples]);
             if (k == 0) {
                 sums[b] = {impulse, hn::Zero(f)};
             } else {
@@ -46,7 +46,7 @@ HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
         for (std::size_t j = 1; j < hornerStep; ++j)
 #pragma GCC unroll 4
             for (std::size_t b = 0; b < subBlocks; ++b) {
-                const auto impulse = hn::Set(f, last[b * subBlockSamples - j]);
+                const auto impulse = hn::Set(f, impulses[last + b * subBlockSamples - j]);
                 sums[b].re = hn::MulAdd(impulse, power[j].re, sums[b].re);
                 sums[b].im = hn::MulAdd(impulse, power[j].im, sums[b].im);
             }

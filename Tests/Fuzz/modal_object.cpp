@@ -1,6 +1,13 @@
 // Modal objects, as a user drops them on the window or a project carries them.
 #include "Fuzz/FuzzTarget.h"
 #include "Object/ModalObjectFile.h"
+#include "Synth/Synthesiser.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
 
 namespace idiophone::fuzz {
 namespace {
@@ -41,10 +48,54 @@ void claimValues(const ModalObject& object) {
     claim(nearestShapeRow(object, {0, 0, 0}) < object.shapeVertexCount(), "a row is nearest");
 }
 
+/// What is lighter may be struck too hard to be taken.
+bool isHeavierThanDust(const ModalObject& object) {
+    return std::ranges::all_of(object.shapes, [](float x) { return std::abs(x) <= 1e5f; });
+}
+
+/// Struck at its first, middle and last vertex, by an impulse and for a while, and then pressed on.
+void hit(Synthesiser& synth, const ModalObject& object, const CellOutput& cell) {
+    const auto last = static_cast<std::int32_t>(object.shapeVertexCount() - 1);
+    constexpr std::array impulse{0.3f, 0.5f, 0.8f}; // about a newton second
+    for (const auto row : {0, last / 2, last})
+        for (const double seconds : {0.0, 0.002}) {
+            const bool isStruck = synth.strike(0,
+                                               {.point = {.shapeRows = {row}},
+                                                .impulseNewtonSeconds = impulse,
+                                                .durationSeconds = seconds},
+                                               0.5, cell);
+            claim(isStruck || !isHeavierThanDust(object), "an object can be struck");
+        }
+    std::array<float, cellSamples> newtons;
+    newtons.fill(10);
+    const ForcePoint from{.point = {.shapeRows = {0}}}, to{.point = {.shapeRows = {last}}};
+    const bool isPressed = synth.applyForce(
+        0, {.start = {{from, to}, 0.2f}, .end = {{from, to}, 0.8f}, .newtons = newtons}, cell);
+    claim(isPressed, "an object can be pressed on");
+}
+
+void claimPlayable(const std::shared_ptr<const ModalObject>& object,
+                   const SynthesisSettings& settings) {
+    constexpr int cells = 8;
+    Synthesiser synth({{.object = object}}, 48000, 2);
+    synth.setSettings(settings);
+    std::array<float, cellSamples> left, right;
+    const CellOutput cell(left, right);
+    for (int i = 0; i < cells; ++i) {
+        if (i == cells / 2)
+            synth.setFrequencyRatio(0, 0.5);
+        synth.beginCell(cell);
+        if (i < 2)
+            hit(synth, *object, cell);
+        claimFinite(left, "an object sounds finite");
+        claimFinite(right, "an object sounds finite");
+    }
+}
+
 } // namespace
 
 void examine(std::string_view bytes) {
-    const auto object = readModalObject(asBytes(bytes), "fuzz.modal");
+    auto object = readModalObject(asBytes(bytes), "fuzz.modal");
     if (!object)
         return claimSentence(object.error());
     claimSizes(*object);
@@ -53,6 +104,17 @@ void examine(std::string_view bytes) {
     const auto again = readModalObject(written, "again.modal");
     claim(again.has_value(), "what was written can be read");
     claim(encodeModalObject(*again) == written, "what was read is written as it was");
+
+    const auto played = std::make_shared<const ModalObject>(std::move(*object));
+    claimPlayable(played, {});
+    claimPlayable(played, {.tau = 0,
+                           .sizeRatio = 0.5,
+                           .thicknessRatio = 3,
+                           .radiation = 1,
+                           .material = LiveMaterial{
+                               .youngsModulusPa = 2e11,
+                               .densityKgPerM3 = 7800,
+                               .damping = {.fluidPerSecond = 5, .viscoelasticSeconds = 3e-8}}});
 }
 
 } // namespace idiophone::fuzz

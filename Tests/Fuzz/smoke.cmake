@@ -33,22 +33,28 @@ cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH builds)
 if(NOT builds STREQUAL "${PROJECT_SOURCE_DIR}/build")
     set(fuzz_build "${PROJECT_BINARY_DIR}/fuzz")
 endif()
+set(fetched)
+foreach(name benchmark bullet cli11 ebur128 juce libigl mts_esp mysofa tetgen tuning_library)
+    string(TOUPPER ${name} upper)
+    list(APPEND fetched "-DFETCHCONTENT_SOURCE_DIR_${upper}=${${name}_SOURCE_DIR}")
+endforeach()
 add_custom_target(fuzz_targets ALL
     COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING --no-warn-unused-cli
             -S "${PROJECT_SOURCE_DIR}" -B "${fuzz_build}"
             "-DIDIOPHONE_DEPENDENCIES=${IDIOPHONE_DEPENDENCIES}"
             "-DIDIOPHONE_DEBIAN_SOURCES=${IDIOPHONE_DEBIAN_SOURCES}"
-            "-DFETCHCONTENT_SOURCE_DIR_JUCE=${juce_SOURCE_DIR}"
-            "-DFETCHCONTENT_SOURCE_DIR_LIBIGL=${libigl_SOURCE_DIR}"
-            "-DFETCHCONTENT_SOURCE_DIR_TETGEN=${tetgen_SOURCE_DIR}"
-            "-DFETCHCONTENT_SOURCE_DIR_TUNING_LIBRARY=${tuning_library_SOURCE_DIR}"
+            ${fetched}
     COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets --parallel 2 -- --quiet
     COMMENT "Building the fuzz targets"
     VERBATIM)
 
-foreach(library ${libraries})
-    foreach(target ${targets_of_${library}})
+foreach(room ${rooms})
+    foreach(target ${targets_of_${room}})
         file(GLOB seeds CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${target}/*")
+        if(target STREQUAL "state")
+            file(GLOB released CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Tests/Plugin/Golden/*/*.state")
+            list(APPEND seeds ${released})
+        endif()
         list(JOIN seeds "," seeds)
         set(dictionary "${CMAKE_CURRENT_SOURCE_DIR}/dictionaries/${target}.dict")
         if(EXISTS "${dictionary}")
