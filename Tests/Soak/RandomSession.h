@@ -1,46 +1,82 @@
-// A host that plays a processor at random: notes, controllers, automation, presets, states, blocks
-// of any size. The same seed does the same.
+// A host that plays a processor at random: notes of any length, controllers, automation, tunings,
+// presets, states, blocks of any size. The same seed does the same.
 #pragma once
 
 #include "Plugin/Processor.h"
 
 #include <cstdint>
+#include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace idiophone::test {
 
+/// Left and right in turn.
+using PlayedPhrase = std::vector<float>;
+double rmsLevel(const PlayedPhrase& phrase);
+
 class RandomSession {
 public:
     enum class Changes {
-        parameters, ///< by automation, on the thread that plays
-        all         ///< and sounds, sample rates and resets, offline
+        parameters, ///< by automation, on the thread that plays: the player stays the same one
+        all         ///< and sounds, sample rates and resets, offline: no player lasts long
     };
     /// Prepares the processor to play.
     explicit RandomSession(Processor& played, Changes whatChanges = Changes::all);
 
-    /// Plays so many seconds of music; throws a sentence on a sample that is not finite.
+    /// Has a new player of a factory program, at 48 kHz; scenes are passed over.
+    void load(int program);
+
+    /// Plays so many seconds of music, from the first of which on a key may be held to the last of
+    /// them. Throws a sentence on a sample that is not finite.
     void play(double seconds, std::uint64_t seed);
 
     /// Loads a preset, or keeps, restores or resets a state.
     void changeSound();
 
-    /// Releases everything, and throws a sentence where it is not silent within `longestSeconds`.
-    void settle(double longestSeconds = 60);
+    /// Releases what is down: mostly by the note-offs and pedals that are owed and nothing else, at
+    /// times as hosts do who stop (all notes off, or a reset). Then plays every key there is, in
+    /// turn. Throws a sentence where either is not soon followed by silence, though nothing but
+    /// dampers ends what rings.
+    void settle();
 
-    /// Root mean square of a reference phrase, played in the state that the processor had at first.
-    double referenceLevel();
+    /// A phrase, struck: with parameters, controllers and tuning put back, by the player there is
+    /// and with whatever it remembers.
+    PlayedPhrase phrase();
+    /// The same after a reset, and by a new player of the state that the processor had at first.
+    PlayedPhrase phraseAfterReset();
+    PlayedPhrase phraseAnew();
+
+    /// The depth of the motor's tremolo in a key that is held for ten seconds and rolls, from
+    /// parameters put back: the part of the sound's power that comes and goes with its discs,
+    /// over all of it.
+    double tremolo();
 
     std::int64_t notesPlayed() const { return notes; }
     std::int64_t samplesPlayed() const { return samples; }
 
 private:
+    struct Pedals {
+        bool sustains = false, catches = false;
+    };
+
     int below(int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); }
     double share() { return static_cast<double>(random()) / 4294967296.0; }
     void addMusic(juce::MidiBuffer& midi, int length);
+    void addNote(juce::MidiBuffer& midi, int channel, int stamp);
+    void addControllers(juce::MidiBuffer& midi, int channel, int note, int stamp);
+    void addTuning(juce::MidiBuffer& midi, int stamp);
+    void addOwedReleases(juce::MidiBuffer& midi, int length);
+    void control(juce::MidiBuffer& midi, int channel, int number, int value, int stamp);
     void moveParameter();
     void changeHost();
+    void prepare(double newRateHz);
+    void putBack();
+    PlayedPhrase renderPhrase();
+    void releaseAll();
+    void awaitSilence(const char* after);
     void render(juce::MidiBuffer& midi, int length);
 
     Processor& processor;
@@ -50,9 +86,13 @@ private:
     std::vector<std::string> states; ///< kept on the way, to come back to
     std::string reference;
     double rateHz = 48000;
-    double loudest = 0;      ///< of what was rendered last
-    double sumOfSquares = 0; ///< likewise
+    double loudest = 0; ///< of what was rendered last
     std::int64_t notes = 0, samples = 0;
+    /// What is owed: keys that are down, by channel and note, with the sample at which they go up,
+    /// and pedals by channel.
+    std::map<std::pair<int, int>, std::int64_t> keysDown;
+    std::map<int, Pedals> pedalsDown;
+    bool holdsContact = false; ///< automation leaves alone what keys do
 };
 
 } // namespace idiophone::test

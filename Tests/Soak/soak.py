@@ -36,14 +36,32 @@ class Run(typing.NamedTuple):
 
 
 class FuzzTarget:
-    """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`."""
+    """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`.
+
+    Of three slices one tries inputs of up to `longest` bytes, which pass what readers allow; the
+    others are left to libFuzzer, for which 4096 are enough unless a seed is longer."""
 
     interrupted = 72  # libFuzzer's exit code
     slice_seconds = 300
+    longest = {"mesh_repair": 1 << 12, "player_midi": 1 << 14, "state": 1 << 16}
+    longest_file = (1 << 20) + (1 << 16)
 
     def __init__(self, program):
         self.program = program
         self.name = program.name.removeprefix("fuzz_")
+        self.slices = 0
+
+    def length_options(self):
+        """Of the next slice."""
+        self.slices += 1
+        if self.slices % 3 != 0:
+            return []
+        return [f"-max_len={self.longest.get(self.name, self.longest_file)}", "-len_control=0"]
+
+    def seed_options(self):
+        """Of what lies elsewhere than in the corpus."""
+        released = sorted((ROOT / "Tests/Plugin/Golden").glob("*/*.state"))
+        return ["-seed_inputs=" + ",".join(map(str, released))] if self.name == "state" else []
 
     def run(self, seconds):
         """Tries inputs, as a Run, with the file of one that failed or that says why nothing ran."""
@@ -57,6 +75,7 @@ class FuzzTarget:
             process = subprocess.Popen(
                 [self.program, f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048",
                  "-print_final_stats=1", f"-artifact_prefix={findings}/{self.name}-",
+                 *self.length_options(), *self.seed_options(),
                  *([f"-dict={dictionary}"] if dictionary.exists() else []),
                  grown, ROOT / f"Tests/Fuzz/corpus/{self.name}"],
                 stdout=file, stderr=file, start_new_session=True)

@@ -1,7 +1,8 @@
-// Plays music at random, faster than real time, in one processor, hour by hour of it; after each
-// hour everything must fall silent, a reference phrase must sound as loud as at first and the
-// process must not have grown. Begins no hour after so many seconds; goes on behind the last hour
-// that the log tells of.
+// Plays music at random, faster than real time, in one processor, hour by hour of it. Of a day's
+// hours the first ones change sounds and hosts, so that no player lasts long; the others are one
+// player's life. After each hour everything must fall silent, a reference phrase must sound as it
+// did at first and the process must not have grown. Begins no hour after so many seconds; goes on
+// behind the last hour that the log tells of.
 //   soak_music LOG SECONDS
 #include "Soak/RandomSession.h"
 
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 #include <juce_events/juce_events.h>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
@@ -21,7 +23,9 @@ using namespace idiophone::test;
 namespace {
 
 constexpr double hourSeconds = 3600;
+constexpr int hoursPerDay = 24, shortLivedHours = 8; // 2^31 samples are 12.4 hours at 48 kHz
 constexpr double farthestDb = 0.001;
+constexpr double farthestTremolo = 0.1;    // of a rolling noise, in ten seconds
 constexpr double mostGrowthMebibytes = 64; // since the first hour, which fills all caches
 
 int hoursLogged(const std::string& log) {
@@ -39,11 +43,69 @@ double residentMebibytes() {
     return file ? pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20) : 0;
 }
 
-void checkLevel(double level, double first) {
-    if (const double db = 20 * std::log10(level / first); !(std::abs(db) < farthestDb))
-        throw std::runtime_error("The reference phrase has moved by " + std::to_string(db) +
-                                 " dB.");
+void check(bool holds, const std::string& fault) {
+    if (!holds)
+        throw std::runtime_error(fault);
 }
+
+/// What a player sounds like that lives on, before and after.
+struct Sounds {
+    PlayedPhrase afterReset;
+    double rms = 0, tremolo = 0;
+};
+
+class Soak {
+public:
+    void playHour(int hour) {
+        const int ofDay = (hour - 1) % hoursPerDay;
+        if (ofDay < shortLivedHours) {
+            life.reset();
+            play(manyLives, hour);
+            check(manyLives.phraseAnew() == first, "The reference phrase has changed.");
+            manyLives.settle();
+            return;
+        }
+        if (!life)
+            beginLife((hour - 1) / hoursPerDay);
+        play(oneLife, hour);
+        check(std::abs(20 * std::log10(rmsLevel(oneLife.phrase()) / life->rms)) < farthestDb,
+              "The reference phrase is louder or softer in a player that has lived for long.");
+        oneLife.settle();
+        check(std::abs(oneLife.tremolo() - life->tremolo) < farthestTremolo,
+              "The motor turns otherwise in a player that has lived for long.");
+        oneLife.settle();
+        if (ofDay == hoursPerDay - 1) {
+            check(oneLife.phraseAfterReset() == life->afterReset,
+                  "A reset leaves something of a long life.");
+            oneLife.settle();
+        }
+    }
+
+    std::int64_t notesPlayed() const { return manyLives.notesPlayed() + oneLife.notesPlayed(); }
+
+private:
+    static void play(RandomSession& session, int hour) {
+        session.play(hourSeconds, static_cast<std::uint64_t>(hour));
+        session.settle();
+    }
+
+    void beginLife(int day) {
+        oneLife.load(day);
+        life.emplace();
+        life->afterReset = oneLife.phraseAfterReset();
+        oneLife.settle();
+        life->rms = rmsLevel(oneLife.phrase());
+        oneLife.settle();
+        life->tremolo = oneLife.tremolo();
+        oneLife.settle();
+    }
+
+    Processor processor;
+    RandomSession oneLife{processor, RandomSession::Changes::parameters};
+    RandomSession manyLives{processor};
+    const PlayedPhrase first = manyLives.phraseAnew();
+    std::optional<Sounds> life; ///< of the player that plays, while it is one that lives on
+};
 
 void soak(const std::string& log, double seconds) {
     const auto start = std::chrono::steady_clock::now();
@@ -51,25 +113,19 @@ void soak(const std::string& log, double seconds) {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
                seconds;
     };
-    Processor processor;
-    RandomSession session(processor);
-    const double first = session.referenceLevel();
+    Soak soak;
     double afterFirstHour = 0;
     for (int hour = hoursLogged(log) + 1; !isOver(); ++hour) {
-        const auto notes = session.notesPlayed();
-        session.play(hourSeconds, static_cast<std::uint64_t>(hour));
-        session.settle();
-        checkLevel(session.referenceLevel(), first);
-        session.settle();
+        const auto notes = soak.notesPlayed();
+        soak.playHour(hour);
         const double resident = residentMebibytes();
         if (afterFirstHour == 0)
             afterFirstHour = resident;
-        if (resident > afterFirstHour + mostGrowthMebibytes)
-            throw std::runtime_error("The process has grown from " +
-                                     std::to_string(afterFirstHour) + " to " +
-                                     std::to_string(resident) + " MiB.");
+        check(resident <= afterFirstHour + mostGrowthMebibytes,
+              "The process has grown from " + std::to_string(afterFirstHour) + " to " +
+                  std::to_string(resident) + " MiB.");
         std::ofstream(log, std::ios::app)
-            << "hour " << hour << ": " << session.notesPlayed() - notes << " notes, "
+            << "hour " << hour << ": " << soak.notesPlayed() - notes << " notes, "
             << std::lround(resident) << " MiB" << std::endl;
     }
 }

@@ -3,6 +3,7 @@ import contextlib
 import io
 import os
 import pathlib
+import re
 import tempfile
 import unittest
 from unittest import mock
@@ -87,8 +88,8 @@ class Soak(unittest.TestCase):
         with self.assertRaisesRegex(SystemExit, "no program 'c', but a, b"):
             self.soak(a, b, each=60, names=["c"])
 
-    def target(self, script):
-        program = self.folder / "fuzz_x"
+    def target(self, script, name="x"):
+        program = self.folder / f"fuzz_{name}"
         program.write_text(f"#!/bin/sh\n{script}\n")
         program.chmod(0o755)
         return soak.FuzzTarget(program)
@@ -105,6 +106,25 @@ class Soak(unittest.TestCase):
         self.assertEqual(runs, 0)
         self.assertEqual(pathlib.Path(said).parent, self.folder / "findings")
         self.assertEqual(pathlib.Path(said).read_text(), "no\n")
+
+    def test_of_three_slices_one_tries_inputs_beyond_the_limits_of_readers(self):
+        for name, longest in ("x", 1 << 20), ("player_midi", 1 << 14):
+            target = self.target('echo "$@"', name)
+            said = []
+            for _ in range(6):
+                target.run(1)
+                said.append((self.folder / f"{name}.txt").read_text())
+            lengths = [re.search(r"-max_len=(\d+) -len_control=0 ", each) for each in said]
+            self.assertEqual([each is not None for each in lengths], 2 * [False, False, True])
+            self.assertGreaterEqual(int(lengths[2].group(1)), longest)
+
+    def test_states_begin_from_those_of_released_versions(self):
+        self.target('echo "$@"', "state").run(1)
+        said = (self.folder / "state.txt").read_text()
+        seeds = re.search(r"-seed_inputs=(\S+)", said).group(1).split(",")
+        self.assertGreater(len(seeds), 4)
+        for seed in seeds:
+            self.assertIn('"idiophone-state"', pathlib.Path(seed).read_text())
 
     def test_seconds_are_those_of_the_processor(self):
         self.assertEqual(self.target("sleep 2").run(5).seconds, 1)
