@@ -24,7 +24,7 @@ namespace {
 
 constexpr double hourSeconds = 3600;
 constexpr int hoursPerDay = 24, shortLivedHours = 8; // 2^31 samples are 12.4 hours at 48 kHz
-constexpr double farthestDb = 0.001;
+constexpr double farthestDb = 0.0001;
 constexpr double farthestTremolo = 0.1;    // of a rolling noise, in ten seconds
 constexpr double mostGrowthMebibytes = 64; // since the first hour, which fills all caches
 
