@@ -355,7 +355,6 @@ void Player::reset() {
     liftPedals();
     bend.reset();
     slotTuning.reset();
-    programChange.reset();
     allSoundOffCame = false;
     isSilenced = hasRemains = false;
 }
@@ -368,10 +367,6 @@ bool Player::silent() const {
     return !hasRemains && synth.silent() && (!performance || performance->silent()) &&
            pending.empty() && late.empty() && surfaceStrikes.empty() && held.silent() &&
            handScrape.silent() && played(leftCell) && played(rightCell);
-}
-
-std::optional<int> Player::takeProgramChange() {
-    return std::exchange(programChange, std::nullopt);
 }
 
 bool Player::takeAllSoundOff() {

@@ -124,8 +124,6 @@ public:
     void reset();
 
     bool silent() const;
-    /// The program number of the last program change since this was asked, if any.
-    std::optional<int> takeProgramChange();
     /// Whether "all sound off" came since this was asked, for what sounds on behind the player.
     bool takeAllSoundOff();
     const Synthesiser& synthesiser() const { return synth; }
@@ -214,7 +212,6 @@ private:
     AlignedVector<float> remains;
     std::vector<CellOutput> remainsOfSlots;
     bool hasRemains = false;
-    std::optional<int> programChange;
     bool allSoundOffCame = false;
 };
 

@@ -45,8 +45,6 @@ void Player::follow(const MidiEvent& event) {
         press(channel, first, second / 127.0);
     else if (kind == 0xb0)
         controller(channel, first, second);
-    else if (kind == 0xc0)
-        programChange = first;
     else if (kind == 0xd0)
         press(channel, first / 127.0);
     else if (kind == 0xe0)

@@ -14,7 +14,8 @@ void AwaitingKeys::follow(std::span<const MidiEvent> messages) noexcept {
 
 void AwaitingKeys::follow(const MidiEvent& event) noexcept {
     const int kind = event.bytes[0] & 0xf0;
-    if (kind == 0xc0 && (event.bytes[1] & 0x7f) < programs) {
+    if (const int asked = event.bytes[1] & 0x7f; kind == 0xc0 && asked < programs) {
+        program = asked;
         isWaiting = true;
         count = 0;
     }

@@ -15,6 +15,8 @@
 namespace idiophone {
 namespace {
 
+constexpr std::int64_t programsOfMidi = 128;
+
 /// By what the least damped mode's damping exceeds its material's.
 double leastDampingScale(const ModalObject& object) noexcept {
     double least = object.decaysPerSecond.empty() ? 1 : object.dampingScale(0);
@@ -50,6 +52,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         sound.reset();
         output.reset();
     }
+    // Before its player, which is handed over first: where the one is seen, the other is there.
+    const bool isRequestAnswered = requestedProgram < 0;
     // The player before the values: a new one never plays values older than its own.
     Player* const next = handoff.take();
     controllers.follow(midi, parameters);
@@ -66,8 +70,9 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             player->resetStage();
     }
     hand.playOn(sound.player());
-    if (next != nullptr) // an empty block's notes strike with the first sample there is
-        sound.process({}, awaitingKeys.take(), values);
+    if (isRequestAnswered)
+        if (const auto keys = awaitingKeys.take(); !keys.empty())
+            sound.process({}, keys, values); // they strike with the first sample there is
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
     while (const auto piece = pieces.next()) {
@@ -79,6 +84,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             tuner.tune(sound.player());
         }
         awaitingKeys.follow(piece->events);
+        if (const auto program = awaitingKeys.takeProgram())
+            requestedProgram = programsOfMidi * ++programRequests + *program;
         sound.process(rendered, piece->events, values);
         if (auto* player = sound.player(); player != nullptr && player->takeAllSoundOff())
             output.hush();
@@ -134,8 +141,6 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
         modesMixed = player->synthesiser().modesMixed();
         lateBlows = player->lateBlows();
         capture.take(*player);
-        if (const auto program = player->takeProgramChange())
-            requestedProgram = *program;
     }
 }
 
@@ -401,8 +406,12 @@ void Processor::timerCallback() {
 }
 
 void Processor::followProgramChange() {
-    if (const int wanted = requestedProgram.exchange(-1); wanted >= 0)
-        setCurrentProgram(wanted);
+    auto request = requestedProgram.load();
+    if (request < 0)
+        return;
+    setCurrentProgram(static_cast<int>(request % programsOfMidi));
+    // It is answered, unless another came meanwhile.
+    requestedProgram.compare_exchange_strong(request, -1);
 }
 
 } // namespace idiophone

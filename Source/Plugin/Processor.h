@@ -258,7 +258,9 @@ private:
     std::atomic<bool> resetRequested{false};
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};
-    std::atomic<int> requestedProgram{-1};
+    /// That MIDI asked for last, until its player is handed over: with a number of its own in the
+    /// upper bits, as the same may be asked for again. Or -1.
+    std::atomic<std::int64_t> requestedProgram{-1};
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
     std::atomic<double> ownDampingScale{1}; ///< the least of their modes, to their materials' law
@@ -272,6 +274,7 @@ private:
     BlockPieces pieces;
     PlayerCrossfade sound{handoff};
     AwaitingKeys awaitingKeys;
+    std::int64_t programRequests = 0;
     OutputStage output;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<float*, 2> channelPointers{};

@@ -128,17 +128,9 @@ TEST_CASE("Notes outside the keys, and messages that mean nothing here, are sile
     Player player(bars(), sampleRateHz);
     const auto sound = render(player,
                               {midi(0, 0x90, 20, 127), midi(1, 0xa0, 69, 127), midi(2, 0xd0, 99, 0),
-                               midi(3, 0x90, 69, 0), midi(4, 0xf8, 0, 0)},
+                               midi(3, 0x90, 69, 0), midi(4, 0xf8, 0, 0), midi(5, 0xc0, 5, 0)},
                               1000, 256);
     CHECK(peak(sound) == 0);
-    CHECK_FALSE(player.takeProgramChange());
-}
-
-TEST_CASE("A program change is reported once") {
-    Player player(bars(), sampleRateHz);
-    render(player, {midi(0, 0xc0, 5, 0)}, 100, 50);
-    CHECK(player.takeProgramChange() == 5);
-    CHECK_FALSE(player.takeProgramChange());
 }
 
 TEST_CASE("All notes off lets keys go, and so does every message that changes the channel's mode") {

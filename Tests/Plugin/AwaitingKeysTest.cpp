@@ -53,6 +53,16 @@ TEST_CASE(
 TEST_CASE("Nothing is struck again where no program was asked for that there is") {
     CHECK(takenAfter({message(0x90, 60, 100)}).empty());
     CHECK(takenAfter({message(0xc0, programs), message(0x90, 60, 100)}).empty());
+    CHECK(takenAfter({change, message(0x90, 60, 100), message(0xc9, programs)}).size() == 1);
+}
+
+TEST_CASE("The last program that there is and that was asked for is told once") {
+    AwaitingKeys keys(programs);
+    CHECK_FALSE(keys.takeProgram());
+    keys.follow(std::vector{message(0xc0, 0), message(0xc3, 2), message(0xc9, programs),
+                            message(0x90, 1, 1), message(0xb0, 1, 1)});
+    CHECK(keys.takeProgram() == 2);
+    CHECK_FALSE(keys.takeProgram());
 }
 
 TEST_CASE("Once taken, keys are waited for no longer") {

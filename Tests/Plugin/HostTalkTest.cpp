@@ -145,6 +145,31 @@ TEST_CASE("A key held since the program change is struck in the new preset, and 
 }
 
 TEST_CASE(
+    "Of the programs that MIDI asks for the last that there is is loaded, and keys wait for it "
+    "whatever comes before it") {
+    constexpr int vibraphone = 9, key = 60; // no key of the first preset's
+    REQUIRE(factoryPresets().size() <= 120);
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    auto midi = programChange(vibraphone);
+    midi.addEvent(juce::MidiMessage::programChange(10, 120), 10);
+    midi.addEvent(juce::MidiMessage::noteOn(1, key, juce::uint8{100}), 20);
+    render(processor, blockSize, blockSize, midi);
+    processor.setCurrentProgram(0); // the host's own, before the message thread's next look
+    CHECK(loudest(render(processor, blockSize, blockSize, {})) == 0);
+    for (int looks = 0; looks < 1000 && processor.getCurrentProgram() != vibraphone; ++looks)
+        followTimers(5);
+    REQUIRE(processor.getCurrentProgram() == vibraphone);
+    CHECK(loudest(render(processor, 4800, blockSize, {})) > 0.001f);
+
+    // And once: a load that nobody asked MIDI for strikes nothing.
+    processor.setCurrentProgram(vibraphone);
+    render(processor, 4800, blockSize, {}); // in which what rang fades out
+    processor.reset();
+    CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+}
+
+TEST_CASE(
     "A VST3's programs are as many for ever, the last the sound that is none of the factory's") {
     juce::AudioProcessor::setTypeOfNextNewPlugin(juce::AudioProcessor::wrapperType_VST3);
     Processor processor;
