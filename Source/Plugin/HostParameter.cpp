@@ -26,9 +26,13 @@ float HostParameter::getValue() const {
     return static_cast<float>(row.toNormalised(exactValue()));
 }
 
+void HostParameter::setExactValue(double value) noexcept {
+    movedByController = false; // first: where a controller moves it meanwhile, the host is told
+    exact = row.clamped(value);
+}
+
 void HostParameter::moveByController(double value) noexcept {
     setExactValue(value);
-    controlled = getValue();
     movedByController = true;
 }
 
@@ -36,12 +40,9 @@ void HostParameter::tellHost() {
     if (!movedByController.exchange(false))
         return;
     const float now = getValue();
-    const float newest = controlled;
-    if (now != newest && now != told)
-        return;
-    told = newest;
+    told = now;
     beginChangeGesture();
-    sendValueChangedMessageToListeners(newest);
+    sendValueChangedMessageToListeners(now);
     endChangeGesture();
 }
 

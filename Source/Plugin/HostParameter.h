@@ -1,5 +1,6 @@
 // One row of the parameter table as the host sees it: normalised, named, with text and unit. The
-// value is kept in its unit, exactly.
+// value is kept in its unit, exactly. It is also the hand-off of what a learned controller sets on
+// the audio thread to the host, which is told on the message thread.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -15,13 +16,15 @@ public:
 
     /// [any thread] In the unit of the table.
     double exactValue() const noexcept { return exact.load(); }
-    void setExactValue(double value) noexcept { exact.store(row.clamped(value)); }
+    void setExactValue(double value) noexcept;
 
     /// [audio thread] As a controller has it; `tellHost` tells the host.
     void moveByController(double value) noexcept;
-    /// [message thread] Tells the host where a controller moved it since this was called last,
-    /// unless it was moved otherwise since.
+    /// [message thread] Tells the host where it is, if a controller moved it since this was called
+    /// last and nothing else did since.
     void tellHost();
+    /// [any thread] From now on nothing is an echo of what the host was told before.
+    void forgetTold() noexcept { told = -1; }
 
     const ParameterInfo& info() const noexcept { return row; }
 
@@ -39,8 +42,8 @@ public:
 private:
     const ParameterInfo& row;
     std::atomic<double> exact;
-    std::atomic<bool> movedByController{false};  ///< since the host was told
-    std::atomic<float> controlled{-1}, told{-1}; ///< normalised, by a controller and to the host
+    std::atomic<bool> movedByController{false}; ///< last, and the host is still to be told
+    std::atomic<float> told{-1};                ///< to the host, of a controller; normalised
     static_assert(std::atomic<bool>::is_always_lock_free);
     static_assert(std::atomic<float>::is_always_lock_free);
     static_assert(std::atomic<double>::is_always_lock_free);

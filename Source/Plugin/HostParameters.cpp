@@ -40,6 +40,11 @@ void HostParameters::notifyListeners() const {
         parameter->sendValueChangedMessageToListeners(parameter->getValue());
 }
 
+void HostParameters::forgetTold() const noexcept {
+    for (auto* parameter : parameters)
+        parameter->forgetTold();
+}
+
 const ParameterValues& HostParameters::snapshot() noexcept {
     const auto before = loads.load();
     if (before % 2 == 0) {

@@ -31,6 +31,9 @@ public:
     /// [message side] Tells the host and other listeners of all values, after `load`.
     void notifyListeners() const;
 
+    /// [any thread] As each parameter does.
+    void forgetTold() const noexcept;
+
     /// [audio thread] What holds for this callback. While a `load` is under way, what held before.
     const ParameterValues& snapshot() noexcept;
 

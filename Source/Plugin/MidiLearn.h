@@ -1,5 +1,5 @@
-// MIDI controllers that move parameters: the hand-off between the audio thread, which sees the
-// controllers, and the message thread, which assigns them and tells the host.
+// Which MIDI controllers move which parameters: the hand-off between the audio thread, which sees
+// the controllers, and the message thread, which assigns them.
 #pragma once
 
 #include "Editor/MidiLearnView.h"

@@ -188,6 +188,14 @@ void Processor::reset() {
     resetRequested = true;
 }
 
+/// Some wrappers call it with every block. Offline the host is told of no controller, and so does
+/// not echo.
+void Processor::setNonRealtime(bool isOffline) noexcept {
+    if (isOffline != isNonRealtime())
+        parameters.forgetTold();
+    AudioProcessor::setNonRealtime(isOffline);
+}
+
 juce::AudioProcessorParameter* Processor::getBypassParameter() const {
     return &parameters[ParameterId::bypass];
 }

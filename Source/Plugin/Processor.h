@@ -53,6 +53,7 @@ public:
     void prepareToPlay(double sampleRateHz, int maximumBlockSize) override;
     void releaseResources() override;
     void reset() override;
+    void setNonRealtime(bool isOffline) noexcept override;
     void processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override;
     using AudioProcessor::processBlock;
 

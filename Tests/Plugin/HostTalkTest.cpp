@@ -30,10 +30,30 @@ private:
     juce::Optional<PositionInfo> position;
 };
 
+/// Notes the values that it is told of one parameter.
+struct ListeningHost final : juce::AudioProcessorListener {
+    explicit ListeningHost(ParameterId listened) : parameter(static_cast<int>(listened)) {}
+    void audioProcessorParameterChanged(juce::AudioProcessor*, int index, float value) override {
+        if (index == parameter)
+            heard.push_back(value);
+    }
+    void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
+    int parameter;
+    std::vector<float> heard;
+};
+
 juce::MidiBuffer programChange(int program, int stamp = 0) {
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::programChange(1, program), stamp);
     return midi;
+}
+
+/// Where the controller that moves a parameter puts it.
+float turned(Processor& processor, const juce::AudioProcessorParameter& parameter, int value) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::controllerEvent(1, 21, value), 0);
+    render(processor, blockSize, blockSize, midi);
+    return parameter.getValue();
 }
 
 void followTimers(int milliseconds) {
@@ -205,23 +225,12 @@ TEST_CASE("Elsewhere there are no more programs than presets") {
 }
 
 TEST_CASE("A host's late echo of what a controller did takes nothing back") {
-    struct Host final : juce::AudioProcessorListener {
-        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float value) override {
-            heard.push_back(value);
-        }
-        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
-        std::vector<float> heard;
-    } host;
+    ListeningHost host(ParameterId::density);
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     processor.addListener(&host);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
-    const auto turn = [&](int value) {
-        juce::MidiBuffer midi;
-        midi.addEvent(juce::MidiMessage::controllerEvent(1, 21, value), 0);
-        render(processor, blockSize, blockSize, midi);
-        return parameter.getValue();
-    };
+    const auto turn = [&](int value) { return turned(processor, parameter, value); };
     processor.midiLearn().learnController(ParameterId::density);
     const float first = turn(20);
     followTimers(150);
@@ -248,6 +257,45 @@ TEST_CASE("A host's late echo of what a controller did takes nothing back") {
     turn(20);
     followTimers(150);
     CHECK(host.heard == std::vector{first, second, first});
+    processor.removeListener(&host);
+}
+
+TEST_CASE("Automation of a bounce is no echo of what a controller did before it") {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    processor.midiLearn().learnController(ParameterId::density);
+    const float told = turned(processor, parameter, 20);
+    followTimers(150);
+    processor.setNonRealtime(true);
+    for (int block = 0; block < 2; ++block) {
+        CHECK(turned(processor, parameter, 90) != told);
+        parameter.setValue(told);
+        CHECK(parameter.getValue() == told);
+    }
+}
+
+TEST_CASE("The host is not told of a controller where something else moved the parameter since") {
+    ListeningHost host(ParameterId::density);
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    processor.addListener(&host);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    processor.midiLearn().learnController(ParameterId::density);
+    const float told = turned(processor, parameter, 20);
+    const double exact = processor.parameterValue(ParameterId::density);
+    followTimers(150);
+    const auto state = saved(processor);
+    const std::function<void()> moves[] = {
+        [&] { restoreBytes(processor, state); },
+        [&] { processor.changeParameter(ParameterId::density, exact); }};
+    for (const auto& move : moves) {
+        turned(processor, parameter, 90);
+        move();
+        followTimers(150);
+        CHECK(host.heard.back() == told);
+        CHECK(parameter.getValue() == told);
+    }
     processor.removeListener(&host);
 }
 
