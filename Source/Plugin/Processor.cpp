@@ -400,7 +400,7 @@ void Processor::changedByHand() {
 }
 
 void Processor::timerCallback() {
-    isProcessing();
+    lookForCallbacks();
     followWorkshop();
     if (!isNonRealtime()) { // or else the callback follows
         followProgramChange();

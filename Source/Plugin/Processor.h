@@ -154,6 +154,9 @@ public:
 
     /// [message side] What plays; null where nothing could be loaded.
     std::shared_ptr<const Instrument> loadedInstrument() const;
+    /// [message thread] Whether callbacks come. Blows meanwhile would all wait, and sound as one
+    /// when the host goes on: they are refused.
+    bool isProcessing() const;
 
 private:
     /// How often the message thread looks after what the audio thread and the workshop have left.
@@ -161,7 +164,7 @@ private:
 
     void timerCallback() override;
     void followProgramChange();
-    bool isProcessing();
+    void lookForCallbacks(); ///< for `isProcessing`, to know when they came
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void giveUpRefused();

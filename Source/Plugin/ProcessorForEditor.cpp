@@ -131,13 +131,16 @@ void Processor::changeByHand(const ParameterValues& wanted, std::span<const Para
     }
 }
 
-/// Whether callbacks come. Blows meanwhile would all wait, and sound as one when the host goes on.
-bool Processor::isProcessing() {
-    constexpr std::uint32_t longestPauseMilliseconds = 400; // twice that of 8192 samples at 44.1 kHz
-    const auto now = juce::Time::getMillisecondCounter();
+void Processor::lookForCallbacks() {
     if (const auto count = callbacks.load(); std::exchange(callbacksSeen, count) != count)
-        lastCallbackMilliseconds = now;
-    return now - lastCallbackMilliseconds < longestPauseMilliseconds;
+        lastCallbackMilliseconds = juce::Time::getMillisecondCounter();
+}
+
+bool Processor::isProcessing() const {
+    constexpr std::uint32_t longestPauseMilliseconds = 400; // twice that of 8192 samples at 44.1 kHz
+    return callbacks != callbacksSeen ||
+           juce::Time::getMillisecondCounter() - lastCallbackMilliseconds <
+               longestPauseMilliseconds;
 }
 
 void Processor::playNote(int midiNote, int velocity) {
