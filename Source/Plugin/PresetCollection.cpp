@@ -174,7 +174,7 @@ bool PresetCollection::presetExists(const PresetDetails& details) const {
 }
 
 Result<void> PresetCollection::savePreset(const PresetDetails& details, bool replace) {
-    const auto sound = holder.loadedSound();
+    auto sound = holder.loadedSound();
     if (sound.instrument == nullptr)
         return failure("There is nothing to save: no instrument is loaded.");
     if (!replace && presetExists(details))
@@ -195,22 +195,14 @@ Result<void> PresetCollection::savePreset(const PresetDetails& details, bool rep
             return folder.write(preset, details.folder, replace);
         })
         .map([&](const std::string& id) {
-            nameSound(id, preset);
+            // What plays goes on as it is, and so keeps what "match loudness" keeps to and where
+            // its objects came from; it only bears the preset's name from now on.
+            sound.preset = preset;
+            sound.presetId = id;
+            sound.stored = sound.parameters;
+            holder.relabel(sound);
             readPresets();
         });
-}
-
-// What plays goes on as it is, and so keeps what "match loudness" keeps to and where its objects
-// came from; it only bears the preset's name from now on.
-void PresetCollection::nameSound(const std::string& id, const Preset& saved) {
-    auto sound = holder.loadedSound();
-    sound.preset.name = saved.name;
-    sound.preset.author = saved.author;
-    sound.preset.description = saved.description;
-    sound.preset.tags = saved.tags;
-    sound.presetId = id;
-    sound.stored = sound.parameters;
-    holder.playSound(sound);
 }
 
 Result<void> PresetCollection::renamePreset(const std::string& id, const std::string& name) {
@@ -221,7 +213,7 @@ Result<void> PresetCollection::renamePreset(const std::string& id, const std::st
         if (sound.presetId == id) {
             sound.preset.name = name;
             sound.presetId = newId;
-            holder.playSound(sound);
+            holder.relabel(sound);
         }
         const auto renamed = favourites.rename(id, newId);
         readPresets();
@@ -236,7 +228,7 @@ Result<void> PresetCollection::deletePreset(const std::string& id) {
         auto sound = holder.loadedSound();
         if (sound.presetId == id) {
             sound.presetId.clear();
-            holder.playSound(sound);
+            holder.relabel(sound);
         }
         const auto forgotten = favourites.set(id, false);
         readPresets();

@@ -40,7 +40,6 @@ private:
     };
     Result<FoundSound> soundOf(const std::string& id);
     void play(const FoundSound& found);
-    void nameSound(const std::string& id, const Preset& saved);
 
     SoundHolder& holder;
     SoundHistory& history;

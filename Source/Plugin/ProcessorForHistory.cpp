@@ -78,6 +78,22 @@ void Processor::playSound(const Sound& wanted) {
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }
 
+void Processor::relabel(const Sound& wanted) {
+    {
+        const std::scoped_lock lock(soundMutex);
+        if (instrument != wanted.instrument)
+            return;
+        loadedPreset.name = wanted.preset.name;
+        loadedPreset.author = wanted.preset.author;
+        loadedPreset.description = wanted.preset.description;
+        loadedPreset.tags = wanted.preset.tags;
+        presetId = wanted.presetId;
+        storedParameters = wanted.stored;
+        programIndex = factoryProgram(presetId);
+    }
+    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+}
+
 void Processor::changeParameters(const Sound& of, const ParameterValues& wanted) {
     {
         const std::scoped_lock lock(soundMutex);

@@ -54,6 +54,9 @@ public:
     /// or its preset is another one, and goes on where only parameters change. A sound without
     /// instrument is not played.
     virtual void playSound(const Sound& sound) = 0;
+    /// What plays, if it has the wanted one's instrument, gets its preset's name, author,
+    /// description and tags, its place on the shelf and its stored values, and keeps all else.
+    virtual void relabel(const Sound& wanted) = 0;
     /// A sentence for the status line.
     virtual void reportError(const std::string& sentence) = 0;
     /// How many states and programs the host has loaded, on whatever thread.

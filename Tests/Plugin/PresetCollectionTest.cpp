@@ -31,6 +31,36 @@ const ShelvedPreset* find(const PresetShelf& shelf, const std::string& name) {
     return found == shelf.presets().end() ? nullptr : &*found;
 }
 
+/// Automation moves a parameter whenever the sound has been asked for.
+class AutomatedHolder final : public SoundHolder {
+public:
+    AutomatedHolder(Processor& held, ParameterId moved)
+        : processor(held), automated(*held.getParameters()[static_cast<int>(moved)]) {}
+
+    Sound loadedSound() const override {
+        auto sound = processor.loadedSound();
+        automated.setValue(place += 0.1f);
+        return sound;
+    }
+    SoundLabel loadedLabel() const override { return processor.loadedLabel(); }
+    void playSound(const Sound& sound) override { processor.playSound(sound); }
+    void relabel(const Sound& sound) override { processor.relabel(sound); }
+    void reportError(const std::string& sentence) override { processor.reportError(sentence); }
+    int hostLoads() const override { return processor.hostLoads(); }
+    double parameterValue(ParameterId id) const override { return processor.parameterValue(id); }
+    void changeParameters(const Sound& of, const ParameterValues& wanted) override {
+        processor.changeParameters(of, wanted);
+    }
+    void setValue(ParameterId id, double value) override { processor.setValue(id, value); }
+
+    bool isWhereItWasMoved() const { return std::abs(automated.getValue() - place) < 1e-6f; }
+
+private:
+    Processor& processor;
+    juce::AudioProcessorParameter& automated;
+    mutable float place = 0;
+};
+
 HostSound firstSecond(Processor& processor) {
     processor.prepareToPlay(48000, 480);
     return render(processor, 48000, 480, testMusic(48000, 4801));
@@ -138,6 +168,21 @@ TEST_CASE("Saving never cuts what rings") {
     }
     REQUIRE(processor.presetShelf().savePreset(called("Ringing"), false));
     CHECK(render(processor, 4800, 480, {}) == render(untouched, 4800, 480, {}));
+}
+
+TEST_CASE("A sound that is named anew leaves automation alone") {
+    const UserSettings user;
+    Processor processor;
+    AutomatedHolder holder(processor, ParameterId::width);
+    PresetCollection shelf(holder, processor.editHistory(), juce::File(user.folder().string()));
+    REQUIRE(shelf.savePreset(called("One"), false));
+    CHECK(holder.isWhereItWasMoved());
+    CHECK(shelf.soundIsChanged());
+    REQUIRE(shelf.renamePreset("One.json", "Two"));
+    CHECK(holder.isWhereItWasMoved());
+    CHECK(processor.loadedLabel().name == "Two");
+    CHECK(processor.loadedLabel().author == "Anna");
+    CHECK(shelf.chosenPreset() == "Two.json");
 }
 
 TEST_CASE("Saving over a preset has to be said; the setup is not saved") {
