@@ -45,15 +45,24 @@ public:
 
     void keep(const std::shared_ptr<const ModalObject>& object, Text text) {
         const std::scoped_lock lock(mutex);
+        forgetGone();
         texts[object] = std::move(text);
+    }
+
+    void forgetThoseOfGoneObjects() {
+        const std::scoped_lock lock(mutex);
+        forgetGone();
     }
 
 private:
     Text find(const std::shared_ptr<const ModalObject>& object) {
         const std::scoped_lock lock(mutex);
-        std::erase_if(texts, [](const auto& entry) { return entry.first.expired(); });
         const auto found = texts.find(object);
         return found == texts.end() ? nullptr : found->second;
+    }
+
+    void forgetGone() {
+        std::erase_if(texts, [](const auto& entry) { return entry.first.expired(); });
     }
 
     std::mutex mutex;
@@ -104,6 +113,7 @@ std::vector<std::byte> modalFile(const ModalObject& object) {
 }
 
 std::vector<EmbeddedObject> embeddedObjects(const Instrument& instrument) {
+    PackedObjects::shared().forgetThoseOfGoneObjects();
     std::vector<EmbeddedObject> objects;
     for (const auto& [name, object] : foreignObjects(instrument))
         objects.push_back(

@@ -90,10 +90,17 @@ TEST_CASE("Each object is packed once while it lives, however many there are") {
         text = embeddedObjects(**built).front().packed;
         CHECK_FALSE(text.expired());
     }
-    const auto other =
-        buildInstrument(testState("another").preset.keyMap, testState("another").objects);
-    embeddedObjects(**other);
-    CHECK(text.expired());
+    SECTION("a sound of the factory's objects is saved") {
+        embeddedObjects(**buildInstrument(factoryPresets().front().keyMap, {}));
+        CHECK(text.expired());
+    }
+    SECTION("packed objects are restored") {
+        auto another = testState("another");
+        for (auto& object : another.objects)
+            object.packed = std::make_shared<const std::string>("its own text");
+        CHECK(buildInstrument(another.preset.keyMap, another.objects));
+        CHECK(text.expired());
+    }
 }
 
 TEST_CASE("What came packed is saved as it came") {
