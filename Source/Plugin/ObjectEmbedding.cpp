@@ -13,6 +13,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -194,6 +195,25 @@ KeyMap standInFor(const KeyMap& keyMap) {
             .lowestNote = keyMap.lowestNote,
             .highestNote = keyMap.highestNote,
             .object = "ring"};
+}
+
+std::shared_ptr<const MissingObjects> replaceMissing(Preset& preset,
+                                                     const std::vector<EmbeddedObject>& objects) {
+    auto first = firstMissing(preset.keyMap, objects);
+    if (!first)
+        return nullptr;
+    MissingObjects missing{.first = std::move(*first),
+                           .keyMap = preset.keyMap,
+                           .mutedModes = std::exchange(preset.mutedModes, {}),
+                           .objects = {}};
+    for (const auto& object : objects) {
+        const bool isPacked = object.packed != nullptr; // which is all that states need
+        missing.objects.push_back({.name = object.name,
+                                   .modal = isPacked ? std::vector<std::byte>() : object.modal,
+                                   .packed = object.packed});
+    }
+    preset.keyMap = standInFor(preset.keyMap);
+    return std::make_shared<const MissingObjects>(std::move(missing));
 }
 
 } // namespace idiophone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Instrument/Instrument.h"
+#include "Instrument/Preset.h"
 #include "Plugin/State.h"
 
 #include <memory>
@@ -29,8 +30,8 @@ std::vector<std::byte> modalFile(const ModalObject& object);
 std::vector<EmbeddedObject> embeddedObjects(const Instrument& instrument);
 
 /// Builds the instrument with the given objects under their names; factory objects keep theirs,
-/// whatever is embedded under the same name. May wait for another instance that does the same. As
-/// all that build instruments here, refuses one whose objects no state can carry.
+/// whatever is embedded under the same name. May wait for another instance that does the same.
+/// Refuses an instrument whose objects no state can carry, as `buildSingleObject` does.
 Result<std::shared_ptr<const Instrument>>
 buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects);
 
@@ -44,6 +45,20 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap,
 
 /// The factory's ring at the pitches of the keys, to play in the place of what is missing.
 KeyMap standInFor(const KeyMap& keyMap);
+
+/// What a state names and this machine lacks, while something plays in its place: saved again, so
+/// that the sound is whole once it is back.
+struct MissingObjects {
+    std::string first; ///< as of `firstMissing`
+    KeyMap keyMap;
+    ModeSet mutedModes;
+    std::vector<EmbeddedObject> objects; ///< those that are there
+};
+
+/// Where something is missing to a state's preset, gives it the stand-in's keys and returns what it
+/// had; else nothing.
+std::shared_ptr<const MissingObjects> replaceMissing(Preset& preset,
+                                                     const std::vector<EmbeddedObject>& objects);
 
 /// Builds the instrument of a single object, which is not null: the map's, whose kind is not
 /// `bars`.

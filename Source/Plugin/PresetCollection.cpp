@@ -23,6 +23,7 @@ Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std
             .parameters = values,
             .unknownMembers = {},
             .missing = nullptr,
+            .refused = nullptr,
             .presetId = std::move(id),
             .stored = values};
 }

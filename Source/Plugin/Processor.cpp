@@ -3,7 +3,6 @@
 #include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/SettingsOfParameters.h"
-#include "Object/OneLine.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Synth/LiveConditions.h"
@@ -29,14 +28,6 @@ double leastDampingScale(const ModalObject& object) noexcept {
 double slowestDecay(const DampingLaw& damping) noexcept {
     const double omega = 2 * std::numbers::pi * lowestSoundingHz;
     return decayBound(PoleLaw{.eigenvalueRatio = 1, .damping = damping}.pole(omega * omega));
-}
-
-/// As states need them.
-std::vector<EmbeddedObject> packedOnly(std::vector<EmbeddedObject> objects) {
-    for (auto& object : objects)
-        if (object.packed != nullptr)
-            object.modal = {};
-    return objects;
 }
 
 } // namespace
@@ -290,113 +281,6 @@ std::unique_ptr<Player> Processor::newPlayer() const {
     player->setSilencedModes(silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
     player->prepare(parameters.values());
     return player;
-}
-
-void Processor::getStateInformation(juce::MemoryBlock& destination) {
-    State state;
-    std::shared_ptr<const Instrument> playing;
-    std::shared_ptr<const MissingObjects> absent;
-    {
-        const std::scoped_lock lock(soundMutex);
-        if (refused && refused->controllers == controllers.assignments())
-            return destination.replaceAll(refused->bytes.data(), refused->bytes.size());
-        state = {.engineVersion = IDIOPHONE_VERSION,
-                 .parameters = parameters.values(),
-                 .preset = loadedPreset,
-                 .objects = {},
-                 .controllers = controllers.assignments(),
-                 .tuning = scala,
-                 .unknownOfSound = unknownOfSound,
-                 .unknownOfInstance = unknownOfInstance};
-        playing = instrument;
-        absent = missing;
-    }
-    // Without the lock: objects that were never saved take a while.
-    if (absent != nullptr) {
-        state.preset.keyMap = absent->keyMap;
-        state.preset.mutedModes = absent->mutedModes;
-        state.objects = absent->objects;
-    } else if (playing != nullptr) {
-        state.objects = embeddedObjects(*playing);
-    }
-    const auto bytes = encodeState(state);
-    destination.replaceAll(bytes.data(), bytes.size());
-}
-
-void Processor::setStateInformation(const void* bytes, int byteCount) {
-    const std::string_view text(static_cast<const char*>(bytes),
-                                static_cast<std::size_t>(std::max(byteCount, 0)));
-    const auto restored =
-        parseState(text).and_then([this](const State& state) { return restore(state); });
-    if (!restored) {
-        const std::scoped_lock lock(soundMutex);
-        lastError = restored.error().message;
-        if (!text.empty()) {
-            lastError += lastError.ends_with('.') ? " " : ". ";
-            lastError += "The project keeps it until another sound is chosen or this one changed.";
-            refused = RefusedState{.bytes = std::string(text),
-                                   .notice = lastError,
-                                   .controllers = controllers.assignments()};
-        }
-        return;
-    }
-    parameters.notifyListeners();
-    updateHostDisplay(ChangeDetails().withProgramChanged(true));
-}
-
-Result<void> Processor::restore(const State& state) {
-    const auto keys = keyTuning(state.tuning);
-    if (!keys)
-        return failure("The saved state has a fault in its tuning: " + keys.error().message);
-    auto preset = state.preset;
-    std::shared_ptr<const MissingObjects> absent;
-    const auto firstAbsent = firstMissing(preset.keyMap, state.objects);
-    if (firstAbsent) {
-        absent = std::make_shared<const MissingObjects>(
-            MissingObjects{.keyMap = preset.keyMap,
-                           .mutedModes = preset.mutedModes,
-                           .objects = packedOnly(state.objects)});
-        preset.keyMap = standInFor(preset.keyMap);
-        preset.mutedModes = {};
-    }
-    const std::scoped_lock lock(soundMutex);
-    auto built = buildInstrument(preset.keyMap, state.objects);
-    if (!built)
-        return failure("The saved state cannot be played: " + built.error().message);
-    tuneTo(state.tuning, *keys);
-    tuner.forgetMessages(); // the state knows of none
-    unknownOfSound = state.unknownOfSound;
-    unknownOfInstance = state.unknownOfInstance;
-    parameters.load(state.parameters);
-    controllers.assign(state.controllers);
-    play(std::move(preset), std::move(*built));
-    ++loadsByHost;
-    if (firstAbsent) {
-        missing = std::move(absent);
-        lastError = oneLine(state.preset.name) + ": " + *firstAbsent +
-                    " is missing; until it is back a steel ring plays in its place.";
-    }
-    const auto presets = factoryPresets();
-    const auto factory = std::ranges::find_if(presets, [&](const Preset& own) {
-        return own.name == state.preset.name && own.keyMap == state.preset.keyMap;
-    });
-    programIndex =
-        factory == presets.end() ? -1 : static_cast<int>(std::distance(presets.begin(), factory));
-    if (factory != presets.end())
-        presetId = factoryPresetId(factory->name);
-    return {};
-}
-
-/// Under soundMutex, where somebody changes the sound: now it is what plays that is saved.
-void Processor::giveUpRefused() {
-    if (refused && lastError == refused->notice)
-        lastError.clear();
-    refused.reset();
-}
-
-void Processor::changedByHand() {
-    const std::scoped_lock lock(soundMutex);
-    giveUpRefused();
 }
 
 void Processor::timerCallback() {

@@ -239,14 +239,9 @@ private:
     std::shared_ptr<const Instrument> instrument;
     std::string unknownOfSound, unknownOfInstance; ///< as in State
     std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
-    /// A state that could not be restored, and the controllers learned then.
-    struct RefusedState {
-        std::string bytes, notice;
-        ControllerAssignments controllers;
-    };
-    std::optional<RefusedState> refused;
-    std::string presetId;             ///< of the shelf, or empty
-    ParameterValues storedParameters; ///< of that preset
+    std::shared_ptr<const RefusedState> refused;   ///< or null
+    std::string presetId;                          ///< of the shelf, or empty
+    ParameterValues storedParameters;              ///< of that preset
     std::string lastError;
     double preparedRateHz = 0; ///< 0 until prepared
 

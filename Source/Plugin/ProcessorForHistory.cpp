@@ -31,6 +31,7 @@ Processor::Loaded Processor::loaded() const {
                       .parameters = parameters.values(),
                       .unknownMembers = unknownOfSound,
                       .missing = missing,
+                      .refused = refused,
                       .presetId = presetId,
                       .stored = storedParameters},
             .number = loads};
@@ -70,6 +71,9 @@ void Processor::playSound(const Sound& wanted) {
             importLoads = loads;
         unknownOfSound = wanted.unknownMembers;
         missing = wanted.missing;
+        refused = wanted.refused;
+        if (refused)
+            lastError = refused->notice;
         presetId = wanted.presetId;
         storedParameters = wanted.stored;
         programIndex = factoryProgram(presetId);

@@ -293,6 +293,9 @@ void Processor::setStrikePath(std::size_t index, const std::vector<std::array<do
 
 /// The same objects, played by other keys or at other places.
 void Processor::playMapped(const Loaded& now, const KeyMap& map, const std::string& step) {
+    if (now.sound.missing != nullptr) // which would be no more
+        return reportError("The keys cannot be changed while a steel ring plays in the place of " +
+                           now.sound.missing->first + ", which is missing.");
     const bool isOurs = importLoads == now.number;
     const auto built = rebuilt(*now.sound.instrument, map);
     if (!built)

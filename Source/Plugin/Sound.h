@@ -3,7 +3,7 @@
 
 #include "Instrument/Instrument.h"
 #include "Instrument/Preset.h"
-#include "Plugin/State.h"
+#include "Plugin/ObjectEmbedding.h"
 
 #include <memory>
 #include <string>
@@ -11,12 +11,11 @@
 
 namespace idiophone {
 
-/// What a state names and this machine lacks, while something plays in its place: saved again, so
-/// that the sound is whole once it is back.
-struct MissingObjects {
-    KeyMap keyMap;
-    ModeSet mutedModes;
-    std::vector<EmbeddedObject> objects; ///< those that are there
+/// A state that could not be restored, while what was there plays on: saved again until somebody
+/// decides otherwise.
+struct RefusedState {
+    std::string bytes, notice;
+    ControllerAssignments controllers; ///< learned then
 };
 
 struct Sound {
@@ -25,6 +24,7 @@ struct Sound {
     ParameterValues parameters;                    ///< as they are now
     std::string unknownMembers;                    ///< State::unknownOfSound
     std::shared_ptr<const MissingObjects> missing; ///< or null
+    std::shared_ptr<const RefusedState> refused;   ///< in whose place this is played, or null
     std::string presetId;   ///< of the preset on the shelf (PresetShelf.h), or empty
     ParameterValues stored; ///< what that preset has, to tell whether the sound was changed
 
@@ -59,7 +59,8 @@ public:
     virtual void relabel(const Sound& wanted) = 0;
     /// A sentence for the status line.
     virtual void reportError(const std::string& sentence) = 0;
-    /// How many states and programs the host has loaded, on whatever thread.
+    /// How many states and programs the host has loaded, on whatever thread; states that are
+    /// refused too.
     virtual int hostLoads() const = 0;
 
     virtual double parameterValue(ParameterId parameter) const = 0;

@@ -171,6 +171,7 @@ TEST_CASE("A state of no bytes is an error, and nothing that would be kept") {
 
 TEST_CASE("A refused state outlives what a song does by itself, and ends with what people do") {
     const std::string refused = "of a later version";
+    const UserSettings user;
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     restore(processor, testState());
@@ -181,7 +182,12 @@ TEST_CASE("A refused state outlives what a song does by itself, and ends with wh
         return saved(processor) == refused;
     };
 
-    SECTION("automation, notes, controllers, other rates and a window that is only opened") {
+    auto& history = processor.editHistory();
+    auto& shelf = processor.presetShelf();
+
+    SECTION(
+        "automation, notes, controllers, other rates, a window that is only opened, an audition "
+        "that is left and a sound that is saved as a preset") {
         for (auto* parameter : processor.getParameters())
             parameter->setValue(0.7f);
         render(processor, 4800, 480, testMusic(4800));
@@ -191,6 +197,21 @@ TEST_CASE("A refused state outlives what a song does by itself, and ends with wh
         processor.hearModeAlone(0, 1, true);
         processor.windowClosed();
         juce::Timer::callPendingTimersSynchronously();
+        REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
+        REQUIRE(shelf.auditionPreset(factoryPresetId("Marimba")));
+        shelf.endAudition();
+        REQUIRE(shelf.savePreset(
+            {.name = "Test", .folder = {}, .author = {}, .description = {}, .tags = {}}, false));
+        CHECK(saved(processor) == refused);
+        CHECK(processor.takeStatus().isError);
+    }
+    SECTION("what is left of what was begun before it: an audition, and steps") {
+        REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
+        REQUIRE(refuseAgain());
+        shelf.endAudition();
+        history.undo();
+        CHECK_FALSE(history.canUndo());
+        CHECK(processor.loadedLabel().name == "Wok");
         CHECK(saved(processor) == refused);
         CHECK(processor.takeStatus().isError);
     }
@@ -202,23 +223,44 @@ TEST_CASE("A refused state outlives what a song does by itself, and ends with wh
             CHECK(parseState(saved(processor)));
             CHECK_FALSE(processor.takeStatus().isError);
         };
-        auto& history = processor.editHistory();
         ends("a parameter by hand", [&] {
             processor.beginParameterChange(ParameterId::size);
             processor.changeParameter(ParameterId::size, 1.5);
             processor.endParameterChange(ParameterId::size);
         });
-        ends("undo of it", [&] { history.undo(); });
         ends("a mutation", [&] { processor.soundVariants().mutate(0.5, 1); });
         ends("a muted mode", [&] { REQUIRE(processor.muteMode(0, 1, true)); });
         ends("unmuted modes", [&] { processor.unmuteModes(0); });
         ends("a scale",
              [&] { processor.openTuning(writtenFile("two.scl", "two\n2\n600.\n1200.\n")); });
         ends("no scale", [&] { processor.forgetTuning(); });
-        ends("a preset",
-             [&] { REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wok"))); });
+        ends("a preset", [&] { REQUIRE(shelf.loadPreset(factoryPresetId("Wok"))); });
+        ends("one that is kept after an audition", [&] {
+            REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
+            shelf.keepAudition();
+        });
         ends("other keys", [&] { processor.setKeyLayout(KeyLayout::scaled); });
         ends("a program", [&] { processor.setCurrentProgram(0); });
+    }
+    SECTION("with another sound undone it is there again, with it redone no more") {
+        const std::pair<const char*, std::function<void()>> ends[] = {
+            {"a preset", [&] { REQUIRE(shelf.loadPreset(factoryPresetId("Wok"))); }},
+            {"a mutation", [&] { processor.soundVariants().mutate(0.5, 1); }},
+            {"a muted mode", [&] { REQUIRE(processor.muteMode(0, 1, true)); }},
+            {"unmuted modes", [&] { processor.unmuteModes(0); }},
+        };
+        for (const auto& [what, end] : ends) {
+            INFO(what);
+            end();
+            history.undo();
+            CHECK(saved(processor) == refused);
+            CHECK(processor.takeStatus().isError);
+            history.redo();
+            CHECK(parseState(saved(processor)));
+            CHECK_FALSE(processor.takeStatus().isError);
+            history.undo();
+            REQUIRE(saved(processor) == refused);
+        }
     }
     SECTION("a learned controller ends it") {
         processor.midiLearn().learnController(ParameterId::size);
@@ -263,6 +305,29 @@ TEST_CASE(
         CHECK(saved(processor) == encodeState(changed));
         processor.setCurrentProgram(0);
         CHECK(parseState(saved(processor))->preset.keyMap == factoryPresets()[0].keyMap);
+    }
+    SECTION("with the keys that it has, which are nobody's to change") {
+        const auto number = processor.instrumentNumber();
+        const auto isKept = [&] {
+            const auto now = processor.takeStatus();
+            CHECK(now.isError);
+            CHECK_THAT(now.sentence, ContainsSubstring("keys cannot be changed"));
+            CHECK_THAT(now.sentence, ContainsSubstring("test/64"));
+            CHECK(processor.instrumentNumber() == number);
+            CHECK(saved(processor) == bytes);
+            processor.reportError({});
+        };
+        processor.setKeyLayout(KeyLayout::zones);
+        isKept();
+        processor.setStrikePath(0, processor.struckPlaces(0));
+        isKept();
+    }
+    SECTION("without a name too") {
+        state.preset.name.clear();
+        restore(processor, state);
+        CHECK(processor.takeStatus().sentence ==
+              "test/64 is missing; until it is back a steel ring plays in its place.");
+        CHECK(saved(processor) == encodeState(state));
     }
     SECTION("with it, undo too brings it back") {
         REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wok")));

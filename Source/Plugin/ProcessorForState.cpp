@@ -1,0 +1,116 @@
+// How the processor is saved and restored, and what becomes of a state that it cannot restore.
+#include "Plugin/Processor.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Object/OneLine.h"
+#include "Plugin/FactoryPrograms.h"
+#include "Plugin/ObjectEmbedding.h"
+
+#include <algorithm>
+
+namespace idiophone {
+
+void Processor::getStateInformation(juce::MemoryBlock& destination) {
+    State state;
+    std::shared_ptr<const Instrument> playing;
+    std::shared_ptr<const MissingObjects> absent;
+    {
+        const std::scoped_lock lock(soundMutex);
+        if (refused && refused->controllers == controllers.assignments())
+            return destination.replaceAll(refused->bytes.data(), refused->bytes.size());
+        state = {.engineVersion = IDIOPHONE_VERSION,
+                 .parameters = parameters.values(),
+                 .preset = loadedPreset,
+                 .objects = {},
+                 .controllers = controllers.assignments(),
+                 .tuning = scala,
+                 .unknownOfSound = unknownOfSound,
+                 .unknownOfInstance = unknownOfInstance};
+        playing = instrument;
+        absent = missing;
+    }
+    // Without the lock: objects that were never saved take a while.
+    if (absent != nullptr) {
+        state.preset.keyMap = absent->keyMap;
+        state.preset.mutedModes = absent->mutedModes;
+        state.objects = absent->objects;
+    } else if (playing != nullptr) {
+        state.objects = embeddedObjects(*playing);
+    }
+    const auto bytes = encodeState(state);
+    destination.replaceAll(bytes.data(), bytes.size());
+}
+
+void Processor::setStateInformation(const void* bytes, int byteCount) {
+    const std::string_view text(static_cast<const char*>(bytes),
+                                static_cast<std::size_t>(std::max(byteCount, 0)));
+    const auto restored =
+        parseState(text).and_then([this](const State& state) { return restore(state); });
+    if (!restored) {
+        const std::scoped_lock lock(soundMutex);
+        lastError = restored.error().message;
+        if (!text.empty()) {
+            lastError += lastError.ends_with('.') ? " " : ". ";
+            lastError += "The project keeps it until another sound is chosen or this one changed.";
+            refused = std::make_shared<const RefusedState>(
+                RefusedState{.bytes = std::string(text),
+                             .notice = lastError,
+                             .controllers = controllers.assignments()});
+            // What is under way, an analysis or an audition, is another project's.
+            ++loads;
+            ++loadsByHost;
+        }
+        return;
+    }
+    parameters.notifyListeners();
+    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+}
+
+Result<void> Processor::restore(const State& state) {
+    const auto keys = keyTuning(state.tuning);
+    if (!keys)
+        return failure("The saved state has a fault in its tuning: " + keys.error().message);
+    auto preset = state.preset;
+    auto absent = replaceMissing(preset, state.objects);
+    const std::scoped_lock lock(soundMutex);
+    auto built = buildInstrument(preset.keyMap, state.objects);
+    if (!built)
+        return failure("The saved state cannot be played: " + built.error().message);
+    tuneTo(state.tuning, *keys);
+    tuner.forgetMessages(); // the state knows of none
+    unknownOfSound = state.unknownOfSound;
+    unknownOfInstance = state.unknownOfInstance;
+    parameters.load(state.parameters);
+    controllers.assign(state.controllers);
+    play(std::move(preset), std::move(*built));
+    ++loadsByHost;
+    if (absent != nullptr) {
+        missing = std::move(absent);
+        lastError = state.preset.name.empty() ? "" : oneLine(state.preset.name) + ": ";
+        lastError +=
+            missing->first + " is missing; until it is back a steel ring plays in its place.";
+    }
+    const auto presets = factoryPresets();
+    const auto factory = std::ranges::find_if(presets, [&](const Preset& own) {
+        return own.name == state.preset.name && own.keyMap == state.preset.keyMap;
+    });
+    programIndex =
+        factory == presets.end() ? -1 : static_cast<int>(std::distance(presets.begin(), factory));
+    if (factory != presets.end())
+        presetId = factoryPresetId(factory->name);
+    return {};
+}
+
+/// Under soundMutex, where somebody changes the sound: now it is what plays that is saved.
+void Processor::giveUpRefused() {
+    if (refused && lastError == refused->notice)
+        lastError.clear();
+    refused.reset();
+}
+
+void Processor::changedByHand() {
+    const std::scoped_lock lock(soundMutex);
+    giveUpRefused();
+}
+
+} // namespace idiophone
