@@ -33,6 +33,11 @@ Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
     return legal;
 }
 
+/// Whatever the case, as on some disks that makes no other folder.
+bool isForObjects(const juce::String& topFolder) {
+    return topFolder.equalsIgnoreCase(presetObjectFolder);
+}
+
 struct FoundFile {
     juce::File file;
     juce::int64 bytes = 0;
@@ -54,8 +59,10 @@ std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries)
         const Place place = std::move(waiting.front());
         waiting.pop_front();
         std::error_code fault;
-        const auto path = std::filesystem::canonical(pathOf(place.folder), fault);
-        if (fault || !visited.insert(path).second)
+        auto path = std::filesystem::canonical(pathOf(place.folder), fault);
+        if (fault)
+            path = pathOf(place.folder);
+        if (!visited.insert(std::move(path)).second)
             continue;
         for (const auto& entry : juce::RangedDirectoryIterator(place.folder, false, "*",
                                                                juce::File::findFilesAndDirectories |
@@ -69,7 +76,7 @@ std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries)
                                      .bytes = entry.getFileSize(),
                                      .written = entry.getModificationTime()});
             } else if (place.depth < PresetFolder::deepestFolder &&
-                       (place.depth > 0 || file.getFileName() != presetObjectFolder)) {
+                       (place.depth > 0 || !isForObjects(file.getFileName()))) {
                 (file.isSymbolicLink() ? linked : own)
                     .push_back({.folder = file, .depth = place.depth + 1});
             }
@@ -155,7 +162,7 @@ Result<juce::File> PresetFolder::placeFor(const std::string& name,
             return tl::unexpected(legal.error());
         if (++depth > deepestFolder)
             return failure("Folders of presets go " + std::to_string(deepestFolder) + " deep.");
-        if (depth == 1 && legal->equalsIgnoreCase(presetObjectFolder))
+        if (depth == 1 && isForObjects(*legal))
             return failure(std::string("The folder '") + presetObjectFolder +
                            "' is for the objects of presets.");
         place = place.getChildFile(*legal);

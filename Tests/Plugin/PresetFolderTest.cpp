@@ -173,7 +173,8 @@ TEST_CASE("Folders deeper than the deepest, links in a circle and objects are no
     REQUIRE(folder.write(named("Deep"), "a/b/c/d", false));
     REQUIRE(folder.write(named("Top"), "", false));
     const auto file = folder.fileOf("Top.json");
-    for (const auto* unseen : {"a/b/c/d/e/Deeper.json", "Objects/hidden.json"}) {
+    for (const auto* unseen :
+         {"a/b/c/d/e/Deeper.json", "Objects/hidden.json", "objects/hidden.json"}) {
         root.getChildFile(unseen).create();
         REQUIRE(file.copyFileTo(root.getChildFile(unseen)));
     }
