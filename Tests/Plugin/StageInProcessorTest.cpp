@@ -149,6 +149,7 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
     }
     CHECK(before > 0.1);
 
+#ifndef _WIN32
     const auto sizeOf = [](const auto& file) { return std::filesystem::file_size(file); };
     for (const auto& [kind, file] : {std::pair(midi, midiFile), std::pair(impulses, list)}) {
         const auto size = sizeOf(file);
@@ -160,6 +161,7 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
         CHECK(processor.takeStatus().isError);
         CHECK(sizeOf(file) == size);
     }
+#endif
 
     processor.resetStage();
     CHECK_FALSE(processor.hasCaptured());

@@ -29,12 +29,6 @@ juce::File freshFolder() {
     return folder;
 }
 
-template <class Write>
-auto onFullDisk(rlim_t bytesOfFile, const Write& write) {
-    const FullDisk disk(bytesOfFile);
-    return write();
-}
-
 /// With one sentence that begins with the file's path.
 template <class Outcome>
 void checkRefused(const Outcome& outcome, const juce::File& file) {
@@ -46,6 +40,30 @@ void checkRefused(const Outcome& outcome, const juce::File& file) {
 /// Below the folder, files that are hidden too.
 int files(const juce::File& folder) {
     return folder.findChildFiles(juce::File::findFiles, true).size();
+}
+
+} // namespace
+
+TEST_CASE("A file that cannot be written is named with what is wrong, in one sentence") {
+    const auto folder = freshFolder();
+    const auto blocked = folder.getChildFile("a file/x");
+    blocked.getParentDirectory().create();
+    const std::vector<std::byte> bytes(10);
+    checkRefused(writeWhole(blocked, bytes), blocked);
+    const auto directory = folder.getChildFile("a folder");
+    directory.getChildFile("with something in it").create();
+    checkRefused(writeWhole(directory, bytes), directory);
+    CHECK(files(folder) == 2);
+}
+
+#ifndef _WIN32
+
+namespace {
+
+template <class Write>
+auto onFullDisk(rlim_t bytesOfFile, const Write& write) {
+    const FullDisk disk(bytesOfFile);
+    return write();
 }
 
 Preset longPreset(const std::string& name) {
@@ -86,18 +104,6 @@ TEST_CASE("A file is written whole, in a folder that is made for it, or stays as
     CHECK(files(folder) == 1);
 }
 
-TEST_CASE("A file that cannot be written is named with what is wrong, in one sentence") {
-    const auto folder = freshFolder();
-    const auto blocked = folder.getChildFile("a file/x");
-    blocked.getParentDirectory().create();
-    const std::vector<std::byte> bytes(10);
-    checkRefused(writeWhole(blocked, bytes), blocked);
-    const auto directory = folder.getChildFile("a folder");
-    directory.getChildFile("with something in it").create();
-    checkRefused(writeWhole(directory, bytes), directory);
-    CHECK(files(folder) == 2);
-}
-
 TEST_CASE("On a full disk a preset is neither replaced nor renamed, and no file is left") {
     const auto room = roomInBytes();
     const auto root = freshFolder();
@@ -136,3 +142,5 @@ TEST_CASE("On a full disk favourites stay as they were") {
     checkRefused(onFullDisk(room, [&] { return favourites.set("factory:Gong", true); }), file);
     CHECK(favourites.read() == std::set<std::string>{"factory:Wok"});
 }
+
+#endif

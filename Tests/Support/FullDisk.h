@@ -1,5 +1,8 @@
-// A disk that has room for so many bytes of each file, for this process and while it lives.
+// A disk that has room for so many bytes of each file, for this process and while it lives. Windows
+// has no such limit.
 #pragma once
+
+#ifndef _WIN32
 
 #include <csignal>
 #include <sys/resource.h>
@@ -27,3 +30,5 @@ private:
 };
 
 } // namespace idiophone::test
+
+#endif
