@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 #include <juce_audio_basics/juce_audio_basics.h>
+#include <map>
+#include <span>
 #include <utility>
 
 namespace idiophone {
@@ -31,6 +33,36 @@ bool isUsableTimeFormat(short format) {
     return format < 0 ? (format & 0xff) != 0 : format != 0;
 }
 
+/// All notes of one key of a track, in order of time. At one time some files have what begins
+/// before what ends; JUCE turns some of these around, and notes without length too. Here what ends
+/// comes first where something is down that it ends, or where what begins is ended later.
+void orderKey(std::span<SongEvent* const> notes) {
+    std::ptrdiff_t down = 0;
+    std::ptrdiff_t endsBehind = 0; // more than there are beginnings
+    for (const auto* note : notes)
+        endsBehind += note->isNoteOff() ? 1 : -1;
+    for (auto rest = notes; !rest.empty();) {
+        const auto isLater = [&](const SongEvent* note) {
+            return note->seconds != rest.front()->seconds;
+        };
+        const auto later = std::find_if(rest.begin() + 1, rest.end(), isLater);
+        const auto now = rest.first(static_cast<std::size_t>(later - rest.begin()));
+        rest = rest.subspan(now.size());
+        std::vector<SongEvent> begin, end;
+        for (const auto* note : now)
+            (note->isNoteOff() ? end : begin).push_back(*note);
+        endsBehind -= std::ssize(end) - std::ssize(begin);
+        if (endsBehind > 0)
+            down = std::max(down, std::ssize(end));
+        auto nextBegin = begin.begin(), nextEnd = end.begin();
+        for (auto* note : now) {
+            const bool isEnd = nextBegin == begin.end() || (nextEnd != end.end() && down > 0);
+            *note = isEnd ? *nextEnd++ : *nextBegin++;
+            down = isEnd ? std::max<std::ptrdiff_t>(down - 1, 0) : down + 1;
+        }
+    }
+}
+
 std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
     struct Ranked {
         SongEvent event;
@@ -46,15 +78,24 @@ std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
                 continue;
             SongEvent event{.seconds = message.getTimeStamp()};
             std::copy_n(message.getRawData(), size, event.bytes.begin());
-            all.push_back({event, orderAtOneTime(event)});
+            all.push_back({event});
         }
         const auto ofTrack = std::ranges::subrange(all.begin() + first, all.end());
         std::ranges::stable_sort(ofTrack, {}, [](const Ranked& each) {
             return std::pair(each.event.seconds, isPressure(each.event));
         });
-        for (std::size_t k = 1; k < ofTrack.size(); ++k)
-            if (ofTrack[k].event.seconds == ofTrack[k - 1].event.seconds)
-                ofTrack[k].order = std::max(ofTrack[k].order, ofTrack[k - 1].order);
+        std::map<std::pair<int, int>, std::vector<SongEvent*>> notes; // of channels and keys
+        for (auto& [event, order] : ofTrack)
+            if (event.isNoteOn() || event.isNoteOff())
+                notes[{event.bytes[0] & 0x0f, event.bytes[1]}].push_back(&event);
+        for (const auto& [key, notesOfKey] : notes)
+            orderKey(notesOfKey);
+        for (std::size_t k = 0; k < ofTrack.size(); ++k) {
+            auto& [event, order] = ofTrack[k];
+            order = orderAtOneTime(event);
+            if (k > 0 && event.seconds == ofTrack[k - 1].event.seconds)
+                order = std::max(order, ofTrack[k - 1].order);
+        }
     }
     std::ranges::stable_sort(
         all, {}, [](const Ranked& each) { return std::pair(each.event.seconds, each.order); });

@@ -21,7 +21,8 @@ struct SongEvent {
 };
 
 /// The channel messages of all tracks, in order of time by the file's tempo map or SMPTE rate. At
-/// one time those of a track keep its order, but pressure is that of the keys that go down then.
+/// one time those of a track keep its order, but what ends a note comes before what strikes its key
+/// again, and pressure is that of the keys that go down then.
 /// Among tracks controllers come first, then note-offs, then note-ons.
 /// The error names the file and the fault: not a MIDI file, damaged, no notes, beyond 10 hours.
 Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file);

@@ -170,6 +170,20 @@ class Render(ConsoleTest):
         self.assert_same_sound(self.song(repeated), self.song(upside_down, name="b.mid"),
                                preset="Singing Xylophone")
 
+    def test_every_key_struck_again_beside_another_one_is_down(self):
+        ends = note(0, 72, length=480) + note(0, 76, length=480)
+        begins = note(480, 74, length=480) + note(480, 76, length=480)
+        tidy = self.song(ends + begins)
+        begins_first = self.song(ends[::2] + begins + ends[1::2], name="b.mid")
+        self.assert_same_sound(tidy, begins_first, preset="Singing Xylophone")
+
+    def test_a_note_without_length_is_over(self):
+        for others in ([], note(0, 74, length=480), note(240, 76, length=0)):
+            song = self.song([tempo(0, 500000)] + others[:1] + note(0, 76, length=0) + others[1:])
+            report, _ = self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
+                                    preset="Singing Xylophone")
+            self.assertLess(report["seconds"], 2)
+
     def assert_same_sound(self, one, other, preset=XYLOPHONE):
         waves = [self.render(song, preset=preset, name=f"{i}.wav")[1].read_bytes()
                  for i, song in enumerate((one, other))]
