@@ -207,14 +207,14 @@ void Player::soundCell(const CellOutput& mixed, std::span<const CellOutput> cell
 
 /// Before the first blow after "all sound off": a damper that is lifted for the blow would let
 /// what it has not silenced yet ring on. So that goes on for a cell, in which it fades, and is no
-/// more. A second time in the same cell nothing rings but blows that have hardly begun.
+/// more. Where nothing rings either, that cell lifts the damper, under which the blow would begin.
+/// A second time in the same cell nothing rings but blows that have hardly begun.
 void Player::forgetSilenced() {
     if (!std::exchange(isSilenced, false))
         return;
     updateDampers();
-    if (synth.silent() && held.silent() && handScrape.silent())
-        return;
-    if (!std::exchange(hasRemains, true))
+    // Before the first cell nothing has sounded, nor is there a damper.
+    if (cellIndex >= 0 && !std::exchange(hasRemains, true))
         soundCell(remainsOfSlots.front(), remainsOfSlots);
     synth.reset();
     held.forgetAll();

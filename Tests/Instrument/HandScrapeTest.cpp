@@ -6,6 +6,7 @@
 #include "Support/AllocationCounter.h"
 #include "Support/Highs.h"
 #include "Support/KeyedPresets.h"
+#include "Support/Larger.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
@@ -356,7 +357,7 @@ TEST_CASE("A hand that all sound off lifts leaves nothing under the next note") 
     const auto expected = render(alone, {next}, 4800, 480, parameters);
     float most = 0;
     for (std::size_t i = 2 * cellSamples; i < sound.size(); ++i)
-        most = std::max(most, std::abs(sound[i] - expected[i]));
+        most = larger(most, std::abs(sound[i] - expected[i]));
     CHECK(most < 1e-6f * peak(scraped));
 }
 

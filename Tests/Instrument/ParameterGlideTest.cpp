@@ -1,6 +1,7 @@
 #include "Instrument/ParameterGlide.h"
 
 #include "Instrument/Player.h"
+#include "Support/Larger.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
 
@@ -118,7 +119,7 @@ TEST_CASE("A pitch that comes once a block is heard as a slide, not as steps") {
     // A block's step is 12.8 cents. At once it would read 7.7, where a steady slide reads up to 3.
     double steepest = 0;
     for (std::size_t i = 1; i < cents.size(); ++i)
-        steepest = std::max(steepest, std::abs(cents[i] - cents[i - 1]));
+        steepest = larger(steepest, std::abs(cents[i] - cents[i - 1]));
     INFO(steepest);
     CHECK(steepest < 4.5);
     CHECK(cents.back() - cents.front() > 500);

@@ -2,11 +2,11 @@
 #include "HeldKeys.h"
 #include "Instrument/Player.h"
 #include "SameInAllBlocks.h"
+#include "Support/Larger.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
 
-#include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -33,14 +33,14 @@ MidiEvent allSoundOff(int sample) {
 float largestDifference(std::span<const float> one, std::span<const float> other) {
     float most = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
-        most = std::max(most, std::abs(one[i] - other[i]));
+        most = larger(most, std::abs(one[i] - other[i]));
     return most;
 }
 
 float steepest(std::span<const float> sound) {
     float most = 0;
     for (std::size_t i = 1; i < sound.size(); ++i)
-        most = std::max(most, std::abs(sound[i] - sound[i - 1]));
+        most = larger(most, std::abs(sound[i] - sound[i - 1]));
     return most;
 }
 
@@ -71,6 +71,24 @@ TEST_CASE("What rang before all sound off does not ring on under the next note")
           1e-6f * peak(sound));
     const auto around = std::span(sound).subspan(static_cast<std::size_t>(off + gap) - 1);
     CHECK(steepest(around) < 1.5f * steepest(std::span(sound).subspan(2400, 2000)));
+}
+
+TEST_CASE("Once all sound off has silenced everything, a note is as loud as without it") {
+    const double rateHz = GENERATE(22050.0, 48000.0);
+    const bool rangBefore = GENERATE(false, true);
+    for (const int later : {0, 19, 20, 21, 40, 83, 84}) {
+        const auto note = midi((rangBefore ? 9600 : 300) + later, 0x90, 60, 100);
+        CAPTURE(rateHz, rangBefore, note.sampleOffset);
+        std::vector events{midi(0, 0x90, 69, 127), allSoundOff(100), note};
+        if (!rangBefore)
+            events.erase(events.begin());
+        Player player(bars(), rateHz), alone(bars(), rateHz);
+        const auto sound = render(player, events, 14400, 480, steadyHand());
+        const auto expected = render(alone, {note}, 14400, 480, steadyHand());
+        const auto from = static_cast<std::size_t>(note.sampleOffset);
+        CHECK(largestDifference(std::span(sound).subspan(from), std::span(expected).subspan(from)) <
+              1e-6f * peak(expected));
+    }
 }
 
 TEST_CASE("All sound off before a note of the same sample is heard in all blocks alike") {
