@@ -95,7 +95,9 @@ void RandomSession::play(double seconds, std::uint64_t seed) {
     holdsContact = changes == Changes::parameters && share() < 0.7;
     if (holdsContact) {
         // A slide of a slow hand, for as long as the music.
-        processor.setValue(contact, share() < 0.5 ? scrapeContact : rollContact);
+        const double kind = share() < 0.5 ? scrapeContact : rollContact;
+        processor.getParameters()[static_cast<int>(contact)]->setValue(
+            static_cast<float>(parameterInfo(contact).toNormalised(kind)));
         const auto keys = processor.keyRange();
         const std::pair key{16, keys.lowest + below(keys.highest - keys.lowest + 1)};
         midi.addEvent(juce::MidiMessage::noteOn(key.first, key.second, juce::uint8{20}), 0);
@@ -110,18 +112,24 @@ void RandomSession::play(double seconds, std::uint64_t seed) {
             changeSound();
         if (changes == Changes::all && share() < hostShare)
             changeHost();
-        addOwedReleases(midi, length);
         addMusic(midi, length);
         render(midi, length);
         midi.clear();
     }
 }
 
+/// In order of time, in which what is owed is noted as it becomes so.
 void RandomSession::addMusic(juce::MidiBuffer& midi, int length) {
     const double expected = notesPerSecond * length / rateHz;
     const int count = static_cast<int>(expected) + (share() < expected - std::floor(expected));
-    for (int i = 0; i < count; ++i)
-        addNote(midi, share() < 0.8 ? 1 : 1 + below(channels), below(length));
+    std::vector<int> stamps(static_cast<std::size_t>(count));
+    std::ranges::generate(stamps, [&] { return below(length); });
+    std::ranges::sort(stamps);
+    for (const int stamp : stamps) {
+        addOwedReleases(midi, stamp);
+        addNote(midi, share() < 0.8 ? 1 : 1 + below(channels), stamp);
+    }
+    addOwedReleases(midi, length - 1);
 }
 
 void RandomSession::addNote(juce::MidiBuffer& midi, int channel, int stamp) {
@@ -197,10 +205,11 @@ void RandomSession::control(juce::MidiBuffer& midi, int channel, int number, int
         std::erase_if(keysDown, [&](const auto& key) { return key.first.first == channel; });
 }
 
-void RandomSession::addOwedReleases(juce::MidiBuffer& midi, int length) {
+/// Of the block's samples up to this one.
+void RandomSession::addOwedReleases(juce::MidiBuffer& midi, int last) {
     std::erase_if(keysDown, [&](const auto& key) {
         const auto& [played, end] = key;
-        if (end >= samples + length)
+        if (end > samples + last)
             return false;
         const auto stamp = static_cast<int>(std::max<std::int64_t>(end - samples, 0));
         midi.addEvent(juce::MidiMessage::noteOff(played.first, played.second), stamp);

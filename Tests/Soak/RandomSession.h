@@ -68,7 +68,7 @@ private:
     void addNote(juce::MidiBuffer& midi, int channel, int stamp);
     void addControllers(juce::MidiBuffer& midi, int channel, int note, int stamp);
     void addTuning(juce::MidiBuffer& midi, int stamp);
-    void addOwedReleases(juce::MidiBuffer& midi, int length);
+    void addOwedReleases(juce::MidiBuffer& midi, int last);
     void control(juce::MidiBuffer& midi, int channel, int number, int value, int stamp);
     void moveParameter();
     void changeHost();

@@ -42,6 +42,17 @@ TEST_CASE("A player that was played at random for two minutes sounds as it did a
     CHECK(isAsBefore);
 }
 
+TEST_CASE("Whenever music stops, the note-offs and pedals that are owed are enough") {
+    Processor processor;
+    RandomSession session(processor, RandomSession::Changes::parameters);
+    session.load(0);
+    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+        CAPTURE(seed);
+        session.play(5, seed);
+        REQUIRE_NOTHROW(session.settle());
+    }
+}
+
 TEST_CASE("Music goes on on one thread while sounds, states and windows change on another") {
     Processor processor;
     std::atomic<bool> done{false};
