@@ -38,23 +38,22 @@ class Run(typing.NamedTuple):
 class FuzzTarget:
     """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`.
 
-    Of three slices one tries inputs of up to `longest` bytes, which pass what readers allow; the
-    others are left to libFuzzer, for which 4096 are enough unless a seed is longer."""
+    Of three slices' time one slice's goes to inputs of up to `longest` bytes, which pass what the readers
+    of presets, materials, tunings and scenes allow; the others are left to libFuzzer, for which 4096
+    are enough unless a seed is longer."""
 
     interrupted = 72  # libFuzzer's exit code
     slice_seconds = 300
-    longest = {"mesh_repair": 1 << 12, "player_midi": 1 << 14, "state": 1 << 16}
+    longest = {"mesh_repair": 1 << 12, "player_midi": 1 << 14, "scene": (1 << 22) + (1 << 16),
+               "state": 1 << 16}
     longest_file = (1 << 20) + (1 << 16)
 
     def __init__(self, program):
         self.program = program
         self.name = program.name.removeprefix("fuzz_")
-        self.slices = 0
 
-    def length_options(self):
-        """Of the next slice."""
-        self.slices += 1
-        if self.slices % 3 != 0:
+    def length_options(self, before):
+        if before // self.slice_seconds % 3 != 2:
             return []
         return [f"-max_len={self.longest.get(self.name, self.longest_file)}", "-len_control=0"]
 
@@ -63,8 +62,8 @@ class FuzzTarget:
         released = sorted((ROOT / "Tests/Plugin/Golden").glob("*/*.state"))
         return ["-seed_inputs=" + ",".join(map(str, released))] if self.name == "state" else []
 
-    def run(self, seconds):
-        """Tries inputs, as a Run, with the file of one that failed or that says why nothing ran."""
+    def run(self, seconds, before):
+        """Tries inputs behind so many seconds in earlier slices and calls, as a Run, with the file of one that failed or that says why nothing ran."""
         grown, findings = KEPT / "corpus" / self.name, KEPT / "findings"
         for folder in (grown, findings):
             folder.mkdir(parents=True, exist_ok=True)
@@ -75,7 +74,7 @@ class FuzzTarget:
             process = subprocess.Popen(
                 [self.program, f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048",
                  "-print_final_stats=1", f"-artifact_prefix={findings}/{self.name}-",
-                 *self.length_options(), *self.seed_options(),
+                 *self.length_options(before), *self.seed_options(),
                  *([f"-dict={dictionary}"] if dictionary.exists() else []),
                  grown, ROOT / f"Tests/Fuzz/corpus/{self.name}"],
                 stdout=file, stderr=file, start_new_session=True)
@@ -95,15 +94,15 @@ class Music:
     name = "music"
     slice_seconds = 24 * 3600  # a long session in one process is what is tried
 
-    def run(self, seconds):
+    def run(self, seconds, before):
         """Plays hours, as a Run, with the file that says what went wrong."""
         KEPT.mkdir(parents=True, exist_ok=True)
         hours, output = KEPT / "music.hours", KEPT / "music.txt"
-        before = len(hours.read_text().splitlines()) if hours.exists() else 0
+        logged = len(hours.read_text().splitlines()) if hours.exists() else 0
         with output.open("wb") as file:
             code, used = wait(subprocess.Popen([MUSIC, hours, str(seconds)], stdout=file,
                                                stderr=file, start_new_session=True))
-        played = len(hours.read_text().splitlines()) - before if hours.exists() else 0
+        played = len(hours.read_text().splitlines()) - logged if hours.exists() else 0
         return Run(used, played, "" if code == 0 or Stop.asked else keep(output))
 
 
@@ -169,7 +168,7 @@ class Log:
 def soak(program, seconds, log):
     """Runs the program for so long in slices; what it finds ends that early."""
     while seconds > 0 and not Stop.asked:
-        ran = program.run(min(seconds, program.slice_seconds))
+        ran = program.run(min(seconds, program.slice_seconds), log.seconds(program.name))
         log.add(program.name, ran)
         if ran.finding:
             print(f"{program.name}: {ran.finding}", flush=True)

@@ -16,15 +16,15 @@ class Program:
         self.name, self.finding, self.seconds = name, finding, []
         self.slice_seconds = 300
 
-    def run(self, seconds):
+    def run(self, seconds, before):
         self.seconds.append(seconds)
         return soak.Run(seconds, 10 * seconds, self.finding)
 
 
 class StoppedProgram(Program):
-    def run(self, seconds):
+    def run(self, seconds, before):
         soak.Stop.asked = True
-        return super().run(seconds)._replace(seconds=0)
+        return super().run(seconds, before)._replace(seconds=0)
 
 
 class Soak(unittest.TestCase):
@@ -97,29 +97,39 @@ class Soak(unittest.TestCase):
     def test_a_fuzz_target_tells_its_runs_and_the_input_that_failed(self):
         said = "stat::number_of_executed_units: 77"
         crash = self.folder / "findings/x-crash-1"
-        self.assertEqual(self.target(f"echo {said}").run(1)[1:], (77, ""))
-        self.assertEqual(self.target(f"echo {said}; exit 72").run(1)[1:], (77, ""))
+        self.assertEqual(self.target(f"echo {said}").run(1, 0)[1:], (77, ""))
+        self.assertEqual(self.target(f"echo {said}; exit 72").run(1, 0)[1:], (77, ""))
         self.assertEqual(
-            self.target(f"echo 'Test unit written to {crash}'; echo {said}; exit 77").run(1)[1:],
+            self.target(f"echo 'Test unit written to {crash}'; echo {said}; exit 77").run(1, 0)[1:],
             (77, str(crash)))
-        _, runs, said = self.target("echo no; exit 1").run(1)
+        _, runs, said = self.target("echo no; exit 1").run(1, 0)
         self.assertEqual(runs, 0)
         self.assertEqual(pathlib.Path(said).parent, self.folder / "findings")
         self.assertEqual(pathlib.Path(said).read_text(), "no\n")
 
-    def test_of_three_slices_one_tries_inputs_beyond_the_limits_of_readers(self):
-        for name, longest in ("x", 1 << 20), ("player_midi", 1 << 14):
+    def test_of_three_slices_one_tries_long_inputs(self):
+        for name, longest in ("x", 1 << 20), ("scene", 1 << 22), ("player_midi", 1 << 14):
             target = self.target('echo "$@"', name)
             said = []
-            for _ in range(6):
-                target.run(1)
+            for before in (0, 301, 602, 899, 900, 1203, 1500):
+                target.run(1, before)
                 said.append((self.folder / f"{name}.txt").read_text())
             lengths = [re.search(r"-max_len=(\d+) -len_control=0 ", each) for each in said]
-            self.assertEqual([each is not None for each in lengths], 2 * [False, False, True])
+            self.assertEqual([each is not None for each in lengths],
+                             [False, False, True, True, False, False, True])
             self.assertGreaterEqual(int(lengths[2].group(1)), longest)
 
+    def test_calls_shorter_than_a_slice_come_to_long_inputs_too(self):
+        target = self.target('echo "$@" >> ' + str(self.folder / "said"))
+        soak.Log().add("x", soak.Run(550, 1, ""))
+        for _ in range(2):
+            soak.Log().add("x", soak.Run(25, 1, ""))
+            soak.soak(target, 1, soak.Log())
+        lengths = ["-max_len" in each for each in (self.folder / "said").read_text().splitlines()]
+        self.assertEqual(lengths, [False, True])
+
     def test_states_begin_from_those_of_released_versions(self):
-        self.target('echo "$@"', "state").run(1)
+        self.target('echo "$@"', "state").run(1, 0)
         said = (self.folder / "state.txt").read_text()
         seeds = re.search(r"-seed_inputs=(\S+)", said).group(1).split(",")
         self.assertGreater(len(seeds), 4)
@@ -127,7 +137,7 @@ class Soak(unittest.TestCase):
             self.assertIn('"idiophone-state"', pathlib.Path(seed).read_text())
 
     def test_seconds_are_those_of_the_processor(self):
-        self.assertEqual(self.target("sleep 2").run(5).seconds, 1)
+        self.assertEqual(self.target("sleep 2").run(5, 0).seconds, 1)
 
     def test_music_tells_its_hours_and_keeps_what_went_wrong(self):
         program = self.folder / "soak_music"
@@ -135,8 +145,8 @@ class Soak(unittest.TestCase):
                            '[ "$2" = 5 ] || { echo "It has grown."; exit 1; }\n')
         program.chmod(0o755)
         with mock.patch.object(soak, "MUSIC", program):
-            self.assertEqual(soak.Music().run(5)[1:], (2, ""))
-            _, hours, said = soak.Music().run(6)
+            self.assertEqual(soak.Music().run(5, 0)[1:], (2, ""))
+            _, hours, said = soak.Music().run(6, 0)
         self.assertEqual(hours, 2)
         self.assertEqual(pathlib.Path(said).read_text(), "It has grown.\n")
 
