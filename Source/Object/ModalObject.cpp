@@ -12,7 +12,7 @@ bool allFinite(const Values& values) {
     return std::ranges::all_of(values, [](auto value) { return std::isfinite(value); });
 }
 
-/// No value is beyond the limit, nor none at all.
+/// No value is beyond the limit, nor not a number.
 template <class Values, class Limit>
 bool allWithin(const Values& values, Limit limit) {
     return std::ranges::all_of(values, [limit](auto value) { return std::abs(value) <= limit; });
@@ -115,7 +115,7 @@ std::string scalarsFault(const ModalObject& object) {
         return "the centre does not lie within 1000 km";
     constexpr double farthestApartSquared = 12 * farthestMetres * farthestMetres;
     if (!allWithin(object.mass.inertiaKgM2, farthestApartSquared * massKg))
-        return "the inertia is more than that of its mass 1000 km away";
+        return "the inertia is larger than 1.2e13 m² times its mass";
     if (!std::isfinite(object.provenance.analysisSeconds))
         return "the analysis time is not a finite number";
     return {};
