@@ -1,6 +1,7 @@
-# idiophone_room(<Room> SOURCES ... [PUBLIC ...] [PRIVATE ...]): one static library a room.
+# idiophone_room(<Room> SOURCES ... [PUBLIC ...] [PRIVATE ...] [PRECOMPILE <header>...]): one static
+# library a room.
 function(idiophone_room room)
-    cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;PRECOMPILE" ${ARGN})
     string(TOLOWER ${room} lower)
     set(target idiophone_${lower})
     add_library(${target} STATIC ${arg_SOURCES})
@@ -9,5 +10,6 @@ function(idiophone_room room)
     target_link_libraries(${target}
         PUBLIC ${arg_PUBLIC}
         PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:idiophone_warnings>)
+    idiophone_precompile(${target} ${arg_PRECOMPILE})
     set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ${IDIOPHONE_WARNINGS_AS_ERRORS})
 endfunction()

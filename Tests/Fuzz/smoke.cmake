@@ -1,9 +1,9 @@
-# Builds the preset `fuzz` as a part of "all", where there is a clang with libFuzzer, and has CTest run
-# each target: its corpus, then some seconds of new inputs, the same ones every time.
-if(IDIOPHONE_SANITIZE)
-    return() # the targets have sanitizers of their own
-endif()
-
+# Has CTest run each target, where there is a clang with libFuzzer: its corpus, then some seconds of new
+# inputs, the same ones every time.
+#
+# Clang builds those of them that need no JUCE in the preset `fuzz`, as a part of "all". JUCE and the
+# plugin would take it longer than all the rest: their targets are made of what this build tests, with
+# its sanitizers if it has any, and libFuzzer tries inputs without knowing what they reach.
 function(find_libfuzzer found)
     set(${found} OFF PARENT_SCOPE)
     include(clang)
@@ -16,15 +16,51 @@ function(find_libfuzzer found)
     execute_process(
         COMMAND "${CLANG_CXX}" -std=c++20 -fsanitize=fuzzer,address,undefined "${probe}.cpp" -o "${probe}"
         RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
-    if(NOT failed)
-        set(${found} ON PARENT_SCOPE)
+    execute_process(COMMAND "${CLANG_CXX}" -print-runtime-dir
+        OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    file(GLOB library "${runtime}/libclang_rt.fuzzer-${CMAKE_SYSTEM_PROCESSOR}.a"
+                      "${runtime}/libclang_rt.fuzzer.a")
+    if(NOT failed AND library)
+        set(${found} "${library}" PARENT_SCOPE)
     endif()
 endfunction()
 
-find_libfuzzer(has_libfuzzer)
-if(NOT has_libfuzzer)
+find_libfuzzer(libfuzzer)
+if(NOT libfuzzer)
     message(STATUS "No clang with libFuzzer for Linux: the fuzz targets are neither built nor run")
     return()
+endif()
+
+function(smoke_test target program)
+    file(GLOB seeds CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${target}/*")
+    if(target STREQUAL "state")
+        file(GLOB released CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Tests/Plugin/Golden/*/*.state")
+        list(APPEND seeds ${released})
+    endif()
+    list(JOIN seeds "," seeds)
+    set(dictionary "${CMAKE_CURRENT_SOURCE_DIR}/dictionaries/${target}.dict")
+    if(EXISTS "${dictionary}")
+        set(dictionary "-dict=${dictionary}")
+    else()
+        set(dictionary)
+    endif()
+    add_test(NAME "Fuzz: ${target}"
+        COMMAND "${program}" -seed=1 -max_total_time=5 -timeout=20
+                ${dictionary} "-seed_inputs=${seeds}"
+                "-artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/${target}-")
+    set_tests_properties("Fuzz: ${target}" PROPERTIES TIMEOUT 120)
+endfunction()
+
+foreach(room ${rooms_with_juce})
+    foreach(target ${targets_of_${room}})
+        fuzz_program(${room} ${target})
+        target_link_libraries(fuzz_${target} PRIVATE "${libfuzzer}")
+        smoke_test(${target} "$<TARGET_FILE:fuzz_${target}>")
+    endforeach()
+endforeach()
+
+if(IDIOPHONE_SANITIZE)
+    return() # the others have sanitizers of their own
 endif()
 
 # The presets' builds share one, which `./dev soak` finds; any other build has its own.
@@ -38,34 +74,19 @@ foreach(name benchmark bullet cli11 ebur128 juce libigl mts_esp mysofa tetgen tu
     string(TOUPPER ${name} upper)
     list(APPEND fetched "-DFETCHCONTENT_SOURCE_DIR_${upper}=${${name}_SOURCE_DIR}")
 endforeach()
-add_custom_target(fuzz_targets ALL
+add_custom_target(fuzz_targets_without_juce ALL
     COMMAND ${CMAKE_COMMAND} --preset fuzz --log-level=WARNING --no-warn-unused-cli
             -S "${PROJECT_SOURCE_DIR}" -B "${fuzz_build}"
             "-DIDIOPHONE_DEPENDENCIES=${IDIOPHONE_DEPENDENCIES}"
             "-DIDIOPHONE_DEBIAN_SOURCES=${IDIOPHONE_DEBIAN_SOURCES}"
             ${fetched}
-    COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets --parallel 2 -- --quiet
+    COMMAND ${CMAKE_COMMAND} --build "${fuzz_build}" --target fuzz_targets_without_juce
+            --parallel 2 -- --quiet
     COMMENT "Building the fuzz targets"
     VERBATIM)
 
 foreach(room ${rooms})
     foreach(target ${targets_of_${room}})
-        file(GLOB seeds CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${target}/*")
-        if(target STREQUAL "state")
-            file(GLOB released CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Tests/Plugin/Golden/*/*.state")
-            list(APPEND seeds ${released})
-        endif()
-        list(JOIN seeds "," seeds)
-        set(dictionary "${CMAKE_CURRENT_SOURCE_DIR}/dictionaries/${target}.dict")
-        if(EXISTS "${dictionary}")
-            set(dictionary "-dict=${dictionary}")
-        else()
-            set(dictionary)
-        endif()
-        add_test(NAME "Fuzz: ${target}"
-            COMMAND "${fuzz_build}/Tests/Fuzz/fuzz_${target}" -seed=1 -max_total_time=5 -timeout=20
-                    ${dictionary} "-seed_inputs=${seeds}"
-                    "-artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/${target}-")
-        set_tests_properties("Fuzz: ${target}" PROPERTIES TIMEOUT 120)
+        smoke_test(${target} "${fuzz_build}/Tests/Fuzz/fuzz_${target}")
     endforeach()
 endforeach()
