@@ -182,7 +182,7 @@ class Render(ConsoleTest):
             song = self.song([tempo(0, 500000)] + others[:1] + note(0, 76, length=0) + others[1:])
             report, _ = self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
                                     preset="Singing Xylophone")
-            self.assertLess(report["seconds"], 2)
+            self.assertLess(report["seconds"], 0.8)
 
     def assert_same_sound(self, one, other, preset=XYLOPHONE):
         waves = [self.render(song, preset=preset, name=f"{i}.wav")[1].read_bytes()

@@ -18,7 +18,6 @@ using enum ParameterId;
 constexpr int largestBlock = 4096;
 constexpr std::size_t keptStates = 8;
 // How often in a block something happens.
-constexpr double notesPerSecond = 12;
 constexpr double automationShare = 0.3, soundShare = 0.004, hostShare = 0.0005;
 constexpr double longNoteShare = 0.02; // of notes: those that last up to a minute
 constexpr int channels = 16;
@@ -87,7 +86,7 @@ void RandomSession::load(int program) {
     prepare(48000);
 }
 
-void RandomSession::play(double seconds, std::uint64_t seed) {
+void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSecond) {
     random.seed(static_cast<std::mt19937::result_type>(seed));
     processor.setNonRealtime(changes == Changes::all);
     const auto end = samples + static_cast<std::int64_t>(seconds * rateHz);
@@ -112,16 +111,16 @@ void RandomSession::play(double seconds, std::uint64_t seed) {
             changeSound();
         if (changes == Changes::all && share() < hostShare)
             changeHost();
-        addMusic(midi, length);
+        addMusic(midi, length, notesPerSecond * length / rateHz);
         render(midi, length);
         midi.clear();
     }
 }
 
 /// In order of time, in which what is owed is noted as it becomes so.
-void RandomSession::addMusic(juce::MidiBuffer& midi, int length) {
-    const double expected = notesPerSecond * length / rateHz;
-    const int count = static_cast<int>(expected) + (share() < expected - std::floor(expected));
+void RandomSession::addMusic(juce::MidiBuffer& midi, int length, double expectedNotes) {
+    const int count =
+        static_cast<int>(expectedNotes) + (share() < expectedNotes - std::floor(expectedNotes));
     std::vector<int> stamps(static_cast<std::size_t>(count));
     std::ranges::generate(stamps, [&] { return below(length); });
     std::ranges::sort(stamps);

@@ -31,7 +31,7 @@ public:
 
     /// Plays so many seconds of music, from the first of which on a key may be held to the last of
     /// them. Throws a sentence on a sample that is not finite.
-    void play(double seconds, std::uint64_t seed);
+    void play(double seconds, std::uint64_t seed, double notesPerSecond = 12);
 
     /// Loads a preset, or keeps, restores or resets a state.
     void changeSound();
@@ -64,7 +64,7 @@ private:
 
     int below(int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); }
     double share() { return static_cast<double>(random()) / 4294967296.0; }
-    void addMusic(juce::MidiBuffer& midi, int length);
+    void addMusic(juce::MidiBuffer& midi, int length, double expectedNotes);
     void addNote(juce::MidiBuffer& midi, int channel, int stamp);
     void addControllers(juce::MidiBuffer& midi, int channel, int note, int stamp);
     void addTuning(juce::MidiBuffer& midi, int stamp);
