@@ -45,7 +45,7 @@ std::string oneLine(std::string_view text) {
 }
 
 std::string inQuotes(std::string_view text) {
-    return "'" + oneLine(text) + "'";
+    return '\'' + oneLine(text) + '\'';
 }
 
 } // namespace idiophone
