@@ -9,6 +9,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -163,7 +164,9 @@ TEST_CASE("A state whose tuning cannot be read changes nothing that plays, and i
     auto state = testState();
     state.tuning.scale = {.name = "old.scl", .text = "title\nmany\n"};
     restore(instance.processor, state);
-    CHECK(instance.processor.loadedSound() == before);
+    auto now = instance.processor.loadedSound();
+    CHECK(std::exchange(now.refused, nullptr) != nullptr);
+    CHECK(now == before);
     CHECK(saved(instance.processor) == encodeState(state));
     CHECK_THAT(instance.processor.takeStatus().sentence, ContainsSubstring("old.scl"));
 }
