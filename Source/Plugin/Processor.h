@@ -172,8 +172,7 @@ private:
     void changedByHand();
     void play(Preset preset, std::shared_ptr<const Instrument> instrument);
     void tuneTo(const ScalaTuning& wanted, const KeyTuning& keys);
-    void
-    recordTuning(const std::string& step, const ScalaTuning& before, const ScalaTuning& after);
+    void recordTuning(const std::string& step, const ScalaTuning& before, const ScalaTuning& after);
     std::unique_ptr<Player> newPlayer() const;
     bool
     changeModes(std::size_t object,

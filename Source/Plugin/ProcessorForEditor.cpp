@@ -137,7 +137,8 @@ void Processor::lookForCallbacks() {
 }
 
 bool Processor::isProcessing() const {
-    constexpr std::uint32_t longestPauseMilliseconds = 400; // twice that of 8192 samples at 44.1 kHz
+    // Twice that of 8192 samples at 44.1 kHz.
+    constexpr std::uint32_t longestPauseMilliseconds = 400;
     return callbacks != callbacksSeen ||
            juce::Time::getMillisecondCounter() - lastCallbackMilliseconds <
                longestPauseMilliseconds;
