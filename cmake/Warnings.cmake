@@ -6,11 +6,12 @@ if(MSVC)
 else()
     target_compile_options(idiophone_warnings INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
-    # gcc 12 warns of overlaps inside its own std::string, and of overflows there once its headers
-    # are precompiled.
+    # gcc 12 warns of overlaps inside its own std::string, and of reading and writing beyond it once its
+    # headers are precompiled.
     set(is_gcc_12 $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
     target_compile_options(idiophone_warnings INTERFACE
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
         $<${is_gcc_12}:-Wno-array-bounds>
-        $<${is_gcc_12}:-Wno-stringop-overflow>)
+        $<${is_gcc_12}:-Wno-stringop-overflow>
+        $<${is_gcc_12}:-Wno-stringop-overread>)
 endif()
