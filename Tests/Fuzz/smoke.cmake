@@ -3,7 +3,7 @@
 #
 # Clang builds those of them that need no JUCE in the preset `fuzz`, as a part of "all". JUCE and the
 # plugin would take it longer than all the rest: their targets are made of what this build tests, with
-# its sanitizers if it has any, and libFuzzer tries inputs without knowing what they reach.
+# its sanitizers if it has any, and libFuzzer varies the seeds without knowing what that reaches.
 function(find_libfuzzer found)
     set(${found} OFF PARENT_SCOPE)
     include(clang)
@@ -45,7 +45,7 @@ function(smoke_test target program)
         set(dictionary)
     endif()
     add_test(NAME "Fuzz: ${target}"
-        COMMAND "${program}" -seed=1 -max_total_time=5 -timeout=20
+        COMMAND "${program}" -seed=1 -keep_seed=1 -max_total_time=5 -timeout=20
                 ${dictionary} "-seed_inputs=${seeds}"
                 "-artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/${target}-")
     set_tests_properties("Fuzz: ${target}" PROPERTIES TIMEOUT 120)
