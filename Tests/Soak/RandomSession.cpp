@@ -1,7 +1,5 @@
 #include "Soak/RandomSession.h"
 
-#include "Instrument/MidiControllers.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,9 +17,6 @@ constexpr int largestBlock = 4096;
 constexpr std::size_t keptStates = 8;
 // How often in a block something happens.
 constexpr double automationShare = 0.3, soundShare = 0.004, hostShare = 0.0005;
-constexpr double longNoteShare = 0.02; // of notes: those that last up to a minute
-constexpr int channels = 16;
-constexpr int centredWheel = 8192;
 
 std::string savedState(Processor& processor) {
     juce::MemoryBlock block;
@@ -37,26 +32,6 @@ void restoreState(Processor& processor, const std::string& state) {
 void setToDefaults(Processor& processor) {
     for (const auto& info : parameterTable())
         processor.setValue(info.parameter, info.defaultValue);
-}
-
-void addSystemExclusive(juce::MidiBuffer& midi,
-                        const std::vector<juce::uint8>& content,
-                        int stamp) {
-    midi.addEvent(
-        juce::MidiMessage::createSysExMessage(content.data(), static_cast<int>(content.size())),
-        stamp);
-}
-
-/// MIDI Tuning Standard: a bulk dump of equal temperament.
-void addEqualTuning(juce::MidiBuffer& midi, int stamp) {
-    std::vector<juce::uint8> content{0x7e, 0x7f, 0x08, 0x01, 0};
-    content.resize(content.size() + 16, ' '); // its name
-    for (juce::uint8 note = 0; note < 128; ++note)
-        content.insert(content.end(), {note, 0, 0});
-    const int sum = std::accumulate(content.begin(), content.end(), 0,
-                                    [](int all, juce::uint8 byte) { return all ^ byte; });
-    content.push_back(static_cast<juce::uint8>(sum & 0x7f));
-    addSystemExclusive(midi, content, stamp);
 }
 
 } // namespace
@@ -87,149 +62,50 @@ void RandomSession::load(int program) {
 }
 
 void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSecond) {
-    random.seed(static_cast<std::mt19937::result_type>(seed));
+    chance.seed(seed);
     processor.setNonRealtime(changes == Changes::all);
     const auto end = samples + static_cast<std::int64_t>(seconds * rateHz);
     juce::MidiBuffer midi;
-    holdsContact = changes == Changes::parameters && share() < 0.7;
-    if (holdsContact) {
-        // A slide of a slow hand, for as long as the music.
-        const double kind = share() < 0.5 ? scrapeContact : rollContact;
+    music.endSlide();
+    if (changes == Changes::parameters && chance.share() < 0.7) {
+        // Of a slow hand, for as long as the music.
+        const double kind = chance.share() < 0.5 ? scrapeContact : rollContact;
         processor.getParameters()[static_cast<int>(contact)]->setValue(
             static_cast<float>(parameterInfo(contact).toNormalised(kind)));
-        const auto keys = processor.keyRange();
-        const std::pair key{16, keys.lowest + below(keys.highest - keys.lowest + 1)};
-        midi.addEvent(juce::MidiMessage::noteOn(key.first, key.second, juce::uint8{20}), 0);
-        keysDown[key] = end;
+        music.slide(midi, processor.keyRange(), end);
     }
     while (samples < end) {
         constexpr std::array lengths{1, 32, 64, 128, 333, 512, 1024, largestBlock};
-        const int length = lengths[static_cast<std::size_t>(below(lengths.size()))];
-        if (share() < automationShare)
+        const int length = lengths[static_cast<std::size_t>(chance.below(lengths.size()))];
+        if (chance.share() < automationShare)
             moveParameter();
-        if (changes == Changes::all && share() < soundShare)
+        if (changes == Changes::all && chance.share() < soundShare)
             changeSound();
-        if (changes == Changes::all && share() < hostShare)
+        if (changes == Changes::all && chance.share() < hostShare)
             changeHost();
-        addMusic(midi, length, notesPerSecond * length / rateHz);
+        music.add(
+            midi,
+            {.start = samples, .length = length, .rateHz = rateHz, .keys = processor.keyRange()},
+            notesPerSecond * length / rateHz);
         render(midi, length);
         midi.clear();
     }
 }
 
-/// In order of time, in which what is owed is noted as it becomes so.
-void RandomSession::addMusic(juce::MidiBuffer& midi, int length, double expectedNotes) {
-    const int count =
-        static_cast<int>(expectedNotes) + (share() < expectedNotes - std::floor(expectedNotes));
-    std::vector<int> stamps(static_cast<std::size_t>(count));
-    std::ranges::generate(stamps, [&] { return below(length); });
-    std::ranges::sort(stamps);
-    for (const int stamp : stamps) {
-        addOwedReleases(midi, stamp);
-        addNote(midi, share() < 0.8 ? 1 : 1 + below(channels), stamp);
-    }
-    addOwedReleases(midi, length - 1);
-}
-
-void RandomSession::addNote(juce::MidiBuffer& midi, int channel, int stamp) {
-    const auto keys = processor.keyRange();
-    const int note = keys.lowest + below(keys.highest - keys.lowest + 1);
-    if (keysDown.contains({channel, note}))
-        return; // on every key at most one note a channel, as on a keyboard
-    midi.addEvent(
-        juce::MidiMessage::noteOn(channel, note, static_cast<juce::uint8>(1 + below(127))), stamp);
-    ++notes;
-    // Beside a slide none is long, so that it never has to make room.
-    const bool isLong = !holdsContact && share() < longNoteShare;
-    const double seconds = (isLong ? 60 : 0.5) * share();
-    keysDown[{channel, note}] = samples + stamp + 1 + static_cast<std::int64_t>(seconds * rateHz);
-    addControllers(midi, channel, note, stamp);
-}
-
-void RandomSession::addControllers(juce::MidiBuffer& midi, int channel, int note, int stamp) {
-    switch (below(8)) {
-    case 0:
-        midi.addEvent(juce::MidiMessage::pitchWheel(channel, below(2 * centredWheel)), stamp);
-        break;
-    case 1:
-        midi.addEvent(juce::MidiMessage::channelPressureChange(channel, below(128)), stamp);
-        break;
-    case 2:
-        midi.addEvent(juce::MidiMessage::aftertouchChange(channel, note, below(128)), stamp);
-        break;
-    case 3: {
-        // The last ones end a slide, as what is on any channel.
-        constexpr std::array controllers{1, 6, 38, 64, 66, 67, 74, 100, 101, 121, 120, 123};
-        const int count = static_cast<int>(controllers.size()) - (holdsContact ? 2 : 0);
-        control(midi, channel, controllers[static_cast<std::size_t>(below(count))], below(128),
-                stamp);
-        break;
-    }
-    case 4:
-        if (share() < 0.1)
-            addTuning(midi, stamp);
-        break;
-    default:
-        break;
-    }
-}
-
-/// Of keys, of the wheel's range or of MPE's zones.
-void RandomSession::addTuning(juce::MidiBuffer& midi, int stamp) {
-    if (share() < 0.5) {
-        std::vector<juce::uint8> content{0x7f, 0x7f, 0x08, 0x02, 0, 1}; // a note, at once
-        for (int i = 0; i < 4; ++i)
-            content.push_back(static_cast<juce::uint8>(below(128)));
-        addSystemExclusive(midi, content, stamp);
-        return;
-    }
-    const bool isZone = share() < 0.5;
-    const int channel = isZone ? 1 + 15 * below(2) : 1 + below(channels);
-    control(midi, channel, midi::registeredMsb, 0, stamp);
-    control(midi, channel, midi::registeredLsb, isZone ? 6 : 0, stamp);
-    control(midi, channel, midi::dataEntryMsb, below(25), stamp);
-}
-
-/// Notes what is owed after it: keys and pedals of a channel that its host has told to be up are
-/// not spoken of again.
-void RandomSession::control(juce::MidiBuffer& midi, int channel, int number, int value, int stamp) {
-    midi.addEvent(juce::MidiMessage::controllerEvent(channel, number, value), stamp);
-    if (number == midi::sustainPedal)
-        pedalsDown[channel].sustains = value >= 64;
-    else if (number == midi::sostenutoPedal)
-        pedalsDown[channel].catches = value >= 64;
-    else if (number == midi::resetControllers)
-        pedalsDown.erase(channel);
-    else if (number == midi::allSoundOff || number == midi::allNotesOff)
-        std::erase_if(keysDown, [&](const auto& key) { return key.first.first == channel; });
-}
-
-/// Of the block's samples up to this one.
-void RandomSession::addOwedReleases(juce::MidiBuffer& midi, int last) {
-    std::erase_if(keysDown, [&](const auto& key) {
-        const auto& [played, end] = key;
-        if (end > samples + last)
-            return false;
-        const auto stamp = static_cast<int>(std::max<std::int64_t>(end - samples, 0));
-        midi.addEvent(juce::MidiMessage::noteOff(played.first, played.second), stamp);
-        return true;
-    });
-}
-
 void RandomSession::moveParameter() {
     const auto& parameters = processor.getParameters();
-    const int index = below(parameters.size());
+    const int index = chance.below(parameters.size());
     auto* parameter = parameters[index];
     if (parameter == processor.getBypassParameter() ||
-        (holdsContact && index == static_cast<int>(contact)))
+        (music.isSliding() && index == static_cast<int>(contact)))
         return;
     constexpr std::array places{0.0f, 0.5f, 1.0f};
-    parameter->setValue(share() < 0.3 ? places[static_cast<std::size_t>(below(3))]
-                                      : static_cast<float>(share()));
+    parameter->setValue(chance.share() < 0.3 ? places[static_cast<std::size_t>(chance.below(3))]
+                                             : static_cast<float>(chance.share()));
 }
 
 void RandomSession::changeSound() {
-    switch (below(4)) {
+    switch (chance.below(4)) {
     case 0:
         if (states.size() == keptStates)
             states.erase(states.begin());
@@ -237,24 +113,25 @@ void RandomSession::changeSound() {
         break;
     case 1:
         if (!states.empty())
-            restoreState(processor,
-                         states[static_cast<std::size_t>(below(static_cast<int>(states.size())))]);
+            restoreState(
+                processor,
+                states[static_cast<std::size_t>(chance.below(static_cast<int>(states.size())))]);
         break;
     case 2:
         setToDefaults(processor);
         break;
     default:
-        processor.setCurrentProgram(below(processor.getNumPrograms()));
+        processor.setCurrentProgram(chance.below(processor.getNumPrograms()));
         break;
     }
 }
 
 void RandomSession::changeHost() {
     constexpr std::array rates{22050.0, 44100.0, 48000.0, 96000.0};
-    if (share() < 0.5)
+    if (chance.share() < 0.5)
         processor.reset();
     else
-        prepare(rates[static_cast<std::size_t>(below(rates.size()))]);
+        prepare(rates[static_cast<std::size_t>(chance.below(rates.size()))]);
 }
 
 void RandomSession::render(juce::MidiBuffer& midi, int length) {
@@ -300,27 +177,15 @@ void RandomSession::settle() {
 
 void RandomSession::releaseAll() {
     juce::MidiBuffer midi;
-    const double way = share();
+    const double way = chance.share();
     if (way < 0.6) {
-        for (const auto& [key, end] : keysDown)
-            midi.addEvent(juce::MidiMessage::noteOff(key.first, key.second), 0);
-        for (const auto& [channel, pedals] : pedalsDown) {
-            if (pedals.sustains)
-                midi.addEvent(juce::MidiMessage::controllerEvent(channel, midi::sustainPedal, 0),
-                              0);
-            if (pedals.catches)
-                midi.addEvent(juce::MidiMessage::controllerEvent(channel, midi::sostenutoPedal, 0),
-                              0);
-        }
+        music.addOwed(midi);
     } else if (way < 0.8 || changes == Changes::parameters) {
-        for (int channel = 1; channel <= channels; ++channel)
-            for (const int number : {midi::resetControllers, midi::allNotesOff})
-                midi.addEvent(juce::MidiMessage::controllerEvent(channel, number, 0), 0);
+        addEndOfNotes(midi);
     } else {
         processor.reset();
     }
-    keysDown.clear();
-    pedalsDown.clear();
+    music.forget();
     render(midi, largestBlock);
 }
 
@@ -341,21 +206,7 @@ void RandomSession::putBack() {
     setToDefaults(processor);
     processor.setValue(strikeSpread, 0);
     juce::MidiBuffer midi;
-    addEqualTuning(midi, 0);
-    for (const int manager : {1, channels}) {
-        control(midi, manager, midi::registeredMsb, 0, 0);
-        control(midi, manager, midi::registeredLsb, 6, 0);
-        control(midi, manager, midi::dataEntryMsb, 0, 0);
-    }
-    for (int channel = 1; channel <= channels; ++channel) {
-        control(midi, channel, midi::registeredMsb, 0, 0);
-        control(midi, channel, midi::registeredLsb, 0, 0);
-        control(midi, channel, midi::dataEntryMsb, 2, 0);
-        control(midi, channel, midi::modulation, 64, 0);
-        control(midi, channel, midi::place, 64, 0);
-        control(midi, channel, midi::softPedal, 0, 0);
-        midi.addEvent(juce::MidiMessage::pitchWheel(channel, centredWheel), 0);
-    }
+    addDefaults(midi);
     // What glides or fades arrives.
     for (double waited = 0; waited < 1; waited += largestBlock / rateHz) {
         render(midi, largestBlock);

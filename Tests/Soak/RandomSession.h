@@ -3,12 +3,10 @@
 #pragma once
 
 #include "Plugin/Processor.h"
+#include "Soak/RandomMusic.h"
 
 #include <cstdint>
-#include <map>
-#include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace idiophone::test {
@@ -54,22 +52,10 @@ public:
     /// over all of it.
     double tremolo();
 
-    std::int64_t notesPlayed() const { return notes; }
+    std::int64_t notesPlayed() const { return music.notesPlayed(); }
     std::int64_t samplesPlayed() const { return samples; }
 
 private:
-    struct Pedals {
-        bool sustains = false, catches = false;
-    };
-
-    int below(int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); }
-    double share() { return static_cast<double>(random()) / 4294967296.0; }
-    void addMusic(juce::MidiBuffer& midi, int length, double expectedNotes);
-    void addNote(juce::MidiBuffer& midi, int channel, int stamp);
-    void addControllers(juce::MidiBuffer& midi, int channel, int note, int stamp);
-    void addTuning(juce::MidiBuffer& midi, int stamp);
-    void addOwedReleases(juce::MidiBuffer& midi, int last);
-    void control(juce::MidiBuffer& midi, int channel, int number, int value, int stamp);
     void moveParameter();
     void changeHost();
     void prepare(double newRateHz);
@@ -81,18 +67,14 @@ private:
 
     Processor& processor;
     Changes changes;
-    std::mt19937 random;
+    Chance chance;
+    RandomMusic music{chance};
     juce::AudioBuffer<float> buffer;
     std::vector<std::string> states; ///< kept on the way, to come back to
     std::string reference;
     double rateHz = 48000;
     double loudest = 0; ///< of what was rendered last
-    std::int64_t notes = 0, samples = 0;
-    /// What is owed: keys that are down, by channel and note, with the sample at which they go up,
-    /// and pedals by channel.
-    std::map<std::pair<int, int>, std::int64_t> keysDown;
-    std::map<int, Pedals> pedalsDown;
-    bool holdsContact = false; ///< automation leaves alone what keys do
+    std::int64_t samples = 0;
 };
 
 } // namespace idiophone::test

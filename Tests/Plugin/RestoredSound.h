@@ -1,0 +1,45 @@
+// A state like few others, and what an instance sounds like that was given it.
+#pragma once
+
+#include "Support/TestSound.h"
+
+namespace idiophone::test {
+
+constexpr int blockSamples = 4800;
+
+inline juce::MidiBuffer chord() {
+    juce::MidiBuffer midi;
+    for (const int note : {60, 64, 67})
+        midi.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(100)), 10);
+    return midi;
+}
+
+inline State unusualState() {
+    auto state = testState();
+    state.parameters.set(ParameterId::size, 1.2345678901234567);
+    state.parameters.set(ParameterId::material, customMaterial);
+    state.parameters.set(ParameterId::youngsModulus, 70.1);
+    state.parameters.set(ParameterId::level, -3.3);
+    return state;
+}
+
+inline HostSound firstBlock(Processor& processor) {
+    return render(processor, blockSamples, blockSamples, chord());
+}
+
+/// The first block of a fresh instance that was given the state before it was prepared.
+inline HostSound reference(const State& state) {
+    Processor processor;
+    restore(processor, state);
+    processor.prepareToPlay(48000, blockSamples);
+    return firstBlock(processor);
+}
+
+/// As a processor saves it.
+inline State ofThisVersion(State state) {
+    Processor processor;
+    state.engineVersion = parseState(saved(processor))->engineVersion;
+    return state;
+}
+
+} // namespace idiophone::test
