@@ -8,11 +8,11 @@ FetchContent_Declare(juce
     GIT_TAG 8.0.6
     GIT_SHALLOW ON)
 set(IDIOPHONE_JUCEAIDE "" CACHE FILEPATH "JUCE's tool, if another build has made it; this one makes it otherwise")
-if(IDIOPHONE_JUCEAIDE)
+if(EXISTS "${IDIOPHONE_JUCEAIDE}")
     set(JUCE_MODULES_ONLY ON)
 endif()
 FetchContent_MakeAvailable(juce)
-if(IDIOPHONE_JUCEAIDE)
+if(EXISTS "${IDIOPHONE_JUCEAIDE}")
     add_executable(juce::juceaide IMPORTED GLOBAL)
     set_target_properties(juce::juceaide PROPERTIES IMPORTED_LOCATION "${IDIOPHONE_JUCEAIDE}")
     include("${juce_SOURCE_DIR}/extras/Build/CMake/JUCEUtils.cmake")
