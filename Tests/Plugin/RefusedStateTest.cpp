@@ -9,6 +9,9 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace idiophone;
 using namespace idiophone::test;
