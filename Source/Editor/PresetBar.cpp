@@ -36,13 +36,13 @@ class PresetBar::NameButton final : public juce::Button {
 public:
     NameButton() : Button("Preset") { setTitle("Preset"); }
 
-    void show(const juce::String& name, bool changed, const juce::String& description) {
-        if (name == getButtonText() && changed == isChanged && description == getTooltip())
+    void show(const juce::String& name, bool edited, const juce::String& description) {
+        if (name == getButtonText() && edited == isEdited && description == getTooltip())
             return;
-        isChanged = changed;
+        isEdited = edited;
         setButtonText(name);
         setTooltip(description);
-        setDescription(changed ? "Changed; opens the list of presets"
+        setDescription(edited ? "Changed; opens the list of presets"
                                : "Opens the list of presets");
         repaint();
     }
@@ -55,7 +55,7 @@ public:
                                                                            : LookColour::outline));
         g.drawRoundedRectangle(area, 5, 1.5f);
         auto line = getLocalBounds().reduced(12, 0);
-        if (isChanged) {
+        if (isEdited) {
             g.setColour(colourOf(*this, LookColour::accent));
             g.fillEllipse(line.removeFromRight(8).toFloat().withSizeKeepingCentre(7, 7));
             line.removeFromRight(4);
@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    bool isChanged = false;
+    bool isEdited = false;
 };
 
 PresetBar::PresetBar(ProcessorView& processor)

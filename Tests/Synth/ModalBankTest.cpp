@@ -142,11 +142,11 @@ TEST_CASE("Kicks start and finish between samples and join after whole ones, at 
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     const double damping = GENERATE(10.0, 5000.0, 30000.0);
     const double hz = GENERATE(30.0, 3000.0, 19000.0);
-    constexpr std::size_t modes = 40;
+    constexpr std::size_t alike = 40;
     constexpr std::size_t g = 38;
     constexpr double rate = 44100;
-    ModalBank bank(modes, 1, rate);
-    const std::vector<double> eigenvalues(modes, std::pow(2 * std::numbers::pi * hz, 2));
+    ModalBank bank(alike, 1, rate);
+    const std::vector<double> eigenvalues(alike, std::pow(2 * std::numbers::pi * hz, 2));
     bank.movePoles(eigenvalues, {.damping = {.fluidPerSecond = damping}}, 20, 20000);
     const std::size_t padded = bank.paddedSize();
     UnitContact unit;

@@ -22,7 +22,7 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting, silen
     newtons.fill(0.1f);
     const CellOutput cell(left, right);
     SynthesisSettings settings;
-    settings.material = LiveMaterial{1e10, 1000, 30, 1e-7};
+    settings.material = LiveMaterial{1e10, 1000, {30, 1e-7}};
     SoundingGroups groups(200);
     std::array<std::uint8_t, 200> silenced{};
     const AllocationCounter counter;

@@ -15,7 +15,7 @@ constexpr double sampleRate = 48000;
 SynthesisSettings settingsOf(double fluidDamping, double compression = 1) {
     SynthesisSettings settings = exactSettings();
     settings.compression = compression;
-    settings.material = LiveMaterial{1e10, 1000, fluidDamping, 0};
+    settings.material = LiveMaterial{1e10, 1000, {fluidDamping, 0}};
     return settings;
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("Live material moves frequencies by exactly the root of Y/rho") {
     const ModalObject object = ringingObject({440});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
-    settings.material = LiveMaterial{youngs, density, 0.5, 0};
+    settings.material = LiveMaterial{youngs, density, {0.5, 0}};
     synthesiser.setSettings(settings);
     const auto output = render(synthesiser, {{0, unitStrike()}}, 1400);
     const double expected = 440 * std::sqrt(youngs / 1e10 / (density / 1000));
@@ -46,7 +46,7 @@ TEST_CASE("A quarter of the density or half the size is the object with eigenval
         CHECK(output == expected);
     };
     SynthesisSettings settings = exactSettings();
-    settings.material = LiveMaterial{1e10, 250, 0.5, 0};
+    settings.material = LiveMaterial{1e10, 250, {0.5, 0}};
     check(settings, 1, 0.25f);
     check(exactSettings(), 0.5, 0.125f);
     settings = exactSettings();
@@ -58,7 +58,7 @@ TEST_CASE("A quarter of the density or half the size is the object with eigenval
 }
 
 TEST_CASE("A slot's own material goes before that of the settings until it is lifted") {
-    const LiveMaterial steel{2e11, 7850, 2, 1e-8}, wood{1e10, 600, 20, 2e-7};
+    const LiveMaterial steel{2e11, 7850, {2, 1e-8}}, wood{1e10, 600, {20, 2e-7}};
     const auto plays = [&](std::size_t slot, const LiveMaterial& atFirst) {
         const ModalObject object = ringingObject({440, 1999});
         Synthesiser own({slotOf(object), slotOf(object)}, sampleRate);
@@ -67,7 +67,7 @@ TEST_CASE("A slot's own material goes before that of the settings until it is li
         settings.material = wood;
         own.setSettings(settings);
         own.setMaterial(0, steel);
-        own.setMaterial(0, LiveMaterial{2e11, -1, 2, 0});
+        own.setMaterial(0, LiveMaterial{2e11, -1, {2, 0}});
         own.setMaterial(2, steel);
         const auto output =
             render(own, {{5, unitStrike(), slot}, {700, unitStrike(1e-3), slot}}, 40, [&](int c) {
@@ -117,7 +117,7 @@ TEST_CASE("Crossing critical damping and back keeps velocity and displacement") 
     const auto output = render(synthesiser, {{0, unitStrike()}}, 40, [&](int cell) {
         if (cell != 7 && cell != 9)
             return;
-        settings.material = LiveMaterial{1e10, 1000, cell == 7 ? heavy : light, 0};
+        settings.material = LiveMaterial{1e10, 1000, {cell == 7 ? heavy : light, 0}};
         synthesiser.setSettings(settings);
     });
     // Each stretch is the power series of the equation of motion, sample by sample.

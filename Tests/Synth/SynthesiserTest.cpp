@@ -265,7 +265,7 @@ TEST_CASE("Strikes and settings that make no sense are refused and do no harm") 
     settings.modeBudget = -1;
     settings.frequencyRatio = 0;
     settings.sizeRatio = std::numeric_limits<double>::infinity();
-    settings.material = LiveMaterial{1e10, -1000, 5, 0};
+    settings.material = LiveMaterial{1e10, -1000, {5, 0}};
     synthesiser.setSettings(settings);
     synthesiser.setDamping(0, -1);
     synthesiser.setFrequencyRatio(0, std::numeric_limits<double>::quiet_NaN());
