@@ -42,8 +42,7 @@ public:
         isEdited = edited;
         setButtonText(name);
         setTooltip(description);
-        setDescription(edited ? "Changed; opens the list of presets"
-                               : "Opens the list of presets");
+        setDescription(edited ? "Changed; opens the list of presets" : "Opens the list of presets");
         repaint();
     }
 
@@ -138,7 +137,7 @@ void PresetBar::save() {
     const auto* preset = chosen();
     if (preset == nullptr || preset->isFactory)
         return juce::NullCheckedInvocation::invoke(onSaveAs);
-    report(view.presetShelf().savePreset(view.presetShelf().soundDetails(), true));
+    report(view.presetShelf().saveChosenPreset());
 }
 
 void PresetBar::mutate(double strength) {

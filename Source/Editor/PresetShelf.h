@@ -63,6 +63,9 @@ public:
     /// Saves what plays, with the objects that are not the factory's beside it. What is there
     /// already is replaced only where that is said.
     virtual Result<void> savePreset(const PresetDetails& details, bool replace) = 0;
+    /// The same over the file of the user's preset that is chosen, whatever the file is called, as
+    /// another may be called what the preset is.
+    virtual Result<void> saveChosenPreset() = 0;
     virtual Result<void> renamePreset(const std::string& id, const std::string& name) = 0;
     /// Moves the file to the system's bin; the sound plays on.
     virtual Result<void> deletePreset(const std::string& id) = 0;

@@ -175,25 +175,43 @@ bool PresetCollection::presetExists(const PresetDetails& details) const {
 }
 
 Result<void> PresetCollection::savePreset(const PresetDetails& details, bool replace) {
+    if (!replace && presetExists(details))
+        return failure("There is already a preset '" + details.name + "'.");
+    return folder.placeFor(details.name, details.folder).and_then([&](const juce::File&) {
+        return save(details, [&](const Preset& preset) {
+            return folder.write(preset, details.folder, replace);
+        });
+    });
+}
+
+Result<void> PresetCollection::saveChosenPreset() {
+    const auto id = chosenPreset();
+    if (folder.find(id) == nullptr)
+        return failure("What plays is no preset of your own that could be replaced.");
+    return save(soundDetails(), [&](const Preset& preset) {
+        return folder.replace(id, preset).map([&] { return id; });
+    });
+}
+
+Result<void>
+PresetCollection::save(const PresetDetails& details,
+                       const std::function<Result<std::string>(const Preset&)>& write) {
     auto sound = holder.loadedSound();
     if (sound.instrument == nullptr)
         return failure("There is nothing to save: no instrument is loaded.");
-    if (!replace && presetExists(details))
-        return failure("There is already a preset '" + details.name + "'.");
     auto preset = sound.preset;
     preset.name = details.name;
     preset.author = details.author;
     preset.description = details.description;
     preset.tags = details.tags;
     preset.parameters = storedValues(sound);
-    return folder.placeFor(details.name, details.folder)
-        .and_then([&](const juce::File&) { return folder.folder(); })
+    return folder.folder()
         .and_then([&](const juce::File& root) {
             return writePresetObjects(preset.keyMap, *sound.instrument, root);
         })
         .and_then([&](const KeyMap& keyMap) {
             preset.keyMap = keyMap;
-            return folder.write(preset, details.folder, replace);
+            return write(preset);
         })
         .map([&](const std::string& id) {
             // What plays goes on as it is, and so keeps what "match loudness" keeps to and where

@@ -7,6 +7,8 @@
 #include "Plugin/PresetFolder.h"
 #include "Plugin/SoundHistory.h"
 
+#include <functional>
+
 namespace idiophone {
 
 /// For the message thread.
@@ -28,6 +30,7 @@ public:
     void endAudition() override;
     bool presetExists(const PresetDetails& details) const override;
     Result<void> savePreset(const PresetDetails& details, bool replace) override;
+    Result<void> saveChosenPreset() override;
     Result<void> renamePreset(const std::string& id, const std::string& name) override;
     Result<void> deletePreset(const std::string& id) override;
     Result<void> setFavourite(const std::string& id, bool favourite) override;
@@ -40,6 +43,9 @@ private:
     };
     Result<FoundSound> soundOf(const std::string& id);
     void play(const FoundSound& found);
+    /// Writes what plays to the place that `write` returns the id of.
+    Result<void> save(const PresetDetails& details,
+                      const std::function<Result<std::string>(const Preset&)>& write);
 
     SoundHolder& holder;
     SoundHistory& history;

@@ -85,19 +85,53 @@ std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries)
     return files;
 }
 
+using nlohmann::ordered_json;
+
+/// Null where it is none, or too deep to be written again.
+ordered_json readInOrder(const std::string& text) {
+    return parseUntrusted(text).is_discarded() ? ordered_json() : ordered_json::parse(text);
+}
+
+std::string textOf(const ordered_json& root) {
+    return root.dump(4, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 /// The preset's JSON with another name; what this version does not know stays in it.
 Result<std::string> renamedText(const juce::File& file, const std::string& name) {
-    const auto text = file.loadFileAsString().toStdString();
     try {
-        // In order; but first whether it is too deep to be written again.
-        auto root = parseUntrusted(text).is_discarded() ? nlohmann::ordered_json()
-                                                        : nlohmann::ordered_json::parse(text);
+        auto root = readInOrder(file.loadFileAsString().toStdString());
         root.at("name") = name;
-        return root.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+        return textOf(root);
     } catch (const nlohmann::json::exception&) {
         return failure(file.getFileName().toStdString() +
                        ": it cannot be read, and so not renamed.");
     }
+}
+
+/// Gives `now` the members that `before` has, and that are not in what this version knows of it.
+void keepUnknown(const ordered_json& before, const ordered_json& known, ordered_json& now) {
+    for (const auto& [key, value] : before.items()) {
+        const auto same = known.find(key);
+        if (!now.contains(key)) {
+            if (same == known.end())
+                now[key] = value;
+        } else if (same != known.end() && value.is_object() && same->is_object() &&
+                   now[key].is_object()) {
+            keepUnknown(value, *same, now[key]);
+        }
+    }
+}
+
+/// The preset's JSON, with what this version does not know of the one in the file.
+std::string textInPlaceOf(const juce::File& file, const Preset& preset) {
+    const auto text = encodePreset(preset), before = file.loadFileAsString().toStdString();
+    const auto known = parsePreset(before, "");
+    if (!known)
+        return text;
+    auto root = ordered_json::parse(text);
+    keepUnknown(readInOrder(before), ordered_json::parse(encodePreset(*known)), root);
+    const auto both = textOf(root);
+    return both.size() <= largestPresetBytes ? both : text;
 }
 
 } // namespace
@@ -182,6 +216,14 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
                        place->getFileNameWithoutExtension().toStdString() + "'.");
     const auto text = encodePreset(preset);
     return writeWhole(*place, std::as_bytes(std::span(text))).map([&] { return idOf(*place); });
+}
+
+Result<void> PresetFolder::replace(const std::string& id, const Preset& preset) {
+    if (find(id) == nullptr)
+        return failure("There is no preset '" + id + "' any more.");
+    const auto file = fileOf(id);
+    const auto text = textInPlaceOf(file, preset);
+    return writeWhole(file, std::as_bytes(std::span(text)));
 }
 
 Result<std::string> PresetFolder::rename(const std::string& id, const std::string& name) {

@@ -130,6 +130,29 @@ TEST_CASE("Saving asks for a name where there is none of one's own, and else sav
     CHECK(bar.user.read("Presets/Mine.json").find("1234") != std::string::npos);
 }
 
+TEST_CASE("Saving goes to the file that was loaded, though another is called what it is") {
+    Bar bar;
+    bar.bar.onSaveAs = [] { FAIL("it has a file"); };
+    auto& shelf = bar.processor.presetShelf();
+    REQUIRE(shelf.savePreset(
+        {.name = "Bell", .folder = "", .author = "", .description = "", .tags = {}}, false));
+    const auto original = bar.user.read("Presets/Bell.json");
+    bar.user.write("Presets/Bell (copy).json", original); // as a file manager copies it
+    bar.user.write("Presets/Other/from a friend.json", original);
+    shelf.readPresets();
+    for (const auto* copy : {"Bell (copy).json", "Other/from a friend.json"}) {
+        REQUIRE(shelf.loadPreset(copy));
+        changeDensity(bar.processor, 1234);
+        bar.click("Save");
+        CHECK_FALSE(bar.processor.takeStatus().isError);
+        CHECK(shelf.chosenPreset() == copy);
+        CHECK_FALSE(shelf.soundIsChanged());
+        CHECK(bar.user.read("Presets/Bell.json") == original);
+        CHECK(bar.user.read(std::string("Presets/") + copy).find("1234") != std::string::npos);
+        CHECK_FALSE(std::filesystem::exists(bar.user.folder() / "Presets/Other/Bell.json"));
+    }
+}
+
 TEST_CASE("What cannot be saved is one sentence in the status") {
     Bar bar;
     REQUIRE(bar.processor.presetShelf().savePreset(

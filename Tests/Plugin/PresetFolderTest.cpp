@@ -234,6 +234,32 @@ TEST_CASE("A renamed preset keeps its folder and all that this version does not 
     CHECK(folder.read().front().preset->name == "Two?");
 }
 
+TEST_CASE("A preset written over its file leaves in it what this version does not know") {
+    PresetFolder folder(freshFolder());
+    auto first = named("One");
+    first.keyMap.referenceNote = 60;
+    const auto id = folder.write(first, "Bells", false).value();
+    const auto file = folder.fileOf(id);
+    file.replaceWithText(
+        file.loadFileAsString()
+            .replaceFirstOccurrenceOf("\"seed\"", "\"sheen\": [1.25, \"x\"], \"seed\"")
+            .replaceFirstOccurrenceOf("\"tau\"", "\"radiance\": 0.1, \"tau\""));
+    folder.read();
+    auto changed = named("Other");
+    changed.seed = 77;
+    changed.parameters.set(ParameterId::tau, 3);
+    REQUIRE(folder.replace(id, changed));
+    REQUIRE(folder.read().size() == 1);
+    auto now = folder.find(id)->preset.value();
+    CHECK(now.unknownParameters == std::vector<std::string>{"radiance"});
+    now.unknownParameters.clear();
+    CHECK(now == changed); // without the reference note, which is known
+    CHECK(file.loadFileAsString().contains("sheen"));
+    checkRefused(folder.replace("Two.json", changed));
+    checkRefused(folder.replace("../One.json", changed));
+    CHECK(folder.read().size() == 1);
+}
+
 TEST_CASE("A rename onto another preset, of none, or to no name changes nothing") {
     PresetFolder folder(freshFolder());
     REQUIRE(folder.write(named("One"), "", false));
