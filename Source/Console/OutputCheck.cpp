@@ -1,6 +1,6 @@
 #include "Console/OutputCheck.h"
 
-#include <fstream>
+#include "Object/FileBeside.h"
 
 namespace idiophone {
 
@@ -8,13 +8,10 @@ Result<void> checkWritable(const std::filesystem::path& file) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         return failure(file.string() + ": it is a directory");
-    // The name that writeModalObject writes to before it renames.
-    auto trial = file;
-    trial += ".part";
-    const bool created = std::ofstream(trial, std::ios::binary).is_open();
-    std::filesystem::remove(trial, ignored);
-    if (!created)
+    const auto trial = makeFileBeside(file);
+    if (!trial)
         return failure(file.string() + ": the file cannot be written");
+    std::filesystem::remove(*trial, ignored);
     return {};
 }
 

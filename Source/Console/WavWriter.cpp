@@ -1,6 +1,7 @@
 #include "Console/WavWriter.h"
 
 #include "Console/JuceFile.h"
+#include "Object/FileBeside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +10,10 @@
 
 namespace idiophone {
 
-WavWriter::WavWriter(std::filesystem::path destination)
-    : file(std::move(destination)), partial(file) {
-    partial += ".part";
-}
+WavWriter::WavWriter(std::filesystem::path destination) : file(std::move(destination)) {}
 
 WavWriter::~WavWriter() {
-    if (writer == nullptr)
+    if (partial.empty())
         return;
     writer.reset();
     std::error_code ignored;
@@ -34,9 +32,11 @@ Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::filesystem::path
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         return failure(file.string() + ": it is a directory");
-    const auto partialFile = juceFile(result->partial);
-    partialFile.deleteFile();
-    auto stream = std::make_unique<juce::FileOutputStream>(partialFile);
+    const auto beside = makeFileBeside(file);
+    if (!beside)
+        return result->fault();
+    result->partial = *beside;
+    auto stream = std::make_unique<juce::FileOutputStream>(juceFile(*beside));
     if (!stream->openedOk())
         return result->fault();
     result->writer.reset(juce::WavAudioFormat().createWriterFor(
@@ -87,10 +87,9 @@ Result<void> WavWriter::finish() {
                                            static_cast<std::uintmax_t>(end + end % 2);
     if (complete)
         std::filesystem::rename(partial, file, error);
-    if (!complete || error) {
-        std::filesystem::remove(partial, error);
+    if (!complete || error)
         return fault();
-    }
+    partial.clear();
     return {};
 }
 

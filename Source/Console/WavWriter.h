@@ -35,7 +35,7 @@ private:
     tl::unexpected<Error> fault() const;
 
     std::filesystem::path file;
-    std::filesystem::path partial;
+    std::filesystem::path partial; ///< until it is complete
     std::unique_ptr<juce::AudioFormatWriter> writer;
     juce::FileOutputStream* stream = nullptr; ///< the writer's
 };

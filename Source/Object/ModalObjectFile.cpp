@@ -1,5 +1,6 @@
 #include "Object/ModalObjectFile.h"
 
+#include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
 #include "Object/HalfFloat.h"
 #include "Object/MaterialJson.h"
@@ -317,17 +318,18 @@ Result<void> writeModalObject(const ModalObject& object,
     }
     if (!safetensors::hasReadableHeader(bytes))
         return refuse("the object's texts are too long for a file");
-    auto temporary = file;
-    temporary += ".part";
-    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    const auto temporary = makeFileBeside(file);
+    if (!temporary)
+        return refuse("the file cannot be written");
+    std::ofstream stream(*temporary, std::ios::binary | std::ios::trunc);
     stream.write(reinterpret_cast<const char*>(bytes.data()),
                  static_cast<std::streamsize>(bytes.size()));
     stream.close();
     std::error_code fault;
     if (stream)
-        std::filesystem::rename(temporary, file, fault);
+        std::filesystem::rename(*temporary, file, fault);
     if (!stream || fault) {
-        std::filesystem::remove(temporary, fault);
+        std::filesystem::remove(*temporary, fault);
         return refuse("the file cannot be written");
     }
     return {};

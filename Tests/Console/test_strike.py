@@ -63,6 +63,16 @@ class Strike(ConsoleTest):
         lowest = [min(m["frequency_hz"] for m in r["loudest_modes"]) for r in (steel, glass)]
         self.assertAlmostEqual(lowest[1] / lowest[0], ratio, places=3)
 
+    def test_files_beside_the_output_stay_whatever_they_are_called(self):
+        theirs = [self.write(name + ending, "theirs") for name in ("sound.wav", "map.ply")
+                  for ending in (".part", ".1.part")]
+        before = set(self.folder.iterdir())
+        sound, ply = self.folder / "sound.wav", self.folder / "map.ply"
+        self.succeed("strike", PLATE, "-o", sound, "--seconds", 0.1)
+        self.succeed("map", PLATE, "-o", ply)
+        self.assertEqual({path.read_text() for path in theirs}, {"theirs"})
+        self.assertEqual(set(self.folder.iterdir()), before | {sound, ply})
+
     def test_a_material_as_listed_can_be_given_as_a_file(self):
         listed = next(m for m in self.json("materials") if m["name"] == "Glass")
         file = self.write("glass.json", json.dumps(listed))

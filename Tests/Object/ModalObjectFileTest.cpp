@@ -135,6 +135,22 @@ TEST_CASE("A file written to disk reads back, and an unwritable place is one sen
     CHECK_FALSE(readModalObject(directory));
 }
 
+TEST_CASE("Writing an object leaves the files beside it alone, whatever they are called") {
+    const auto directory = test::testFolder() / "beside";
+    std::filesystem::remove_all(directory);
+    std::filesystem::create_directories(directory);
+    for (const auto* name : {"x.modal.part", "x.modal.1.part", "x.modal.2.part"})
+        std::ofstream(directory / name) << "theirs";
+    REQUIRE(writeModalObject(syntheticObject({100}), directory / "x.modal"));
+    CHECK(readModalObject(directory / "x.modal"));
+    for (const auto* name : {"x.modal.part", "x.modal.1.part", "x.modal.2.part"}) {
+        std::ifstream file(directory / name);
+        CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == "theirs");
+    }
+    using Files = std::filesystem::directory_iterator;
+    CHECK(std::distance(Files(directory), Files()) == 4);
+}
+
 TEST_CASE(
     "Whatever texts an object may have, its file reads back; with longer ones it is refused") {
     auto object = syntheticObject({100});
