@@ -1,14 +1,35 @@
 #include "Editor/CaptureButton.h"
 
 #include "Editor/Utf8.h"
+#include "Object/FileBytes.h"
 
 namespace idiophone {
 namespace {
 
 constexpr int pixelsToDrag = 6;
+constexpr const char* captureName = "Idiophone capture";
+constexpr const char* dragFolderPrefix = "Idiophone-drag-";
 
+juce::File temporaryFolder() {
+    return juce::File::getSpecialLocation(juce::File::tempDirectory);
+}
+
+/// This process's own, as the system's may be of many users; made anew where it was cleared away.
+/// It stays behind: hosts may go on reading what was dropped on them.
 juce::File dragFolder() {
-    return juce::File::getSpecialLocation(juce::File::tempDirectory).getChildFile("Idiophone");
+    static juce::File folder;
+    constexpr int mostTries = 100;
+    for (int tried = 0; tried < mostTries && !folder.isDirectory(); ++tried) {
+        const auto next = temporaryFolder().getChildFile(
+            dragFolderPrefix + juce::String::toHexString(juce::Random().nextInt64()));
+        const auto path = pathOf(next);
+        std::error_code fault;
+        if (!std::filesystem::create_directory(path, fault) || fault)
+            continue; // or somebody else has it
+        std::filesystem::permissions(path, std::filesystem::perms::owner_all, fault);
+        folder = next;
+    }
+    return folder;
 }
 
 } // namespace
@@ -24,20 +45,26 @@ CaptureButton::CaptureButton(ProcessorView& processor,
     onClick = [this] { save(); };
 }
 
-juce::String CaptureButton::fileName() const {
-    return "Idiophone capture" + pattern.fromFirstOccurrenceOf("*", false, false);
+juce::String CaptureButton::ending() const {
+    return pattern.fromFirstOccurrenceOf("*", false, false);
 }
 
 juce::File CaptureButton::writeForDrag() {
     if (!view.hasCaptured())
         return {};
-    const auto file = dragFolder().getChildFile(fileName());
-    file.getParentDirectory().createDirectory();
+    const auto folder = dragFolder();
+    if (!folder.isDirectory()) {
+        view.reportError("There is no place to put the capture for dragging.");
+        return {};
+    }
+    const auto file = folder.getNonexistentChildFile(captureName, ending());
     return view.writeCapture(kind, pathOf(file)) ? file : juce::File();
 }
 
 bool CaptureButton::isForDrag(const std::filesystem::path& file) {
-    return file.parent_path() == pathOf(dragFolder());
+    const auto folder = file.parent_path();
+    return folder.parent_path() == pathOf(temporaryFolder()) &&
+           nameOf(folder.filename()).starts_with(dragFolderPrefix);
 }
 
 void CaptureButton::mouseDown(const juce::MouseEvent& event) {
@@ -64,8 +91,8 @@ void CaptureButton::mouseDrag(const juce::MouseEvent& event) {
 void CaptureButton::save() {
     if (!view.hasCaptured())
         return view.reportError("There is nothing to save yet: no body has struck anything.");
-    const auto start =
-        juce::File::getSpecialLocation(juce::File::userDocumentsDirectory).getChildFile(fileName());
+    const auto start = juce::File::getSpecialLocation(juce::File::userDocumentsDirectory)
+                           .getChildFile(juce::String(captureName) + ending());
     chooser = std::make_unique<juce::FileChooser>(getTitle(), start, pattern);
     chooser->launchAsync(juce::FileBrowserComponent::saveMode |
                              juce::FileBrowserComponent::canSelectFiles |

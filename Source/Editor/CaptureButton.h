@@ -22,14 +22,15 @@ public:
     void mouseDrag(const juce::MouseEvent& event) override;
     void mouseUp(const juce::MouseEvent& event) override;
 
-    /// A file of the system's temporary folder, as it is dragged; none where it was not written.
+    /// A new file of the system's temporary folder, as it is dragged; none where it was not
+    /// written.
     juce::File writeForDrag();
     /// Whether it is such a file, of any window's.
     static bool isForDrag(const std::filesystem::path& file);
 
 private:
     void save();
-    juce::String fileName() const;
+    juce::String ending() const;
 
     ProcessorView& view;
     ProcessorView::CaptureKind kind;

@@ -180,7 +180,7 @@ TEST_CASE("Files are taken wherever they are dropped; of what cannot be opened i
             CHECK(status.sentence.ends_with("none of .obj, .off, .ply, .stl, .modal, .scl, .kbm."));
     }
     const auto captured = juce::File::getSpecialLocation(juce::File::tempDirectory)
-                              .getChildFile("Idiophone/Idiophone capture.mid");
+                              .getChildFile("Idiophone-drag-1a/Idiophone capture.mid");
     CHECK_FALSE(window.isInterestedInFileDrag({captured.getFullPathName()}));
 }
 

@@ -1,0 +1,63 @@
+#include "Editor/CaptureButton.h"
+
+#include "Editor/Utf8.h"
+#include "Support/TestFolder.h"
+#include "Support/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+/// A processor whose dice have struck something.
+struct Thrown {
+    Thrown() {
+        for (int program = 0; program < processor.getNumPrograms(); ++program)
+            if (processor.getProgramName(program) == "Dice on Rosewood")
+                processor.setCurrentProgram(program);
+        processor.setNonRealtime(true);
+        processor.prepareToPlay(48000, 480);
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::noteOn(1, 72, static_cast<juce::uint8>(100)), 0);
+        render(processor, 48000, 480, midi);
+        REQUIRE(processor.hasCaptured());
+    }
+    Processor processor;
+};
+
+} // namespace
+
+TEST_CASE("Every drag of a capture has a file of its own, which stays as it is") {
+    Thrown thrown;
+    CaptureButton midi(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
+    const auto first = midi.writeForDrag();
+    REQUIRE(first.existsAsFile());
+    const auto written = first.loadFileAsString();
+    thrown.processor.prepareToPlay(48000, 480);
+    CaptureButton other(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
+    const auto second = other.writeForDrag();
+    REQUIRE(second.existsAsFile());
+    CHECK(second != first);
+    CHECK(first.loadFileAsString() == written);
+    for (const auto& file : {first, second}) {
+        CHECK(file.hasFileExtension(".mid"));
+        CHECK(CaptureButton::isForDrag(pathOf(file)));
+    }
+    CHECK_FALSE(CaptureButton::isForDrag(pathOf(first.getParentDirectory().getSiblingFile("x"))));
+    CHECK_FALSE(CaptureButton::isForDrag(testFolder() / "Idiophone-drag-1" / "x.mid"));
+
+    // Not one that somebody else can have made, and made anew where it was cleared away.
+    const auto folder = first.getParentDirectory();
+#ifndef _WIN32
+    using std::filesystem::perms;
+    CHECK((std::filesystem::status(pathOf(folder)).permissions() &
+           (perms::group_all | perms::others_all)) == perms::none);
+#endif
+    REQUIRE(folder.deleteRecursively());
+    const auto third = midi.writeForDrag();
+    CHECK(third.existsAsFile());
+    CHECK(third.getParentDirectory() != folder);
+    third.getParentDirectory().deleteRecursively();
+}
