@@ -6,7 +6,9 @@
 #include "Console/OutputCheck.h"
 #include "Console/ProgressLine.h"
 #include "Geometry/MeshWriter.h"
-#include "Instrument/Preset.h"
+#include "Instrument/Instrument.h"
+#include "Instrument/PresetFile.h"
+#include "Instrument/StartingLevel.h"
 #include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/TextFile.h"
@@ -149,18 +151,70 @@ Result<void> writeBar(const TunedBar& bar, const Options& options) {
     return writeModalObject(bar.object, stem.string() + ".modal", ShapePrecision::half);
 }
 
+constexpr const char* tablesName = "bars.csv";
+constexpr const char* presetsDescription = "Made by idiophone tune.";
+constexpr double sampleRateHz = 48000;
+
+std::filesystem::path presetFile(const Options& options) {
+    return options.folder / (options.instrument + ".json");
+}
+
+bool isOurTable(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    std::string line;
+    return std::getline(stream, line) && line == tableHead;
+}
+
+bool isOurPreset(const std::filesystem::path& file) {
+    const auto preset = readPresetFile(file);
+    return preset && preset->description == presetsDescription;
+}
+
+/// Only what was made here before is made anew: nobody has named the files.
+Result<void> checkReplaceable(const Options& options, int from, int to) {
+    std::error_code ignored;
+    const auto refuse = [](const std::filesystem::path& file) {
+        return failure(nameOf(file) + ": it is there already, and `idiophone tune` has not made "
+                                      "it");
+    };
+    const auto table = options.folder / tablesName, preset = presetFile(options);
+    const bool isRedone = isOurTable(table);
+    if (!isRedone && std::filesystem::exists(table, ignored))
+        return refuse(table);
+    for (int note = from; note <= to && !isRedone; ++note)
+        for (const auto* ending : {".obj", ".modal"}) {
+            const auto file =
+                options.folder / (options.instrument + "-" + std::to_string(note) + ending);
+            if (std::filesystem::exists(file, ignored) &&
+                !(options.meshesOnly && file.extension() == ".modal"))
+                return refuse(file);
+        }
+    if (!options.meshesOnly && std::filesystem::exists(preset, ignored) && !isOurPreset(preset))
+        return refuse(preset);
+    return {};
+}
+
+/// With its objects named as beside it, so that the folder can be moved, and as loud as the
+/// factory's.
 Result<void>
 writePreset(const Options& options, const BarInstrument& instrument, int from, int to) {
     Preset preset;
     preset.name = "Tuned " + std::string(instrument.name);
-    preset.description = "Made by idiophone tune.";
+    preset.description = presetsDescription;
     preset.keyMap = {.kind = KeyMapKind::bars,
                      .lowestNote = from,
                      .highestNote = to,
-                     .object = storedNameOf(std::filesystem::absolute(options.folder) /
-                                            (std::string(instrument.name) + "-{note}.modal"))};
-    return writeTextFile(options.folder / (std::string(instrument.name) + ".json"),
-                         encodePreset(preset) + "\n");
+                     .object = std::string(instrument.name) + "-{note}.modal"};
+    const auto file = presetFile(options);
+    auto played = preset.keyMap;
+    played.object = storedNameOf(std::filesystem::absolute(options.folder) / played.object);
+    return Instrument::build(played, ObjectLibrary::shared())
+        .and_then([&](const std::shared_ptr<const Instrument>& built) {
+            preset.parameters.set(
+                ParameterId::level,
+                startingLevel(built, preset.surface, sampleRateHz, preset.parameters));
+            return writeTextFile(file, encodePreset(preset) + "\n");
+        });
 }
 
 Result<void> tuneKeyboard(const Options& options) {
@@ -169,13 +223,15 @@ Result<void> tuneKeyboard(const Options& options) {
         return fine;
     if (auto made = makeDirectory(options.folder); !made)
         return made;
-    const auto tablePath = options.folder / "bars.csv";
+    const int from = options.lowestNote.value_or(instrument->lowestNote);
+    const int to = options.highestNote.value_or(instrument->highestNote);
+    if (auto fine = checkReplaceable(options, from, to); !fine)
+        return fine;
+    const auto tablePath = options.folder / tablesName;
     if (auto writable = checkWritable(tablePath); !writable)
         return writable;
     std::ofstream table(tablePath);
     table << tableHead << '\n';
-    const int from = options.lowestNote.value_or(instrument->lowestNote);
-    const int to = options.highestNote.value_or(instrument->highestNote);
     for (int note = from; note <= to; ++note) {
         const auto asked = specification(options, *instrument, note);
         if (!asked)

@@ -33,6 +33,38 @@ class Tune(ConsoleTest):
                          "-o", self.folder / "note.wav", "--seconds", "1")
         self.assertGreater(told["peak_dbfs"], -60)
 
+    def test_the_keyboard_is_as_loud_as_the_factorys_wherever_its_folder_lies(self):
+        folder = self.tuned("--from", "60", "--to", "61")
+        moved = self.folder / "elsewhere" / "Marimba of maple"
+        moved.parent.mkdir()
+        folder.rename(moved)
+        told = self.json("presets", moved / "marimba.json")
+        self.assertAlmostEqual(told["level_db"], told["matching_level_db"], delta=3)
+        midi = self.write("note.mid", midi_file(note(0, 60)))
+        told = self.json("render", "--preset", moved / "marimba.json", "--midi", midi,
+                         "-o", self.folder / "note.wav", "--seconds", "1")
+        self.assertGreater(told["peak_dbfs"], -40)
+        self.assertLess(told["peak_dbfs"], -6)
+
+    def test_only_what_it_made_before_is_made_anew(self):
+        options = "--from", "84", "--to", "84"
+        folder = self.folder / "bars"
+        folder.mkdir()
+        for name in ("bars.csv", "marimba.json", "marimba-84.obj", "marimba-84.modal"):
+            with self.subTest(name=name):
+                mine = self.write(f"bars/{name}", "mine")
+                self.refuse("tune", "marimba", "-o", folder, *options, naming=mine,
+                            saying="there already")
+                self.assertEqual(mine.read_text(), "mine")
+                mine.unlink()
+        self.tuned(*options, "--meshes-only")
+        self.tuned(*options)
+        self.tuned(*options, "--a4", "442")
+        preset = folder / "marimba.json"
+        preset.write_text(preset.read_text().replace("Made by idiophone tune.", "Mine."))
+        self.refuse("tune", "marimba", "-o", folder, *options, naming=preset,
+                    saying="there already")
+
     def test_the_measures_are_those_of_the_mesh_to_cut(self):
         folder = self.tuned("--from", "72", "--to", "72")
         with (folder / "bars.csv").open() as file:
