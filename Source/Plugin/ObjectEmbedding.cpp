@@ -1,11 +1,13 @@
 #include "Plugin/ObjectEmbedding.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/PresetFile.h"
 #include "Object/FileBytes.h"
 #include "Object/HalfFloat.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/OneLine.h"
 #include "Scene/FactoryScenes.h"
+#include "Scene/SceneFile.h"
 #include "Scene/SceneStage.h"
 
 #include <algorithm>
@@ -70,10 +72,32 @@ private:
     std::map<std::weak_ptr<const ModalObject>, Text, std::owner_less<>> texts;
 };
 
+bool isFile(const std::string& name) {
+    std::error_code fault;
+    return std::filesystem::exists(pathNamed(name), fault);
+}
+
 std::string shown(const std::string& name) {
     constexpr std::size_t longest = 97;
     return name.size() > longest ? "..." + oneLine(name.substr(name.size() - longest))
                                  : oneLine(name);
+}
+
+/// Of what a scene names.
+std::optional<std::string> firstMissingIn(const Scene& scene) {
+    for (const auto& kind : scene.kinds)
+        if (!kind.ball && !factoryObject(kind.object) && !isFile(kind.object))
+            return shown(kind.object);
+    if (!scene.keyboard || findFactoryPreset(scene.keyboard->preset) != nullptr)
+        return std::nullopt;
+    if (!isFile(scene.keyboard->preset))
+        return shown(scene.keyboard->preset);
+    const auto file = pathNamed(scene.keyboard->preset);
+    const auto preset = readPresetFile(file);
+    // No other has bars for a keyboard, and one of this scene would be asked without end.
+    return preset && preset->keyMap.kind == KeyMapKind::bars
+               ? firstMissing(withObjectsBeside(preset->keyMap, file), {})
+               : std::nullopt;
 }
 
 /// Of its .modal file, at most.
@@ -172,13 +196,15 @@ Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const 
 
 std::optional<std::string> firstMissing(const KeyMap& keyMap,
                                         const std::vector<EmbeddedObject>& objects) {
-    const auto isFile = [](const std::string& name) {
-        std::error_code fault;
-        return std::filesystem::exists(pathNamed(name), fault);
-    };
     if (keyMap.kind == KeyMapKind::scene) {
-        const bool isThere = findFactoryScene(keyMap.object) != nullptr || isFile(keyMap.object);
-        return isThere ? std::nullopt : std::optional(shown(keyMap.object));
+        if (findFactoryScene(keyMap.object) != nullptr)
+            return std::nullopt;
+        const auto file = sceneFileNamed(keyMap.object);
+        std::error_code fault;
+        if (!std::filesystem::exists(file, fault))
+            return shown(keyMap.object);
+        const auto scene = readSceneFile(file); // a damaged one is an error where it is built
+        return scene ? firstMissingIn(*scene) : std::nullopt;
     }
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
         const auto name = keyMap.objectFor(note);

@@ -38,8 +38,8 @@ buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects
 /// The instrument unless its objects are too large for a state.
 Result<std::shared_ptr<const Instrument>> fitForState(std::shared_ptr<const Instrument> instrument);
 
-/// The first object of its notes, or its scene, that is neither the factory's nor given nor a file:
-/// its name for a sentence, of a long one the end.
+/// The first object of its notes that is neither the factory's nor given nor a file; or its scene,
+/// or what that names: its name for a sentence, of a long one the end.
 std::optional<std::string> firstMissing(const KeyMap& keyMap,
                                         const std::vector<EmbeddedObject>& objects);
 

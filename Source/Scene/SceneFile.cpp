@@ -2,6 +2,7 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Object/FileBytes.h"
+#include "Object/MaterialFile.h"
 #include "Object/TextFile.h"
 #include "Scene/SceneText.h"
 
@@ -22,6 +23,22 @@ Result<Scene> readSceneFile(const std::filesystem::path& file) {
     if (scene->keyboard && findFactoryPreset(scene->keyboard->preset) == nullptr)
         scene->keyboard->preset = beside(scene->keyboard->preset);
     return scene;
+}
+
+std::filesystem::path sceneFileNamed(std::string_view name) {
+    constexpr std::string_view settingsFolder = "/Idiophone/";
+    const auto named = pathNamed(name);
+    const auto own = userMaterialFolder().parent_path();
+    std::error_code fault;
+    if (std::filesystem::exists(named, fault) || own.empty())
+        return named;
+    for (auto at = name.find(settingsFolder); at != std::string_view::npos;
+         at = name.find(settingsFolder, at + 1)) {
+        auto file = own / pathNamed(name.substr(at + settingsFolder.size()));
+        if (std::filesystem::is_regular_file(file, fault))
+            return file;
+    }
+    return named;
 }
 
 } // namespace idiophone

@@ -5,6 +5,7 @@
 #include "Scene/Scene.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace idiophone {
 
@@ -12,5 +13,11 @@ namespace idiophone {
 /// are seen from its folder. The error names the file and the place in it. Not for the audio
 /// thread.
 Result<Scene> readSceneFile(const std::filesystem::path& file);
+
+/// The scene file that a project names by its whole path, in UTF-8. Where it is not there and lies
+/// in somebody's settings folder ("/home/ann/.config/Idiophone/Scenes/coins.json"), the file of
+/// that name in this user's, if there is one: users and machines have their folders elsewhere. Not
+/// for the audio thread.
+std::filesystem::path sceneFileNamed(std::string_view name);
 
 } // namespace idiophone

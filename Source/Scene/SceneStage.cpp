@@ -23,7 +23,7 @@ double between(const std::array<double, 2>& ends, int velocity) {
 Result<Scene> sceneNamed(const std::string& nameOrFile) {
     if (const auto* factory = findFactoryScene(nameOrFile))
         return *factory;
-    return readSceneFile(pathNamed(nameOrFile));
+    return readSceneFile(sceneFileNamed(nameOrFile));
 }
 
 } // namespace

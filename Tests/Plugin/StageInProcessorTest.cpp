@@ -5,6 +5,7 @@
 #include "Support/FullDisk.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
+#include "Support/UserSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -44,6 +45,22 @@ HostSound bounce(const std::string& state, int blockSize) {
     const auto sound = render(processor, rate, blockSize, chord());
     CHECK(processor.takeStatus().lateBlows == 0);
     return sound;
+}
+
+const char* const mine =
+    R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
+        "kinds": [{"name": "plate", "object": "plate", "fixed": true},
+                  {"name": "die", "object": "die"}],
+        "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.2]}]})";
+
+/// A song of a scene.
+State songOf(const std::filesystem::path& scene) {
+    auto state = testState();
+    state.preset.keyMap = {
+        .kind = KeyMapKind::scene, .lowestNote = 48, .highestNote = 72, .object = scene.string()};
+    state.parameters.set(ParameterId::size, 1.5);
+    state.objects.clear();
+    return state;
 }
 
 std::size_t onset(const std::vector<float>& sound) {
@@ -172,11 +189,7 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
 TEST_CASE("A preset of a scene file beside it opens, and again from a project elsewhere") {
     const auto folder = testFolder() / "scene-preset";
     std::filesystem::create_directories(folder);
-    std::ofstream(folder / "mine.json")
-        << R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
-               "kinds": [{"name": "plate", "object": "plate", "fixed": true},
-                         {"name": "die", "object": "die"}],
-               "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.2]}]})";
+    std::ofstream(folder / "mine.json") << mine;
     const auto built = buildPresetInstrument({.kind = KeyMapKind::scene, .object = "mine.json"},
                                              juce::File((folder / "preset.json").string()));
     REQUIRE(built);
@@ -198,12 +211,8 @@ TEST_CASE("A preset of a scene file beside it opens, and again from a project el
 TEST_CASE("A scene that is missing has a ring in its place, and plays once it is back") {
     const auto file = testFolder() / "moved.json";
     std::filesystem::remove(file);
-    auto state = testState();
-    state.preset.keyMap = {
-        .kind = KeyMapKind::scene, .lowestNote = 48, .highestNote = 72, .object = file.string()};
+    auto state = songOf(file);
     REQUIRE(state.preset.mutedModes.set("die", 2, true));
-    state.parameters.set(ParameterId::size, 1.5);
-    state.objects.clear();
     Processor first;
     restore(first, state);
     const auto status = first.takeStatus();
@@ -215,13 +224,102 @@ TEST_CASE("A scene that is missing has a ring in its place, and plays once it is
     const auto bytes = saved(first);
     CHECK(parseState(bytes)->preset == state.preset);
 
-    std::ofstream(file) << R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
-               "kinds": [{"name": "plate", "object": "plate", "fixed": true},
-                         {"name": "die", "object": "die"}],
-               "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.2]}]})";
+    std::ofstream(file) << mine;
     Processor second;
     restoreBytes(second, bytes);
     CHECK_FALSE(second.takeStatus().isError);
     CHECK(second.hasStage());
     CHECK(saved(second) == bytes);
+}
+
+TEST_CASE("What a scene names and is missing is named, and all else of its song restored") {
+    const auto folder = testFolder() / "scene-with-files";
+    std::filesystem::create_directories(folder / "bars");
+    const auto scene = folder / "mine.json", coin = folder / "coin.modal",
+               keys = folder / "keys.json", bar = folder / "bars/61.modal";
+    std::ofstream(scene) << R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
+        "kinds": [{"name": "coin", "object": "coin.modal"}],
+        "bodies": [{"kind": "coin", "at": [0, 0, 0.2]}],
+        "keyboard": {"preset": "keys.json"}})";
+    const std::string preset = R"({"format":"idiophone-preset","version":1,"name":"Bars","keyMap":)"
+                               R"({"kind":"bars","lowestNote":60,"highestNote":61,"object":)";
+    std::ofstream(keys) << preset + R"("bars/{note}.modal"}})";
+    const auto object = encodeModalObject(*ObjectLibrary::shared().find("die").value());
+    for (const auto& file : {coin, bar, folder / "bars/60.modal"})
+        std::ofstream(file, std::ios::binary)
+            .write(reinterpret_cast<const char*>(object.data()),
+                   static_cast<std::streamsize>(object.size()));
+    const auto state = songOf(scene);
+    const auto bytes = encodeState(state);
+    const auto presetFile = juce::File((folder / "preset.json").string());
+    Processor whole;
+    restoreBytes(whole, bytes);
+    INFO(whole.takeStatus().sentence);
+    REQUIRE_FALSE(whole.takeStatus().isError);
+    REQUIRE(whole.hasStage());
+
+    for (const auto& gone : {coin, keys, bar}) {
+        const auto kept = gone.string() + ".kept";
+        std::filesystem::rename(gone, kept);
+        Processor processor;
+        restoreBytes(processor, bytes);
+        const auto end = gone.string().substr(gone.string().size() - 30);
+        const auto sentence = processor.takeStatus().sentence;
+        INFO(sentence);
+        CHECK(sentence.find("Test keyboard: ") == 0);
+        CHECK(sentence.find(end + " is missing; until") != std::string::npos);
+        CHECK(processor.parameterValue(ParameterId::size) == 1.5);
+        CHECK(saved(processor) == bytes);
+        const auto built = buildPresetInstrument(state.preset.keyMap, presetFile);
+        REQUIRE(built);
+        CHECK(built->notice.find(end + " is missing") != std::string::npos);
+        std::filesystem::rename(kept, gone);
+    }
+    Processor again;
+    restoreBytes(again, bytes);
+    CHECK_FALSE(again.takeStatus().isError);
+
+    // Of what is there and cannot be, a keyboard that is the scene itself too, the error is told.
+    for (const auto& text : {preset + R"(1}})", R"({"format":"idiophone-preset","version":1,)"
+                                                R"("name":"Bars","keyMap":{"kind":"scene",)"
+                                                R"("object":"mine.json"}})" +
+                                                    std::string()}) {
+        std::ofstream(keys) << text;
+        Processor processor;
+        restoreBytes(processor, bytes);
+        CHECK(processor.takeStatus().sentence.find("The saved state cannot be played") == 0);
+        CHECK(saved(processor) == bytes);
+    }
+}
+
+TEST_CASE("A scene in one user's settings folder is found in another's") {
+    const UserSettings user;
+    const auto named = [](const std::string& path) {
+        auto state = songOf({});
+        state.preset.keyMap.object = path;
+        return encodeState(state);
+    };
+    const auto plays = [](const std::string& bytes) {
+        Processor processor;
+        restoreBytes(processor, bytes);
+        CHECK(saved(processor) == bytes); // for the machine where it was
+        return processor.hasStage();
+    };
+    const std::string anns[] = {"/home/ann/.config/Idiophone/Scenes/mine.json",
+                                "/home/ann/Idiophone/config/Idiophone/Scenes/mine.json",
+                                "C:/Users/ann/AppData/Roaming/Idiophone/Scenes/mine.json"};
+    for (const auto& path : anns)
+        CHECK_FALSE(plays(named(path)));
+    user.write("Scenes/mine.json", mine);
+    for (const auto& path : anns)
+        CHECK(plays(named(path)));
+    for (const auto* path : {"/home/ann/Scenes/mine.json", "/home/ann/.config/Idiophone/mine.json",
+                             "/home/ann/.config/Idiophone/Scenes", "Idiophone/", ""})
+        CHECK_FALSE(plays(named(path)));
+
+    // One that is there is the one.
+    const auto other = testFolder() / "Idiophone/Scenes";
+    std::filesystem::create_directories(other);
+    std::ofstream(other / "mine.json") << "damaged";
+    CHECK_FALSE(plays(named((other / "mine.json").string())));
 }
