@@ -1,5 +1,7 @@
 #include "Instrument/Instrument.h"
 
+#include "Object/OneLine.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -28,6 +30,17 @@ std::uint64_t nextSerialNumber() {
 
 } // namespace
 
+Result<void> boundedSlots(std::span<const SynthesiserSlot> slots, const KeyMap& keyMap) {
+    std::size_t modes = 0;
+    for (const auto& slot : slots)
+        modes += slot.object->modeCount();
+    if (modes > mostModesOfSlots)
+        return failure(inQuotes(keyMap.object) + " has " + std::to_string(modes) +
+                       " modes on all keys together, more than the " +
+                       std::to_string(mostModesOfSlots) + " that can be played");
+    return {};
+}
+
 Instrument::Instrument(KeyMap keyMap) : serial(nextSerialNumber()), map(std::move(keyMap)) {}
 
 Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap,
@@ -42,7 +55,9 @@ Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap
                                                        : instrument->buildSingleObject(library);
     if (!built)
         return tl::unexpected(built.error());
-    return instrument;
+    return boundedSlots(instrument->slots(), keyMap).map([&] {
+        return std::shared_ptr<const Instrument>(instrument);
+    });
 }
 
 std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
@@ -80,15 +95,19 @@ bool Instrument::keysHaveObjects() const {
 }
 
 Result<void> Instrument::buildBars(ObjectLibrary& library) {
+    std::map<const ModalObject*, int> stripOfObject; // one may be on many keys, and is large
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         auto object = library.find(map.objectFor(note));
         if (!object)
             return tl::unexpected(object.error());
+        const auto [strip, isNew] =
+            stripOfObject.try_emplace(object->get(), static_cast<int>(strips.size()));
+        if (isNew)
+            strips.push_back(strikeStrip(**object, map));
         keys[static_cast<std::size_t>(note)] = {.slot = static_cast<int>(synthesiserSlots.size()),
-                                                .strip = static_cast<int>(strips.size()),
+                                                .strip = strip->second,
                                                 .along = map.strikeAt,
                                                 .malletScale = 1};
-        strips.push_back(strikeStrip(**object, map));
         synthesiserSlots.push_back({.object = std::move(*object), .sizeRatio = 1});
     }
     return {};

@@ -23,9 +23,17 @@ struct Key {
     double malletScale = 1; ///< size of its mallet: time × this, impulse × this³
 };
 
+/// Of all slots together: each has a bank of its own, of half a kilobyte a mode, so that a small
+/// file on 128 keys could take any memory.
+inline constexpr std::size_t mostModesOfSlots = std::size_t{1} << 21;
+
+/// Refuses slots of more; the error names the map's object.
+Result<void> boundedSlots(std::span<const SynthesiserSlot> slots, const KeyMap& keyMap);
+
 class Instrument {
 public:
-    /// Loads what the preset names. The error names the object or the setting at fault.
+    /// Loads what the preset names. The error names the object or the setting at fault; one fault
+    /// is more modes than `mostModesOfSlots`.
     static Result<std::shared_ptr<const Instrument>> build(const KeyMap& keyMap,
                                                            ObjectLibrary& library);
 

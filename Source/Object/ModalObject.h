@@ -19,6 +19,10 @@ namespace idiophone {
 /// In single precision all that a mallet can do to such shapes stays finite.
 inline constexpr float largestShape = 1e8f;
 
+/// A large bell has some thousands of modes up to 20 kHz. Whoever plays an object needs half a
+/// kilobyte for each, however few bytes a file has for it.
+inline constexpr std::size_t mostModes = 65536;
+
 enum class BodyKind { solid, shell };
 
 struct MassProperties {

@@ -6,6 +6,7 @@
 #include "Object/HalfFloat.h"
 #include "Object/ModalObjectFile.h"
 #include "Object/OneLine.h"
+#include "Plugin/WithinMemory.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneStage.h"
@@ -158,40 +159,47 @@ fitForState(std::shared_ptr<const Instrument> instrument) {
 
 Result<std::shared_ptr<const Instrument>>
 buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects) {
-    const std::scoped_lock lock(libraryMutex());
-    auto& library = ObjectLibrary::shared();
-    std::vector<std::shared_ptr<const ModalObject>> kept;
-    for (const auto& embedded : objects) {
-        if (factoryObject(embedded.name))
-            continue;
-        auto object = readModalObject(embedded.modal, embedded.name);
-        if (!object)
-            return tl::unexpected(object.error());
-        kept.push_back(library.add(embedded.name, std::move(*object)));
-        if (embedded.packed != nullptr)
-            PackedObjects::shared().keep(kept.back(), embedded.packed);
-    }
-    return buildInstrument(keyMap, library).and_then(fitForState);
+    return withinMemory([&]() -> Result<std::shared_ptr<const Instrument>> {
+        const std::scoped_lock lock(libraryMutex());
+        auto& library = ObjectLibrary::shared();
+        std::vector<std::shared_ptr<const ModalObject>> kept;
+        for (const auto& embedded : objects) {
+            if (factoryObject(embedded.name))
+                continue;
+            auto object = readModalObject(embedded.modal, embedded.name);
+            if (!object)
+                return tl::unexpected(object.error());
+            kept.push_back(library.add(embedded.name, std::move(*object)));
+            if (embedded.packed != nullptr)
+                PackedObjects::shared().keep(kept.back(), embedded.packed);
+        }
+        return buildInstrument(keyMap, library).and_then(fitForState);
+    });
 }
 
 Result<std::shared_ptr<const Instrument>>
 buildSingleObject(const KeyMap& keyMap, const std::shared_ptr<const ModalObject>& object) {
-    const std::scoped_lock lock(libraryMutex());
-    auto& library = ObjectLibrary::shared();
-    library.add(keyMap.object, object);
-    return buildInstrument(keyMap, library).and_then(fitForState);
+    return withinMemory([&] {
+        const std::scoped_lock lock(libraryMutex());
+        auto& library = ObjectLibrary::shared();
+        library.add(keyMap.object, object);
+        return buildInstrument(keyMap, library).and_then(fitForState);
+    });
 }
 
 Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const KeyMap& keyMap) {
-    if (keyMap.kind == KeyMapKind::scene)
-        return buildInstrument(keyMap, ObjectLibrary::shared());
-    const std::scoped_lock lock(libraryMutex());
-    auto& library = ObjectLibrary::shared();
-    const auto& map = from.keyMap();
-    for (int note = map.lowestNote; note <= map.highestNote; ++note)
-        if (const int slot = from.key(note).slot; slot >= 0)
-            library.add(map.objectFor(note), from.slots()[static_cast<std::size_t>(slot)].object);
-    return buildInstrument(keyMap, library);
+    return withinMemory([&] {
+        auto& library = ObjectLibrary::shared();
+        if (keyMap.kind == KeyMapKind::scene)
+            return buildInstrument(keyMap, library);
+        const std::scoped_lock lock(libraryMutex());
+        const auto& map = from.keyMap();
+        for (int note = map.lowestNote; note <= map.highestNote; ++note)
+            if (const int slot = from.key(note).slot; slot >= 0)
+                library.add(map.objectFor(note),
+                            from.slots()[static_cast<std::size_t>(slot)].object);
+        return buildInstrument(keyMap, library);
+    });
 }
 
 std::optional<std::string> firstMissing(const KeyMap& keyMap,

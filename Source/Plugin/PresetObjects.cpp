@@ -7,6 +7,7 @@
 #include "Plugin/ContentHash.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/WholeFile.h"
+#include "Plugin/WithinMemory.h"
 #include "Scene/SceneStage.h"
 
 #include <algorithm>
@@ -75,6 +76,27 @@ Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const 
     return buildInstrument(keyMap, own);
 }
 
+Result<PresetInstrument> buildFound(const KeyMap& keyMap, const juce::File& presetFile) {
+    const auto found = withObjectsBeside(keyMap, pathOf(presetFile));
+    if (const auto missing = firstMissing(found, {})) {
+        const auto standIn = standInFor(keyMap);
+        return buildInstrument(standIn, ObjectLibrary::shared()).transform([&](auto built) {
+            return PresetInstrument{.keyMap = standIn,
+                                    .instrument = std::move(built),
+                                    .notice = *missing + " is missing; a steel ring plays in its "
+                                                         "place."};
+        });
+    }
+    const bool isScene = keyMap.kind == KeyMapKind::scene;
+    const auto& played = isScene ? found : keyMap;
+    return (isScene ? buildInstrument(found, ObjectLibrary::shared()) : buildWith(keyMap, found))
+        .and_then(fitForState)
+        .transform([&](auto built) {
+            return PresetInstrument{
+                .keyMap = played, .instrument = std::move(built), .notice = std::string()};
+        });
+}
+
 } // namespace
 
 Result<KeyMap>
@@ -113,24 +135,7 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
 }
 
 Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile) {
-    const auto found = withObjectsBeside(keyMap, pathOf(presetFile));
-    if (const auto missing = firstMissing(found, {})) {
-        const auto standIn = standInFor(keyMap);
-        return buildInstrument(standIn, ObjectLibrary::shared()).transform([&](auto built) {
-            return PresetInstrument{.keyMap = standIn,
-                                    .instrument = std::move(built),
-                                    .notice = *missing + " is missing; a steel ring plays in its "
-                                                         "place."};
-        });
-    }
-    const bool isScene = keyMap.kind == KeyMapKind::scene;
-    const auto& played = isScene ? found : keyMap;
-    return (isScene ? buildInstrument(found, ObjectLibrary::shared()) : buildWith(keyMap, found))
-        .and_then(fitForState)
-        .transform([&](auto built) {
-            return PresetInstrument{
-                .keyMap = played, .instrument = std::move(built), .notice = std::string()};
-        });
+    return withinMemory([&] { return buildFound(keyMap, presetFile); });
 }
 
 } // namespace idiophone

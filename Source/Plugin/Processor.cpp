@@ -3,8 +3,10 @@
 #include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Object/OneLine.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
+#include "Plugin/WithinMemory.h"
 #include "Synth/LiveConditions.h"
 
 #include <algorithm>
@@ -162,7 +164,10 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     output.prepare(preparedRateHz, BlockPieces::maximumSamples);
     monitor.prepare(preparedRateHz);
     delete handoff.take();
-    sound.install(instrument ? newPlayer() : nullptr);
+    auto player = newPlayer(instrument, loadedPreset);
+    if (!player)
+        lastError = player.error().message;
+    sound.install(player ? prepared(std::move(*player)) : nullptr);
     handoff.collect();
     forgetEvents();
     tempo = 0;
@@ -235,6 +240,11 @@ void Processor::setCurrentProgram(int index) {
             lastError = preset.name + " cannot be played: " + built.error().message;
             return;
         }
+        auto player = newPlayer(*built, preset);
+        if (!player) {
+            lastError = player.error().message;
+            return;
+        }
         unknownOfSound.clear();
         parameters.load(withSetupOf(parameters.values(), preset.parameters));
         play(preset, std::move(*built));
@@ -246,8 +256,10 @@ void Processor::setCurrentProgram(int index) {
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }
 
-/// Under soundMutex.
-void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
+/// Under soundMutex, with what `newPlayer` has made of them.
+void Processor::play(Preset preset,
+                     std::shared_ptr<const Instrument> built,
+                     std::unique_ptr<Player> player) {
     double slowest = std::numeric_limits<double>::infinity();
     double ratio = std::numeric_limits<double>::infinity();
     for (const auto& slot : built->slots()) {
@@ -271,15 +283,31 @@ void Processor::play(Preset preset, std::shared_ptr<const Instrument> built) {
     lastError.clear();
     // Before the player, which has its own: an older message never comes to it.
     sendSilences();
-    if (preparedRateHz > 0)
-        handoff.publish(newPlayer());
+    if (player != nullptr)
+        handoff.publish(prepared(std::move(player)));
 }
 
-std::unique_ptr<Player> Processor::newPlayer() const {
-    auto player = std::make_unique<Player>(instrument, preparedRateHz, loadedPreset.surface,
-                                           loadedPreset.seed, loadedPreset.parameters);
-    player->setSilencedModes(silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
-    player->prepare(parameters.values());
+/// Under soundMutex: the first thing where another sound is to play, since all stays as it was
+/// where the memory does not suffice for it. Null without a sample rate or an instrument.
+Result<std::unique_ptr<Player>> Processor::newPlayer(const std::shared_ptr<const Instrument>& built,
+                                                     const Preset& preset) const {
+    if (built == nullptr || !(preparedRateHz > 0))
+        return nullptr;
+    return withinMemory(
+        [&]() -> Result<std::unique_ptr<Player>> {
+            return std::make_unique<Player>(built, preparedRateHz, preset.surface, preset.seed,
+                                            preset.parameters);
+        },
+        preset.name.empty() ? "The sound" : oneLine(preset.name));
+}
+
+/// Under soundMutex: for what plays, and for the parameters as they are now.
+std::unique_ptr<Player> Processor::prepared(std::unique_ptr<Player> player) const {
+    if (player != nullptr) {
+        player->setSilencedModes(
+            silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
+        player->prepare(parameters.values());
+    }
     return player;
 }
 

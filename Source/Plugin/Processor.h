@@ -170,10 +170,14 @@ private:
     Result<void> restore(const State& state);
     void giveUpRefused();
     void changedByHand();
-    void play(Preset preset, std::shared_ptr<const Instrument> instrument);
+    void play(Preset preset,
+              std::shared_ptr<const Instrument> instrument,
+              std::unique_ptr<Player> player);
     void tuneTo(const ScalaTuning& wanted, const KeyTuning& keys);
     void recordTuning(const std::string& step, const ScalaTuning& before, const ScalaTuning& after);
-    std::unique_ptr<Player> newPlayer() const;
+    Result<std::unique_ptr<Player>> newPlayer(const std::shared_ptr<const Instrument>& instrument,
+                                              const Preset& preset) const;
+    std::unique_ptr<Player> prepared(std::unique_ptr<Player> player) const;
     bool
     changeModes(std::size_t object,
                 const std::function<bool(const std::string& key, std::size_t modeCount)>& change);

@@ -57,15 +57,22 @@ void Processor::playSound(const Sound& wanted) {
         // preset of the same object does not.
         const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
                               sharesObject(wanted.instrument, instrument);
+        const bool playsOn = wanted.instrument == instrument &&
+                             playsAlike(wanted.preset, loadedPreset);
+        auto player = playsOn ? nullptr : newPlayer(wanted.instrument, wanted.preset);
+        if (!player) {
+            lastError = player.error().message;
+            return;
+        }
         parameters.load(withSetupOf(parameters.values(), wanted.parameters));
-        if (wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset)) {
+        if (playsOn) {
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
             loadedPreset = wanted.preset;
             if (!sameModes)
                 sendSilences();
             giveUpRefused();
         } else {
-            play(wanted.preset, wanted.instrument);
+            play(wanted.preset, wanted.instrument, std::move(*player));
         }
         if (isImport)
             importLoads = loads;

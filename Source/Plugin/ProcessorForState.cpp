@@ -5,6 +5,7 @@
 #include "Object/OneLine.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
+#include "Plugin/WithinMemory.h"
 
 #include <algorithm>
 
@@ -44,8 +45,11 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
 void Processor::setStateInformation(const void* bytes, int byteCount) {
     const std::string_view text(static_cast<const char*>(bytes),
                                 static_cast<std::size_t>(std::max(byteCount, 0)));
-    const auto restored =
-        parseState(text).and_then([this](const State& state) { return restore(state); });
+    const auto restored = withinMemory(
+        [&] {
+            return parseState(text).and_then([this](const State& state) { return restore(state); });
+        },
+        "The saved state");
     if (!restored) {
         const std::scoped_lock lock(soundMutex);
         lastError = restored.error().message;
@@ -76,13 +80,16 @@ Result<void> Processor::restore(const State& state) {
     auto built = buildInstrument(preset.keyMap, state.objects);
     if (!built)
         return failure("The saved state cannot be played: " + built.error().message);
+    auto player = newPlayer(*built, preset);
+    if (!player)
+        return tl::unexpected(player.error());
     tuneTo(state.tuning, *keys);
     tuner.forgetMessages(); // the state knows of none
     unknownOfSound = state.unknownOfSound;
     unknownOfInstance = state.unknownOfInstance;
     parameters.load(state.parameters);
     controllers.assign(state.controllers);
-    play(std::move(preset), std::move(*built));
+    play(std::move(preset), std::move(*built), std::move(*player));
     ++loadsByHost;
     if (absent != nullptr) {
         missing = std::move(absent);

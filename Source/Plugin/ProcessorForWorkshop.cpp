@@ -5,10 +5,12 @@
 #include "Instrument/SingleObjectMap.h"
 #include "Instrument/StartingLevel.h"
 #include "Object/Material.h"
+#include "Object/OneLine.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/OwnSlots.h"
+#include "Plugin/WithinMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,8 +134,17 @@ ImportStatus Processor::importStatus() const {
 void Processor::followWorkshop() {
     if (importLoads != loads)
         return workshop.cancel();
-    if (const auto product = workshop.takeProduct())
-        return playProduct(*product);
+    if (const auto product = workshop.takeProduct()) {
+        const auto played = withinMemory(
+            [&]() -> Result<void> {
+                playProduct(*product);
+                return {};
+            },
+            oneLine(product->object->name));
+        if (!played)
+            reportError(played.error().message);
+        return;
+    }
     if (const auto status = workshop.status();
         status.stage == ImportStatus::Stage::failed && !std::exchange(importFailureShown, true))
         reportError(status.error);
@@ -240,8 +251,8 @@ ParameterValues Processor::asLoudAs(const Sound& before,
 }
 
 /// Plays it instead of what was loaded, of whose parameters it changes those in which `values`
-/// differ, and whose unknown members it keeps. Returns the number of its load; nothing where that
-/// does not play any more.
+/// differ, and whose unknown members it keeps. Returns the number of its load;
+/// nothing where that does not play any more, or the memory does not suffice, which it reports.
 std::optional<int> Processor::playInstead(const Loaded& now,
                                           const Preset& preset,
                                           const std::shared_ptr<const Instrument>& built,
@@ -251,9 +262,14 @@ std::optional<int> Processor::playInstead(const Loaded& now,
         const std::scoped_lock lock(soundMutex);
         if (loads != now.number)
             return std::nullopt;
+        auto player = newPlayer(built, preset);
+        if (!player) {
+            lastError = player.error().message;
+            return std::nullopt;
+        }
         parameters.loadChanges(now.sound.parameters, values);
         unknownOfSound = now.sound.unknownMembers;
-        play(preset, built);
+        play(preset, built, std::move(*player));
         programIndex = -1;
         number = loads;
     }

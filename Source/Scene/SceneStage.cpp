@@ -41,6 +41,8 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
     const auto stage = std::make_shared<const SceneStage>(std::move(*cast));
     if (stage->slots().empty())
         return failure("nothing in the scene '" + stage->cast()->scene().name + "' can sound");
+    if (const auto bounded = boundedSlots(stage->slots(), keyMap); !bounded)
+        return tl::unexpected(bounded.error());
     return Instrument::onStage(keyMap, stage->slots(),
                                stage->slotOfKey(keyMap.lowestNote, keyMap.highestNote), stage);
 }

@@ -62,6 +62,37 @@ TEST_CASE("Bars give every key an object of its own") {
     CHECK((*instrument)->key(62).slot == -1);
 }
 
+TEST_CASE("Keys of one object share its strip, which is made once") {
+    ObjectLibrary library;
+    const auto all = library.add("all", syntheticObject({440}));
+    const auto one = library.add("bar-60", syntheticObject({262}));
+    const auto same = Instrument::build(keyMap(KeyMapKind::bars, 0, 127, "all"), library).value();
+    for (int note = 0; note < 128; ++note) {
+        CHECK(same->key(note).slot == note);
+        CHECK(&same->strip(same->key(note)) == &same->strip(same->key(0)));
+    }
+    library.add("bar-61", all);
+    library.add("bar-62", one);
+    const auto bars =
+        Instrument::build(keyMap(KeyMapKind::bars, 60, 62, "bar-{note}"), library).value();
+    CHECK(&bars->strip(bars->key(60)) == &bars->strip(bars->key(62)));
+    CHECK(&bars->strip(bars->key(60)) != &bars->strip(bars->key(61)));
+}
+
+TEST_CASE("An instrument has a bounded number of modes on all keys together") {
+    ObjectLibrary library;
+    const auto kept = library.add("crowd", syntheticObject(std::vector<double>(mostModes, 440.0)));
+    const auto most = static_cast<int>(mostModesOfSlots / mostModes);
+    for (const auto kind : {KeyMapKind::bars, KeyMapKind::scaled}) {
+        CHECK(Instrument::build(keyMap(kind, 0, most - 1, "crowd"), library));
+        const auto built = Instrument::build(keyMap(kind, 0, most, "crowd"), library);
+        REQUIRE_FALSE(built);
+        CHECK(built.error().message == "'crowd' has 2162688 modes on all keys together, more than "
+                                       "the 2097152 that can be played");
+    }
+    CHECK(Instrument::build(keyMap(KeyMapKind::zones, 0, 127, "crowd"), library));
+}
+
 TEST_CASE("Zones move the strike along the path as the keys go up") {
     ObjectLibrary library;
     const auto kept = library.add("square", syntheticObject({200}));

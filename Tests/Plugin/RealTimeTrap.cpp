@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstdint>
 #include <ctime>
 #include <cxxabi.h>
 #include <dlfcn.h>
@@ -30,6 +31,7 @@ struct Watch {
     int allocations = 0, locks = 0, systemCalls = 0;
     const char* first = nullptr;
     int firstSystemCall = -1;
+    std::size_t mostBytes = SIZE_MAX; ///< of one allocation
 };
 thread_local Watch watch;
 
@@ -108,7 +110,7 @@ void __libc_free(void*);
 
 void* malloc(std::size_t size) {
     noteAllocation("malloc");
-    return __libc_malloc(size);
+    return size > watch.mostBytes ? nullptr : __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) {
     noteAllocation("calloc");
@@ -124,11 +126,11 @@ void* memalign(std::size_t alignment, std::size_t size) {
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
     noteAllocation("aligned_alloc");
-    return __libc_memalign(alignment, size);
+    return size > watch.mostBytes ? nullptr : __libc_memalign(alignment, size);
 }
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
     noteAllocation("posix_memalign");
-    *block = __libc_memalign(alignment, size);
+    *block = size > watch.mostBytes ? nullptr : __libc_memalign(alignment, size);
     return *block == nullptr ? ENOMEM : 0;
 }
 void free(void* block) {
@@ -211,6 +213,14 @@ RealTimeFaults endRealTimeWatch() {
     return faults;
 }
 
+MemoryLimit::MemoryLimit(std::size_t mostBytes) {
+    watch.mostBytes = mostBytes;
+}
+
+MemoryLimit::~MemoryLimit() {
+    watch.mostBytes = SIZE_MAX;
+}
+
 } // namespace idiophone::test
 
 #else
@@ -227,6 +237,8 @@ void beginRealTimeWatch() {}
 RealTimeFaults endRealTimeWatch() {
     return {};
 }
+MemoryLimit::MemoryLimit(std::size_t) {}
+MemoryLimit::~MemoryLimit() {}
 
 } // namespace idiophone::test
 

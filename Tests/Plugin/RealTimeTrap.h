@@ -1,7 +1,9 @@
 // Watches code that must not allocate, lock or call the system: counts what it does of that while
-// it runs. Linux with glibc; not under the sanitizers, which replace the same functions.
+// it runs. And leaves code without memory. Linux with glibc; not under the sanitizers, which
+// replace the same functions.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace idiophone::test {
@@ -30,5 +32,15 @@ RealTimeFaults faultsOf(Callback&& callback) {
     callback();
     return endRealTimeWatch();
 }
+
+/// While it lives, this thread gets no memory of more bytes in one piece: `new` throws. Where
+/// `realTimeTrapWorks`.
+class MemoryLimit {
+public:
+    explicit MemoryLimit(std::size_t mostBytes);
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+    ~MemoryLimit();
+};
 
 } // namespace idiophone::test

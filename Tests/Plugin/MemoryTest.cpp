@@ -1,0 +1,173 @@
+// Small files that ask for much memory: they are refused in a sentence, and what played goes on.
+#include "Plugin/RealTimeTrap.h"
+#include "Plugin/RestoredSound.h"
+#include "Support/ImportedFiles.h"
+#include "Support/UserSettings.h"
+
+#include "Plugin/PresetObjects.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+constexpr std::size_t manyModes = 20'000; // whose tables take 2.56 MB, and whose file a tenth
+constexpr std::size_t mostBytes = 2'000'000;
+
+ModalObject objectOf(std::size_t modes) {
+    std::vector<double> frequenciesHz(modes);
+    for (std::size_t mode = 0; mode < modes; ++mode)
+        frequenciesHz[mode] = 100 + 0.5 * static_cast<double>(mode);
+    auto object = syntheticObject(frequenciesHz, std::vector<float>(modes, 0.01f));
+    object.name = "Crowd";
+    return object;
+}
+
+State crowd(KeyMapKind kind, int lowestNote, int highestNote) {
+    auto state = testState();
+    state.preset.name = "Crowded";
+    state.preset.keyMap = {
+        .kind = kind, .lowestNote = lowestNote, .highestNote = highestNote, .object = "crowd"};
+    state.objects = {{.name = "crowd", .modal = encodeModalObject(objectOf(manyModes))}};
+    return state;
+}
+
+void restoreTest(Processor& processor) {
+    restore(processor, testState());
+    processor.prepareToPlay(48000, blockSamples);
+    REQUIRE_FALSE(processor.takeStatus().isError);
+}
+
+/// What `restoreTest` has restored plays on, and the status says why.
+void checkKept(Processor& processor, const std::string& sentence) {
+    const auto status = processor.takeStatus();
+    CHECK(status.isError);
+    CHECK_THAT(status.sentence, ContainsSubstring(sentence));
+    CHECK(processor.loadedLabel().name == "Test keyboard");
+    CHECK(loudest(firstBlock(processor)) > 1e-4f);
+}
+
+const std::string noMemory = " takes more memory than this machine has";
+
+} // namespace
+
+TEST_CASE("An object of many modes on many keys is refused, and what plays goes on") {
+    const UserSettings user;
+    Processor processor;
+    restoreTest(processor);
+    const std::string fault = "has 2560000 modes on all keys together";
+    SECTION("in a state, however few bytes it has") {
+        for (const auto kind : {KeyMapKind::scaled, KeyMapKind::bars}) {
+            const auto bytes = encodeState(crowd(kind, 0, 127));
+            CHECK(bytes.size() < 2'000'000);
+            restoreBytes(processor, bytes);
+            checkKept(processor, "The saved state cannot be played: 'crowd' " + fault);
+            CHECK(saved(processor) == bytes);
+        }
+    }
+    SECTION("in a preset") {
+        user.write("Presets/Crowd.json",
+                   R"({"format":"idiophone-preset","version":1,"name":"Crowded","keyMap":{"kind":)"
+                   R"("scaled","lowestNote":0,"highestNote":127,"object":"crowd.modal"}})");
+        REQUIRE(writeModalObject(objectOf(manyModes), user.folder() / "Presets/crowd.modal"));
+        const auto loaded = processor.presetShelf().loadPreset("Crowd.json");
+        REQUIRE_FALSE(loaded);
+        CHECK_THAT(loaded.error().message, ContainsSubstring("Crowded cannot be played: 'crowd"));
+        CHECK_THAT(loaded.error().message, ContainsSubstring(fault));
+        processor.reportError(loaded.error().message);
+        checkKept(processor, fault);
+    }
+    SECTION("opened in the window, where a key map would have as many") {
+        const auto file = testFolder() / "Crowd.modal";
+        REQUIRE(writeModalObject(objectOf(mostModes), file));
+        processor.openFile(file);
+        finish(processor);
+        checkKept(processor, "Crowd cannot be played: 'Crowd");
+    }
+    SECTION("but not where one bank plays all keys") {
+        restore(processor, crowd(KeyMapKind::zones, 0, 127));
+        CHECK_FALSE(processor.takeStatus().isError);
+        CHECK(processor.loadedLabel().name == "Crowded");
+        processor.setKeyLayout(KeyLayout::scaled);
+        CHECK_THAT(processor.takeStatus().sentence,
+                   ContainsSubstring("The keys cannot be changed: 'crowd' " + fault));
+        CHECK(processor.keyLayout() == KeyLayout::zones);
+    }
+}
+
+TEST_CASE("A sound for which the memory does not suffice is refused, and what plays goes on") {
+    if (!realTimeTrapWorks())
+        SKIP("allocations cannot be made to fail here");
+    const UserSettings user;
+    Processor processor;
+    const auto bytes = encodeState(crowd(KeyMapKind::zones, 60, 72));
+    SECTION("a state's") {
+        restoreTest(processor);
+        {
+            const MemoryLimit limit(mostBytes);
+            restoreBytes(processor, bytes);
+        }
+        checkKept(processor, "Crowded" + noMemory);
+        CHECK(saved(processor) == bytes);
+        restoreBytes(processor, bytes);
+        CHECK_FALSE(processor.takeStatus().isError);
+        CHECK(processor.loadedLabel().name == "Crowded");
+    }
+    SECTION("a state's, which cannot even be read") {
+        restoreTest(processor);
+        {
+            const MemoryLimit limit(100'000);
+            restoreBytes(processor, bytes);
+        }
+        checkKept(processor, "The saved state" + noMemory);
+    }
+    SECTION("a preset's") {
+        user.write("Presets/Crowd.json",
+                   R"({"format":"idiophone-preset","version":1,"name":"Crowded","keyMap":{"kind":)"
+                   R"("zones","lowestNote":0,"highestNote":127,"object":"crowd.modal"}})");
+        REQUIRE(writeModalObject(objectOf(manyModes), user.folder() / "Presets/crowd.modal"));
+        restoreTest(processor);
+        {
+            const MemoryLimit limit(mostBytes);
+            REQUIRE(processor.presetShelf().loadPreset("Crowd.json"));
+        }
+        checkKept(processor, "Crowded" + noMemory);
+        CHECK_FALSE(processor.editHistory().canUndo());
+        {
+            const MemoryLimit limit(100'000);
+            const auto loaded = processor.presetShelf().loadPreset("Crowd.json");
+            REQUIRE_FALSE(loaded);
+            CHECK(loaded.error().message == "Crowded cannot be played: it" + noMemory);
+        }
+    }
+    SECTION("an object's that is opened") {
+        const auto file = testFolder() / "Crowd.modal";
+        REQUIRE(writeModalObject(objectOf(2000), file)); // of 61 keys
+        for (const int most : {200'000, 20'000}) {
+            restoreTest(processor);
+            processor.openFile(file);
+            {
+                const MemoryLimit limit(static_cast<std::size_t>(most));
+                finish(processor);
+            }
+            checkKept(processor, noMemory);
+        }
+    }
+    SECTION("when the host prepares") {
+        restoreBytes(processor, bytes);
+        CHECK_FALSE(processor.takeStatus().isError);
+        {
+            const MemoryLimit limit(mostBytes);
+            processor.prepareToPlay(48000, blockSamples);
+        }
+        CHECK(processor.takeStatus().sentence == "Crowded" + noMemory);
+        CHECK(loudest(firstBlock(processor)) == 0);
+        CHECK(saved(processor) == bytes);
+        processor.prepareToPlay(48000, blockSamples);
+        CHECK(loudest(firstBlock(processor)) > 1e-4f);
+    }
+}
