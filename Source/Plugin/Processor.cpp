@@ -245,6 +245,7 @@ void Processor::setCurrentProgram(int index) {
             lastError = player.error().message;
             return;
         }
+        engineVersion = ownEngineVersion();
         unknownOfSound.clear();
         parameters.load(withSetupOf(parameters.values(), preset.parameters));
         play(preset, std::move(*built));

@@ -240,11 +240,12 @@ private:
     ModeSet modesHeardAlone;
     ScalaTuning scala; ///< of files
     std::shared_ptr<const Instrument> instrument;
-    std::string unknownOfSound, unknownOfInstance; ///< as in State
-    std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
-    std::shared_ptr<const RefusedState> refused;   ///< or null
-    std::string presetId;                          ///< of the shelf, or empty
-    ParameterValues storedParameters;              ///< of that preset
+    std::string engineVersion = ownEngineVersion(); ///< of the sound
+    std::string unknownOfSound, unknownOfInstance;  ///< as in State
+    std::shared_ptr<const MissingObjects> missing;  ///< for which a stand-in plays, or null
+    std::shared_ptr<const RefusedState> refused;    ///< or null
+    std::string presetId;                           ///< of the shelf, or empty
+    ParameterValues storedParameters;               ///< of that preset
     std::string lastError;
     double preparedRateHz = 0; ///< 0 until prepared
 

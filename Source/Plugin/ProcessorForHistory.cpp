@@ -29,6 +29,7 @@ Processor::Loaded Processor::loaded() const {
     return {.sound = {.preset = loadedPreset,
                       .instrument = instrument,
                       .parameters = parameters.values(),
+                      .engineVersion = engineVersion,
                       .unknownMembers = unknownOfSound,
                       .missing = missing,
                       .refused = refused,
@@ -58,6 +59,7 @@ void Processor::playSound(const Sound& wanted) {
         const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
                               sharesObject(wanted.instrument, instrument);
         const bool playsOn = wanted.instrument == instrument &&
+                             wanted.engineVersion == engineVersion &&
                              playsAlike(wanted.preset, loadedPreset);
         auto player = playsOn ? nullptr : newPlayer(wanted.instrument, wanted.preset);
         if (!player) {
@@ -76,6 +78,7 @@ void Processor::playSound(const Sound& wanted) {
         }
         if (isImport)
             importLoads = loads;
+        engineVersion = wanted.engineVersion;
         unknownOfSound = wanted.unknownMembers;
         missing = wanted.missing;
         refused = wanted.refused;

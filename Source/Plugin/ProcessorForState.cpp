@@ -19,7 +19,7 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
         const std::scoped_lock lock(soundMutex);
         if (refused && refused->controllers == controllers.assignments())
             return destination.replaceAll(refused->bytes.data(), refused->bytes.size());
-        state = {.engineVersion = IDIOPHONE_VERSION,
+        state = {.engineVersion = engineVersion,
                  .parameters = parameters.values(),
                  .preset = loadedPreset,
                  .objects = {},
@@ -85,6 +85,7 @@ Result<void> Processor::restore(const State& state) {
         return tl::unexpected(player.error());
     tuneTo(state.tuning, *keys);
     tuner.forgetMessages(); // the state knows of none
+    engineVersion = state.engineVersion;
     unknownOfSound = state.unknownOfSound;
     unknownOfInstance = state.unknownOfInstance;
     parameters.load(state.parameters);

@@ -233,6 +233,10 @@ State parse(const json& root) {
 
 } // namespace
 
+std::string ownEngineVersion() {
+    return IDIOPHONE_VERSION;
+}
+
 std::string packedModal(std::span<const std::byte> modal) {
     juce::MemoryOutputStream compressed;
     {

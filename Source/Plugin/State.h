@@ -37,8 +37,11 @@ struct EmbeddedObject {
 /// A .modal file as states have it: as text. Takes some tenths of a second for a large one.
 std::string packedModal(std::span<const std::byte> modal);
 
+/// Of this Idiophone.
+std::string ownEngineVersion();
+
 struct State {
-    std::string engineVersion; ///< of the Idiophone that saved it
+    std::string engineVersion; ///< as in Sound
     ParameterValues parameters;
     Preset preset; ///< its `unknownParameters` are in `unknownOfSound`
     std::vector<EmbeddedObject> objects;

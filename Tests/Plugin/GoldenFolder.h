@@ -20,8 +20,7 @@ inline const std::filesystem::path goldenFolder =
 inline std::filesystem::path folderOfThisVersion() {
     if (std::getenv("IDIOPHONE_MAKE_GOLDEN") == nullptr)
         SKIP("IDIOPHONE_MAKE_GOLDEN is not set");
-    Processor processor;
-    const auto folder = goldenFolder / parseState(saved(processor))->engineVersion;
+    const auto folder = goldenFolder / ownEngineVersion();
     std::filesystem::create_directories(folder);
     return folder;
 }

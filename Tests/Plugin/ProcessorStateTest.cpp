@@ -197,3 +197,80 @@ TEST_CASE(
     CHECK(second.presetShelf().chosenPreset().empty());
     CHECK(second.getCurrentProgram() == 0); // hosts know no other
 }
+
+TEST_CASE("A sound keeps the version that it was made with, also a newer one; new ones have ours") {
+    const UserSettings user;
+    const auto versionOf = [](Processor& processor) {
+        return parseState(saved(processor))->engineVersion;
+    };
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    auto& history = processor.editHistory();
+    CHECK(versionOf(processor) == ownEngineVersion());
+    for (const std::string version : {"0.0.9", "99.0.0", ""}) {
+        auto state = unusualState();
+        state.engineVersion = version;
+        state.preset.keyMap.kind = KeyMapKind::zones;
+        state.preset.keyMap.object = state.objects[0].name;
+        const auto bytes = encodeState(state);
+        const auto isKept = [&] { return versionOf(processor) == version; };
+        const auto isOurs = [&] { return versionOf(processor) == ownEngineVersion(); };
+        restoreBytes(processor, bytes);
+        REQUIRE_FALSE(processor.takeStatus().isError);
+        CHECK(saved(processor) == bytes);
+
+        // What is changed of it, and what only gets a name, stays as it sounds.
+        processor.changeParameter(ParameterId::size, 1.1);
+        processor.soundVariants().mutate(0.5, 1);
+        REQUIRE(processor.muteMode(0, 1, true));
+        CHECK(isKept());
+        processor.setKeyLayout(KeyLayout::scaled);
+        CHECK(isKept());
+        REQUIRE(shelf.savePreset(
+            {.name = "Named", .folder = {}, .author = {}, .description = {}, .tags = {}}, true));
+        CHECK(isKept());
+
+        // Another sound is new; the steps and the other variant know theirs.
+        REQUIRE(shelf.loadPreset("Named.json"));
+        CHECK(isOurs());
+        history.undo();
+        CHECK(isKept());
+        history.redo();
+        CHECK(isOurs());
+        history.undo();
+        processor.soundVariants().compare();
+        REQUIRE(shelf.loadPreset(factoryPresetId("Wok")));
+        CHECK(isOurs());
+        processor.soundVariants().compare();
+        CHECK(isKept());
+        processor.soundVariants().compare();
+        CHECK(isOurs());
+        REQUIRE(shelf.loadInitialSound());
+        CHECK(isOurs());
+        restoreBytes(processor, bytes);
+        REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
+        CHECK(isOurs());
+        shelf.endAudition();
+        CHECK(saved(processor) == bytes);
+        processor.setCurrentProgram(1);
+        CHECK(isOurs());
+
+        // An object that is opened is a new sound, another analysis of it is not.
+        restoreBytes(processor, bytes);
+        processor.openFile(smallPlateFile("plate.obj", 1000));
+        finish(processor);
+        CHECK(processor.loadedLabel().name == "plate");
+        CHECK(isOurs());
+    }
+    SECTION("a refused state and one with missing objects are saved with theirs") {
+        auto state = testState();
+        state.engineVersion = "0.0.9";
+        state.objects.clear();
+        restore(processor, state);
+        CHECK(processor.takeStatus().isError);
+        CHECK(saved(processor) == encodeState(state));
+        restoreBytes(processor, "noise");
+        processor.changeParameter(ParameterId::size, 1.1); // which ends what was refused
+        CHECK(versionOf(processor) == "0.0.9");
+    }
+}

@@ -45,7 +45,7 @@ TEST_CASE("What cannot be restored leaves the sound as it was, is saved again as
         CHECK(firstBlock(processor) == expected);
         restore(processor, testState());
         CHECK_FALSE(processor.takeStatus().isError);
-        CHECK(saved(processor) == encodeState(ofThisVersion(testState())));
+        CHECK(saved(processor) == encodeState(testState()));
     }
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("A refused state outlives what a song does by itself, and ends with wh
 TEST_CASE(
     "Where objects are missing a ring plays with all else restored, and what the state named is "
     "saved again") {
-    auto state = ofThisVersion(unusualState());
+    auto state = unusualState();
     state.tuning.scale = {.name = "two.scl", .text = "two\n2\n600.\n1200.\n"};
     state.controllers[ParameterId::tau] = 21;
     REQUIRE(state.preset.mutedModes.set("61", 2, true));

@@ -35,11 +35,4 @@ inline HostSound reference(const State& state) {
     return firstBlock(processor);
 }
 
-/// As a processor saves it.
-inline State ofThisVersion(State state) {
-    Processor processor;
-    state.engineVersion = parseState(saved(processor))->engineVersion;
-    return state;
-}
-
 } // namespace idiophone::test
