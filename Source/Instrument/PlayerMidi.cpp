@@ -110,11 +110,14 @@ void Player::forgetPressures() {
     notePressures = {};
 }
 
-/// Keys that are down when the sostenuto pedal goes down are held until it is up again.
+/// Keys that are down when the sostenuto pedal goes down are held until it is up again; then by the
+/// sustain pedal, where that is down.
 void Player::catchKeys(bool isDown) {
     if (isDown == sostenutoPedal)
         return;
     sostenutoPedal = isDown;
+    if (sustainPedal)
+        keysSustained |= keysCaught;
     keysCaught.reset();
     if (isDown)
         for (const auto& down : keysDown)
