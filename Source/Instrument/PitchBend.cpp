@@ -24,10 +24,20 @@ void PitchBend::setParameters(const ParameterValues& parameters) noexcept {
     commonRange.setParameter(parameters[ParameterId::bendRange]);
     memberRange.setParameter(parameters[ParameterId::mpeBendRange]);
     const bool isOn = parameters[ParameterId::mpe] != 0;
-    if (std::exchange(mpeParameter, isOn) != isOn) {
+    const bool isMoved = std::exchange(mpeParameter, isOn) != isOn;
+    if (isMoved && !(configured && configured->any() == isOn)) {
         configured.reset();
         forgetNotes();
     }
+    bendHeldNotes();
+}
+
+void PitchBend::forgetGiven() noexcept {
+    commonRange.forgetGiven();
+    memberRange.forgetGiven();
+    newlyGiven = {};
+    if (std::exchange(configured, std::nullopt))
+        forgetNotes();
     bendHeldNotes();
 }
 
@@ -41,6 +51,13 @@ bool PitchBend::isMember(int channel) const noexcept {
            (channel < upperManager && channel >= upperManager - upper);
 }
 
+PitchBend::Group PitchBend::groupOf(int channel) const noexcept {
+    const auto [lower, upper] = zones();
+    if (lower > 0 && channel <= lower)
+        return lowerZone;
+    return upper > 0 && channel >= upperManager - upper ? upperZone : outside;
+}
+
 PitchBend::Channels PitchBend::reachOf(int channel) const noexcept {
     const auto [lower, upper] = zones();
     if (channel == lowerManager && lower > 0)
@@ -52,6 +69,7 @@ PitchBend::Channels PitchBend::reachOf(int channel) const noexcept {
 
 void PitchBend::noteOn(int channel, int note) noexcept {
     heldBy[at(note)] = isMember(channel) ? static_cast<std::int8_t>(channel) : none;
+    noteGroups[at(note)] = groupOf(channel);
     noteSemitones[at(note)] = 0;
     bendHeldNotes();
 }
@@ -64,7 +82,7 @@ void PitchBend::noteOff(int channel, int note) noexcept {
 void PitchBend::wheel(int channel, int low, int high) noexcept {
     const double bend = std::clamp((high * 128 + low - 8192) / 8191.0, -1.0, 1.0);
     if (!isMember(channel)) {
-        commonBend = bend;
+        commonBends[groupOf(channel)] = bend;
         return;
     }
     memberBends[at(channel)] = bend;
@@ -106,7 +124,7 @@ void PitchBend::controller(int channel, int number, int value) noexcept {
         break;
     case midi::resetControllers:
         if (!isMember(channel))
-            commonBend = 0;
+            commonBends[groupOf(channel)] = 0;
         for (int each = reachOf(channel).first; each <= reachOf(channel).last; ++each) {
             memberBends[at(each)] = 0;
             forgetParameter(each);
@@ -119,7 +137,9 @@ void PitchBend::controller(int channel, int number, int value) noexcept {
 }
 
 void PitchBend::giveRange(int channel, int semitones, int cents) noexcept {
-    rangeOf(channel).give(semitones + std::min(cents, 99) / 100.0);
+    const double given = semitones + std::min(cents, 99) / 100.0;
+    rangeOf(channel).give(given);
+    (isMember(channel) ? newlyGiven.memberRange : newlyGiven.range) = given;
     bendHeldNotes();
 }
 
@@ -132,14 +152,17 @@ void PitchBend::configure(int managerChannel, int members) noexcept {
     auto& other = managerChannel == lowerManager ? wanted.upperMembers : wanted.lowerMembers;
     own = std::clamp(members, 0, mostMembers);
     // Fourteen members and two managers are all channels there are.
-    other = std::clamp(other, 0, std::max(mostMembers - 1 - own, 0));
+    if (own > 0)
+        other = std::clamp(other, 0, std::max(mostMembers - 1 - own, 0));
     configured = wanted;
     memberRange.give(memberSemitones);
+    newlyGiven.mpe = wanted.any() ? 1 : 0;
+    newlyGiven.memberRange = memberSemitones;
     forgetNotes();
 }
 
 void PitchBend::forgetParameter(int channel) noexcept {
-    parameterMsb[at(channel)] = parameterLsb[at(channel)] = 127;
+    parameterMsb[at(channel)] = parameterLsb[at(channel)] = nullParameter;
 }
 
 void PitchBend::releaseNotes() noexcept {
@@ -147,18 +170,20 @@ void PitchBend::releaseNotes() noexcept {
 }
 
 void PitchBend::forgetNotes() noexcept {
-    commonBend = 0;
+    commonBends.fill(0);
     heldBy.fill(none);
     noteSemitones.fill(0);
+    noteGroups.fill(groupOf(lowerManager));
     memberBends.fill(0);
 }
 
-double PitchBend::commonSemitones() const noexcept {
-    return commonBend * commonRange.semitones();
+double PitchBend::commonSemitones(int note) const noexcept {
+    const auto group = note < 0 ? groupOf(lowerManager) : noteGroups[at(note)];
+    return commonBends[group] * commonRange.semitones();
 }
 
 void PitchBend::takeWheelsOf(const PitchBend& other) noexcept {
-    commonBend = other.commonBend;
+    commonBends = other.commonBends;
     memberBends = other.memberBends;
 }
 
@@ -169,6 +194,7 @@ void PitchBend::takeSetupOf(const PitchBend& other) noexcept {
     memberRange = other.memberRange;
     parameterMsb = other.parameterMsb;
     parameterLsb = other.parameterLsb;
+    noteGroups.fill(groupOf(lowerManager));
 }
 
 void PitchBend::reset() noexcept {

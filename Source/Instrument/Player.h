@@ -102,6 +102,9 @@ public:
     void takeControllersOf(const Player& former) noexcept;
     /// Of these only MPE's zones and the bend ranges.
     void takeBendSetupOf(const Player& former) noexcept;
+    /// See PitchBend.
+    PitchBend::Given takeGivenBends() noexcept { return bend.takeGiven(); }
+    void forgetGivenBends() noexcept { bend.forgetGiven(); }
 
     /// On a stage: whether `process` may wait for what its bodies do.
     void setOffline(bool isOffline) noexcept;

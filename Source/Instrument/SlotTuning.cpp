@@ -39,7 +39,7 @@ void SlotTuning::noteOn(int note) noexcept {
 void SlotTuning::apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept {
     for (std::size_t slot = 0; slot < slots.size(); ++slot) {
         auto& [note, tuned, bent, bendsAtOnce, semitones] = slots[slot];
-        double goal = bend.commonSemitones();
+        double goal = bend.commonSemitones(note);
         if (note >= 0) {
             goal += bend.ownSemitones(note);
             if (const auto index = static_cast<std::size_t>(note);

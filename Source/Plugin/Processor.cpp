@@ -55,6 +55,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     silencer.silence(sound.player());
     tuner.tune(sound.player());
     if (auto* player = sound.player()) {
+        if (forgetsGivenBends.exchange(false))
+            player->forgetGivenBends();
         tempo = hostTempo();
         player->setTempo(tempo);
         player->setOffline(isNonRealtime());
@@ -80,8 +82,11 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         if (const auto program = awaitingKeys.takeProgram())
             requestedProgram = programsOfMidi * ++programRequests + *program;
         sound.process(rendered, piece->events, values);
-        if (auto* player = sound.player(); player != nullptr && player->takeAllSoundOff())
-            output.hush();
+        if (auto* player = sound.player()) {
+            followGivenBends(*player);
+            if (player->takeAllSoundOff())
+                output.hush();
+        }
         output.process(rendered.left, rendered.right, channels, values);
         report(channels, piece->length);
     }
@@ -111,6 +116,21 @@ double Processor::hostTempo() const noexcept {
         return tempo;
     const double told = position->getBpm().orFallback(0);
     return told > 0 && told <= fastest ? told : 0;
+}
+
+/// [audio thread] Zones and bend ranges that MIDI gives move their parameters as learned
+/// controllers do: they are shown and saved.
+void Processor::followGivenBends(Player& player) noexcept {
+    using enum ParameterId;
+    const auto given = player.takeGivenBends();
+    const auto move = [this](ParameterId id, std::optional<double> value) {
+        auto& parameter = parameters[id];
+        if (value && parameter.info().clamped(*value) != parameter.exactValue())
+            parameter.moveByController(*value);
+    };
+    move(mpe, given.mpe);
+    move(bendRange, given.range);
+    move(mpeBendRange, given.memberRange);
 }
 
 std::span<float* const> Processor::channelsFrom(juce::AudioBuffer<float>& buffer,
@@ -248,7 +268,7 @@ void Processor::setCurrentProgram(int index) {
         engineVersion = ownEngineVersion();
         unknownOfSound.clear();
         parameters.load(withSetupOf(parameters.values(), preset.parameters));
-        play(preset, std::move(*built));
+        play(preset, std::move(*built), std::move(*player));
         ++loadsByHost;
         programIndex = index;
         presetId = factoryPresetId(preset.name);

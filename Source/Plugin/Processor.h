@@ -213,6 +213,7 @@ private:
 
     void forgetEvents() noexcept;
     double hostTempo() const noexcept;
+    void followGivenBends(Player& player) noexcept;
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
     void report(std::span<float* const> channels, int count) noexcept;
@@ -264,6 +265,7 @@ private:
     std::atomic<bool> stageResetRequested{false};
     /// That MIDI asked for last, until its player is handed over: with a number of its own in the
     /// upper bits, as the same may be asked for again. Or -1.
+    std::atomic<bool> forgetsGivenBends{false}; ///< the player has not forgotten them yet
     std::atomic<std::int64_t> requestedProgram{-1};
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects

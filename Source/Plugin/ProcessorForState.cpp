@@ -85,6 +85,7 @@ Result<void> Processor::restore(const State& state) {
         return tl::unexpected(player.error());
     tuneTo(state.tuning, *keys);
     tuner.forgetMessages(); // the state knows of none
+    forgetsGivenBends = true;
     engineVersion = state.engineVersion;
     unknownOfSound = state.unknownOfSound;
     unknownOfInstance = state.unknownOfInstance;

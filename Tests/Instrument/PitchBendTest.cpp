@@ -1,5 +1,6 @@
 #include "Instrument/PitchBend.h"
 
+#include <array>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -32,12 +33,12 @@ TEST_CASE("Without MPE any channel's wheel bends all notes") {
     auto bend = bendWith(false);
     bend.noteOn(5, 60);
     bend.wheel(5, 127, up);
-    CHECK(bend.commonSemitones() == 2);
+    CHECK(bend.commonSemitones(60) == 2);
     CHECK(bend.ownSemitones(60) == 0);
     bend.wheel(3, 0, 0);
-    CHECK(bend.commonSemitones() == -2);
+    CHECK(bend.commonSemitones(60) == -2);
     bend.wheel(3, 0, rest);
-    CHECK(bend.commonSemitones() == 0);
+    CHECK(bend.commonSemitones(60) == 0);
 }
 
 TEST_CASE("With MPE a member's wheel bends its own notes, and the zone's all of them") {
@@ -47,9 +48,9 @@ TEST_CASE("With MPE a member's wheel bends its own notes, and the zone's all of 
     bend.wheel(1, 127, up);
     CHECK(bend.ownSemitones(60) == 48);
     CHECK(bend.ownSemitones(64) == 0);
-    CHECK(bend.commonSemitones() == 0);
+    CHECK(bend.commonSemitones(60) == 0);
     bend.wheel(0, 127, up);
-    CHECK(bend.commonSemitones() == 2);
+    CHECK(bend.commonSemitones(60) == 2);
     CHECK(bend.ownSemitones(64) == 0);
 }
 
@@ -76,22 +77,104 @@ TEST_CASE("MIDI configures zones, whatever the parameter says") {
         bend.noteOn(channel, 60);
         bend.wheel(channel, 127, up);
         CHECK(bend.ownSemitones(60) == 48);
-        CHECK(bend.commonSemitones() == 0);
+        CHECK(bend.commonSemitones(60) == 0);
     }
     CHECK(bend.reachOf(0).last == 7);
     CHECK(bend.reachOf(15).first == 10);
     CHECK(bend.reachOf(9).first == 9); // in neither zone
     CHECK(bend.reachOf(9).last == 9);
-    bend.wheel(9, 127, up);
-    CHECK(bend.commonSemitones() == 2);
-
     giveRegistered(bend, 15, 6, 14); // takes the lower zone's channels
     CHECK(bend.reachOf(0).last == 0);
     CHECK(bend.reachOf(15).first == 1);
     giveRegistered(bend, 15, 6, 0);
     CHECK(bend.reachOf(15).first == 15);
     bend.wheel(1, 127, up);
-    CHECK(bend.commonSemitones() == 2);
+    CHECK(bend.commonSemitones(60) == 2);
+}
+
+TEST_CASE("The wheel of a zone's own channel bends the zone's notes, and no others") {
+    auto bend = bendWith(false);
+    giveRegistered(bend, 0, 6, 5);
+    giveRegistered(bend, 15, 6, 5);
+    constexpr std::array channels{0, 3, 7, 8, 11, 15}; // two of each zone, two beside them
+    constexpr std::array groups{0, 0, 1, 1, 2, 2};
+    constexpr std::array wheels{0, 8, 15}; // of each group
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        bend.noteOn(channels[i], 60 + static_cast<int>(i));
+    for (std::size_t wheel = 0; wheel < wheels.size(); ++wheel) {
+        bend.wheel(wheels[wheel], 127, up);
+        for (std::size_t i = 0; i < channels.size(); ++i) {
+            CAPTURE(wheel, channels[i]);
+            const int note = 60 + static_cast<int>(i);
+            CHECK(bend.commonSemitones(note) == (groups[i] == static_cast<int>(wheel) ? 2 : 0));
+            bend.noteOff(channels[i], note); // and as it rings on
+        }
+        bend.controller(wheels[wheel], 121, 0);
+    }
+    bend.wheel(0, 127, up);
+    CHECK(bend.commonSemitones(50) == 2); // not played yet
+    bend.noteOn(15, 60);                  // in the other zone now
+    CHECK(bend.commonSemitones(60) == 0);
+}
+
+TEST_CASE("A zone that is ended leaves the other one its members") {
+    auto bend = bendWith(true);
+    giveRegistered(bend, 15, 6, 0);
+    CHECK(bend.reachOf(0).last == 15);
+    giveRegistered(bend, 15, 6, 1);
+    CHECK(bend.reachOf(0).last == 13);
+}
+
+TEST_CASE("Parameters may move along to what MIDI gave, and it holds as it was given") {
+    auto bend = bendWith(false);
+    giveRegistered(bend, 0, 6, 3);
+    giveRegistered(bend, 1, 0, 0);  // less than its parameter can be
+    giveRegistered(bend, 0, 0, 60); // more than it can
+    giveRegistered(bend, 0, 0, 7);
+    bend.controller(0, 38, 50); // and between its steps
+    const auto given = bend.takeGiven();
+    CHECK(given.mpe == 1);
+    CHECK(given.memberRange == 0);
+    CHECK(given.range == 7.5);
+    const auto nothing = bend.takeGiven();
+    CHECK_FALSE((nothing.mpe || nothing.memberRange || nothing.range));
+
+    bend.noteOn(1, 60);
+    bend.wheel(0, 127, up);
+    bend.wheel(1, 127, up);
+    ParameterValues values;
+    values.set(ParameterId::mpe, *given.mpe);
+    values.set(ParameterId::bendRange, *given.range);
+    values.set(ParameterId::mpeBendRange, *given.memberRange);
+    REQUIRE(values[ParameterId::mpeBendRange] == 1);
+    bend.setParameters(values);
+    CHECK(bend.reachOf(0).last == 3);
+    CHECK(bend.commonSemitones(60) == 7.5);
+    CHECK(bend.ownSemitones(60) == 0);
+
+    // Elsewhere they are moved by somebody else.
+    values.set(ParameterId::mpeBendRange, 12);
+    values.set(ParameterId::bendRange, 2);
+    bend.setParameters(values);
+    CHECK(bend.commonSemitones(60) == 2);
+    CHECK(bend.ownSemitones(60) == 12);
+    giveRegistered(bend, 0, 6, 0);
+    CHECK(bend.takeGiven().mpe == 0);
+}
+
+TEST_CASE("What MIDI gave can be forgotten: zones and ranges are the parameters' again") {
+    auto bend = bendWith(true, 3, 24);
+    giveRegistered(bend, 0, 6, 7);
+    giveRegistered(bend, 15, 6, 7);
+    giveRegistered(bend, 0, 0, 12);
+    bend.forgetGiven();
+    CHECK(bend.reachOf(0).last == 15);
+    CHECK_FALSE(bend.takeGiven().mpe);
+    bend.noteOn(14, 60);
+    bend.wheel(14, 127, up);
+    bend.wheel(0, 127, up);
+    CHECK(bend.ownSemitones(60) == 24);
+    CHECK(bend.commonSemitones(60) == 3);
 }
 
 TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
@@ -99,7 +182,7 @@ TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
     giveRegistered(bend, 0, 0, 7);
     bend.controller(0, 38, 50);
     bend.wheel(0, 127, up);
-    CHECK(bend.commonSemitones() == Approx(7.5));
+    CHECK(bend.commonSemitones(60) == Approx(7.5));
     giveRegistered(bend, 3, 0, 24); // of all members
     bend.noteOn(5, 60);
     bend.wheel(5, 127, up);
@@ -109,23 +192,23 @@ TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
     values.set(ParameterId::mpe, 1);
     values.set(ParameterId::bendRange, 3);
     bend.setParameters(values);
-    CHECK(bend.commonSemitones() == 3);
+    CHECK(bend.commonSemitones(60) == 3);
     CHECK(bend.ownSemitones(60) == 24);
 
     bend.controller(0, 101, 127); // no parameter: data go nowhere
     bend.controller(0, 100, 127);
     bend.controller(0, 6, 11);
-    CHECK(bend.commonSemitones() == 3);
+    CHECK(bend.commonSemitones(60) == 3);
 }
 
 TEST_CASE("What is switched on finds all wheels at rest, and the parameter has the last word") {
     auto bend = bendWith(false);
     bend.wheel(7, 0, 96);
-    CHECK(bend.commonSemitones() == Approx(1).margin(0.01));
+    CHECK(bend.commonSemitones(60) == Approx(1).margin(0.01));
     ParameterValues values;
     values.set(ParameterId::mpe, 1);
     bend.setParameters(values);
-    CHECK(bend.commonSemitones() == 0);
+    CHECK(bend.commonSemitones(60) == 0);
     CHECK(bend.reachOf(0).last == 15);
     giveRegistered(bend, 0, 6, 0);
     CHECK(bend.reachOf(0).last == 0);
@@ -143,7 +226,7 @@ TEST_CASE("Data for a parameter that is not registered are nobody's bend range")
     bend.controller(0, 98, 8);
     bend.controller(0, 6, 64);
     bend.wheel(0, 127, up);
-    CHECK(bend.commonSemitones() == 12);
+    CHECK(bend.commonSemitones(60) == 12);
 }
 
 TEST_CASE("Notes that all end at once keep their bends") {
@@ -164,9 +247,9 @@ TEST_CASE("Reset controllers brings a channel's wheel back; a reset keeps zones 
     bend.wheel(0, 127, up);
     bend.controller(1, 121, 0);
     CHECK(bend.ownSemitones(60) == 0);
-    CHECK(bend.commonSemitones() == 2);
+    CHECK(bend.commonSemitones(60) == 2);
     bend.reset();
-    CHECK(bend.commonSemitones() == 0);
+    CHECK(bend.commonSemitones(60) == 0);
     bend.noteOn(1, 60);
     bend.wheel(1, 127, up);
     CHECK(bend.ownSemitones(60) == 12);

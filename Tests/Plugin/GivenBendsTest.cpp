@@ -1,0 +1,142 @@
+// Zones of MPE and bend ranges that MIDI gives: shown, told to the host, saved, and ended by a
+// state.
+#include "Support/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <utility>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 480;
+
+/// Channels from 1, as JUCE has them.
+void give(juce::MidiBuffer& midi, int channel, int registered, int value) {
+    for (const auto& [number, data] : {std::pair{101, 0}, {100, registered}, {6, value}})
+        midi.addEvent(juce::MidiMessage::controllerEvent(channel, number, data), 0);
+}
+
+constexpr int bendRange = 0, zone = 6; // registered parameters
+
+/// Two notes whose channels' wheels are apart, and what all wheels of their own do.
+juce::MidiBuffer bentNotes() {
+    juce::MidiBuffer midi;
+    for (const auto& [channel, note, wheel] :
+         {std::tuple{2, 62, 16383}, {9, 65, 0}, {12, 70, 12000}}) {
+        midi.addEvent(juce::MidiMessage::noteOn(channel, note, juce::uint8{100}), 10);
+        midi.addEvent(juce::MidiMessage::pitchWheel(channel, wheel), 10);
+    }
+    return midi;
+}
+
+struct Instance {
+    explicit Instance(const State& state) {
+        restore(processor, state);
+        processor.prepareToPlay(rateHz, blockSize);
+    }
+    void send(const juce::MidiBuffer& midi) { render(processor, blockSize, blockSize, midi); }
+    HostSound playBent() { return render(processor, 9600, blockSize, bentNotes()); }
+    double value(ParameterId parameter) const { return processor.parameterValue(parameter); }
+
+    Processor processor;
+};
+
+struct CountingHost final : juce::AudioProcessorListener {
+    void audioProcessorParameterChanged(juce::AudioProcessor*, int index, float value) override {
+        heard.emplace_back(index, value);
+    }
+    void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
+    std::vector<std::pair<int, float>> heard;
+};
+
+} // namespace
+
+TEST_CASE("Zones and bend ranges that MIDI gives are parameters' values, and are saved") {
+    Instance before(testState());
+    juce::MidiBuffer setup;
+    give(setup, 1, zone, 15);
+    give(setup, 3, bendRange, 24);
+    give(setup, 1, bendRange, 7);
+    before.send(setup);
+    CHECK(before.value(ParameterId::mpe) == 1);
+    CHECK(before.value(ParameterId::mpeBendRange) == 24);
+    CHECK(before.value(ParameterId::bendRange) == 7);
+
+    Instance reopened(testState()), plain(testState());
+    restoreBytes(reopened.processor, saved(before.processor));
+    reopened.send({}); // takes the restored sound over
+    const auto sound = reopened.playBent();
+    CHECK(sound != plain.playBent());
+    Instance fresh(testState());
+    fresh.send(setup);
+    CHECK(sound == fresh.playBent());
+
+    juce::MidiBuffer none;
+    give(none, 1, zone, 0);
+    before.send(none);
+    CHECK(before.value(ParameterId::mpe) == 0);
+}
+
+TEST_CASE("The host is told of what MIDI gives, and only where it is something else") {
+    CountingHost host;
+    Instance instance(testState());
+    instance.processor.addListener(&host);
+    juce::MidiBuffer setup;
+    give(setup, 1, zone, 15);
+    give(setup, 1, bendRange, 12);
+    for (int times = 0; times < 3; ++times) {
+        instance.send(setup);
+        for (int i = 0; i < 30; ++i) {
+            juce::Thread::sleep(5);
+            juce::Timer::callPendingTimersSynchronously();
+        }
+    }
+    const std::vector<std::pair<int, float>> once{
+        {static_cast<int>(ParameterId::bendRange), 12 / 48.0f},
+        {static_cast<int>(ParameterId::mpe), 1.0f}};
+    CHECK(host.heard == once); // the members' range was 48 already
+    instance.processor.removeListener(&host);
+}
+
+TEST_CASE("A restored state ends zones and bend ranges that MIDI gave before") {
+    auto state = testState();
+    SECTION("where it has none of them") {}
+    SECTION("where it has a zone") {
+        state.parameters.set(ParameterId::mpe, 1);
+        state.parameters.set(ParameterId::mpeBendRange, 12);
+    }
+    Instance configured(state), fresh(state);
+    juce::MidiBuffer setup;
+    give(setup, 1, zone, 6);
+    give(setup, 16, zone, 6);
+    give(setup, 2, bendRange, 24);
+    give(setup, 10, bendRange, 24);
+    configured.send(setup);
+    configured.send({});
+    restore(configured.processor, state);
+    for (auto* each : {&configured, &fresh})
+        each->send({});
+    CHECK(configured.value(ParameterId::mpe) == state.parameters[ParameterId::mpe]);
+    CHECK(configured.playBent() == fresh.playBent());
+}
+
+TEST_CASE("Zones and fractions of a bend range that no parameter has hold while nothing moves") {
+    Instance atOnce(testState()), later(testState());
+    juce::MidiBuffer setup;
+    give(setup, 1, zone, 6);
+    give(setup, 16, zone, 4);
+    give(setup, 2, bendRange, 24);
+    setup.addEvent(juce::MidiMessage::controllerEvent(2, 38, 30), 0);
+    auto notes = setup;
+    notes.addEvents(bentNotes(), 0, blockSize, 0);
+    later.send(setup);
+    for (int block = 0; block < 10; ++block)
+        later.send({});
+    later.send({});
+    for (int block = 0; block < 4; ++block) // to a point of the grid, as the other
+        atOnce.send({});
+    CHECK(render(atOnce.processor, 9600, blockSize, notes) == later.playBent());
+}
