@@ -17,6 +17,18 @@ float Motor::advance(double turnsPerSecond, double depth) {
     return static_cast<float>(1 - depthNow * (1 - std::cos(4 * std::numbers::pi * turn)) / 2);
 }
 
+void Motor::keepTo(double turns, bool isAtOnce) {
+    constexpr double keepingSeconds = 0.1; // heard as a turn, not as a step
+    const double wanted = turns - std::floor(turns);
+    if (isAtOnce) {
+        turn = wanted;
+        return;
+    }
+    double way = wanted - turn;
+    way -= std::round(2 * way) / 2; // open twice a turn
+    turn += (1 - std::exp(-cellSeconds / keepingSeconds)) * way;
+}
+
 void Motor::reset() {
     turn = depthNow = 0;
 }

@@ -13,6 +13,10 @@ public:
     /// 1 − `depth` (closed, 0 to 1), twice a turn each. A change of depth takes about 10 ms.
     float advance(double turnsPerSecond, double depth);
 
+    /// Before `advance`, where something else says how far the motor has turned: so far at once, or
+    /// a share of the way, by the shorter one to discs as open as that.
+    void keepTo(double turns, bool isAtOnce);
+
     /// Open, as at the start.
     void reset();
 

@@ -61,6 +61,14 @@ std::uint32_t firstStrike(std::uint64_t seed) {
     return static_cast<std::uint32_t>((seed - 1) * 0x9e3779b97f4a7c15u >> 32);
 }
 
+/// The same for every place near a beat, 0 for the first ones, and far from one beat to the next. A
+/// loop that ends within a block is told at a place behind its start; songs seldom begin shortly
+/// before a beat.
+std::uint32_t strikesBefore(double beats) {
+    const auto beat = static_cast<std::int64_t>(std::floor(beats + 0.1));
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(beat) * 0x9e3779b97f4a7c15u >> 32);
+}
+
 } // namespace
 
 Player::Player(std::shared_ptr<const Instrument> instrument,
@@ -108,13 +116,17 @@ void Player::process(const StereoSpan& output,
     current = glide.values();
     bend.setParameters(current);
     const int count = static_cast<int>(output.size());
+    const double beatsPerSample = tempo / 60 / synth.sampleRateHz();
+    const auto placeAt = [this, beatsPerSample](int position) {
+        return songPlace ? std::optional(*songPlace + position * beatsPerSample) : std::nullopt;
+    };
     std::size_t next = 0;
     for (int position = 0; position < count;) {
         const auto due = dueAt(position, events.subspan(next));
         next += due.size();
         const auto striking = follow(due);
         if (cellPosition == cellSamples)
-            beginCell();
+            beginCell(placeAt(position));
         strikeWaiting();
         for (const auto& event : striking)
             strikeFor(event);
@@ -128,6 +140,7 @@ void Player::process(const StereoSpan& output,
         cellPosition += until - position;
         position = until;
     }
+    songPlace = placeAt(count);
     // Stamped at or beyond the end, as what is handed over with an empty block is: notes strike
     // with the first sample there is.
     while (next < events.size()) {
@@ -179,7 +192,7 @@ SynthesisSettings Player::settingsNow() const {
     return synthesisSettings(current);
 }
 
-void Player::beginCell() {
+void Player::beginCell(std::optional<double> beats) {
     glide.advance();
     current = glide.values();
     synth.setSettings(settingsNow());
@@ -190,7 +203,7 @@ void Player::beginCell() {
     ++cellIndex;
     if (performance)
         playStage();
-    updateGain();
+    updateGain(beats);
     cellPosition = 0;
 }
 
@@ -278,7 +291,7 @@ void Player::prepare(const ParameterValues& parameters) {
 
 /// Once a cell, on the grid: what matches loudness, which moves when a prediction is complete, and
 /// the motor.
-void Player::updateGain() {
+void Player::updateGain(std::optional<double> beats) {
     loudness.advance(glide.goalValues());
     // What is predicted is what keys strike with mallets.
     const auto goal = performance ? 1.0f : static_cast<float>(std::pow(10, loudness.gainDb() / 20));
@@ -287,6 +300,8 @@ void Player::updateGain() {
     if (std::abs(goal - matchingGain) < 1e-5f * goal)
         matchingGain = goal;
     gainAtCellStart = before;
+    if (const auto turns = beats && tempo > 0 ? motorTurnsAt(current, *beats) : std::nullopt)
+        motor.keepTo(*turns, silent());
     gainAtCellEnd = matchingGain *
                     motor.advance(motorTurnsPerSecond(current, tempo), current[motorDepth] / 100);
 }
@@ -330,20 +345,36 @@ void Player::updateDampers() {
     }
 }
 
-void Player::reset() {
+bool Player::beginSong() {
+    const bool beginsAnew = !performance && silent();
+    if (beginsAnew)
+        forgetSound();
+    strikeCount = firstStrikeNumber + strikesBefore(songPlace.value_or(0));
+    return beginsAnew;
+}
+
+/// The grid is at its start, and keys and controllers are where they are.
+void Player::forgetSound() {
     synth.reset();
-    if (performance)
-        performance->reset();
     glide.reset();
     leftCell.fill(0);
     rightCell.fill(0);
     cellPosition = cellSamples;
     cellIndex = -1;
     strikeCount = firstStrikeNumber;
-    loudness.reset();
     matchingGain = gainAtCellStart = gainAtCellEnd = 1;
     motor.reset();
     pending.clear();
+    held.forgetAll();
+    slotTuning.reset();
+    isSilenced = hasRemains = false;
+}
+
+void Player::reset() {
+    forgetSound();
+    if (performance)
+        performance->reset();
+    loudness.reset();
     late.clear();
     surfaceStrikes.clear();
     std::fill(slotTouched.begin(), slotTouched.end(), false);
@@ -354,9 +385,7 @@ void Player::reset() {
     forgetPressures();
     liftPedals();
     bend.reset();
-    slotTuning.reset();
     allSoundOffCame = false;
-    isSilenced = hasRemains = false;
 }
 
 bool Player::silent() const {

@@ -121,6 +121,14 @@ public:
 
     /// The host's, from the next cell on; 0 where it tells none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
+    /// Where the song is at the next sample, in beats, while it plays and the host tells; it goes
+    /// on from there in its tempo. A motor in that tempo keeps to it.
+    void setSongPlace(std::optional<double> beats) { songPlace = beats; }
+    /// The song begins to play at its place, or goes on from another one: strikes are counted anew
+    /// from a number of that place's, and where nothing sounds, and there is no stage, all but keys
+    /// and controllers is as at the start. So the same events there sound the same to the last bit.
+    /// Returns whether it is.
+    bool beginSong();
 
     /// Silence, all keys up, controllers at rest, the grid at its start. MPE's zones and the bend
     /// ranges stay as MIDI has set them.
@@ -156,13 +164,14 @@ private:
     void liftPedals();
     void schedule(std::size_t slot, double sample, const Strike& strike);
     void strikePendingBefore(double sampleInCell);
-    void beginCell();
+    void beginCell(std::optional<double> beats);
     SynthesisSettings settingsNow() const;
     void soundCell(const CellOutput& mixed, std::span<const CellOutput> cellsOfSlots);
     void forgetSilenced();
     void addRemains();
     void updateDampers();
-    void updateGain();
+    void updateGain(std::optional<double> beats);
+    void forgetSound();
     void copyOut(const StereoSpan& output, int position, int count) const;
     CellOutput cell() { return {leftCell, rightCell}; }
     BegunCell begunCell() { return {synth, slotCells, cellIndex}; }
@@ -195,6 +204,7 @@ private:
     float matchingGain = 1;
     Motor motor;
     double tempo = 0;                             ///< beats a minute, or 0
+    std::optional<double> songPlace;              ///< in beats
     float gainAtCellStart = 1, gainAtCellEnd = 1; ///< of both; it is linear in between
 
     std::array<std::bitset<128>, 16> keysDown; ///< of each channel

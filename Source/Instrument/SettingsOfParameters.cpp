@@ -92,6 +92,11 @@ double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute)
     return beatsPerMinute / 60 / beats / 2;
 }
 
+std::optional<double> motorTurnsAt(const ParameterValues& values, double songBeats) {
+    const double beats = motorSyncBeats(static_cast<int>(values[motorSync]));
+    return beats == 0 ? std::nullopt : std::optional(songBeats / beats / 2);
+}
+
 SynthesisSettings synthesisSettings(const ParameterValues& values) {
     const double slope = values[qualitySlope];
     return {.tau = values[tau],

@@ -8,6 +8,7 @@
 #include "Synth/Synthesiser.h"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace idiophone {
@@ -61,6 +62,10 @@ SynthesisSettings synthesisSettings(const ParameterValues& values);
 /// How fast the motor turns: two openings a turn, one in every note of the chosen length, where a
 /// length is chosen and the tempo is known, which 0 is not. Any thread.
 double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute);
+
+/// How often it has turned at a place of the song where it follows the tempo; nothing where it does
+/// not. Any thread.
+std::optional<double> motorTurnsAt(const ParameterValues& values, double songBeats);
 
 /// The library's material where one is chosen to be live, else nullptr. Any thread.
 const Material* chosenLibraryMaterial(const ParameterValues& values);

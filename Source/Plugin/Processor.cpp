@@ -44,6 +44,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         forgetEvents();
         sound.reset();
         output.reset();
+        transport.forgetPlace();
     }
     // Before its player, which is handed over first: where the one is seen, the other is there.
     const bool isRequestAnswered = requestedProgram < 0;
@@ -57,8 +58,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     if (auto* player = sound.player()) {
         if (forgetsGivenBends.exchange(false))
             player->forgetGivenBends();
-        tempo = hostTempo();
-        player->setTempo(tempo);
+        followTransport(*player, buffer.getNumSamples());
         player->setOffline(isNonRealtime());
         player->pauseStage(stagePaused);
         if (stageResetRequested.exchange(false))
@@ -104,18 +104,14 @@ void Processor::forgetEvents() noexcept {
     hand.clear();
 }
 
-/// [audio thread] Beats a minute; 0 where the host tells none, or none that is one. A host that
-/// says nothing of a block means what it told last: those of LV2 speak when something changes.
-double Processor::hostTempo() const noexcept {
-    constexpr double fastest = 2000;
-    auto* const host = getPlayHead();
-    if (host == nullptr)
-        return 0;
-    const auto position = host->getPosition();
-    if (!position)
-        return tempo;
-    const double told = position->getBpm().orFallback(0);
-    return told > 0 && told <= fastest ? told : 0;
+/// [audio thread] Before anything of the callback is played.
+void Processor::followTransport(Player& player, int blockSamples) noexcept {
+    transport.follow(getPlayHead(), blockSamples, player.synthesiser().sampleRateHz());
+    tempo = transport.tempo();
+    player.setTempo(tempo);
+    player.setSongPlace(transport.songPlace());
+    if (transport.begins() && player.beginSong() && output.silent())
+        output.reset();
 }
 
 /// [audio thread] Zones and bend ranges that MIDI gives move their parameters as learned
@@ -190,6 +186,7 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     sound.install(player ? prepared(std::move(*player)) : nullptr);
     handoff.collect();
     forgetEvents();
+    transport.forget();
     tempo = 0;
     resetRequested = false;
     ++callbacks; // the first will come

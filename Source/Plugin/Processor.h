@@ -9,6 +9,7 @@
 #include "Plugin/BlockPieces.h"
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
+#include "Plugin/HostTransport.h"
 #include "Plugin/MidiLearn.h"
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
@@ -212,7 +213,7 @@ private:
                                    const ParameterValues& values);
 
     void forgetEvents() noexcept;
-    double hostTempo() const noexcept;
+    void followTransport(Player& player, int blockSamples) noexcept;
     void followGivenBends(Player& player) noexcept;
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
     std::span<float* const> channelsFrom(juce::AudioBuffer<float>& buffer, int start) noexcept;
@@ -263,9 +264,9 @@ private:
     std::atomic<bool> resetRequested{false};
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};
+    std::atomic<bool> forgetsGivenBends{false}; ///< the player has not forgotten them yet
     /// That MIDI asked for last, until its player is handed over: with a number of its own in the
     /// upper bits, as the same may be asked for again. Or -1.
-    std::atomic<bool> forgetsGivenBends{false}; ///< the player has not forgotten them yet
     std::atomic<std::int64_t> requestedProgram{-1};
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
@@ -280,6 +281,7 @@ private:
     BlockPieces pieces;
     PlayerCrossfade sound{handoff};
     AwaitingKeys awaitingKeys;
+    HostTransport transport;
     std::int64_t programRequests = 0;
     OutputStage output;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};

@@ -34,6 +34,38 @@ TEST_CASE("Without depth the gain is one, and after a reset the motor starts ane
         CHECK(motor.advance(3, 1) == fresh.advance(3, 1));
 }
 
+TEST_CASE(
+    "A motor is kept to where it should be at once, or by the shorter way and without a step") {
+    constexpr double cellSeconds = 64.0 / 48000, turnsPerSecond = 1;
+    const auto there = [](double turns) { // a long time after its start
+        Motor motor(cellSeconds);
+        for (int k = 0; k < 1000; ++k)
+            motor.advance(0, 1);
+        motor.keepTo(turns, true);
+        return motor;
+    };
+    CHECK(there(17.25).advance(turnsPerSecond, 1) == there(0.25).advance(turnsPerSecond, 1));
+    CHECK(there(-0.75).advance(turnsPerSecond, 1) == there(0.25).advance(turnsPerSecond, 1));
+
+    for (const double behind : {0.2, -0.2, 0.45, 7.3}) {
+        CAPTURE(behind);
+        auto late = there(0), right = there(0);
+        float before = late.advance(turnsPerSecond, 1);
+        right.advance(turnsPerSecond, 1);
+        for (int k = 1; k < 1000; ++k) {
+            const double turns = behind + turnsPerSecond * cellSeconds * k;
+            late.keepTo(turns, false);
+            right.keepTo(turns, true);
+            const float gain = late.advance(turnsPerSecond, 1);
+            CHECK(std::abs(gain - before) < 0.04f);
+            const float wanted = right.advance(turnsPerSecond, 1);
+            if (k > 900)
+                CHECK_THAT(gain, WithinAbs(wanted, 1e-3));
+            before = gain;
+        }
+    }
+}
+
 TEST_CASE("A motor that starts, stops or deepens never steps by more than a fifth a cell") {
     Motor motor(64.0 / 48000);
     float before = 1;

@@ -1,0 +1,34 @@
+// What the host's transport says: the tempo, and where in the song it plays.
+#pragma once
+
+#include <juce_audio_basics/juce_audio_basics.h>
+#include <optional>
+
+namespace idiophone {
+
+/// For the audio thread; neither allocates, locks nor throws. A host that says nothing of a block
+/// means that all goes on as it told last: those of LV2 speak when something changes.
+class HostTransport {
+public:
+    /// Once a callback, with its samples; nullptr where there is no host that tells.
+    void follow(const juce::AudioPlayHead* host, int blockSamples, double sampleRateHz) noexcept;
+
+    /// As before the first callback, but for the tempo: where a song plays on it begins anew.
+    void forgetPlace() noexcept { placeAfter = placeNow = std::nullopt; }
+    void forget() noexcept { *this = {}; }
+
+    /// Beats a minute; 0 where the host tells none, or none that is one.
+    double tempo() const noexcept { return beatsPerMinute; }
+    /// Where the callback's first sample is in the song, in beats, while it plays and the host
+    /// tells of both.
+    std::optional<double> songPlace() const noexcept { return placeNow; }
+    /// The song begins to play in this callback, or goes on from another place.
+    bool begins() const noexcept { return beginsNow; }
+
+private:
+    double beatsPerMinute = 0;
+    std::optional<double> placeNow, placeAfter; ///< the latter behind the block, if it goes on
+    bool beginsNow = false;
+};
+
+} // namespace idiophone

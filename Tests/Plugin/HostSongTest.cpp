@@ -1,0 +1,272 @@
+// What a host tells of its song: a pass over the same place sounds the same again.
+#include "Plugin/HostTransport.h"
+#include "Plugin/RealTimeTrap.h"
+#include "Support/TestSound.h"
+
+#include <catch2/catch_approx.hpp>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <limits>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Approx;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 480; // no whole number of cells of the grid
+constexpr double beatsPerMinute = 120, beatsPerBlock = blockSize * beatsPerMinute / 60 / rateHz;
+constexpr int samplesPerBeat = 24000;
+
+class Song final : public juce::AudioPlayHead {
+public:
+    juce::Optional<PositionInfo> getPosition() const override {
+        PositionInfo position;
+        position.setBpm(beatsPerMinute);
+        position.setIsPlaying(plays);
+        if (tellsPlace)
+            position.setPpqPosition(beats);
+        return position;
+    }
+
+    bool plays = false, tellsPlace = true;
+    double beats = 0;
+};
+
+enum class Playing { syncedMotor, freeMotor, scraping, inRoom };
+
+/// A vibraphone, damped and spread, and the song that it plays in.
+struct PlayedSong {
+    explicit PlayedSong(Playing playing = Playing::syncedMotor) {
+        constexpr int vibraphone = 9;
+        constexpr double eighth = 6; // of the motor's choices
+        processor.setCurrentProgram(vibraphone);
+        const auto set = [this](ParameterId id, double value) {
+            processor.changeParameter(id, value);
+        };
+        set(ParameterId::letRing, 0);
+        set(ParameterId::releaseTime, 0.05);
+        set(ParameterId::strikeSpread, 60);
+        set(ParameterId::motorDepth, 70);
+        set(ParameterId::motorSync, playing == Playing::freeMotor ? 0 : eighth);
+        set(ParameterId::room, playing == Playing::inRoom ? 30 : 0);
+        set(ParameterId::roomDecay, 0.3);
+        set(ParameterId::contact, playing == Playing::scraping ? scrapeContact : strikeContact);
+        processor.setPlayHead(&song);
+        processor.prepareToPlay(rateHz, blockSize);
+    }
+
+    /// Plays on from where the song is.
+    HostSound pass(const juce::MidiBuffer& midi, int samples) {
+        song.plays = true;
+        return run(midi, samples);
+    }
+
+    HostSound passFrom(double beats, const juce::MidiBuffer& midi, int samples = 24000) {
+        song.beats = beats;
+        return pass(midi, samples);
+    }
+
+    /// Until nothing sounds, by a number of samples that is none of blocks.
+    void fallSilent(bool plays) {
+        song.plays = plays;
+        run({}, 96000 - 137);
+        REQUIRE(loudest(run({}, blockSize)) == 0);
+    }
+
+    Processor processor;
+    Song song;
+
+private:
+    HostSound run(const juce::MidiBuffer& midi, int samples) {
+        HostSound sound;
+        for (int start = 0; start < samples; start += blockSize) {
+            const int count = std::min(blockSize, samples - start);
+            juce::MidiBuffer block;
+            block.addEvents(midi, start, count, -start);
+            sound.append(render(processor, count, blockSize, block));
+            if (song.plays)
+                song.beats += beatsPerBlock * count / blockSize;
+        }
+        return sound;
+    }
+};
+
+/// Chords of the vibraphone's, each held for a while.
+juce::MidiBuffer chords(int samples = 24000) {
+    juce::MidiBuffer midi;
+    int note = 60;
+    for (int stamp = 100; stamp + 3000 < samples; stamp += 1700, note = 60 + (note + 5) % 12) {
+        midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{90}), stamp);
+        midi.addEvent(juce::MidiMessage::noteOff(1, note), stamp + 2500);
+    }
+    return midi;
+}
+
+} // namespace
+
+TEST_CASE("A second pass over a place of the song is the first one again, to the last bit") {
+    const auto playing =
+        GENERATE(Playing::syncedMotor, Playing::freeMotor, Playing::scraping, Playing::inRoom);
+    const double from = GENERATE(0.0, 8.0, 9.75);
+    CAPTURE(static_cast<int>(playing), from);
+    PlayedSong played(playing);
+    const auto first = played.passFrom(from, chords());
+    REQUIRE(loudest(first) > 1e-4f);
+    SECTION("begun again") {
+        played.fallSilent(false);
+    }
+    SECTION("looped") {
+        played.fallSilent(true);
+    }
+    CHECK((played.passFrom(from, chords()) == first));
+    played.fallSilent(false);
+    if (playing != Playing::scraping)
+        CHECK((played.passFrom(from + 1, chords()) != first)); // whose strikes are spread otherwise
+}
+
+TEST_CASE("A bounce is what was heard live at its place of the song") {
+    PlayedSong live, bounce;
+    live.fallSilent(false); // the host's callbacks come long before it plays
+    const auto heard = live.passFrom(4, chords());
+    bounce.processor.setNonRealtime(true);
+    CHECK((bounce.passFrom(4, chords()) == heard));
+}
+
+TEST_CASE("Where the host tells no place, or does not play, strikes are counted on") {
+    const bool tellsPlace = GENERATE(true, false);
+    CAPTURE(tellsPlace);
+    PlayedSong played, alone;
+    played.song.tellsPlace = alone.song.tellsPlace = tellsPlace;
+    const auto passOf = [tellsPlace](PlayedSong& one) {
+        return tellsPlace ? render(one.processor, 24000, blockSize, chords())
+                          : one.passFrom(0, chords());
+    };
+    const auto first = passOf(played);
+    CHECK((first == passOf(alone)));
+    played.fallSilent(!tellsPlace);
+    CHECK((passOf(played) != first));
+}
+
+TEST_CASE("A pass that begins while something rings has its strikes where the first one had them") {
+    constexpr int length = 9600; // of cells of the grid, and of blocks
+    juce::MidiBuffer blow;
+    blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 10);
+    PlayedSong looped, ringing;
+    for (auto* each : {&looped, &ringing}) {
+        each->processor.changeParameter(ParameterId::motorDepth, 0);
+        each->processor.changeParameter(ParameterId::radiation, 0);
+    }
+    const auto first = looped.passFrom(16, blow, length);
+    REQUIRE(ringing.passFrom(16, blow, length) == first);
+    const auto both = looped.passFrom(16, blow, length);
+    const auto ring = ringing.passFrom(16, {}, length);
+    float farthest = 0;
+    for (std::size_t i = 0; i < first.left.size(); ++i)
+        farthest = std::max(farthest, std::abs(both.left[i] - ring.left[i] - first.left[i]));
+    CHECK(farthest < 0.01f * loudest(first));
+}
+
+TEST_CASE("Wherever a song begins its motor opens at the same places of it") {
+    const auto noteAtNine = [](double from) {
+        PlayedSong played;
+        const int before = static_cast<int>((9 - from) * samplesPerBeat);
+        juce::MidiBuffer blow;
+        played.passFrom(from, {}, before);
+        // The count of strikes is that of where it began.
+        played.processor.changeParameter(ParameterId::strikeSpread, 0);
+        blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 64);
+        return played.pass(blow, 24000);
+    };
+    const auto expected = noteAtNine(8);
+    const auto later = noteAtNine(8.6); // 150 cells of the grid before it
+    float farthest = 0;
+    for (std::size_t i = 0; i < expected.left.size(); ++i)
+        farthest = std::max(farthest, std::abs(expected.left[i] - later.left[i]));
+    CHECK(farthest < 1e-5f * loudest(expected));
+}
+
+TEST_CASE("The callback in a song that starts, jumps and stops stays real-time safe") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    PlayedSong played;
+    juce::AudioBuffer<float> buffer(2, blockSize);
+    const auto music = chords(4800);
+    for (int block = 0; block < 400; ++block) {
+        played.song.plays = block % 200 >= 20;
+        played.song.beats = block % 30 * beatsPerBlock;
+        juce::MidiBuffer midi;
+        if (block % 200 < 30)
+            midi.addEvents(music, block % 10 * blockSize, blockSize, -(block % 10) * blockSize);
+        midi.addEvent(juce::MidiMessage::controllerEvent(1, 101, 0), 0);
+        midi.addEvent(juce::MidiMessage::controllerEvent(1, 100, 6), 0);
+        midi.addEvent(juce::MidiMessage::controllerEvent(1, 6, block / 3 % 16), 0);
+        const auto faults = faultsOf([&] { played.processor.processBlock(buffer, midi); });
+        INFO(block << ": " << faults.first);
+        CHECK(faults.allocations == 0);
+        CHECK(faults.locks == 0);
+        if (systemCallTrapWorks())
+            CHECK(faults.systemCalls == 0);
+    }
+}
+
+TEST_CASE("A song begins where the host starts to play or jumps, and nowhere else") {
+    Song song;
+    HostTransport transport;
+    const auto beginsAt = [&](double beats) {
+        song.beats = beats;
+        transport.follow(&song, blockSize, rateHz);
+        return transport.begins();
+    };
+    CHECK_FALSE(beginsAt(3)); // does not play
+    CHECK_FALSE(transport.songPlace());
+    song.plays = true;
+    CHECK(beginsAt(3));
+    CHECK(transport.songPlace() == 3);
+    CHECK(transport.tempo() == beatsPerMinute);
+    CHECK_FALSE(beginsAt(3 + beatsPerBlock));
+    CHECK_FALSE(beginsAt(3 + 2.1 * beatsPerBlock)); // as hosts round
+    CHECK(beginsAt(3));
+    CHECK(beginsAt(8));
+    song.plays = false;
+    CHECK_FALSE(beginsAt(8));
+    song.plays = true;
+    CHECK(beginsAt(8));
+    transport.forgetPlace();
+    CHECK(beginsAt(8 + beatsPerBlock));
+    song.tellsPlace = false;
+    CHECK_FALSE(beginsAt(8 + 2 * beatsPerBlock));
+    CHECK_FALSE(transport.songPlace());
+    CHECK(transport.tempo() == beatsPerMinute);
+    song.tellsPlace = true;
+    for (const double none : {std::numeric_limits<double>::quiet_NaN(),
+                              std::numeric_limits<double>::infinity(), 1e300}) {
+        CHECK_FALSE(beginsAt(none));
+        CHECK_FALSE(transport.songPlace());
+    }
+    transport.follow(nullptr, blockSize, rateHz);
+    CHECK(transport.tempo() == 0);
+}
+
+TEST_CASE("A host that says nothing of a block plays on from where it was") {
+    struct Sparing final : juce::AudioPlayHead {
+        juce::Optional<PositionInfo> getPosition() const override { return position; }
+        juce::Optional<PositionInfo> position;
+    } host;
+    HostTransport transport;
+    host.position.emplace();
+    host.position->setBpm(beatsPerMinute);
+    host.position->setIsPlaying(true);
+    host.position->setPpqPosition(5.0);
+    transport.follow(&host, blockSize, rateHz);
+    CHECK(transport.begins());
+    host.position = juce::nullopt;
+    for (int block = 1; block < 10; ++block) {
+        transport.follow(&host, blockSize, rateHz);
+        CHECK_FALSE(transport.begins());
+        CHECK(transport.tempo() == beatsPerMinute);
+        REQUIRE(transport.songPlace());
+        CHECK(*transport.songPlace() == Approx(5 + block * beatsPerBlock));
+    }
+}
