@@ -24,8 +24,8 @@ constexpr double farthestMetres = 1e6;
 std::string sizesFault(const ModalObject& object) {
     if (object.modeCount() == 0)
         return "it has no modes";
-    if (object.modeCount() > mostModes)
-        return "it has more than " + std::to_string(mostModes) + " modes";
+    if (object.modeCount() > mostObjectModes)
+        return "it has more than " + std::to_string(mostObjectModes) + " modes";
     if (object.shapeVertexCount() == 0)
         return "no vertex carries mode shapes";
     if (object.vertices.size() % 3 != 0 || object.faces.size() % 3 != 0)

@@ -21,7 +21,7 @@ inline constexpr float largestShape = 1e8f;
 
 /// A large bell has some thousands of modes up to 20 kHz. Whoever plays an object needs half a
 /// kilobyte for each, however few bytes a file has for it.
-inline constexpr std::size_t mostModes = 65536;
+inline constexpr std::size_t mostObjectModes = 65536;
 
 enum class BodyKind { solid, shell };
 

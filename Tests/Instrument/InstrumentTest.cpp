@@ -81,8 +81,9 @@ TEST_CASE("Keys of one object share its strip, which is made once") {
 
 TEST_CASE("An instrument has a bounded number of modes on all keys together") {
     ObjectLibrary library;
-    const auto kept = library.add("crowd", syntheticObject(std::vector<double>(mostModes, 440.0)));
-    const auto most = static_cast<int>(mostModesOfSlots / mostModes);
+    const auto kept =
+        library.add("crowd", syntheticObject(std::vector<double>(mostObjectModes, 440.0)));
+    const auto most = static_cast<int>(mostModesOfSlots / mostObjectModes);
     for (const auto kind : {KeyMapKind::bars, KeyMapKind::scaled}) {
         CHECK(Instrument::build(keyMap(kind, 0, most - 1, "crowd"), library));
         const auto built = Instrument::build(keyMap(kind, 0, most, "crowd"), library);

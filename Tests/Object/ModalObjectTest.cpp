@@ -40,7 +40,7 @@ TEST_CASE("Each malformed field is named") {
             o.shapes.clear();
         },
         "no vertex");
-    refuse([](auto& o) { o = syntheticObject(std::vector<double>(mostModes + 1, 440.0)); },
+    refuse([](auto& o) { o = syntheticObject(std::vector<double>(mostObjectModes + 1, 440.0)); },
            "more than 65536 modes");
     refuse([](auto& o) { o.shapes.pop_back(); }, "size of the mode shapes");
     refuse([](auto& o) { o.bending = {1}; }, "bending parts");
@@ -111,7 +111,7 @@ TEST_CASE("An object at the ends of all ranges is taken") {
         INFO((result ? "" : result.error().message));
         CHECK(result);
     }
-    CHECK(validated(syntheticObject(std::vector<double>(mostModes, 440.0))));
+    CHECK(validated(syntheticObject(std::vector<double>(mostObjectModes, 440.0))));
 }
 
 TEST_CASE("A mode's damping ratio is its measured decay over half the law's damping") {

@@ -83,7 +83,7 @@ TEST_CASE("An object of many modes on many keys is refused, and what plays goes 
     }
     SECTION("opened in the window, where a key map would have as many") {
         const auto file = testFolder() / "Crowd.modal";
-        REQUIRE(writeModalObject(objectOf(mostModes), file));
+        REQUIRE(writeModalObject(objectOf(mostObjectModes), file));
         processor.openFile(file);
         finish(processor);
         checkKept(processor, "Crowd cannot be played: 'Crowd");
