@@ -39,7 +39,7 @@ class Tune(ConsoleTest):
         moved.parent.mkdir()
         folder.rename(moved)
         told = self.json("presets", moved / "marimba.json")
-        self.assertAlmostEqual(told["level_db"], told["matching_level_db"], delta=3)
+        self.assertAlmostEqual(told["level_db"], told["matching_level_db"], delta=1)
         midi = self.write("note.mid", midi_file(note(0, 60)))
         told = self.json("render", "--preset", moved / "marimba.json", "--midi", midi,
                          "-o", self.folder / "note.wav", "--seconds", "1")
