@@ -16,11 +16,18 @@ if(APPLE)
     install_bundle(Idiophone_LV2 "${audio}/LV2" plugin)
     install(TARGETS Idiophone_Standalone BUNDLE DESTINATION Applications COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION usr/local/bin COMPONENT console)
+    foreach(component plugin standalone console)
+        install(FILES LICENSE THIRD-PARTY DESTINATION usr/local/share/doc/idiophone
+            COMPONENT ${component})
+    endforeach()
 elseif(WIN32)
     install_bundle(Idiophone_VST3 "VST3" plugin)
     install_bundle(Idiophone_LV2 "LV2" plugin)
     install(TARGETS Idiophone_Standalone RUNTIME DESTINATION . COMPONENT standalone)
     install(TARGETS idiophone_console RUNTIME DESTINATION console COMPONENT console)
+    foreach(component plugin standalone console)
+        install(FILES LICENSE THIRD-PARTY DESTINATION . COMPONENT ${component})
+    endforeach()
 else()
     # Where hosts look, which is not the folder of the architecture.
     install_bundle(Idiophone_VST3 lib/vst3 plugin)
@@ -53,7 +60,15 @@ else()
         DESTINATION "${documents}" COMPONENT console)
     install(DIRECTORY docs DESTINATION "${documents}" COMPONENT console
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE)
+    # What the pages lead to.
+    install(FILES LICENSE THIRD-PARTY DESTINATION "${documents}" COMPONENT console)
+    install(DIRECTORY Presets DESTINATION "${documents}" COMPONENT console)
+    install(DIRECTORY Resources/Mallets Resources/Materials DESTINATION "${documents}/Resources"
+        COMPONENT console)
+    # Where Debian looks, of each package.
     install(FILES LICENSE DESTINATION "${documents}" RENAME copyright COMPONENT console)
+    install(FILES LICENSE DESTINATION "${documents}-dev" RENAME copyright COMPONENT development)
+    install(FILES THIRD-PARTY DESTINATION "${documents}-dev" COMPONENT development)
     install(FILES Resources/Songs/TheEntertainer.mid DESTINATION "${documents}/examples"
         COMPONENT console)
 endif()

@@ -46,11 +46,52 @@ def test_the_console_has_its_presets_with_it(prefix, songs, tmp_path):
 
 def test_the_pages_are_installed_with_what_they_show(prefix):
     documents = prefix / "share/doc/idiophone"
-    for page in documents.glob("docs/manual/*.md"):
-        for link in re.findall(r"\]\(([^)#\s]+)", page.read_text()):
-            if "://" not in link:
-                assert (page.parent / link).exists(), f"{page}: {link}"
+    pages = list(documents.glob("**/*.md"))
+    assert {documents / "README.md", documents / "docs/manual/README.md"} < set(pages)
+    lost = [f"{page}: {link}" for page in pages
+            for link in re.findall(r"\]\(([^)#\s]+)", page.read_text())
+            if "://" not in link and not (page.parent / link).exists()]
+    assert not lost
     assert (documents / "docs/manual/images/dropped.png").exists()
+
+
+def table_cells(page, heading, column=0):
+    """The cells of a column of the table below a heading."""
+    text = page.read_text().split(f"## {heading}\n")[1].split("\n## ")[0]
+    rows = [line.strip("| ").split("|") for line in text.splitlines() if line.startswith("|")]
+    return [row[column].strip() for row in rows[2:]]
+
+
+def test_every_package_has_the_licences_of_what_is_in_it(prefix):
+    for folder in ("idiophone", "idiophone-dev"):
+        documents = prefix / "share/doc" / folder
+        assert "AFFERO" in (documents / "copyright").read_text()
+        notices = (documents / "THIRD-PARTY").read_text()
+        for cell in table_cells(prefix / "share/doc/idiophone/docs/dependencies.md",
+                                "In the program"):
+            name = re.sub(r"\[(.*)\]\(.*\)", r"\1", cell).split(", in JUCE")[0]
+            for each in re.split(", | headers| client", name):
+                assert f"\n{each}" in notices or f", {each}" in notices or not each, each
+        for licence in ("GPL-3.0", "LGPL-3.0", "MPL-2.0", "Apache-2.0", "BSL-1.0"):
+            assert f"\n{'=' * 80}\n{licence}\n{'=' * 80}\n" in notices
+
+
+@pytest.mark.skipif(shutil.which("readelf") is None, reason="there is no readelf")
+def test_the_page_of_dependencies_lists_every_shared_library(prefix):
+    programs = [prefix / "bin/idiophone", prefix / "bin/idiophone-standalone",
+                *prefix.glob("lib/*/Idiophone.*/**/*.so")]
+    assert len(programs) == 4
+    needed = set()
+    for program in programs:
+        told = subprocess.run(["readelf", "-d", program], check=True, capture_output=True,
+                              text=True, env={"LC_ALL": "C"}).stdout
+        needed |= set(re.findall(r"\(NEEDED\).*\[(.*?)\.so", told))
+    cells = table_cells(prefix / "share/doc/idiophone/docs/dependencies.md",
+                        "Shared libraries on Linux")
+    listed = set(re.findall(r"`(.*?)`", " ".join(cells)))
+    assert {"libX11", "libc"} < needed
+    unlisted = {name for name in needed - listed if not name.startswith("ld-linux")}
+    assert not unlisted
 
 
 def test_the_plugin_plays_from_where_it_is_installed(prefix):
