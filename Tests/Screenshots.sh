@@ -71,6 +71,13 @@ shot_with_menus() { # which are windows of their own
     import -window root -crop "${width}x$((height + title))+0+0" +repage "$out/$1.png"
     echo "$out/$1.png"
 }
+held() { # with the button down there for a moment, a picture of that name
+    xdotool mousemove --window "$window" "$1" $(($2 + title)) mousedown 1
+    sleep 0.2
+    shot "$3"
+    xdotool mouseup 1
+    sleep 0.25
+}
 drag() { # from x y to x y, with a picture of that name on the way
     local steps=12
     xdotool mousemove --window "$window" "$1" $(($2 + title)) mousedown 1
@@ -113,8 +120,8 @@ for look in light dark; do
     xdotool key Escape key Escape
     next_preset 9
     size 1560 960
-    for key in 300 700 1100; do click "$key" 935; done
-    shot "$look-vibraphone"
+    for key in 300 700; do click "$key" 935; done
+    held 1100 935 "$look-vibraphone" # while it rings
     size 1180 860
     next_preset 4
     nodal_lines
