@@ -128,16 +128,16 @@ Result<void> Recording::finish(std::int64_t leastSamples) {
 
 /// Above full scale.
 void Recording::warnOfPeak() const {
-    // Away from it to tenths, so that the level told is low enough.
-    const double peakDb = std::ceil(10 * decibelsFullScale(highest)) / 10;
+    const double peakDb = decibelsFullScale(highest);
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << format.file.string() << ": its peak of " << peakDb
          << " dBFS is "
          << (format.bitDepth == 32 ? "beyond full scale and clips where it is played"
                                    : "clipped, which --bit-depth 32 would hold");
     const auto& level = parameterInfo(ParameterId::level);
-    if (const double lower = parameters[level.parameter] - peakDb; lower >= level.minimum)
-        text << "; --set level=" << std::floor(10 * lower + 1e-6) / 10 << " keeps it below";
+    const double lower = std::floor(10 * (parameters[level.parameter] - peakDb)) / 10;
+    if (lower >= level.minimum)
+        text << "; --set level=" << lower << " keeps it below";
     std::cerr << "warning: " << text.str() << std::endl;
 }
 
