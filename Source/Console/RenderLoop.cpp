@@ -25,7 +25,9 @@ Result<void> renderTo(Recording& recording, const RecordingFormat& format, const
     for (std::int64_t position = 0; position < end; position += task.pieceSamples) {
         const auto count = std::min(task.pieceSamples, end - position);
         const auto piece = task.render(count);
-        if (auto done = recording.addAll(piece.left, piece.right); !done)
+        if (!piece)
+            return tl::unexpected(piece.error());
+        if (auto done = recording.addAll(piece->left, piece->right); !done)
             return done;
         if (interrupted)
             return failure(std::string(interruptedMessage));

@@ -5,10 +5,12 @@
 #include "Console/SceneRender.h"
 #include "Console/SofaHead.h"
 #include "Instrument/ImpulseLine.h"
+#include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneFile.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace idiophone {
@@ -80,11 +82,16 @@ ordered_json describe(const SceneTally& tally, const Recording& recording) {
 }
 
 /// The blows as docs/impulses.md has them.
-std::string impulseLines(const SceneCast& cast, const std::vector<SceneBlow>& blows) {
+std::string impulseLines(const SceneCast& cast,
+                         const std::vector<SceneBlow>& blows,
+                         const std::filesystem::path& list) {
+    std::vector<std::string> objects;
+    for (const auto& role : cast.roles())
+        objects.push_back(objectInList(role.object, list));
     std::string lines;
     for (const auto& blow : blows)
         lines += impulseLine(
-            cast.slotOf(blow.role),
+            objects[blow.role], cast.slotOf(blow.role).sizeRatio,
             {.seconds = blow.seconds,
              .slot = blow.slot,
              .strike = blow.strike,
@@ -111,6 +118,13 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
         std::cerr << "warning: " << tally.blowsLeftOut
                   << " impacts were left out, because their figures are not finite" << std::endl;
     return {};
+}
+
+/// Whether nothing moves but what notes drop.
+bool waitsForNotes(const Scene& scene) {
+    return scene.noteDrop && std::ranges::all_of(scene.releases, [&](const Release& release) {
+               return scene.kinds[release.kind].isFixed;
+           });
 }
 
 std::vector<SynthesiserSlot> heardSlots(const SceneCast& cast) {
@@ -165,8 +179,13 @@ Result<void> perform(const Options& options) {
     if (!tally)
         return tl::unexpected(tally.error());
     if (!options.impulses.empty())
-        if (auto done = writeTextFile(options.impulses, impulseLines(**cast, tally->blows)); !done)
+        if (auto done = writeTextFile(options.impulses,
+                                      impulseLines(**cast, tally->blows, options.impulses));
+            !done)
             return done;
+    if (options.midi.empty() && waitsForNotes((*cast)->scene()))
+        std::cerr << "warning: the bodies of " << inQuotes((*cast)->scene().name)
+                  << " fall on notes, which --midi gives" << std::endl;
     return report(*tally, **recording, options);
 }
 

@@ -55,6 +55,7 @@ public:
     }
 
     bool finished() const { return motion.finished() && sound.silent(); }
+    bool isCrowded() const { return motion.isCrowded(); }
     SceneTally tally;
 
 private:
@@ -90,16 +91,17 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
     const double lastSeconds =
         std::max(cast->scene().seconds, song.empty() ? 0 : song.back().seconds);
     ScenePerformance performance(cast, head, song, parameters, rate);
-    if (auto done =
-            renderTo(recording, format,
-                     {.name = cast->scene().name,
-                      .lastSample = std::llround(std::ceil(lastSeconds * rate)) - 1,
-                      .pieceSamples = cellSamples,
-                      .render =
-                          [&](std::int64_t count) {
-                              return performance.next().subspan(0, static_cast<std::size_t>(count));
-                          },
-                      .finished = [&] { return performance.finished(); }});
+    if (auto done = renderTo(recording, format,
+                             {.name = cast->scene().name,
+                              .lastSample = std::llround(std::ceil(lastSeconds * rate)) - 1,
+                              .pieceSamples = cellSamples,
+                              .render = [&](std::int64_t count) -> Result<StereoSpan> {
+                                  const auto cell = performance.next();
+                                  if (performance.isCrowded())
+                                      return tl::unexpected(crowdedFault(cast->scene()));
+                                  return cell.subspan(0, static_cast<std::size_t>(count));
+                              },
+                              .finished = [&] { return performance.finished(); }});
         !done)
         return tl::unexpected(done.error());
     return std::move(performance.tally);

@@ -1,19 +1,38 @@
 #include "Instrument/ImpulseLine.h"
 
+#include "Instrument/FactoryContent.h"
+#include "Object/FileBytes.h"
+
 #include <nlohmann/json.hpp>
 
 namespace idiophone {
 
-std::string impulseLine(const SynthesiserSlot& struck, const PlacedBlow& blow) {
+std::string objectInList(const std::string& nameOrFile, const std::filesystem::path& list) {
+    if (factoryObject(nameOrFile))
+        return nameOrFile;
+    std::error_code fault;
+    const auto whole = [&](const std::filesystem::path& path) {
+        return std::filesystem::absolute(path, fault).lexically_normal();
+    };
+    const auto file = whole(pathNamed(nameOrFile));
+    const auto fromList = file.lexically_relative(whole(list).parent_path());
+    auto name = storedNameOf(fromList);
+    if (fromList.empty() || *fromList.begin() == ".." || factoryObject(name))
+        name = storedNameOf(file);
+    return name;
+}
+
+std::string impulseLine(const std::string& object, double sizeRatio, const PlacedBlow& blow) {
     nlohmann::ordered_json line{{"time", blow.seconds},
-                                {"object", struck.object->name},
+                                {"object", object},
                                 {"body", blow.slot},
                                 {"point", blow.pointMetres},
                                 {"impulse", blow.strike.impulseNewtonSeconds},
                                 {"contact_time", blow.strike.durationSeconds}};
-    if (struck.sizeRatio != 1)
-        line["size"] = struck.sizeRatio;
-    return line.dump() + "\n";
+    if (sizeRatio != 1)
+        line["size"] = sizeRatio;
+    // Of a path that is no UTF-8, and that no list can name, the rest of the line is kept.
+    return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 } // namespace idiophone

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace idiophone {
 
@@ -73,6 +74,8 @@ public:
     virtual std::unique_ptr<StagePerformance> perform(double sampleRateHz,
                                                       std::uint64_t seed) const = 0;
 
+    /// The object of a slot as its scene has it: the factory's name or a file's path.
+    virtual const std::string& objectOf(std::size_t slot) const = 0;
     /// Of the slots, before the first note.
     virtual std::span<const BodyPose> firstPoses() const = 0;
     /// From a note to its first blow, in seconds.

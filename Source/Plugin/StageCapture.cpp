@@ -116,9 +116,12 @@ Result<void> StageCapture::writeMidi(const std::filesystem::path& file,
 Result<void> StageCapture::writeImpulses(const std::filesystem::path& file) const {
     if (kept.empty())
         return failure("nothing has been struck yet");
+    std::vector<std::string> objects;
+    for (std::size_t slot = 0; slot < played->slots().size(); ++slot)
+        objects.push_back(objectInList(played->stage()->objectOf(slot), file));
     std::string lines;
     for (const auto& blow : inOrder())
-        lines += impulseLine(played->slots()[blow.slot], blow);
+        lines += impulseLine(objects[blow.slot], played->slots()[blow.slot].sizeRatio, blow);
     return writeWhole(fileOf(file), std::as_bytes(std::span(lines)));
 }
 

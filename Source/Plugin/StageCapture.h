@@ -29,7 +29,7 @@ public:
     std::size_t count() const { return kept.size(); }
 
     /// [message thread] Both begin with the first blow. A blow on a bar is a note of its key, one
-    /// on another object a note of the object's, from C1 on; the hardest has velocity 127 and
+    /// on another object a note of the object's, from C2 (36) on; the hardest has velocity 127 and
     /// others fall with their impulse, as keys' blows do by the usual curve.
     Result<void> writeMidi(const std::filesystem::path& file, double beatsPerMinute) const;
     Result<void> writeImpulses(const std::filesystem::path& file) const;

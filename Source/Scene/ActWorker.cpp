@@ -127,8 +127,9 @@ void ActWorker::takeCues() {
 
 void ActWorker::begin(Act& act) const {
     const auto& cue = act.cue;
-    act.run = std::make_unique<SceneRun>(stage.cast(),
-                                         stage.callFor(cue.midiNote, cue.velocity, cue.seed));
+    auto call = stage.callFor(cue.midiNote, cue.velocity, cue.seed);
+    call.isStopped = &isStopping;
+    act.run = std::make_unique<SceneRun>(stage.cast(), std::move(call));
 }
 
 void ActWorker::fill(ActChunk& chunk, Act& act, const SceneStage::SlotMap& slots) const {

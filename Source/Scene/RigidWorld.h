@@ -27,6 +27,11 @@ public:
         int collidesWith = ~0; ///< bits of groups, of which those must collide with this one too
     };
 
+    /// Pairs of bodies that are close enough to be looked at, and likewise of their parts (of which
+    /// a ring has some), each of which takes memory: about a gigabyte in all. A heap of thousands
+    /// has as many, or 300 bodies in one place; a hundred rings have 1300, and 4400 of parts.
+    static constexpr int mostPairs = 50'000;
+
     RigidWorld(std::vector<Kind> kinds, double stepsPerSecond, double gravityMetresPerSecond2);
     ~RigidWorld();
 
@@ -48,6 +53,11 @@ public:
     void step();
     double seconds() const;
     double stepSeconds() const;
+    /// Whether there were more pairs than `mostPairs`. Those beyond pass through each other, so
+    /// that a world is not worth another step then.
+    bool isCrowded() const;
+    /// What all steps together took, of about a microsecond each: bodies, and pairs of them.
+    double work() const;
     std::span<const Impact> impacts() const; ///< of the last step, in order of time
     std::span<const Touch> touches() const;  ///< of the last step, in order of bodies
 

@@ -80,6 +80,7 @@ Result<void> SceneCast::addRole(const BodyTemplate& kind,
         .map([&](const std::shared_ptr<const RigidBodyModel>& model) {
             allRoles.push_back(
                 {.kind = {.model = model, .group = group, .collidesWith = collidesWith},
+                 .object = kind.object,
                  .surface = kind.ball ? nullptr : std::make_shared<ObjectSurface>(*object),
                  .sound = kind.surface.value_or(plainSurface(object->material))});
         });
@@ -120,7 +121,8 @@ Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
             continue;
         const auto& object = instrument.slots()[static_cast<std::size_t>(key.slot)].object;
         BodyTemplate bar;
-        bar.name = bar.object = object->name;
+        bar.name = object->name;
+        bar.object = preset->keyMap.objectFor(note);
         bar.isFixed = true;
         if (auto done = addRole(bar, object, keyboardGroup, ~0); !done)
             return done;

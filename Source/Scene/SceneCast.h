@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace idiophone {
@@ -20,6 +21,7 @@ class SceneCast {
 public:
     struct Role {
         RigidWorld::Kind kind;
+        std::string object; ///< the factory's name or a file's path; empty for a ball
         /// Of the object, not scaled; none of a ball, which is not heard.
         std::shared_ptr<const ObjectSurface> surface;
         Surface sound; ///< of what slides and rolls on it
@@ -49,6 +51,7 @@ public:
 private:
     explicit SceneCast(Scene scene) : played(std::move(scene)) {}
 
+    /// Its object is `object`, by the name that it has there.
     Result<void> addRole(const BodyTemplate& kind,
                          const std::shared_ptr<const ModalObject>& object,
                          int group,

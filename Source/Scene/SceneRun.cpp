@@ -1,5 +1,6 @@
 #include "Scene/SceneRun.h"
 
+#include "Object/OneLine.h"
 #include "Scene/SceneRandom.h"
 
 #include <algorithm>
@@ -41,6 +42,11 @@ posed(const RigidBodyModel& model, const Eigen::Vector3d& place, const Eigen::Qu
 }
 
 } // namespace
+
+Error crowdedFault(const Scene& scene) {
+    return {"the scene " + inQuotes(scene.name) + " has too many bodies in one place: more than " +
+            std::to_string(RigidWorld::mostPairs) + " pairs of them meet"};
+}
 
 SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, SceneCall wanted)
     : cast(std::move(playedCast)), scene(cast->scene()), call(std::move(wanted)),
@@ -173,7 +179,8 @@ double SceneRun::lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) c
 
 // A step that begins at t reports blows since t less a step.
 void SceneRun::advanceTo(double seconds) {
-    while (rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
+    while (!isCrowded() && !isCutShort() &&
+           rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
         step();
     follow();
 }
@@ -249,7 +256,8 @@ std::span<const Touch> SceneRun::withHand(double from, double until) {
 /// What was to come between two steps is as far on its way by now. Half a step of gravity ahead
 /// makes the fall exact at every step.
 void SceneRun::letIn(double now) {
-    for (; nextComing < coming.size() && coming[nextComing].seconds <= now; ++nextComing) {
+    for (; nextComing < coming.size() && coming[nextComing].seconds <= now && !isCrowded();
+         ++nextComing) {
         const auto& next = coming[nextComing];
         auto motion = next.motion;
         const double late = now - next.seconds;
@@ -325,7 +333,12 @@ std::optional<SceneBlow> SceneRun::takeBlow(double beforeSeconds) {
 
 bool SceneRun::finished() const {
     // A step later what is taken away is gone.
-    return rigid.seconds() - leadSeconds > overSeconds + rigid.stepSeconds();
+    return isCrowded() || isCutShort() ||
+           rigid.seconds() - leadSeconds > overSeconds + rigid.stepSeconds();
+}
+
+bool SceneRun::isCutShort() const {
+    return rigid.work() > call.mostWork || (call.isStopped != nullptr && *call.isStopped);
 }
 
 } // namespace idiophone

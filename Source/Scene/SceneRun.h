@@ -6,8 +6,10 @@
 #include "Scene/SceneCast.h"
 #include "Scene/TouchTracker.h"
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,7 +43,14 @@ struct SceneCall {
     std::optional<double> seconds = {};     ///< instead of the scene's
     double raisedMetres = 0;                ///< how much higher what moves begins
     double speedRatio = 1;                  ///< times the speeds at which it begins
+    /// As `RigidWorld::work` counts; beyond it nothing moves on.
+    double mostWork = std::numeric_limits<double>::infinity();
+    /// Set by another thread that waits for its end: nothing moves on.
+    const std::atomic<bool>* isStopped = nullptr;
 };
+
+/// What is wrong with a scene of which a run is crowded, by its name.
+Error crowdedFault(const Scene& scene);
 
 /// One thread at a time; not for the audio thread. The same cast and call give the same bits.
 class SceneRun {
@@ -51,6 +60,8 @@ public:
     /// What sounds, for the synthesiser to be made of. Bodies that were taken away leave their
     /// slots to others.
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
+    /// Which of the cast's roles sounds there.
+    std::size_t roleOf(std::size_t slot) const { return roleOfSlot[slot]; }
     /// Whether what sounds there never moves.
     bool isFixed(std::size_t slot) const {
         return cast->roles()[roleOfSlot[slot]].kind.model->isFixed;
@@ -69,8 +80,13 @@ public:
     /// Where its mesh, scaled, is; nothing while there is no body.
     const std::optional<Eigen::Isometry3d>& pose(std::size_t slot) const { return slotPoses[slot]; }
 
-    /// Nothing more will happen: the scene's time is over and every note has fallen.
+    /// Nothing more will happen: the scene's time is over and every note has fallen, or it ended
+    /// before that.
     bool finished() const;
+    /// Whether it ended early, as `RigidWorld::isCrowded`.
+    bool isCrowded() const { return rigid.isCrowded(); }
+    /// Whether it ended early, as the call has it.
+    bool isCutShort() const;
 
     struct Figures {
         std::int64_t bodies = 0; ///< there now, with those that stand

@@ -1,6 +1,7 @@
 #include "Scene/SceneStage.h"
 
 #include "Object/FileBytes.h"
+#include "Object/OneLine.h"
 #include "Scene/FactoryScenes.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneShow.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr std::size_t mostMovingSlots = 64; // of all acts, unless one has more
 constexpr int middleVelocity = 64;
 constexpr double longestRehearsalSeconds = 3;
+constexpr double mostWorkBefore = 2e6; // a few seconds, as RigidWorld counts
 
 /// From the softest to the hardest.
 double between(const std::array<double, 2>& ends, int velocity) {
@@ -38,9 +40,13 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
     auto cast = SceneCast::make(std::move(*scene), library);
     if (!cast)
         return tl::unexpected(cast.error());
-    const auto stage = std::make_shared<const SceneStage>(std::move(*cast));
+    const auto made = SceneStage::make(std::move(*cast));
+    if (!made)
+        return tl::unexpected(made.error());
+    const auto& stage = *made;
     if (stage->slots().empty())
-        return failure("nothing in the scene '" + stage->cast()->scene().name + "' can sound");
+        return failure("nothing in the scene " + inQuotes(stage->cast()->scene().name) +
+                       " can sound");
     if (const auto bounded = boundedSlots(stage->slots(), keyMap); !bounded)
         return tl::unexpected(bounded.error());
     return Instrument::onStage(keyMap, stage->slots(),
@@ -58,17 +64,35 @@ BodyPose bodyPose(const SceneRun& run, std::size_t slot) {
             .turn = {turn.x(), turn.y(), turn.z(), turn.w()}};
 }
 
-SceneStage::SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move(cast)) {
+Result<std::shared_ptr<const SceneStage>> SceneStage::make(std::shared_ptr<const SceneCast> cast) {
+    const std::shared_ptr<SceneStage> stage(new SceneStage(std::move(cast)));
+    return stage->setUp().map([&] { return std::shared_ptr<const SceneStage>(stage); });
+}
+
+Result<void> SceneStage::setUp() {
+    const auto& scene = played->scene();
+    std::size_t moving = scene.noteDrop ? 1 : 0, bodies = moving + played->keyboard().size();
+    for (const auto& release : scene.releases) {
+        const auto count = static_cast<std::size_t>(release.count);
+        bodies += count;
+        moving += played->roles()[release.kind].kind.model->isFixed ? 0 : count;
+    }
+    if (bodies > mostBodies)
+        return failure("the scene " + inQuotes(scene.name) + " has " + std::to_string(bodies) +
+                       " bodies, more than the " + std::to_string(mostBodies) +
+                       " that keys can set in motion");
     int note = 0;
     while (note < 127 && !played->target(note))
         ++note;
-    SceneRun prototype(played, callFor(note, middleVelocity, played->scene().seed));
+    SceneRun prototype(played, rehearsalCall(note));
     prototype.advanceTo(0);
+    if (prototype.isCrowded())
+        return tl::unexpected(crowdedFault(scene));
+    if (prototype.isCutShort())
+        return failure("the notes of the scene " + inQuotes(scene.name) +
+                       " fall for too long, or too many bodies do");
     const auto& slots = prototype.slots();
     const auto moves = [&](std::size_t slot) { return !prototype.isFixed(slot); };
-    std::size_t moving = 0;
-    for (std::size_t slot = 0; slot < slots.size(); ++slot)
-        moving += moves(slot) ? 1 : 0;
     const std::size_t acts =
         moving == 0 ? mostActs : std::clamp<std::size_t>(mostMovingSlots / moving, 1, mostActs);
     for (std::size_t act = 0; act < acts; ++act) {
@@ -82,16 +106,18 @@ SceneStage::SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move
                 firstMovingSlot = static_cast<int>(allSlots.size());
             own.push_back(allSlots.size());
             allSlots.push_back(slots[slot]);
+            allRoles.push_back(prototype.roleOf(slot));
             firstPlaces.push_back(prototype.places()[slot]);
             posesAtFirst.push_back(moves(slot) ? BodyPose() : bodyPose(prototype, slot));
         }
         slotsOfActs.push_back(std::move(own));
     }
-    if (const auto& drop = played->scene().noteDrop)
+    if (const auto& drop = scene.noteDrop) {
         delay = std::sqrt(2 * std::max(drop->softestMetres, drop->hardestMetres) /
-                          std::max(played->scene().gravityMetresPerSecond2, 1e-3));
-    else
-        delay = firstBlowSeconds();
+                          std::max(scene.gravityMetresPerSecond2, 1e-3));
+        return {};
+    }
+    return firstBlowSeconds().map([&](double seconds) { delay = seconds; });
 }
 
 double SceneStage::lengthSeconds() const {
@@ -99,15 +125,23 @@ double SceneStage::lengthSeconds() const {
     return scene.noteDrop ? delay + scene.noteDrop->lifeSeconds : scene.seconds;
 }
 
-double SceneStage::firstBlowSeconds() const {
-    SceneRun rehearsal(played, callFor(0, middleVelocity, played->scene().seed));
+Result<double> SceneStage::firstBlowSeconds() const {
+    SceneRun rehearsal(played, rehearsalCall(0));
     const double longest = std::min(longestRehearsalSeconds, played->scene().seconds);
-    for (double seconds = 0; seconds < longest; seconds += 0.01) {
+    for (double seconds = 0; seconds < longest && !rehearsal.isCutShort(); seconds += 0.01) {
         rehearsal.advanceTo(seconds);
         if (const auto blow = rehearsal.takeBlow(seconds))
             return blow->seconds;
+        if (rehearsal.isCrowded())
+            return tl::unexpected(crowdedFault(played->scene()));
     }
     return 0;
+}
+
+SceneCall SceneStage::rehearsalCall(int midiNote) const {
+    auto call = callFor(midiNote, middleVelocity, played->scene().seed);
+    call.mostWork = mostWorkBefore;
+    return call;
 }
 
 SceneCall SceneStage::callFor(int midiNote, int velocity, std::uint32_t seed) const {

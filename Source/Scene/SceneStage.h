@@ -32,10 +32,18 @@ public:
     /// Where the slots of one act's run are among the synthesiser's.
     using SlotMap = std::vector<std::size_t>;
 
-    explicit SceneStage(std::shared_ptr<const SceneCast> cast);
+    /// Of what is beyond no machine moves the bodies while they sound.
+    static constexpr std::size_t mostBodies = 500;
+
+    /// Refuses more bodies than `mostBodies`, those that are crowded (RigidWorld::isCrowded), and
+    /// what takes too long to begin; the error names the scene.
+    static Result<std::shared_ptr<const SceneStage>> make(std::shared_ptr<const SceneCast> cast);
 
     std::unique_ptr<StagePerformance> perform(double sampleRateHz,
                                               std::uint64_t seed) const override;
+    const std::string& objectOf(std::size_t slot) const override {
+        return played->roles()[allRoles[slot]].object;
+    }
     std::span<const BodyPose> firstPoses() const override { return posesAtFirst; }
     double delaySeconds() const override { return delay; }
     double lengthSeconds() const override;
@@ -53,12 +61,19 @@ public:
     SceneCall callFor(int midiNote, int velocity, std::uint32_t seed) const;
 
 private:
-    /// Of a rehearsal at middle velocity; 0 where nothing is struck soon.
-    double firstBlowSeconds() const;
+    explicit SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move(cast)) {}
+
+    Result<void> setUp();
+    /// The note at middle velocity, for a few seconds' work.
+    SceneCall rehearsalCall(int midiNote) const;
+    /// Of a rehearsal at middle velocity; 0 where nothing is struck soon, or where it takes more
+    /// work than is worth it.
+    Result<double> firstBlowSeconds() const;
 
     std::shared_ptr<const SceneCast> played;
     double delay = 0;
     std::vector<SynthesiserSlot> allSlots;
+    std::vector<std::size_t> allRoles; ///< of the slots
     std::vector<Eigen::Vector3d> firstPlaces;
     std::vector<BodyPose> posesAtFirst;
     std::vector<SlotMap> slotsOfActs;

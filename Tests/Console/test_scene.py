@@ -2,6 +2,7 @@ import cmath
 import json
 import math
 import pathlib
+import re
 import statistics
 
 from console import OBJECTS, ConsoleTest, Wave
@@ -133,6 +134,26 @@ class Scenes(ConsoleTest):
         played = self.json("render", "--impulses", impulses, "-o", self.folder / "impacts.wav")
         self.assertEqual(played["strikes"], report["impacts"])
 
+    def test_impulses_name_files_so_that_they_are_found(self):
+        here, there = self.folder / "here", self.folder / "there"
+        for folder in here, there:
+            folder.mkdir()
+        # Another object by the name of a factory object.
+        (here / "plate.modal").write_bytes((OBJECTS / "die.modal").read_bytes())
+        kinds = [BALL["kinds"][0], {"name": "ball", "object": "plate.modal"}]
+        scene = here / "scene.json"
+        scene.write_text(json.dumps({**BALL, "kinds": kinds}))
+        for folder, name in (here, "plate.modal"), (there, str(here / "plate.modal")):
+            impulses = folder / "impacts.jsonl"
+            report, _ = self.perform(scene, "--impulses", impulses)
+            lines = [json.loads(line) for line in impulses.read_text().splitlines()]
+            self.assertEqual({line["object"] for line in lines}, {"plate", name})
+            played = self.json("render", "--impulses", impulses, "-o", self.folder / "x.wav")
+            self.assertEqual(played["strikes"], report["impacts"])
+        # They move together.
+        moved = here.rename(self.folder / "moved")
+        self.succeed("render", "--impulses", moved / "impacts.jsonl", "-o", self.folder / "x.wav")
+
     def test_the_cylinder_rolls_in_impulses_as_the_paper_tells(self):
         impulses = self.folder / "impacts.jsonl"
         self.perform("Cylinder off a table", "--impulses", impulses)
@@ -166,6 +187,25 @@ class Scenes(ConsoleTest):
         song = self.write("song.mid", "")
         self.refuse("scene", self.scene(), "--midi", song, "-o", self.folder / "x.wav",
                     naming="Ball on a plate", saying="nothing is dropped")
+
+    def test_what_falls_on_notes_alone_asks_for_them(self):
+        notes = {"notes": {"kind": "ball"}}
+        for changes, asks in (({**notes, "bodies": BALL["bodies"][:1]}, True), (notes, False)):
+            said = self.succeed("scene", self.scene(**changes), "-o", self.folder / "x.wav",
+                                "--seconds", 0.1).stderr
+            self.assertEqual("--midi gives" in said, asks)
+
+    def test_bodies_without_end_in_one_place_are_refused(self):
+        crowd = [{"kind": "ball", "count": 10000}]
+        self.refuse("scene", self.scene(bodies=crowd), "-o", self.folder / "x.wav",
+                    naming="Ball on a plate", saying="too many bodies in one place")
+
+    def test_a_peak_beyond_full_scale_is_the_same_in_warning_and_report(self):
+        said = self.succeed("scene", self.scene(), "-o", self.folder / "x.wav",
+                            "--seconds", 0.5, "--set", "level=24")
+        told, level = re.search(r"peak of (\S+) dBFS.*level=(\S+)", said.stderr).groups()
+        self.assertIn(f"peak {told} dBFS", said.stdout)
+        self.assertLessEqual(float(level), 24 - float(told) + 0.05)
 
     def test_bad_scenes_get_a_sentence(self):
         self.refuse("scene", "No such scene", "-o", self.folder / "x.wav",

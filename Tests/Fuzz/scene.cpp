@@ -1,7 +1,9 @@
 // Scenes, as people write them and pass them around.
 #include "Fuzz/FuzzTarget.h"
+#include "Scene/SceneRun.h"
 #include "Scene/SceneText.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace idiophone::fuzz {
@@ -21,6 +23,39 @@ void claimKind(const BodyTemplate& kind, std::size_t kindCount) {
         claim(passed < kindCount, "it passes through kinds that there are");
     if (kind.surface)
         claim(validated(*kind.surface).has_value(), "its surface is valid");
+}
+
+/// A few steps of its bodies, where they are soon made: of few kinds, of an object at hand, and of
+/// no surface, which becomes a mesh of thousands of faces.
+void claimMotion(Scene scene) {
+    constexpr std::size_t mostKinds = 4, mostReleases = 8;
+    constexpr int mostOfEach = 4;
+    static const auto die = ObjectLibrary::shared().find("die").value(); // kept loaded
+    if (scene.kinds.size() > mostKinds)
+        return;
+    for (auto& kind : scene.kinds) {
+        kind.object = kind.ball ? "" : "die";
+        if (kind.form == BodyForm::surface)
+            kind.form = BodyForm::ground;
+    }
+    scene.keyboard.reset();
+    scene.releases.resize(std::min(scene.releases.size(), mostReleases));
+    for (auto& release : scene.releases)
+        release.count = std::min(release.count, mostOfEach);
+    const auto cast = SceneCast::make(std::move(scene), ObjectLibrary::shared());
+    if (!cast)
+        return claimSentence(cast.error());
+    SceneRun run(*cast, {.notes = {{.note = 60, .velocity = 64}}, .mostWork = 1000});
+    double before = -1;
+    for (const double seconds : {0.001, 0.01, 0.1}) {
+        run.advanceTo(seconds);
+        while (const auto blow = run.takeBlow(seconds)) {
+            claim(blow->slot < run.slots().size(), "what has a slot is struck");
+            claim(blow->seconds >= before && blow->seconds < seconds, "blows are in order of time");
+            before = blow->seconds;
+        }
+    }
+    claim(!run.isCrowded(), "few bodies are no crowd");
 }
 
 } // namespace
@@ -46,6 +81,7 @@ void examine(std::string_view bytes) {
     for (const auto& info : parameterTable())
         claim(scene->parameters[info.parameter] == info.clamped(scene->parameters[info.parameter]),
               "parameters have values that they can take");
+    claimMotion(*scene);
 }
 
 } // namespace idiophone::fuzz

@@ -1,33 +1,44 @@
 #include "Instrument/ImpulseLine.h"
-#include "Support/SyntheticObject.h"
+#include "Object/FileBytes.h"
 
-#include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <nlohmann/json.hpp>
 
 using namespace idiophone;
-using namespace idiophone::test;
-using Catch::Approx;
+
+namespace fs = std::filesystem;
 
 TEST_CASE("A blow is one line of JSON that says when, what, where and how") {
-    const SynthesiserSlot slot{.object =
-                                   std::make_shared<const ModalObject>(syntheticObject({100}))};
     const PlacedBlow blow{
         .seconds = 1.25,
         .slot = 3,
         .strike = {.point = {}, .impulseNewtonSeconds = {0, 0.5f, -2}, .durationSeconds = 0.002},
         .pointMetres = {0.1, 0.2, -0.3}};
-    const auto text = impulseLine(slot, blow);
+    const auto text = impulseLine("coin.modal", 1, blow);
     CHECK(text.find('\n') == text.size() - 1);
     const auto line = nlohmann::json::parse(text);
     CHECK(line["time"] == 1.25);
-    CHECK(line["object"] == "synthetic");
+    CHECK(line["object"] == "coin.modal");
     CHECK(line["body"] == 3);
     CHECK(line["point"] == nlohmann::json({0.1, 0.2, -0.3}));
     CHECK(line["impulse"] == nlohmann::json({0, 0.5, -2}));
     CHECK(line["contact_time"] == 0.002);
     CHECK_FALSE(line.contains("size"));
 
-    const SynthesiserSlot large{.object = slot.object, .sizeRatio = 2};
-    CHECK(nlohmann::json::parse(impulseLine(large, blow))["size"] == 2);
+    CHECK(nlohmann::json::parse(impulseLine("coin.modal", 2, blow))["size"] == 2);
+}
+
+TEST_CASE("A list names files by their paths from its folder, and those elsewhere by whole paths") {
+    const auto here = fs::current_path();
+    const auto list = here / "lists" / "impacts.jsonl";
+    const auto named = [&](const fs::path& file) { return objectInList(nameOf(file), list); };
+    CHECK(objectInList("xylophone-72", list) == "xylophone-72");
+    CHECK(named(here / "lists" / "coin.modal") == "coin.modal");
+    CHECK(named(here / "lists" / "more" / ".." / "x" / "coin.modal") == "x/coin.modal");
+    CHECK(named("lists/coin.modal") == "coin.modal");
+    CHECK(objectInList("coin.modal", "impacts.jsonl") == "coin.modal");
+    CHECK(named(here / "coin.modal") == storedNameOf(here / "coin.modal"));
+    CHECK(named("coin.modal") == storedNameOf(here / "coin.modal"));
+    // A file, not the factory's object of its name.
+    CHECK(named(here / "lists" / "plate") == storedNameOf(here / "lists" / "plate"));
 }

@@ -50,6 +50,7 @@ public:
     std::unique_ptr<StagePerformance> perform(double, std::uint64_t) const override {
         return std::make_unique<Performance>(struck);
     }
+    const std::string& objectOf(std::size_t) const override { return object; }
     std::span<const BodyPose> firstPoses() const override { return {}; }
     double delaySeconds() const override { return 0; }
     double lengthSeconds() const override { return 0; }
@@ -73,6 +74,7 @@ private:
     };
 
     PlacedBlow struck;
+    std::string object = "plate";
 };
 
 std::shared_ptr<const Instrument> stageOf(std::size_t slots) {

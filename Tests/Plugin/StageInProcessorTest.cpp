@@ -12,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -206,6 +207,34 @@ TEST_CASE("A preset of a scene file beside it opens, and again from a project el
     CHECK(buildPresetInstrument({.kind = KeyMapKind::scene, .object = "gone.json"},
                                 juce::File((folder / "preset.json").string()))
               ->notice.find("gone.json") == 0);
+}
+
+TEST_CASE("A list of impulses names the files that a scene's objects are of") {
+    const auto folder = testFolder() / "captured";
+    std::filesystem::create_directories(folder);
+    const auto die = factoryObject("die").value();
+    std::ofstream(folder / "mine.modal", std::ios::binary)
+        .write(reinterpret_cast<const char*>(die.data()), std::ssize(die));
+    std::ofstream(folder / "mine.json")
+        << R"({"format": "idiophone-scene", "version": 1, "name": "Mine", "seconds": 1,
+               "kinds": [{"name": "plate", "object": "plate", "fixed": true},
+                         {"name": "die", "object": "mine.modal"}],
+               "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.02]}]})";
+    auto state = testState();
+    state.preset.keyMap = {.kind = KeyMapKind::scene, .object = (folder / "mine.json").string()};
+    state.objects.clear();
+    Processor processor;
+    restore(processor, state);
+    processor.setNonRealtime(true);
+    processor.prepareToPlay(rate, 480);
+    render(processor, rate / 2, 480, chord());
+    const auto list = folder / "list.jsonl";
+    REQUIRE(processor.writeCapture(ProcessorView::CaptureKind::impulses, list));
+    std::set<std::string> objects;
+    std::ifstream lines(list);
+    for (std::string line; std::getline(lines, line);)
+        objects.insert(nlohmann::json::parse(line)["object"].get<std::string>());
+    CHECK(objects == std::set<std::string>{"mine.modal", "plate"});
 }
 
 TEST_CASE("A scene that is missing has a ring in its place, and plays once it is back") {

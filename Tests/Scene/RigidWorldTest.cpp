@@ -145,6 +145,18 @@ TEST_CASE("The same bodies fall in the same way, bit for bit") {
     CHECK(fall() == first);
 }
 
+TEST_CASE("A world of more pairs than it has room for is crowded, and says so at once") {
+    RigidWorld world({ballKind(0.01)}, stepsPerSecond, gravity);
+    for (int k = 0; k < 300; ++k)
+        world.add(0, at({0.1 * k, 0, 0}));
+    world.step();
+    CHECK_FALSE(world.isCrowded());
+    CHECK(world.work() == 300);
+    while (!world.isCrowded() && world.add(0, at({0, 0, 0})) < 1000)
+        continue;
+    CHECK(world.isCrowded());
+}
+
 TEST_CASE("Bodies that were taken away are gone, and their numbers with them") {
     RigidWorld world({groundKind(), ballKind(0.01)}, stepsPerSecond, gravity);
     world.add(0, at({0, 0, 0}));

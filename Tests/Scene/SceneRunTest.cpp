@@ -1,8 +1,11 @@
 // Performances: songs as falling dice, slots, chance.
 #include "Scene/SceneRun.h"
 #include "Scene/FactoryScenes.h"
+#include "Scene/SceneText.h"
 
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 #include <map>
@@ -203,4 +206,43 @@ TEST_CASE(
     motion.advanceTo(3);
     CHECK(std::ranges::all_of(motion.touches(),
                               [](const TouchState& state) { return state.forceNewtons < 1e-6; }));
+}
+
+TEST_CASE("A run of a crowd is over, be it of bodies or of their parts") {
+    // Of a ring's sixteen parts each is near several of another ring in the same place.
+    const auto [object, form, count] = GENERATE(table<const char*, BodyForm, int>(
+        {{"die", BodyForm::hull, 10000}, {"small-ring", BodyForm::ring, 60}}));
+    auto scene = parseScene(R"({"format": "idiophone-scene", "version": 1, "name": "Crowd",
+                                "kinds": [{"name": "all", "object": "die"}],
+                                "bodies": [{"kind": "all"}]})",
+                            "test")
+                     .value();
+    scene.kinds[0].object = object;
+    scene.kinds[0].form = form;
+    scene.releases[0].count = count;
+    const auto cast = castOf(scene);
+    SceneRun motion(cast);
+    CHECK_FALSE(motion.isCrowded());
+    motion.advanceTo(5);
+    CHECK(motion.isCrowded());
+    CHECK(motion.finished());
+    CHECK(motion.figures().bodies < 400);
+    CHECK(crowdedFault(cast->scene()).message.find("'Crowd'") != std::string::npos);
+}
+
+TEST_CASE("A run goes no further than its call has work for, or than it is let") {
+    const auto cast = factoryCast("Cylinder off a table");
+    SceneRun little(cast, {.mostWork = 100});
+    little.advanceTo(1);
+    CHECK(little.isCutShort());
+    CHECK(little.finished());
+    CHECK_FALSE(little.takeBlow(1));
+
+    std::atomic<bool> isStopped = false;
+    SceneRun stopped(cast, {.isStopped = &isStopped});
+    CHECK_FALSE(blowsUntil(stopped, 0.5).empty());
+    CHECK_FALSE(stopped.finished());
+    isStopped = true;
+    CHECK(blowsUntil(stopped, 5).empty());
+    CHECK(stopped.finished());
 }

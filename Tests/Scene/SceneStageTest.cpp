@@ -3,6 +3,7 @@
 
 #include "Instrument/Player.h"
 #include "Scene/FactoryScenes.h"
+#include "Scene/SceneText.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -15,7 +16,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr double rate = 48000;
+constexpr double rate = 48000, gravity = 9.81;
 
 std::shared_ptr<const Instrument> sceneInstrument(const std::string& name) {
     return buildInstrument({.kind = KeyMapKind::scene, .object = name}, ObjectLibrary::shared())
@@ -197,12 +198,12 @@ TEST_CASE("Bars that nothing is dropped on can be rolled over") {
     scene.kinds = {{.name = "ball", .object = "", .ball = SilentBall{0.01, "Steel"}}};
     scene.releases = {Release()}; // of the ball
     const auto cast = SceneCast::make(scene, ObjectLibrary::shared()).value();
-    const SceneStage stage(cast);
-    const auto slots = stage.slotOfKey(0, 127);
+    const auto stage = SceneStage::make(cast).value();
+    const auto slots = stage->slotOfKey(0, 127);
     CHECK(slots[65] == 0);
     CHECK(slots[108] == 43);
     for (const int slot : slots)
-        CHECK(slot < static_cast<int>(stage.slots().size()));
+        CHECK(slot < static_cast<int>(stage->slots().size()));
 }
 
 TEST_CASE("Every factory scene is an instrument") {
@@ -212,6 +213,56 @@ TEST_CASE("Every factory scene is an instrument") {
         CHECK(instrument->stage()->delaySeconds() < 2);
         CHECK(instrument->key(72).slot >= 0);
     }
+}
+
+TEST_CASE("Scenes that no machine can begin are refused with a sentence, and soon") {
+    const auto refusal = [](const Scene& scene) {
+        const auto made = SceneStage::make(SceneCast::make(scene, ObjectLibrary::shared()).value());
+        REQUIRE_FALSE(made);
+        CHECK(made.error().message.find("'Too much'") != std::string::npos);
+        return made.error().message;
+    };
+    auto scene = parseScene(R"({"format": "idiophone-scene", "version": 1, "name": "Too much",
+                                "kinds": [{"name": "die", "object": "die"}],
+                                "bodies": [{"kind": "die", "count": 10000}]})",
+                            "test")
+                     .value();
+    CHECK(refusal(scene).find("has 10000 bodies, more than the 500") != std::string::npos);
+    scene.releases[0].count = 400;
+    CHECK(refusal(scene).find("too many bodies in one place") != std::string::npos);
+
+    // For minutes, as gravity is hardly any.
+    scene.releases[0].count = 100;
+    scene.releases[0].positionMetres.reach = {500, 500, 500};
+    scene.noteDrop = NoteDrop();
+    scene.noteDrop->softestMetres = scene.noteDrop->hardestMetres = 100;
+    scene.gravityMetresPerSecond2 = 0;
+    CHECK(refusal(scene).find("fall for too long") != std::string::npos);
+}
+
+TEST_CASE("What is struck only after much work has no delay to show") {
+    auto scene = parseScene(R"({"format": "idiophone-scene", "version": 1, "name": "Late",
+                                "kinds": [{"name": "floor", "object": "floor", "form": "ground",
+                                           "fixed": true},
+                                          {"name": "die", "object": "die"}],
+                                "bodies": [{"kind": "floor"}, {"kind": "die", "at": [0, 0, 1]},
+                                           {"kind": "die", "count": 400, "at": [0, 0, 600],
+                                            "at_scatter": [500, 500, 100]}]})",
+                            "test")
+                     .value();
+    const auto delay = [&] {
+        const auto cast = SceneCast::make(scene, ObjectLibrary::shared()).value();
+        return SceneStage::make(cast).value()->delaySeconds();
+    };
+    CHECK_THAT(delay(), WithinAbs(std::sqrt(2 / gravity), 0.01));
+    scene.stepsPerSecond = 20000;
+    CHECK(delay() == 0);
+}
+
+TEST_CASE("A stage tells the objects of its slots as its scene names them") {
+    const auto stage = sceneInstrument("Dice on a xylophone")->stage();
+    CHECK(stage->objectOf(0) == "xylophone-65");
+    CHECK(stage->objectOf(44) == "die");
 }
 
 TEST_CASE("A scene that is not there is said so") {
