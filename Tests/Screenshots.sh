@@ -71,9 +71,9 @@ shot_with_menus() { # which are windows of their own
     import -window root -crop "${width}x$((height + title))+0+0" +repage "$out/$1.png"
     echo "$out/$1.png"
 }
-held() { # with the button down there for a moment, a picture of that name
+held() { # with the button down there for a while, a picture of that name
     xdotool mousemove --window "$window" "$1" $(($2 + title)) mousedown 1
-    sleep 0.2
+    sleep 1
     shot "$3"
     xdotool mouseup 1
     sleep 0.25
