@@ -139,6 +139,30 @@ TEST_CASE("A preset saved while foreign objects play opens later and elsewhere")
     CHECK(firstSecond(reopened) == expected);
 }
 
+TEST_CASE("A folder that idiophone tune has made plays from where it lies among the presets") {
+    const UserSettings user;
+    Preset preset;
+    preset.name = "Tuned marimba";
+    preset.keyMap.lowestNote = 60;
+    preset.keyMap.highestNote = 61;
+    preset.keyMap.object = "marimba-{note}.modal";
+    user.write("Presets/My bars/marimba.json", encodePreset(preset));
+    for (const auto* name : {"marimba-60", "marimba-61"}) {
+        const auto bytes = factoryObject(name).value();
+        user.write("Presets/My bars/" + std::string(name) + ".modal",
+                   {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    shelf.readPresets();
+    const auto* tuned = find(shelf, "Tuned marimba");
+    REQUIRE(tuned != nullptr);
+    REQUIRE(shelf.loadPreset(tuned->id));
+    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK(shelf.chosenPreset() == "My bars/marimba.json");
+    CHECK(processor.loadedInstrument()->slots().size() == 2);
+}
+
 TEST_CASE("What was saved under match loudness is as loud when it is loaded") {
     const UserSettings user;
     Processor processor;
