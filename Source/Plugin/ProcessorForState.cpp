@@ -54,12 +54,17 @@ void Processor::setStateInformation(const void* bytes, int byteCount) {
         const std::scoped_lock lock(soundMutex);
         lastError = restored.error().message;
         if (!text.empty()) {
-            lastError += lastError.ends_with('.') ? " " : ". ";
-            lastError += "The project keeps it until another sound is chosen or this one changed.";
-            refused = std::make_shared<const RefusedState>(
-                RefusedState{.bytes = std::string(text),
-                             .notice = lastError,
-                             .controllers = controllers.assignments()});
+            auto kept = withinMemory([&]() -> Result<RefusedState> {
+                return RefusedState{
+                    .bytes = std::string(text),
+                    .notice = lastError + (lastError.ends_with('.') ? " " : ". ") +
+                              "The project keeps it until another sound is chosen or this one "
+                              "changed.",
+                    .controllers = controllers.assignments()};
+            });
+            refused = kept ? std::make_shared<const RefusedState>(std::move(*kept)) : nullptr;
+            if (refused)
+                lastError = refused->notice;
             // What is under way, an analysis or an audition, is another project's.
             ++loads;
             ++loadsByHost;

@@ -212,6 +212,7 @@ TEST_CASE("A sound keeps the version that it was made with, also a newer one; ne
         state.engineVersion = version;
         state.preset.keyMap.kind = KeyMapKind::zones;
         state.preset.keyMap.object = state.objects[0].name;
+        state.objects.resize(1);
         const auto bytes = encodeState(state);
         const auto isKept = [&] { return versionOf(processor) == version; };
         const auto isOurs = [&] { return versionOf(processor) == ownEngineVersion(); };
