@@ -237,6 +237,7 @@ TEST_CASE("Scenes that no machine can begin are refused with a sentence, and soo
     scene.noteDrop = NoteDrop();
     scene.noteDrop->softestMetres = scene.noteDrop->hardestMetres = 100;
     scene.gravityMetresPerSecond2 = 0;
+    scene.stepsPerSecond = 20000;
     CHECK(refusal(scene).find("fall for too long") != std::string::npos);
 }
 
@@ -246,7 +247,7 @@ TEST_CASE("What is struck only after much work has no delay to show") {
                                            "fixed": true},
                                           {"name": "die", "object": "die"}],
                                 "bodies": [{"kind": "floor"}, {"kind": "die", "at": [0, 0, 1]},
-                                           {"kind": "die", "count": 400, "at": [0, 0, 600],
+                                           {"kind": "die", "count": 100, "at": [0, 0, 600],
                                             "at_scatter": [500, 500, 100]}]})",
                             "test")
                      .value();
