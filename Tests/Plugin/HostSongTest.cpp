@@ -153,19 +153,22 @@ TEST_CASE("A pass that begins while something rings has its strikes where the fi
     constexpr int length = 9600; // of cells of the grid, and of blocks
     juce::MidiBuffer blow;
     blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 10);
-    PlayedSong looped, ringing;
-    for (auto* each : {&looped, &ringing}) {
-        each->processor.changeParameter(ParameterId::motorDepth, 0);
-        each->processor.changeParameter(ParameterId::radiation, 0);
-    }
-    const auto first = looped.passFrom(16, blow, length);
-    REQUIRE(ringing.passFrom(16, blow, length) == first);
-    const auto both = looped.passFrom(16, blow, length);
-    const auto ring = ringing.passFrom(16, {}, length);
-    float farthest = 0;
-    for (std::size_t i = 0; i < first.left.size(); ++i)
-        farthest = std::max(farthest, std::abs(both.left[i] - ring.left[i] - first.left[i]));
-    CHECK(farthest < 0.01f * loudest(first));
+    /// Of what a second blow adds to the first one's ringing, from the first one's own sound.
+    const auto farthest = [&](double second) {
+        PlayedSong struck, ringing;
+        for (auto* each : {&struck, &ringing})
+            each->processor.changeParameter(ParameterId::motorDepth, 0);
+        const auto first = struck.passFrom(16, blow, length);
+        REQUIRE((ringing.passFrom(16, blow, length) == first));
+        const auto both = struck.passFrom(second, blow, length);
+        const auto ring = ringing.passFrom(second, {}, length);
+        float most = 0;
+        for (std::size_t i = 0; i < first.left.size(); ++i)
+            most = std::max(most, std::abs(both.left[i] - ring.left[i] - first.left[i]));
+        return most / loudest(first);
+    };
+    CHECK(farthest(16) < 0.2); // faint modes are left out otherwise where others ring
+    CHECK(farthest(17) > 0.4);
 }
 
 TEST_CASE("Wherever a song begins its motor opens at the same places of it") {
@@ -227,7 +230,7 @@ TEST_CASE("A song begins where the host starts to play or jumps, and nowhere els
     CHECK(transport.tempo() == beatsPerMinute);
     CHECK_FALSE(beginsAt(3 + beatsPerBlock));
     CHECK_FALSE(beginsAt(3 + 2.1 * beatsPerBlock)); // as hosts round
-    CHECK(beginsAt(3));
+    CHECK(beginsAt(2.5));
     CHECK(beginsAt(8));
     song.plays = false;
     CHECK_FALSE(beginsAt(8));
