@@ -129,7 +129,8 @@ TEST_CASE("A sound for which the memory does not suffice is refused, and what pl
         user.write("Presets/Crowd.json",
                    R"({"format":"idiophone-preset","version":1,"name":"Crowded","keyMap":{"kind":)"
                    R"("zones","lowestNote":0,"highestNote":127,"object":"crowd.modal"}})");
-        REQUIRE(writeModalObject(objectOf(manyModes), user.folder() / "Presets/crowd.modal"));
+        REQUIRE(writeModalObject(objectOf(manyModes), user.folder() / "Presets/crowd.modal",
+                                 ShapePrecision::half));
         restoreTest(processor);
         {
             const MemoryLimit limit(mostBytes);
