@@ -1,5 +1,6 @@
 #include "Console/Interrupt.h"
 
+#include <array>
 #include <csignal>
 
 namespace idiophone {
@@ -8,16 +9,27 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
 
-extern "C" void handleInterrupt(int) {
+constexpr std::array wishes{
+    SIGINT, SIGTERM,
+#ifdef SIGHUP
+    SIGHUP, // the terminal was closed
+#endif
+};
+
+extern "C" void handleInterrupt(int wish) {
     interrupted = true;
-    std::signal(SIGINT, SIG_DFL);
+    std::signal(wish, SIG_DFL);
 }
 
 } // namespace
 
 const std::atomic<bool>& interruptRequested() {
-    if (!interrupted)
-        std::signal(SIGINT, handleInterrupt);
+    static const bool listens = [] {
+        for (const int wish : wishes)
+            std::signal(wish, handleInterrupt);
+        return true;
+    }();
+    static_cast<void>(listens);
     return interrupted;
 }
 

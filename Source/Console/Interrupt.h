@@ -1,4 +1,5 @@
-// Ctrl-C as a wish to stop, so that files half written are taken away. A second Ctrl-C kills.
+// Ctrl-C, and what else asks a program to end, as a wish to stop, so that files half written are
+// taken away. A second one kills.
 #pragma once
 
 #include <atomic>
@@ -6,7 +7,7 @@
 
 namespace idiophone {
 
-/// From the first call on, Ctrl-C sets what it returns instead of ending the program.
+/// From the first call on, such a signal sets what it returns instead of ending the program.
 const std::atomic<bool>& interruptRequested();
 
 /// The error of a rendering that was stopped.

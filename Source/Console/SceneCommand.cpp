@@ -122,7 +122,8 @@ Result<void> report(const SceneTally& tally, const Recording& recording, const O
 
 /// Whether nothing moves but what notes drop.
 bool waitsForNotes(const Scene& scene) {
-    return scene.noteDrop && std::ranges::all_of(scene.releases, [&](const Release& release) {
+    return scene.noteDrop && !scene.hand &&
+           std::ranges::all_of(scene.releases, [&](const Release& release) {
                return scene.kinds[release.kind].isFixed;
            });
 }

@@ -33,7 +33,7 @@ struct Options {
     std::string material;
     double widthMetres = 0, heightMetres = 0;
     std::vector<double> ratios;
-    bool meshesOnly = false;
+    bool meshesOnly = false, replaces = false;
 };
 
 /// The pitch of a note: of equal temperament, or of a scale of twelve, C to B, in which A is as
@@ -151,46 +151,26 @@ Result<void> writeBar(const TunedBar& bar, const Options& options) {
     return writeModalObject(bar.object, stem.string() + ".modal", ShapePrecision::half);
 }
 
-constexpr const char* tablesName = "bars.csv";
-constexpr const char* presetsDescription = "Made by idiophone tune.";
 constexpr double sampleRateHz = 48000;
 
-std::filesystem::path presetFile(const Options& options) {
-    return options.folder / (options.instrument + ".json");
+std::filesystem::path inFolder(const Options& options, const std::string& ending) {
+    return options.folder / (options.instrument + ending);
 }
 
-bool isOurTable(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    std::string line;
-    return std::getline(stream, line) && line == tableHead;
-}
-
-bool isOurPreset(const std::filesystem::path& file) {
-    const auto preset = readPresetFile(file);
-    return preset && preset->description == presetsDescription;
-}
-
-/// Only what was made here before is made anew: nobody has named the files.
-Result<void> checkReplaceable(const Options& options, int from, int to) {
+/// Nobody has named the files, so that none is replaced unasked.
+Result<void> checkAbsent(const Options& options, int from, int to) {
+    std::vector<std::string> endings{".csv"};
+    for (int note = from; note <= to; ++note)
+        endings.push_back("-" + std::to_string(note) + ".obj");
+    if (!options.meshesOnly) {
+        for (int note = from; note <= to; ++note)
+            endings.push_back("-" + std::to_string(note) + ".modal");
+        endings.emplace_back(".json");
+    }
     std::error_code ignored;
-    const auto refuse = [](const std::filesystem::path& file) {
-        return failure(nameOf(file) + ": it is there already, and `idiophone tune` has not made "
-                                      "it");
-    };
-    const auto table = options.folder / tablesName, preset = presetFile(options);
-    const bool isRedone = isOurTable(table);
-    if (!isRedone && std::filesystem::exists(table, ignored))
-        return refuse(table);
-    for (int note = from; note <= to && !isRedone; ++note)
-        for (const auto* ending : {".obj", ".modal"}) {
-            const auto file =
-                options.folder / (options.instrument + "-" + std::to_string(note) + ending);
-            if (std::filesystem::exists(file, ignored) &&
-                !(options.meshesOnly && file.extension() == ".modal"))
-                return refuse(file);
-        }
-    if (!options.meshesOnly && std::filesystem::exists(preset, ignored) && !isOurPreset(preset))
-        return refuse(preset);
+    for (const auto& ending : endings)
+        if (const auto file = inFolder(options, ending); std::filesystem::exists(file, ignored))
+            return failure(nameOf(file) + ": it is there already; --replace makes it anew");
     return {};
 }
 
@@ -200,12 +180,11 @@ Result<void>
 writePreset(const Options& options, const BarInstrument& instrument, int from, int to) {
     Preset preset;
     preset.name = "Tuned " + std::string(instrument.name);
-    preset.description = presetsDescription;
+    preset.description = "Made by idiophone tune.";
     preset.keyMap = {.kind = KeyMapKind::bars,
                      .lowestNote = from,
                      .highestNote = to,
                      .object = std::string(instrument.name) + "-{note}.modal"};
-    const auto file = presetFile(options);
     auto played = preset.keyMap;
     played.object = storedNameOf(std::filesystem::absolute(options.folder) / played.object);
     return Instrument::build(played, ObjectLibrary::shared())
@@ -213,7 +192,7 @@ writePreset(const Options& options, const BarInstrument& instrument, int from, i
             preset.parameters.set(
                 ParameterId::level,
                 startingLevel(built, preset.surface, sampleRateHz, preset.parameters));
-            return writeTextFile(file, encodePreset(preset) + "\n");
+            return writeTextFile(inFolder(options, ".json"), encodePreset(preset) + "\n");
         });
 }
 
@@ -225,9 +204,9 @@ Result<void> tuneKeyboard(const Options& options) {
         return made;
     const int from = options.lowestNote.value_or(instrument->lowestNote);
     const int to = options.highestNote.value_or(instrument->highestNote);
-    if (auto fine = checkReplaceable(options, from, to); !fine)
+    if (auto fine = checkAbsent(options, from, to); !fine && !options.replaces)
         return fine;
-    const auto tablePath = options.folder / tablesName;
+    const auto tablePath = inFolder(options, ".csv");
     if (auto writable = checkWritable(tablePath); !writable)
         return writable;
     std::ofstream table(tablePath);
@@ -294,6 +273,7 @@ void addTune(CLI::App& program, Action& chosen) {
         ->delimiter(',')
         ->check(numberBetween(0, 100));
     command->add_flag("--meshes-only", options->meshesOnly, "Neither objects nor a preset");
+    command->add_flag("--replace", options->replaces, "Also files that are there already");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return tuneKeyboard(*options); }; });
 }

@@ -53,8 +53,8 @@ public:
     void step();
     double seconds() const;
     double stepSeconds() const;
-    /// Whether there were more pairs than `mostPairs`. Those beyond pass through each other, so
-    /// that a world is not worth another step then.
+    /// Whether there were more pairs of bodies, or of their parts, than `mostPairs`. Those beyond
+    /// pass through each other, so that a world is not worth another step then.
     bool isCrowded() const;
     /// What all steps together took, of about a microsecond each: bodies, and pairs of them.
     double work() const;

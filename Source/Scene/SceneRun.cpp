@@ -45,7 +45,7 @@ posed(const RigidBodyModel& model, const Eigen::Vector3d& place, const Eigen::Qu
 
 Error crowdedFault(const Scene& scene) {
     return {"the scene " + inQuotes(scene.name) + " has too many bodies in one place: more than " +
-            std::to_string(RigidWorld::mostPairs) + " pairs of them meet"};
+            std::to_string(RigidWorld::mostPairs) + " pairs of them, or of their parts, meet"};
 }
 
 SceneRun::SceneRun(std::shared_ptr<const SceneCast> playedCast, SceneCall wanted)

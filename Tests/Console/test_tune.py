@@ -46,28 +46,26 @@ class Tune(ConsoleTest):
         self.assertGreater(told["peak_dbfs"], -40)
         self.assertLess(told["peak_dbfs"], -6)
 
-    def test_only_what_it_made_before_is_made_anew(self):
+    def test_nothing_is_replaced_unasked(self):
         options = "--from", "84", "--to", "84"
         folder = self.folder / "bars"
         folder.mkdir()
-        for name in ("bars.csv", "marimba.json", "marimba-84.obj", "marimba-84.modal"):
+        for name in ("marimba.csv", "marimba.json", "marimba-84.obj", "marimba-84.modal"):
             with self.subTest(name=name):
                 mine = self.write(f"bars/{name}", "mine")
                 self.refuse("tune", "marimba", "-o", folder, *options, naming=mine,
                             saying="there already")
                 self.assertEqual(mine.read_text(), "mine")
                 mine.unlink()
+        object = self.write("bars/marimba-84.modal", "mine")
         self.tuned(*options, "--meshes-only")
-        self.tuned(*options)
-        self.tuned(*options, "--a4", "442")
-        preset = folder / "marimba.json"
-        preset.write_text(preset.read_text().replace("Made by idiophone tune.", "Mine."))
-        self.refuse("tune", "marimba", "-o", folder, *options, naming=preset,
-                    saying="there already")
+        self.assertEqual(object.read_text(), "mine")
+        self.tuned(*options, "--replace")
+        self.assertGreater(len(self.json("info", object)["modes"]), 1)
 
     def test_the_measures_are_those_of_the_mesh_to_cut(self):
         folder = self.tuned("--from", "72", "--to", "72")
-        with (folder / "bars.csv").open() as file:
+        with (folder / "marimba.csv").open() as file:
             bar, = csv.DictReader(file)
         self.assertLess(abs(float(bar["miss_cents"])), 1)
         self.assertAlmostEqual(float(bar["second_ratio"]), 4, delta=0.01)
@@ -85,13 +83,13 @@ class Tune(ConsoleTest):
     def test_meshes_alone_are_no_keyboard(self):
         folder = self.tuned("--from", "84", "--to", "84", "--meshes-only")
         self.assertEqual(sorted(path.name for path in folder.iterdir()),
-                         ["bars.csv", "marimba-84.obj"])
+                         ["marimba.csv", "marimba-84.obj"])
 
     def test_another_scale_moves_every_bar(self):
         cents = [0, 90, 204, 294, 408, 498, 588, 702, 792, 906, 996, 1110]
         folder = self.tuned("--from", "76", "--to", "76", "--meshes-only", "--scale",
                             ",".join(map(str, cents)))
-        with (folder / "bars.csv").open() as file:
+        with (folder / "marimba.csv").open() as file:
             bar, = csv.DictReader(file)
         # E lies 408 cents above a C that makes A, 906 above it, 440 Hz.
         wanted = 440 * 2 ** ((1200 + 408 - 906) / 1200)
