@@ -139,7 +139,8 @@ void PitchBend::controller(int channel, int number, int value) noexcept {
 void PitchBend::giveRange(int channel, int semitones, int cents) noexcept {
     const double given = semitones + std::min(cents, 99) / 100.0;
     rangeOf(channel).give(given);
-    (isMember(channel) ? newlyGiven.memberRange : newlyGiven.range) = given;
+    if (isMember(channel))
+        newlyGiven.memberRange = given;
     bendHeldNotes();
 }
 
@@ -155,9 +156,11 @@ void PitchBend::configure(int managerChannel, int members) noexcept {
     if (own > 0)
         other = std::clamp(other, 0, std::max(mostMembers - 1 - own, 0));
     configured = wanted;
-    memberRange.give(memberSemitones);
     newlyGiven.mpe = wanted.any() ? 1 : 0;
-    newlyGiven.memberRange = memberSemitones;
+    if (own > 0) {
+        memberRange.give(memberSemitones);
+        newlyGiven.memberRange = memberSemitones;
+    }
     forgetNotes();
 }
 

@@ -24,9 +24,9 @@ namespace idiophone {
 /// A parameter that moves to what MIDI gave changes nothing: it is to move along.
 class PitchBend {
 public:
-    /// What MIDI gave of the parameters `mpe`, `bend_range` and `mpe_bend_range`.
+    /// What MIDI gave of the parameters `mpe` and `mpe_bend_range`.
     struct Given {
-        std::optional<double> mpe, range, memberRange;
+        std::optional<double> mpe, memberRange;
     };
 
     /// Once before the events of a block.

@@ -1,6 +1,8 @@
 #include "Plugin/HostTransport.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace idiophone {
 namespace {
@@ -20,23 +22,45 @@ std::optional<double> placeOf(const juce::AudioPlayHead::PositionInfo& position)
     return isPlace && tempoOf(position) > 0 ? std::optional(*told) : std::nullopt;
 }
 
+/// Whether the place lies between the two, or near.
+bool isOnTheWay(double place, double one, double other) noexcept {
+    const auto [first, last] = std::minmax(one, other);
+    return place > first - smallestJump && place < last + smallestJump;
+}
+
 } // namespace
+
+double HostTransport::goneOn(double inBeatsPerMinute) const noexcept {
+    return *reckoned + secondsSince * inBeatsPerMinute / 60;
+}
 
 void HostTransport::follow(const juce::AudioPlayHead* host,
                            int blockSamples,
                            double sampleRateHz) noexcept {
-    const auto expected = placeAfter;
+    beginsNow = false;
+    if (blockSamples <= 0)
+        return;
     if (host == nullptr)
-        forget();
-    else if (const auto position = host->getPosition()) {
-        beatsPerMinute = tempoOf(*position);
-        placeNow = placeOf(*position);
-    } else
-        placeNow = expected;
-    beginsNow = placeNow && !(expected && std::abs(*placeNow - *expected) < smallestJump);
-    placeAfter = placeNow;
-    if (placeAfter)
-        *placeAfter += blockSamples * beatsPerMinute / 60 / sampleRateHz;
+        return forget();
+    if (const auto position = host->getPosition()) {
+        const double tempoBefore = std::exchange(beatsPerMinute, tempoOf(*position));
+        const auto toldBefore = std::exchange(told, placeOf(*position));
+        const bool standsStill = told && told == toldBefore;
+        placeNow = standsStill ? std::nullopt : told;
+        beginsNow = placeNow && !(reckoned && isOnTheWay(*placeNow, goneOn(tempoBefore),
+                                                         goneOn(beatsPerMinute)));
+        if (standsStill && reckoned)
+            reckoned = goneOn(tempoBefore);
+        else
+            reckoned = told;
+    } else {
+        told = std::nullopt;
+        if (reckoned)
+            reckoned = goneOn(beatsPerMinute);
+        if (placeNow)
+            placeNow = reckoned;
+    }
+    secondsSince = blockSamples / sampleRateHz;
 }
 
 } // namespace idiophone

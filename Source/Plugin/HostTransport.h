@@ -10,11 +10,12 @@ namespace idiophone {
 /// means that all goes on as it told last: those of LV2 speak when something changes.
 class HostTransport {
 public:
-    /// Once a callback, with its samples; nullptr where there is no host that tells.
+    /// Once a callback, with its samples; nullptr where there is no host that tells. One without
+    /// samples says nothing, and a place told twice in a row is none: some hosts tell whole beats.
     void follow(const juce::AudioPlayHead* host, int blockSamples, double sampleRateHz) noexcept;
 
     /// As before the first callback, but for the tempo: where a song plays on it begins anew.
-    void forgetPlace() noexcept { placeAfter = placeNow = std::nullopt; }
+    void forgetPlace() noexcept { placeNow = told = reckoned = std::nullopt; }
     void forget() noexcept { *this = {}; }
 
     /// Beats a minute; 0 where the host tells none, or none that is one.
@@ -26,8 +27,13 @@ public:
     bool begins() const noexcept { return beginsNow; }
 
 private:
+    double goneOn(double inBeatsPerMinute) const noexcept;
+
     double beatsPerMinute = 0;
-    std::optional<double> placeNow, placeAfter; ///< the latter behind the block, if it goes on
+    std::optional<double> placeNow;
+    std::optional<double> told;     ///< what the host said of the last callback
+    std::optional<double> reckoned; ///< where it began, while the song plays
+    double secondsSince = 0;        ///< then
     bool beginsNow = false;
 };
 

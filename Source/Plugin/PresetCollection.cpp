@@ -137,8 +137,7 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
 }
 
 void PresetCollection::play(const FoundSound& found) {
-    holder.playSound(found.sound);
-    if (!found.notice.empty())
+    if (holder.playSound(found.sound) && !found.notice.empty())
         holder.reportError(found.notice);
 }
 

@@ -125,7 +125,6 @@ void Processor::followGivenBends(Player& player) noexcept {
             parameter.moveByController(*value);
     };
     move(mpe, given.mpe);
-    move(bendRange, given.range);
     move(mpeBendRange, given.memberRange);
 }
 

@@ -129,7 +129,7 @@ public:
 
     Sound loadedSound() const override;
     SoundLabel loadedLabel() const override;
-    void playSound(const Sound& wanted) override;
+    bool playSound(const Sound& wanted) override;
     void relabel(const Sound& wanted) override;
     int hostLoads() const override { return loadsByHost; }
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;

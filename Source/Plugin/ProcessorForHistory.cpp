@@ -49,9 +49,9 @@ SoundLabel Processor::loadedLabel() const {
             .isChanged = now != storedParameters};
 }
 
-void Processor::playSound(const Sound& wanted) {
+bool Processor::playSound(const Sound& wanted) {
     if (wanted.instrument == nullptr)
-        return;
+        return false;
     {
         const std::scoped_lock lock(soundMutex);
         // Steps back and forth between keys of one object leave its analysis under way; another
@@ -64,7 +64,7 @@ void Processor::playSound(const Sound& wanted) {
         auto player = playsOn ? nullptr : newPlayer(wanted.instrument, wanted.preset);
         if (!player) {
             lastError = player.error().message;
-            return;
+            return false;
         }
         parameters.load(withSetupOf(parameters.values(), wanted.parameters));
         if (playsOn) {
@@ -90,6 +90,7 @@ void Processor::playSound(const Sound& wanted) {
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    return true;
 }
 
 void Processor::relabel(const Sound& wanted) {

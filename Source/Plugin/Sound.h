@@ -53,9 +53,10 @@ public:
     /// The same, without what costs to copy.
     virtual SoundLabel loadedLabel() const = 0;
     /// Plays the sound at once, with the setup as it is. What rings fades out where the instrument
-    /// or its preset is another one, and goes on where only parameters change. A sound without
-    /// instrument is not played.
-    virtual void playSound(const Sound& sound) = 0;
+    /// or its preset is another one, and goes on where only parameters change. Returns whether it
+    /// plays: neither does a sound without instrument, nor one that the memory does not suffice
+    /// for, which is reported.
+    virtual bool playSound(const Sound& sound) = 0;
     /// What plays, if it has the wanted one's instrument, gets its preset's name, author,
     /// description and tags, its place on the shelf and its stored values, and keeps all else.
     virtual void relabel(const Sound& wanted) = 0;

@@ -65,14 +65,9 @@ public:
     }
 
     bool perform() override {
-        if (std::exchange(isDone, true))
-            history.play(sessions->after);
-        return true;
+        return !std::exchange(isDone, true) || history.play(sessions->after);
     }
-    bool undo() override {
-        history.play(sessions->before);
-        return true;
-    }
+    bool undo() override { return history.play(sessions->before); }
     int getSizeInUnits() override { return units; }
 
 private:
@@ -182,11 +177,12 @@ Session SoundHistory::session() const {
     return {.playing = holder.loadedSound(), .other = other, .playsB = isB};
 }
 
-void SoundHistory::play(const Session& wanted) {
+bool SoundHistory::play(const Session& wanted) {
+    if (holder.loadedSound() != wanted.playing && !holder.playSound(wanted.playing))
+        return false;
     other = wanted.other;
     isB = wanted.playsB;
-    if (holder.loadedSound() != wanted.playing)
-        holder.playSound(wanted.playing);
+    return true;
 }
 
 void SoundHistory::followHolder() {

@@ -86,7 +86,8 @@ private:
     };
 
     Session session() const;
-    void play(const Session& wanted);
+    /// Returns whether it plays. Steps that fail are forgotten, with all others.
+    bool play(const Session& wanted);
     void change(const std::vector<Change>& changes, bool forward);
     void followHolder();
     void forgetAll();

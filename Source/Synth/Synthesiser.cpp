@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace idiophone {
 
@@ -71,6 +72,7 @@ struct Synthesiser::Implementation {
     std::vector<SlotStatus> status;
     std::vector<std::int32_t> slotShares; ///< of every slot, 0 where silent
     std::vector<char> isSounding;         ///< of every slot
+    std::vector<char> wasTouched;         ///< of every slot, since it was reset
     std::int64_t mixedNow = 0;            ///< modes, with those that strikes have added
     // The slots that ring in this cell, and what they ask and get.
     std::vector<std::int32_t> sounding;
@@ -107,6 +109,7 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());
     all.isSounding.resize(slots.size());
+    all.wasTouched.resize(slots.size());
     all.sounding.reserve(slots.size());
     all.demands.reserve(slots.size());
     all.shares.resize(slots.size());
@@ -221,6 +224,7 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
 template <class Act>
 bool Synthesiser::Implementation::on(std::size_t slot, Act act) {
     SoundingObject& object = objects[slot];
+    wasTouched[slot] = 1;
     const std::int32_t allowed = allowance(slot);
     mixedNow -= object.modesMixedNow();
     const bool done = act(object, allowed);
@@ -253,8 +257,10 @@ bool Synthesiser::applyForce(std::size_t slot,
 
 void Synthesiser::reset() noexcept {
     auto& all = *implementation;
-    for (SoundingObject& object : all.objects)
-        object.reset();
+    // The others' banks are as they are after a reset, and may be large.
+    for (std::size_t slot = 0; slot < all.objects.size(); ++slot)
+        if (std::exchange(all.wasTouched[slot], 0) != 0)
+            all.objects[slot].reset();
     std::fill(all.status.begin(), all.status.end(), SlotStatus{});
     std::fill(all.slotShares.begin(), all.slotShares.end(), 0);
     all.sounding.clear();

@@ -59,11 +59,9 @@ TEST_CASE("Zones and bend ranges that MIDI gives are parameters' values, and are
     juce::MidiBuffer setup;
     give(setup, 1, zone, 15);
     give(setup, 3, bendRange, 24);
-    give(setup, 1, bendRange, 7);
     before.send(setup);
     CHECK(before.value(ParameterId::mpe) == 1);
     CHECK(before.value(ParameterId::mpeBendRange) == 24);
-    CHECK(before.value(ParameterId::bendRange) == 7);
 
     Instance reopened(testState()), plain(testState());
     restoreBytes(reopened.processor, saved(before.processor));
@@ -94,11 +92,30 @@ TEST_CASE("The host is told of what MIDI gives, and only where it is something e
             juce::Timer::callPendingTimersSynchronously();
         }
     }
-    const std::vector<std::pair<int, float>> once{
-        {static_cast<int>(ParameterId::bendRange), 12 / 48.0f},
-        {static_cast<int>(ParameterId::mpe), 1.0f}};
-    CHECK(host.heard == once); // the members' range was 48 already
+    const std::vector<std::pair<int, float>> once{{static_cast<int>(ParameterId::mpe), 1.0f}};
+    CHECK(host.heard == once); // the members' range was 48 already, the others' is the preset's
     instance.processor.removeListener(&host);
+}
+
+TEST_CASE("A bend range that MIDI gives holds in the next preset, and moves nothing of it") {
+    constexpr int marimba = 8;
+    juce::MidiBuffer setup;
+    give(setup, 1, bendRange, 12);
+    juce::MidiBuffer bent;
+    bent.addEvent(juce::MidiMessage::noteOn(1, 62, juce::uint8{100}), 10);
+    bent.addEvent(juce::MidiMessage::pitchWheel(1, 16383), 10);
+    const auto played = [&](const juce::MidiBuffer& before, const juce::MidiBuffer& after) {
+        Instance instance(testState());
+        instance.send(before);
+        instance.processor.setCurrentProgram(marimba);
+        instance.send(after);
+        CHECK(instance.value(ParameterId::bendRange) == 2);
+        CHECK_FALSE(instance.processor.loadedLabel().isChanged);
+        return render(instance.processor, 9600, blockSize, bent);
+    };
+    const auto sound = played(setup, {});
+    CHECK(sound == played({}, setup));
+    CHECK(sound != played({}, {}));
 }
 
 TEST_CASE("A restored state ends zones and bend ranges that MIDI gave before") {

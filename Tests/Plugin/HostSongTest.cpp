@@ -23,7 +23,7 @@ class Song final : public juce::AudioPlayHead {
 public:
     juce::Optional<PositionInfo> getPosition() const override {
         PositionInfo position;
-        position.setBpm(beatsPerMinute);
+        position.setBpm(tempo);
         position.setIsPlaying(plays);
         if (tellsPlace)
             position.setPpqPosition(beats);
@@ -31,7 +31,7 @@ public:
     }
 
     bool plays = false, tellsPlace = true;
-    double beats = 0;
+    double beats = 0, tempo = beatsPerMinute;
 };
 
 enum class Playing { syncedMotor, freeMotor, scraping, inRoom };
@@ -172,18 +172,16 @@ TEST_CASE("A pass that begins while something rings has its strikes where the fi
     CHECK(farthest(17) > 0.4);
 }
 
-TEST_CASE("Wherever a song begins its motor opens at the same places of it") {
+TEST_CASE("Wherever a song begins its motor and strikes are the same at the same places of it") {
     const auto noteAtNine = [](double from) {
         PlayedSong played;
         const int before = static_cast<int>((9 - from) * samplesPerBeat);
         juce::MidiBuffer blow;
         played.passFrom(from, {}, before);
-        // The count of strikes is that of where it began.
-        played.processor.changeParameter(ParameterId::strikeSpread, 0);
         blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 64);
         return played.pass(blow, 24000);
     };
-    const auto expected = noteAtNine(8);
+    const auto expected = noteAtNine(7);
     const auto later = noteAtNine(8.6); // 150 cells of the grid before it
     float farthest = 0;
     for (std::size_t i = 0; i < expected.left.size(); ++i)
@@ -251,6 +249,42 @@ TEST_CASE("A song begins where the host starts to play or jumps, and nowhere els
     }
     transport.follow(nullptr, blockSize, rateHz);
     CHECK(transport.tempo() == 0);
+}
+
+TEST_CASE("A song goes on where tempo or block size change, and in a callback without samples") {
+    Song song;
+    HostTransport transport;
+    song.plays = true;
+    const auto goesOn = [&](double beats, int samples) {
+        song.beats = beats;
+        transport.follow(&song, samples, rateHz);
+        return !transport.begins();
+    };
+    REQUIRE_FALSE(goesOn(4, samplesPerBeat));
+    song.tempo = 60; // from somewhere in the last block on
+    CHECK(goesOn(4.7, samplesPerBeat));
+    CHECK(goesOn(5.2, samplesPerBeat));
+    song.tellsPlace = false;
+    CHECK(goesOn(0, 0));
+    song.tellsPlace = true;
+    CHECK(goesOn(5.7, samplesPerBeat));
+    CHECK_FALSE(goesOn(6.5, samplesPerBeat));
+}
+
+TEST_CASE("A place that stands still is none: strikes are counted and the motor turns by tempo") {
+    Song song;
+    HostTransport transport;
+    song.plays = true;
+    int begins = 0, places = 0;
+    for (int block = 0; block < 400; ++block) {
+        song.beats = std::floor(block * beatsPerBlock); // as some hosts tell it
+        transport.follow(&song, blockSize, rateHz);
+        begins += transport.begins();
+        places += transport.songPlace().has_value();
+    }
+    CHECK(begins == 1);
+    CHECK(places == 8);
+    CHECK(transport.tempo() == beatsPerMinute);
 }
 
 TEST_CASE("A host that says nothing of a block plays on from where it was") {

@@ -43,7 +43,7 @@ public:
         return sound;
     }
     SoundLabel loadedLabel() const override { return processor.loadedLabel(); }
-    void playSound(const Sound& sound) override { processor.playSound(sound); }
+    bool playSound(const Sound& sound) override { return processor.playSound(sound); }
     void relabel(const Sound& sound) override { processor.relabel(sound); }
     void reportError(const std::string& sentence) override { processor.reportError(sentence); }
     int hostLoads() const override { return processor.hostLoads(); }
