@@ -28,8 +28,8 @@ void claimKind(const BodyTemplate& kind, std::size_t kindCount) {
 /// A few steps of its bodies, where they are soon made: of few kinds, of an object at hand, and of
 /// no surface, which becomes a mesh of thousands of faces.
 void claimMotion(Scene scene) {
-    constexpr std::size_t mostKinds = 4, mostReleases = 8;
-    constexpr int mostOfEach = 4;
+    constexpr std::size_t mostKinds = 3, mostReleases = 4;
+    constexpr int mostOfEach = 2;
     static const auto die = ObjectLibrary::shared().find("die").value(); // kept loaded
     if (scene.kinds.size() > mostKinds)
         return;
