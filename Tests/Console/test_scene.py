@@ -190,7 +190,9 @@ class Scenes(ConsoleTest):
 
     def test_what_falls_on_notes_alone_asks_for_them(self):
         notes = {"notes": {"kind": "ball"}}
-        for changes, asks in (({**notes, "bodies": BALL["bodies"][:1]}, True), (notes, False)):
+        waits = {**notes, "bodies": BALL["bodies"][:1]}
+        taps = {**waits, "hand": {"kind": "plate", "tool": "ball", "taps": [[0.01, 0, 0, 0, 1]]}}
+        for changes, asks in ((waits, True), (taps, False), (notes, False)):
             said = self.succeed("scene", self.scene(**changes), "-o", self.folder / "x.wav",
                                 "--seconds", 0.1).stderr
             self.assertEqual("--midi gives" in said, asks)
