@@ -61,14 +61,11 @@ std::uint32_t firstStrike(std::uint64_t seed) {
     return static_cast<std::uint32_t>((seed - 1) * 0x9e3779b97f4a7c15u >> 32);
 }
 
-/// In which strikes are counted from one to the next. They have their borders where songs seldom
-/// have notes, so that a sample's rounding moves none into another one.
-std::int64_t beatAt(double place) {
-    return static_cast<std::int64_t>(std::floor(place + 0.1));
-}
-
-/// Far from one beat to the next.
-std::uint32_t strikesBefore(std::int64_t beat) {
+/// The same for every place near a beat, 0 for the first ones, and far from one beat to the next. A
+/// loop that ends within a block is told at a place behind its start; songs seldom begin shortly
+/// before a beat.
+std::uint32_t strikesBefore(double beats) {
+    const auto beat = static_cast<std::int64_t>(std::floor(beats + 0.1));
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(beat) * 0x9e3779b97f4a7c15u >> 32);
 }
 
@@ -128,7 +125,6 @@ void Player::process(const StereoSpan& output,
         const auto due = dueAt(position, events.subspan(next));
         next += due.size();
         const auto striking = follow(due);
-        countStrikesFrom(placeAt(position));
         if (cellPosition == cellSamples)
             beginCell(placeAt(position));
         strikeWaiting();
@@ -353,15 +349,8 @@ bool Player::beginSong() {
     const bool beginsAnew = !performance && silent();
     if (beginsAnew)
         forgetSound();
-    countedBeat.reset();
+    strikeCount = firstStrikeNumber + strikesBefore(songPlace.value_or(0));
     return beginsAnew;
-}
-
-void Player::countStrikesFrom(std::optional<double> songBeats) {
-    if (!songBeats || countedBeat == beatAt(*songBeats))
-        return;
-    countedBeat = beatAt(*songBeats);
-    strikeCount = firstStrikeNumber + strikesBefore(*countedBeat);
 }
 
 /// The grid is at its start, and keys and controllers are where they are.
@@ -373,7 +362,6 @@ void Player::forgetSound() {
     cellPosition = cellSamples;
     cellIndex = -1;
     strikeCount = firstStrikeNumber;
-    countedBeat.reset();
     matchingGain = gainAtCellStart = gainAtCellEnd = 1;
     motor.reset();
     pending.clear();

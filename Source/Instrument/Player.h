@@ -122,12 +122,12 @@ public:
     /// The host's, from the next cell on; 0 where it tells none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
     /// Where the song is at the next sample, in beats, while it plays and the host tells; it goes
-    /// on from there in its tempo. A motor in that tempo keeps to it, and strikes are counted from
-    /// numbers of its beats.
+    /// on from there in its tempo. A motor in that tempo keeps to it.
     void setSongPlace(std::optional<double> beats) { songPlace = beats; }
-    /// The song begins to play at its place, or goes on from another one: where nothing sounds, and
-    /// there is no stage, all but keys and controllers is as at the start. So the same events there
-    /// sound the same to the last bit. Returns whether it is.
+    /// The song begins to play at its place, or goes back to it: strikes are counted anew from a
+    /// number of that place's, and where nothing sounds, and there is no stage, all but keys and
+    /// controllers is as at the start. So the same events there sound the same to the last bit.
+    /// Returns whether it is.
     bool beginSong();
 
     /// Silence, all keys up, controllers at rest, the grid at its start. MPE's zones and the bend
@@ -172,7 +172,6 @@ private:
     void updateDampers();
     void updateGain(std::optional<double> beats);
     void forgetSound();
-    void countStrikesFrom(std::optional<double> songBeats);
     void copyOut(const StereoSpan& output, int position, int count) const;
     CellOutput cell() { return {leftCell, rightCell}; }
     BegunCell begunCell() { return {synth, slotCells, cellIndex}; }
@@ -192,7 +191,6 @@ private:
     std::int64_t cellIndex = -1; ///< of the cell begun last
     std::uint32_t firstStrikeNumber;
     std::uint32_t strikeCount;
-    std::optional<std::int64_t> countedBeat; ///< of the song
     CellStrikes pending;
     std::vector<MidiEvent> late;               ///< note-ons for the start of the next block
     std::vector<SurfaceStrike> surfaceStrikes; ///< for the start of the next block

@@ -22,12 +22,6 @@ std::optional<double> placeOf(const juce::AudioPlayHead::PositionInfo& position)
     return isPlace && tempoOf(position) > 0 ? std::optional(*told) : std::nullopt;
 }
 
-/// Whether the place lies between the two, or near.
-bool isOnTheWay(double place, double one, double other) noexcept {
-    const auto [first, last] = std::minmax(one, other);
-    return place > first - smallestJump && place < last + smallestJump;
-}
-
 } // namespace
 
 double HostTransport::goneOn(double inBeatsPerMinute) const noexcept {
@@ -47,8 +41,10 @@ void HostTransport::follow(const juce::AudioPlayHead* host,
         const auto toldBefore = std::exchange(told, placeOf(*position));
         const bool standsStill = told && told == toldBefore;
         placeNow = standsStill ? std::nullopt : told;
-        beginsNow = placeNow && !(reckoned && isOnTheWay(*placeNow, goneOn(tempoBefore),
-                                                         goneOn(beatsPerMinute)));
+        beginsNow =
+            placeNow &&
+            !(reckoned &&
+              *placeNow > std::min(goneOn(tempoBefore), goneOn(beatsPerMinute)) - smallestJump);
         if (standsStill && reckoned)
             reckoned = goneOn(tempoBefore);
         else

@@ -23,7 +23,8 @@ public:
     /// Where the callback's first sample is in the song, in beats, while it plays and the host
     /// tells of both.
     std::optional<double> songPlace() const noexcept { return placeNow; }
-    /// The song begins to play in this callback, or goes on from another place.
+    /// The song begins to play in this callback, or goes back. Where it is farther on than it
+    /// could be the host has left callbacks out, as many do while a plugin is silent.
     bool begins() const noexcept { return beginsNow; }
 
 private:
