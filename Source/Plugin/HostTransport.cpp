@@ -45,10 +45,7 @@ void HostTransport::follow(const juce::AudioPlayHead* host,
             placeNow &&
             !(reckoned &&
               *placeNow > std::min(goneOn(tempoBefore), goneOn(beatsPerMinute)) - smallestJump);
-        if (standsStill && reckoned)
-            reckoned = goneOn(tempoBefore);
-        else
-            reckoned = told;
+        reckoned = standsStill ? std::optional(goneOn(tempoBefore)) : told;
     } else {
         told = std::nullopt;
         if (reckoned)
