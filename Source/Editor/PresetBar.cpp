@@ -36,11 +36,11 @@ class PresetBar::NameButton final : public juce::Button {
 public:
     NameButton() : Button("Preset") { setTitle("Preset"); }
 
-    void show(const juce::String& name, bool edited, const juce::String& description) {
-        if (name == getButtonText() && edited == isEdited && description == getTooltip())
+    void show(const juce::String& preset, bool edited, const juce::String& description) {
+        if (preset == getButtonText() && edited == isEdited && description == getTooltip())
             return;
         isEdited = edited;
-        setButtonText(name);
+        setButtonText(preset);
         setTooltip(description);
         setDescription(edited ? "Changed; opens the list of presets" : "Opens the list of presets");
         repaint();
