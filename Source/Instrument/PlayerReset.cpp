@@ -1,0 +1,73 @@
+// When nothing sounds, and how a player begins anew.
+#include "Instrument/Player.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone {
+namespace {
+
+/// The same for every place near a beat, 0 for the first ones, and far from one beat to the next. A
+/// loop that ends within a block is told at a place behind its start; songs seldom begin shortly
+/// before a beat.
+std::uint32_t strikesBefore(double beats) {
+    const auto beat = static_cast<std::int64_t>(std::floor(beats + 0.1));
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(beat) * 0x9e3779b97f4a7c15u >> 32);
+}
+
+} // namespace
+
+bool Player::beginSong() {
+    const bool beginsAnew = !performance && silent();
+    if (beginsAnew)
+        forgetSound();
+    strikeCount = firstStrikeNumber + strikesBefore(songPlace.value_or(0));
+    return beginsAnew;
+}
+
+/// The grid is at its start, and keys and controllers are where they are.
+void Player::forgetSound() {
+    synth.reset();
+    glide.reset();
+    leftCell.fill(0);
+    rightCell.fill(0);
+    cellPosition = cellSamples;
+    cellIndex = -1;
+    strikeCount = firstStrikeNumber;
+    matchingGain = gainAtCellStart = gainAtCellEnd = 1;
+    motor.reset();
+    pending.clear();
+    held.forgetAll();
+    slotTuning.reset();
+    isSilenced = hasRemains = false;
+}
+
+void Player::reset() {
+    forgetSound();
+    if (performance)
+        performance->reset();
+    loudness.reset();
+    late.clear();
+    surfaceStrikes.clear();
+    std::fill(slotTouched.begin(), slotTouched.end(), false);
+    held.reset();
+    handScrape.reset();
+    playedLast.reset();
+    keysDown = {};
+    forgetPressures();
+    liftPedals();
+    bend.reset();
+    allSoundOffCame = false;
+}
+
+bool Player::silent() const {
+    const auto played = [this](const auto& samples) {
+        return std::all_of(samples.begin() + cellPosition, samples.end(),
+                           [](float x) { return x == 0; });
+    };
+    return !hasRemains && synth.silent() && (!performance || performance->silent()) &&
+           pending.empty() && late.empty() && surfaceStrikes.empty() && held.silent() &&
+           handScrape.silent() && played(leftCell) && played(rightCell);
+}
+
+} // namespace idiophone
