@@ -24,12 +24,12 @@ extern "C" void handleInterrupt(int wish) {
 } // namespace
 
 const std::atomic<bool>& interruptRequested() {
-    static const bool listens = [] {
+    [[maybe_unused]] static const bool listens = [] {
         for (const int wish : wishes)
-            std::signal(wish, handleInterrupt);
+            if (std::signal(wish, handleInterrupt) == SIG_IGN)
+                std::signal(wish, SIG_IGN); // as nohup and shells have it for what goes on alone
         return true;
     }();
-    static_cast<void>(listens);
     return interrupted;
 }
 

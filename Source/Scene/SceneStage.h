@@ -32,7 +32,7 @@ public:
     /// Where the slots of one act's run are among the synthesiser's.
     using SlotMap = std::vector<std::size_t>;
 
-    /// Of what is beyond no machine moves the bodies while they sound.
+    /// More than these no machine moves while they sound.
     static constexpr std::size_t mostBodies = 500;
 
     /// Refuses more bodies than `mostBodies`, those that are crowded (RigidWorld::isCrowded), and

@@ -164,18 +164,33 @@ class Analyse(ConsoleTest):
         self.assertEqual(self.analyse(ply)[1]["modes"], self.analyse(obj)[1]["modes"])
 
     @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
-    def test_ctrl_c_ends_an_analysis_with_a_sentence_and_no_file(self):
+    def test_who_asks_it_to_end_gets_a_sentence_and_no_file(self):
         plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
         output = self.folder / "plate.modal"
-        process = subprocess.Popen([PROGRAM, "analyse", plate, "-o", output],
+        for wish in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(wish=wish):
+                process = subprocess.Popen([PROGRAM, "analyse", plate, "-o", output],
+                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                time.sleep(2)
+                self.assertIsNone(process.poll(), "it was over before it could be stopped")
+                process.send_signal(wish)
+                _, complaint = process.communicate(timeout=20)
+                self.assertEqual(process.returncode, 130)
+                self.assertEqual(complaint, "idiophone: The analysis was cancelled.\n")
+                self.assertEqual(list(self.folder.glob("plate.modal*")), [])
+
+    @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
+    def test_what_runs_without_a_terminal_outlives_one_that_is_closed(self):
+        plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
+        process = subprocess.Popen(["nohup", PROGRAM, "analyse", plate, "-o", self.folder / "p.modal"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(2)
-        self.assertIsNone(process.poll(), "the analysis was over before it could be stopped")
+        process.send_signal(signal.SIGHUP)
+        time.sleep(1)
+        self.assertIsNone(process.poll())
         process.send_signal(signal.SIGINT)
-        _, complaint = process.communicate(timeout=20)
+        process.communicate(timeout=20)
         self.assertEqual(process.returncode, 130)
-        self.assertEqual(complaint, "idiophone: The analysis was cancelled.\n")
-        self.assertEqual(list(self.folder.glob("plate.modal*")), [])
 
     @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
     def test_progress_is_shown_on_a_terminal_only(self):
