@@ -42,6 +42,7 @@ ModalBank::ModalBank(std::size_t capacity, std::size_t channelCapacity, double s
     }
     tables.resize(2 * subBlockSamples * padded);
     heavyModes.reserve(capacity);
+    firstHeavy.resize(padded / modeBlock + 1);
     resonancesHz.reserve(capacity);
     blockNumbers.resize(padded / modeBlock);
     std::iota(blockNumbers.begin(), blockNumbers.end(), 0);
@@ -77,7 +78,7 @@ void ModalBank::setChannels(std::size_t wanted) noexcept {
 
 void ModalBank::resize(std::size_t modes) noexcept {
     count = modes;
-    heavyModes.clear();
+    forgetHeavy();
     std::fill(audibles.begin(), audibles.end(), 0.0f);
     resonancesHz.clear();
     // Padding and modes to come are oscillating modes at rest.
@@ -130,7 +131,7 @@ void ModalBank::regroup(std::size_t modes,
         std::copy_n(room.y[c].begin(), states.y[c].size(), states.y[c].begin());
     }
     count = modes;
-    heavyModes.clear();
+    forgetHeavy();
     std::fill(audibles.begin(), audibles.end(), 0.0f);
     for (std::size_t g = 0; g < energy.size(); ++g)
         measure(g);
@@ -164,9 +165,13 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         audibleModes += isHeard ? 1 : 0;
         if (inBand && light)
             resonancesHz.push_back(hz);
+        if (g % modeBlock == 0)
+            firstHeavy[g / modeBlock] = heavyModes.size();
         if (!oscillates)
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }
+    std::fill(firstHeavy.begin() + static_cast<std::ptrdiff_t>(blockCount()), firstHeavy.end(),
+              heavyModes.size());
     rotationsOfPoles({.stiffness = stiffness.data(),
                       .damping = damping.data(),
                       .decay = decay.data(),
@@ -189,6 +194,11 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         correctHeavy(g);
         measure(g);
     }
+}
+
+void ModalBank::forgetHeavy() noexcept {
+    heavyModes.clear();
+    std::fill(firstHeavy.begin(), firstHeavy.end(), std::size_t{0});
 }
 
 void ModalBank::correctHeavy(std::size_t g) noexcept {
@@ -225,9 +235,8 @@ void ModalBank::measureModes(std::size_t first, std::size_t end) noexcept {
             energy[g] = c == 0 ? size : std::max(energy[g], size);
         }
     }
-    for (const HeavyMode& heavy : heavyModes)
-        if (index(heavy.mode) >= first && index(heavy.mode) < end)
-            measure(index(heavy.mode));
+    for (const HeavyMode& heavy : heavyIn(first, end))
+        measure(index(heavy.mode));
 }
 
 void ModalBank::setState(std::size_t g, const ModalState& state, std::size_t channel) noexcept {

@@ -213,10 +213,16 @@ private:
                       float* energies,
                       SubBlockStates& ahead) noexcept;
     KickModes kickModes() const noexcept;
+    void forgetHeavy() noexcept;
+    /// Those of modes `first` to `end` − 1, which are whole blocks.
+    std::span<HeavyMode> heavyIn(std::size_t first, std::size_t end) noexcept {
+        const std::size_t from = firstHeavy[first / modeBlock];
+        return std::span(heavyModes).subspan(from, firstHeavy[end / modeBlock] - from);
+    }
     /// Keeps the states of heavy modes, of any kind of states.
     template <class States>
-    void setAside(const States& from) noexcept {
-        for (HeavyMode& heavy : heavyModes)
+    void setAside(const States& from, std::span<HeavyMode> modes) const noexcept {
+        for (HeavyMode& heavy : modes)
             for (std::size_t c = 0; c < channelCount; ++c) {
                 const auto g = static_cast<std::size_t>(heavy.mode);
                 heavy.aside[c] = {from.x[c][g], from.y[c][g]};
@@ -257,6 +263,7 @@ private:
     AlignedVector<float> energy;
 
     std::vector<HeavyMode> heavyModes;      ///< ascending
+    std::vector<std::size_t> firstHeavy;    ///< of each block and those after it, in `heavyModes`
     std::vector<std::int32_t> blockNumbers; ///< 0, 1, 2, …
 };
 

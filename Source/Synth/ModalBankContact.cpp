@@ -125,7 +125,7 @@ void ModalBank::finishKicks(const UnitContact& unit,
 }
 
 void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
-    setAside(states);
+    setAside(states, heavyModes);
     std::array<KickedChannel, mostChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
         channels[c] = {.kickX = kicks.x[c].data(),
@@ -154,17 +154,17 @@ void ModalBank::sound(const ModeKicks& kicks,
     if (runs.empty())
         return;
     SubBlockStates ahead;
-    setAside(kicks);
     const std::size_t last = index(runs.back().first + runs.back().count);
     for (std::size_t first = index(runs.front().first) / modeBlock * modeBlock; first < last;
          first += batchModes) {
         const std::size_t modes = std::min(batchModes, paddedSize() - first);
+        const std::span<HeavyMode> heavyHere = heavyIn(first, first + modes);
+        setAside(kicks, heavyHere);
         for (std::size_t c = 0; c < channelCount; ++c) {
             lookAhead(rotations(first), modes, subBlockCount, kicks.x[c].data() + first,
                       kicks.y[c].data() + first, ahead);
-            for (const HeavyMode& heavy : heavyModes)
-                if (index(heavy.mode) >= first && index(heavy.mode) < first + modes)
-                    lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);
+            for (const HeavyMode& heavy : heavyHere)
+                lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);
             mixRuns(runs, first, first + modes, ahead, subBlockCount, outputs[c]);
         }
     }
@@ -183,7 +183,7 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
         for (std::size_t k = cellSize; k-- > 0;)
             fallen[k] *= static_cast<float>(factor *= fall);
     }
-    setAside(states);
+    setAside(states, heavyModes);
     std::array<ForcedChannel, mostChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
         channels[c] = {.startResidues = startResidues[c].data(),

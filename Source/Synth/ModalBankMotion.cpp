@@ -13,15 +13,16 @@ void ModalBank::advanceBlock(std::size_t block,
                              double factor,
                              double faintest) noexcept {
     const std::size_t first = block * modeBlock;
-    setAside(states);
-    for (std::size_t c = 0; c < channelCount; ++c) {
+    const std::span<HeavyMode> heavyHere = heavyIn(first, first + modeBlock);
+    setAside(states, heavyHere);
+    for (std::size_t c = 0; c < channelCount; ++c)
         rotateModes(decay.data() + first, frequency.data() + first, modeBlock, seconds, factor,
                     states.x[c].data() + first, states.y[c].data() + first);
-        for (const HeavyMode& heavy : heavyModes) {
-            const std::size_t g = index(heavy.mode);
-            if (g / modeBlock != block)
-                continue;
-            const ModalState moved = propagator(pole(g), seconds) * heavy.aside[c];
+    for (const HeavyMode& heavy : heavyHere) {
+        const std::size_t g = index(heavy.mode);
+        const Propagator motion = propagator(pole(g), seconds);
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            const ModalState moved = motion * heavy.aside[c];
             states.x[c][g] = factor * moved.x;
             states.y[c][g] = factor * moved.y;
         }
@@ -89,7 +90,6 @@ void ModalBank::renderStates(ModeStates& from,
                              double scale,
                              const ChannelOutputs& outputs) noexcept {
     SubBlockStates ahead;
-    setAside(from);
     for (std::size_t b = 0; b < blocks.size();) {
         // A batch is as many consecutive blocks as it holds.
         const std::size_t firstBlock = index(blocks[b]);
@@ -100,6 +100,7 @@ void ModalBank::renderStates(ModeStates& from,
         b += blocksHere;
         const std::size_t first = firstBlock * modeBlock;
         const std::size_t end = first + blocksHere * modeBlock;
+        setAside(from, heavyIn(first, end));
         while (!runs.empty() && index(runs.front().first + runs.front().count) <= first)
             runs = runs.subspan(1);
         for (std::size_t c = 0; c < channelCount; ++c) {
@@ -122,10 +123,8 @@ void ModalBank::advanceBatch(ModeStates& from,
     double* x = from.x[channel].data() + first;
     double* y = from.y[channel].data() + first;
     advanceModes(rotations(first), modes, scale, x, y, here, ahead);
-    for (const HeavyMode& heavy : heavyModes) {
+    for (const HeavyMode& heavy : heavyIn(first, first + modes)) {
         const std::size_t g = index(heavy.mode);
-        if (g < first || g >= first + modes)
-            continue;
         const std::size_t place = g - first;
         lookAtHeavy(heavy, channel, place, ahead);
         const ModalState next = heavy.cell * heavy.aside[channel];

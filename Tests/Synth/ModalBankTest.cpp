@@ -263,3 +263,153 @@ TEST_CASE("Modes that are regrouped keep the velocity of all, whether they oscil
     for (std::size_t g = 3; g < modeBlock; ++g)
         CHECK(bank.energies()[g] == 0.0f);
 }
+
+namespace {
+
+/// Many modes in one bank, and each of them in one of its own.
+class BankAndBanks {
+public:
+    static constexpr std::size_t count = 601;
+    static constexpr std::size_t channels = 2;
+
+    BankAndBanks() {
+        alone.reserve(count);
+        for (std::size_t g = 0; g < count; ++g)
+            alone.emplace_back(1, channels, sampleRate);
+        kickAlone = alone.front().emptyKicks();
+        for (const std::size_t c : {0u, 1u}) {
+            together.setChannels(channels);
+            residues[c].resize(together.paddedSize());
+            residueAlone[c].resize(modeBlock);
+        }
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> hz(20, 22000), any(-1, 1);
+        for (std::size_t g = 0; g < count; ++g) {
+            eigenvalues.push_back(std::pow(2 * std::numbers::pi * hz(random), 2));
+            alone[g].setChannels(channels);
+            for (std::size_t c = 0; c < channels; ++c) {
+                starts[c].push_back({any(random), any(random)});
+                residues[c][g] = static_cast<float>(any(random));
+                kicks.x[c][g] = static_cast<float>(any(random));
+                kicks.y[c][g] = static_cast<float>(any(random));
+            }
+        }
+    }
+
+    /// How many of the modes do not oscillate.
+    std::size_t damp(double viscoelasticSeconds) {
+        const PoleLaw damped{.damping = {.viscoelasticSeconds = viscoelasticSeconds}};
+        together.movePoles(eigenvalues, damped, 20, 23000);
+        std::size_t heavy = 0;
+        for (std::size_t g = 0; g < count; ++g) {
+            alone[g].movePoles(std::span(eigenvalues).subspan(g, 1), damped, 20, 23000);
+            heavy += isOscillating(together.pole(g)) ? 0 : 1;
+        }
+        return heavy;
+    }
+
+    void begin() {
+        for (std::size_t g = 0; g < count; ++g)
+            for (std::size_t c = 0; c < channels; ++c) {
+                together.setState(g, starts[c][g], c);
+                alone[g].setState(0, starts[c][g], c);
+            }
+    }
+
+    /// Every third block sounds, the others rest and follow.
+    void move() {
+        std::vector<std::int32_t> sounding;
+        std::array<std::array<float, cellSize>, channels> output{};
+        const ChannelOutputs outputs{output[0].data(), output[1].data()};
+        for (std::size_t b = 0; b < together.blockCount(); ++b)
+            if (b % 3 == 0)
+                sounding.push_back(static_cast<std::int32_t>(b));
+            else
+                together.advanceBlock(b, 3 * cellSize / sampleRate, 0.5, 1e-18);
+        together.render(sounding, {}, 0.5, outputs);
+        for (std::size_t g = 0; g < count; ++g)
+            if (g / modeBlock % 3 == 0)
+                alone[g].render(alone[g].allBlocks(), {}, 0.5, outputs);
+            else
+                alone[g].advanceBlock(0, 3 * cellSize / sampleRate, 0.5, 1e-18);
+    }
+
+    /// Kicks join, and a force.
+    void press() {
+        const KickMove way{7 / sampleRate, 7, 0.25};
+        std::array<float, cellSize> impulses;
+        for (std::size_t k = 0; k < cellSize; ++k)
+            impulses[k] = 1e-3f * static_cast<float>(k);
+        together.join(kicks, way);
+        together.force(impulses, residues, residues, 3);
+        for (std::size_t g = 0; g < count; ++g) {
+            take(g);
+            alone[g].join(kickAlone, way);
+            alone[g].force(impulses, residueAlone, residueAlone, 3);
+        }
+    }
+
+    bool areAlike() const {
+        for (std::size_t g = 0; g < count; ++g) {
+            for (std::size_t c = 0; c < channels; ++c)
+                if (together.state(g, c).x != alone[g].state(0, c).x ||
+                    together.state(g, c).y != alone[g].state(0, c).y)
+                    return false;
+            if (together.energies()[g] != alone[g].energies()[0])
+                return false;
+        }
+        return true;
+    }
+
+    bool soundAlike() {
+        for (std::size_t g = 0; g < count; ++g) {
+            std::array<std::array<float, cellSize>, 2 * channels> output{};
+            const auto mode = static_cast<std::int32_t>(g);
+            together.sound(kicks, std::vector<ModeRun>{{mode, 1}}, subBlocks,
+                           {output[0].data(), output[1].data()});
+            take(g);
+            alone[g].sound(kickAlone, std::vector<ModeRun>{{0, 1}}, subBlocks,
+                           {output[2].data(), output[3].data()});
+            if (output[0] != output[2] || output[1] != output[3])
+                return false;
+        }
+        return true;
+    }
+
+private:
+    void take(std::size_t g) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            kickAlone.x[c][0] = kicks.x[c][g];
+            kickAlone.y[c][0] = kicks.y[c][g];
+            residueAlone[c][0] = residues[c][g];
+        }
+    }
+
+    std::vector<double> eigenvalues;
+    std::array<std::vector<ModalState>, channels> starts;
+    ModalBank together{count, channels, sampleRate};
+    std::vector<ModalBank> alone;
+    ModeKicks kicks = together.emptyKicks(), kickAlone;
+    ModeResidues residues, residueAlone;
+};
+
+} // namespace
+
+TEST_CASE("Each of many modes, over-damped or not, moves as if it were alone, bit for bit") {
+    const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
+    BankAndBanks banks;
+    // Oscillating modes fall below the limit, and rise above it again.
+    for (const double viscoelasticSeconds : {3e-5, 1e-3, 3e-5, 1e-7, 1.5e-5}) {
+        const std::size_t heavy = banks.damp(viscoelasticSeconds);
+        CHECK((heavy == 0) == (viscoelasticSeconds == 1e-7));
+        CHECK(heavy < BankAndBanks::count);
+        banks.begin();
+        for (int cell = 0; cell < 3; ++cell) {
+            banks.move();
+            CHECK(banks.areAlike());
+            banks.press();
+            CHECK(banks.areAlike());
+        }
+        CHECK(banks.soundAlike());
+    }
+}
