@@ -149,7 +149,6 @@ private:
     // SoundingObjectConditions.cpp: poles, damping, truncation.
     void applySettings(const SynthesisSettings& settings) noexcept;
     void movePoles() noexcept;
-    void moveThickness(double ratio) noexcept;
     void takeSilences() noexcept;
     void fadeInaudible() noexcept;
     bool inBand(std::size_t g) const noexcept;
@@ -272,7 +271,7 @@ private:
     double thicknessRatio = 1;                ///< 1 where the object has none live
     std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness
     std::vector<double> referenceEigenvalues; ///< [G] of the groups
-    bool groupsAreBehind = false;             ///< the modes' eigenvalues have moved since
+    bool eigenvaluesAreBehind = false;        ///< both are not yet those of the thickness
     std::vector<double> dampingScales;        ///< [M], or empty: all 1
     std::vector<double> groupDampingScales;   ///< [G], or empty: all 1
     std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)

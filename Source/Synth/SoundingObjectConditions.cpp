@@ -42,8 +42,8 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     damping = requestedDamping;
     tauVelocity = newTau;
     law = live.law;
-    if (thickness != thicknessRatio)
-        moveThickness(thickness);
+    eigenvaluesAreBehind = eigenvaluesAreBehind || thickness != thicknessRatio;
+    thicknessRatio = thickness;
     compression = settings.compression;
     if (silencesChange)
         takeSilences();
@@ -54,14 +54,6 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
         moveContacts(Forced::held);
     if (polesMove || tauFalls)
         wakeBlocks();
-}
-
-/// The groups' own eigenvalues follow in movePoles.
-void SoundingObject::moveThickness(double ratio) noexcept {
-    thicknessRatio = ratio;
-    for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
-        modeEigenvalues[mode] = object->eigenvalueAt(mode, ratio);
-    groupsAreBehind = true;
 }
 
 /// Groups follow in movePoles.
@@ -75,18 +67,21 @@ void SoundingObject::movePoles() noexcept {
     ++responseVersion;
     // Resting states move with the poles they had up to here.
     bringRestingUpToDate(cellIndex);
+    if (eigenvaluesAreBehind)
+        for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
+            modeEigenvalues[mode] = object->eigenvalueAt(mode, thicknessRatio);
     const std::size_t groups = groupModes(modeEigenvalues, law, compression, scratch.groupStarts,
                                           dampingScales, silencedModes);
     if (groups == bank.size() &&
         std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
                    scratch.groupStarts.begin())) {
-        if (groupsAreBehind)
+        if (eigenvaluesAreBehind)
             nameGroups(groups);
         fadeInaudible();
     } else {
         regroup(groups);
     }
-    groupsAreBehind = false;
+    eigenvaluesAreBehind = false;
     std::span<std::uint8_t> silencedGroups;
     if (!silencedModes.empty()) {
         silencedGroups = std::span(scratch.silencedGroups).first(bank.size());

@@ -71,3 +71,28 @@ TEST_CASE("A thickness that moves and comes back leaves the pitch as it was") {
                                });
     CHECK(foundHz(output, 1000) == Approx(1000).epsilon(1e-4));
 }
+
+TEST_CASE("A slot that was silent while thickness went its way sounds as if it had begun there") {
+    // Close modes, so that there are groups that come and go on the way.
+    std::vector<double> hz;
+    for (int k = 0; k < 60; ++k)
+        hz.push_back(400 * std::pow(1.03, k));
+    auto object = syntheticObject(hz);
+    for (std::size_t k = 0; k < hz.size(); ++k)
+        object.bending.push_back(object.eigenvalues[k] * static_cast<double>(k % 4) / 4);
+    SynthesisSettings settings;
+    const auto struckAfter = [&](std::vector<double> ratios) {
+        Synthesiser synthesiser({slotOf(object)}, sampleRate);
+        for (const double ratio : ratios) {
+            settings.thicknessRatio = ratio;
+            synthesiser.setSettings(settings);
+            render(synthesiser, {}, 1);
+        }
+        return render(synthesiser, {{0, unitStrike(1e-3)}}, 40);
+    };
+    const auto expected = struckAfter({1.25});
+    CHECK(expected != struckAfter({1}));
+    CHECK(struckAfter({0.5, 3, 0.8, 1.25}) == expected);
+    CHECK(struckAfter({3, 1, 1, 1.25, 1.25}) == expected);
+    CHECK(struckAfter({1.25, 0.3, 1}) == struckAfter({1}));
+}
