@@ -361,13 +361,18 @@ public:
         return true;
     }
 
+    /// One by one: what all sound is rounded as they are added up.
     bool soundAlike() {
         for (std::size_t g = 0; g < count; ++g) {
             std::array<std::array<float, cellSize>, 2 * channels> output{};
-            const auto mode = static_cast<std::int32_t>(g);
-            together.sound(kicks, std::vector<ModeRun>{{mode, 1}}, subBlocks,
-                           {output[0].data(), output[1].data()});
             take(g);
+            auto one = together.emptyKicks();
+            for (std::size_t c = 0; c < channels; ++c) {
+                one.x[c][g] = kicks.x[c][g];
+                one.y[c][g] = kicks.y[c][g];
+            }
+            together.sound(one, std::vector<ModeRun>{{0, count}}, subBlocks,
+                           {output[0].data(), output[1].data()});
             alone[g].sound(kickAlone, std::vector<ModeRun>{{0, 1}}, subBlocks,
                            {output[2].data(), output[3].data()});
             if (output[0] != output[2] || output[1] != output[3])
