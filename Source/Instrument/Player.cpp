@@ -219,8 +219,11 @@ void Player::forgetSilenced() {
         return;
     updateDampers();
     // Before the first cell nothing has sounded, nor is there a damper.
-    if (cellIndex >= 0 && !std::exchange(hasRemains, true))
+    if (cellIndex >= 0 && !std::exchange(hasRemains, true)) {
         soundCell(remainsOfSlots.front(), remainsOfSlots);
+        if (performance)
+            performance->release(synth, remainsOfSlots);
+    }
     synth.reset();
     held.forgetAll();
     handScrape.reset();

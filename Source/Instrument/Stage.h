@@ -38,6 +38,11 @@ public:
                        Synthesiser& synthesiser,
                        std::span<const CellOutput> cellsOfSlots) noexcept = 0;
 
+    /// What presses on the slots lets go, over the cell begun last. The next `sound` presses again
+    /// where it goes on.
+    virtual void release(Synthesiser& synthesiser,
+                         std::span<const CellOutput> cellsOfSlots) noexcept = 0;
+
     /// What a listener hears of the slots.
     virtual void hear(std::span<const CellOutput> cellsOfSlots,
                       const CellOutput& ears) noexcept = 0;

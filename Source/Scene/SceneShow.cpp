@@ -54,7 +54,7 @@ void SceneShow::sound(std::int64_t cell,
     if (!paused)
         playActs(begun);
     else {
-        pairOfVoice.fill(0);
+        release(synthesiser, cellsOfSlots);
         for (auto& act : acts)
             ++act.startCell;
     }
@@ -68,9 +68,21 @@ void SceneShow::playActs(const BegunCell& cell) noexcept {
     for (auto& act : acts)
         if (act.number != 0)
             play(act, cell);
+    releaseOthers(cell.synthesiser, cell.cellsOfSlots);
+}
+
+void SceneShow::release(Synthesiser& synthesiser,
+                        std::span<const CellOutput> cellsOfSlots) noexcept {
+    isPressed.fill(false);
+    releaseOthers(synthesiser, cellsOfSlots);
+}
+
+/// The voices that are not pressed any more.
+void SceneShow::releaseOthers(Synthesiser& synthesiser,
+                              std::span<const CellOutput> cellsOfSlots) noexcept {
     for (std::size_t voice = 0; voice < isPressed.size(); ++voice)
-        if (!isPressed[voice])
-            pairOfVoice[voice] = 0;
+        if (!isPressed[voice] && std::exchange(pairOfVoice[voice], 0u) != 0)
+            voices.release(voice, synthesiser, cellsOfSlots);
 }
 
 void SceneShow::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept {
@@ -218,7 +230,8 @@ void SceneShow::reset() noexcept {
 
 bool SceneShow::silent() const noexcept {
     return ears.silent() && crowded.empty() &&
-           std::ranges::all_of(acts, [](const Act& act) { return act.number == 0; });
+           std::ranges::all_of(acts, [](const Act& act) { return act.number == 0; }) &&
+           std::ranges::all_of(pairOfVoice, [](std::uint32_t pair) { return pair == 0; });
 }
 
 } // namespace idiophone

@@ -23,6 +23,8 @@ public:
     void sound(std::int64_t cell,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept override;
+    void release(Synthesiser& synthesiser,
+                 std::span<const CellOutput> cellsOfSlots) noexcept override;
     void hear(std::span<const CellOutput> cellsOfSlots, const CellOutput& heard) noexcept override;
     void setOffline(bool isOffline) noexcept override { mayWait = isOffline; }
     void setPaused(bool isPaused) noexcept override { paused = isPaused; }
@@ -59,6 +61,7 @@ private:
     void takeChunks() noexcept;
     void waitFor(std::int64_t cell) noexcept;
     void playActs(const BegunCell& cell) noexcept;
+    void releaseOthers(Synthesiser& synthesiser, std::span<const CellOutput> cellsOfSlots) noexcept;
     void play(Act& act, const BegunCell& cell) noexcept;
     void strike(const SceneBlow& blow, double sample, const BegunCell& cell) noexcept;
     void press(const TouchState& state, const BegunCell& cell) noexcept;
@@ -73,8 +76,8 @@ private:
     std::uint32_t cueCount = 0;
     std::uint32_t cuesEver = 0; ///< so that chunks from before a reset are known
     TouchVoices voices;
-    std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{};
-    std::array<bool, TouchTracker::voiceCount> isPressed{}; ///< in this cell
+    std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{}; ///< 0: none is pressed
+    std::array<bool, TouchTracker::voiceCount> isPressed{};            ///< in this cell
     SceneEars ears;
     std::vector<Eigen::Vector3d> places;  ///< of the slots
     std::vector<BodyPose> bodyPoses;      ///< likewise

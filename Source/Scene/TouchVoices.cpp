@@ -44,6 +44,14 @@ void TouchVoices::press(std::size_t index,
     voice.last = state;
 }
 
+void TouchVoices::release(std::size_t index,
+                          Synthesiser& synthesiser,
+                          std::span<const CellOutput> cellsOfSlots) noexcept {
+    auto state = voices[index].last;
+    state.forceNewtons = 0;
+    press(index, state, synthesiser, cellsOfSlots);
+}
+
 void TouchVoices::reset() noexcept {
     for (auto& voice : voices)
         voice.last = {};

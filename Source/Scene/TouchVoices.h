@@ -25,6 +25,11 @@ public:
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept;
 
+    /// The end of what a voice did: its force goes to 0 until the end of the cell begun last.
+    void release(std::size_t voice,
+                 Synthesiser& synthesiser,
+                 std::span<const CellOutput> cellsOfSlots) noexcept;
+
     void reset() noexcept; ///< as constructed
 
 private:

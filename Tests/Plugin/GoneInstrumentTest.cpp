@@ -60,6 +60,7 @@ private:
         explicit Performance(const PlacedBlow& blow) : struck(blow) {}
         void cue(int, int, std::int64_t, double) noexcept override {}
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
+        void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput&) noexcept override {}
         void setOffline(bool) noexcept override {}
         void setPaused(bool) noexcept override {}
