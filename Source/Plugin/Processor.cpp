@@ -38,6 +38,11 @@ double slowestDecay(const DampingLaw& damping) noexcept {
 
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
     const juce::ScopedNoDenormals noDenormals;
+    if (!isPrepared) { // some hosts process all the same
+        buffer.clear();
+        midi.clear();
+        return;
+    }
     const SoundMonitor::Callback watchedCallback(monitor, sound, buffer.getNumSamples());
     ++callbacks;
     if (resetRequested.exchange(false)) {
@@ -189,6 +194,7 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     tempo = 0;
     resetRequested = false;
     ++callbacks; // the first will come
+    isPrepared = true;
 }
 
 void Processor::releaseResources() {

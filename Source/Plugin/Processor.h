@@ -261,6 +261,7 @@ private:
     MidiLearn controllers;
     std::atomic<int> loads{0}, loadsByHost{0};
     std::atomic<std::uint32_t> callbacks{0}; ///< that came, and times that the first was announced
+    std::atomic<bool> isPrepared{false};     ///< from the first `prepareToPlay` on
     std::atomic<bool> resetRequested{false};
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};

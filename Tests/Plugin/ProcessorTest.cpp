@@ -260,6 +260,38 @@ TEST_CASE("All sound off hushes the room too, and what is played then is heard i
     CHECK(loudest(render(processor, 4800, 480, {})) > loudest(played) / 1000);
 }
 
+TEST_CASE("Blocks that come before it is prepared are silent, whatever it is to play") {
+    const auto firstBlocks = [](Processor& processor) {
+        for (int block = 0; block < 3; ++block) {
+            juce::AudioBuffer<float> buffer(2, 3000);
+            for (int channel = 0; channel < 2; ++channel)
+                std::fill_n(buffer.getWritePointer(channel), 3000, 1.0f);
+            auto midi = hardNote;
+            processor.reset();
+            processor.processBlock(buffer, midi);
+            REQUIRE(buffer.getMagnitude(0, 3000) == 0);
+            REQUIRE(midi.isEmpty());
+        }
+    };
+    Processor factory;
+    for (int program = 0; program < static_cast<int>(factoryPresets().size()); ++program) {
+        factory.setCurrentProgram(program);
+        CAPTURE(factory.getProgramName(program));
+        firstBlocks(factory);
+    }
+    Processor restored;
+    auto state = testState();
+    state.parameters.set(ParameterId::room, 50);
+    restore(restored, state);
+    firstBlocks(restored);
+    restored.prepareToPlay(48000, 480);
+    CHECK(loudest(render(restored, 480, 480, {})) == 0);
+    CHECK(loudest(render(restored, 9600, 480, hardNote)) > 0.001f);
+    // Resources stay where they are.
+    restored.releaseResources();
+    CHECK(loudest(render(restored, 9600, 480, hardNote)) > 0.001f);
+}
+
 TEST_CASE("Notes of the on-screen keyboard are played") {
     Processor processor;
     processor.prepareToPlay(48000, 480);
