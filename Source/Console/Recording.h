@@ -7,6 +7,7 @@
 #include "Parameters/ParameterTable.h"
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -46,7 +47,8 @@ public:
     /// silence, and how much of it there is depends on the block size.
     Result<void> finish(std::int64_t leastSamples);
 
-    void hush() { output.hush(); }
+    /// See OutputStage.
+    void hush(std::size_t unanswered) { output.hush(unanswered); }
     bool silent() const { return output.silent(); } ///< nothing sounds on of what was added
 
     /// samples, seconds, sample_rate_hz, peak_dbfs, integrated_lufs: null where there is no sound.

@@ -22,17 +22,16 @@ Result<void> renderTo(Recording& recording, const RecordingFormat& format, const
                                  ? std::llround(*format.seconds * rate)
                                  : task.lastSample + std::llround(longestTailSeconds * rate);
     ProgressLine progress(task.name);
-    for (std::int64_t position = 0; position < end; position += task.pieceSamples) {
-        const auto count = std::min(task.pieceSamples, end - position);
-        const auto piece = task.render(count);
+    for (std::int64_t position = 0; position < end;) {
+        const auto piece = task.render(std::min(task.pieceSamples, end - position));
         if (!piece)
             return tl::unexpected(piece.error());
         if (auto done = recording.addAll(piece->left, piece->right); !done)
             return done;
         if (interrupted)
             return failure(std::string(interruptedMessage));
-        if (!format.seconds && position + count > task.lastSample && task.finished() &&
-            recording.silent())
+        position += static_cast<std::int64_t>(piece->size());
+        if (!format.seconds && position > task.lastSample && task.finished() && recording.silent())
             break;
         progress.show(static_cast<double>(position) / static_cast<double>(end), "");
     }

@@ -14,8 +14,8 @@ struct RenderTask {
     std::string name;            ///< for the progress line
     std::int64_t lastSample = 0; ///< of the last event, -1 without any
     std::int64_t pieceSamples = 0;
-    /// Renders so many samples, a piece's or fewer; they are there until the next call. An error
-    /// ends it all.
+    /// Renders so many samples, a piece's or fewer, or only the first of them; they are there until
+    /// the next call. An error ends it all.
     std::function<Result<StereoSpan>(std::int64_t count)> render;
     /// Nothing sounds any more, nor will it by itself.
     std::function<bool()> finished;

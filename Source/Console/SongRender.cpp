@@ -1,6 +1,7 @@
 #include "Console/SongRender.h"
 
 #include "Console/RenderLoop.h"
+#include "Instrument/MidiControllers.h"
 
 #include <algorithm>
 #include <chrono>
@@ -44,18 +45,24 @@ Result<RenderTally> renderSong(Player& player,
     std::int64_t position = 0, lastCell = -1;
     const auto block = [&](std::int64_t count) {
         due.clear();
-        for (; next < events.size() && sampleOf(events[next], rate) < position + count; ++next)
+        for (; next < events.size() && sampleOf(events[next], rate) < position + count; ++next) {
+            if (const auto sample = sampleOf(events[next], rate);
+                sample > position && midi::isAllSoundOff(events[next].bytes)) {
+                count = sample - position; // the room is silenced from there on
+                break;
+            }
             due.push_back(
                 {.sampleOffset = static_cast<int>(sampleOf(events[next], rate) - position),
                  .bytes = events[next].bytes});
+        }
         const auto span = StereoSpan{left, right}.subspan(0, static_cast<std::size_t>(count));
         const auto start = std::chrono::steady_clock::now();
         player.process(span, due, parameters);
         tally.renderSeconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         position += count;
-        if (player.takeAllSoundOff())
-            recording.hush();
+        if (const auto silenced = player.takeSilenced())
+            recording.hush(*silenced);
         if (const auto cell = (position - 1) / cellSamples; cell != lastCell) {
             tally.count(player.synthesiser().modesMixed());
             lastCell = cell;

@@ -1,6 +1,9 @@
 // The numbers of MIDI's controllers and channel mode messages that a player follows (MIDI 1.0).
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 namespace idiophone::midi {
 
 enum Controller {
@@ -24,5 +27,10 @@ enum Controller {
     monoOn = 126,
     polyOn = 127
 };
+
+/// Of any channel.
+inline bool isAllSoundOff(std::span<const std::uint8_t> message) {
+    return message.size() == 3 && (message[0] & 0xf0) == 0xb0 && (message[1] & 0x7f) == allSoundOff;
+}
 
 } // namespace idiophone::midi

@@ -113,6 +113,7 @@ void Player::process(const StereoSpan& output,
         return songPlace ? std::optional(*songPlace + position * beatsPerSample) : std::nullopt;
     };
     std::size_t next = 0;
+    silencedSamples = 0;
     for (int position = 0; position < count;) {
         const auto due = dueAt(position, events.subspan(next));
         next += due.size();
@@ -131,6 +132,8 @@ void Player::process(const StereoSpan& output,
         copyOut(output, position, until - position);
         cellPosition += until - position;
         position = until;
+        if (isSilenced)
+            silencedSamples = static_cast<std::size_t>(position);
     }
     songPlace = placeAt(count);
     // Stamped at or beyond the end, as what is handed over with an empty block is: notes strike
@@ -340,8 +343,10 @@ void Player::updateDampers() {
     }
 }
 
-bool Player::takeAllSoundOff() {
-    return std::exchange(allSoundOffCame, false);
+std::optional<std::size_t> Player::takeSilenced() {
+    if (!std::exchange(allSoundOffCame, false) && silencedSamples == 0)
+        return std::nullopt;
+    return silencedSamples;
 }
 
 } // namespace idiophone

@@ -135,8 +135,10 @@ public:
     void reset();
 
     bool silent() const;
-    /// Whether "all sound off" came since this was asked, for what sounds on behind the player.
-    bool takeAllSoundOff();
+    /// For what sounds on behind the player, where "all sound off" came since this was asked or no
+    /// blow has followed it yet: how many samples at the start of the last block are what it
+    /// silences. It is taken to act there: who wants it at its sample begins a block with it.
+    std::optional<std::size_t> takeSilenced();
     const Synthesiser& synthesiser() const { return synth; }
     const Instrument& instrument() const { return *playedInstrument; }
     /// Of the key or the blow that came last; nothing before the first one.
@@ -226,6 +228,7 @@ private:
     std::vector<CellOutput> remainsOfSlots;
     bool hasRemains = false;
     bool allSoundOffCame = false;
+    std::size_t silencedSamples = 0; ///< of the last block
 };
 
 } // namespace idiophone

@@ -26,7 +26,7 @@ std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOne
     for (std::size_t k = 0; k < eventsOfOneSample.size(); ++k) {
         const auto& event = eventsOfOneSample[k];
         follow(event);
-        if ((event.bytes[0] & 0xf0) == 0xb0 && (event.bytes[1] & 0x7f) == midi::allSoundOff)
+        if (midi::isAllSoundOff(event.bytes))
             striking = eventsOfOneSample.subspan(k + 1);
     }
     return striking;

@@ -58,6 +58,7 @@ void Player::reset() {
     liftPedals();
     bend.reset();
     allSoundOffCame = false;
+    silencedSamples = 0;
 }
 
 bool Player::silent() const {

@@ -6,6 +6,7 @@
 #include "Output/Room.h"
 #include "Parameters/ParameterTable.h"
 
+#include <cstddef>
 #include <juce_dsp/juce_dsp.h>
 #include <span>
 
@@ -18,6 +19,7 @@ public:
     /// Level, bypass, width and the room's share move linearly over this time: without steps, too
     /// fast to be heard as a fade (by ear).
     static constexpr double rampSeconds = 0.02;
+    static_assert(rampSeconds <= Room::earliestSeconds);
 
     void prepare(double sampleRateHz, int maximumBlockSize);
 
@@ -34,8 +36,9 @@ public:
                  std::span<float* const> channels,
                  const ParameterValues& values) noexcept;
 
-    /// What sounds on in the room fades within the ramp.
-    void hush() noexcept { room.hush(); }
+    /// From the next sample on what sounds on in the room fades within the ramp. To the next
+    /// `unanswered` samples the room adds nothing, to what comes then all it has.
+    void hush(std::size_t unanswered) noexcept { room.hush(unanswered); }
 
     /// Nothing sounds on in the room.
     bool silent() const noexcept { return room.silent(); }

@@ -3,6 +3,8 @@
 
 #include "Parameters/ParameterTable.h"
 
+#include <array>
+#include <cstddef>
 #include <juce_dsp/juce_dsp.h>
 #include <span>
 #include <vector>
@@ -22,20 +24,25 @@ public:
     /// rounding holds the longest tails at −110 dB for ever.
     static constexpr float silence = 1e-5f;
 
+    /// The room's sound comes no sooner after what it answers.
+    static constexpr double earliestSeconds = 0.025;
+
+    /// The ramp is no longer than `earliestSeconds`.
     void prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds);
 
     /// The room is silent, and the next block starts with its values, without a ramp.
     void reset() noexcept;
 
-    /// What rings in the room fades with the ramp; what comes after that is heard again.
-    void hush() noexcept { isHushed = true; }
+    /// From the next sample on what rings in the room fades with the ramp. The next `unanswered`
+    /// samples sound without it; what comes then is answered as in a silent room.
+    void hush(std::size_t unanswered) noexcept;
 
     /// The sound with the room's, until the next call: where no room is heard, the sound itself. At
     /// most `maximumBlockSize` samples.
     Sound process(const Sound& sound, const ParameterValues& values) noexcept;
 
     /// Nothing rings in it any more.
-    bool silent() const noexcept { return isSilent; }
+    bool silent() const noexcept { return isSilent && fadeLeft == 0; }
 
 private:
     void follow(const ParameterValues& values) noexcept;
@@ -43,16 +50,20 @@ private:
     void settle() noexcept;
     void rest() noexcept;
     void ring(std::span<float> left, std::span<float> right) noexcept;
+    void addFading(std::span<float> left, std::span<float> right) noexcept;
 
-    juce::Reverb reverb;
+    std::array<juce::Reverb, 2> reverbs;
+    std::size_t playing = 0; ///< of them; the other one fades, or is not used
     double rateHz = 44100;
     double decaySeconds = 0; ///< that the reverberator is set to
     juce::SmoothedValue<float> amount;
-    std::vector<float> wetLeft, wetRight;
+    std::vector<float> wetLeft, wetRight, fadingLeft, fadingRight;
     int gridPosition = 0; ///< of the next sample, in a cell of the grid on which silence is found
     int quietSamples = 0; ///< up to that cell
-    bool isSilent = true;
-    bool isHushed = false;
+    bool isSilent = true; ///< the reverberator that plays
+    int fadeSamples = 0;  ///< the ramp
+    int fadeLeft = 0;     ///< of those
+    std::size_t unanswered = 0; ///< of the next samples
     bool startsAtTarget = true;
 };
 

@@ -1,5 +1,7 @@
 #include "Plugin/BlockPieces.h"
 
+#include "Instrument/MidiControllers.h"
+
 #include <algorithm>
 
 namespace idiophone {
@@ -8,6 +10,10 @@ namespace {
 bool isChannelMessage(const juce::MidiMessageMetadata& metadata) {
     return metadata.numBytes >= 1 && metadata.numBytes <= 3 && metadata.data[0] >= 0x80 &&
            metadata.data[0] < 0xf0;
+}
+
+bool isAllSoundOff(const juce::MidiMessageMetadata& metadata) {
+    return midi::isAllSoundOff({metadata.data, static_cast<std::size_t>(metadata.numBytes)});
 }
 
 bool isSystemExclusive(const juce::MidiMessageMetadata& metadata) {
@@ -37,7 +43,7 @@ int BlockPieces::pieceEnd() const noexcept {
     auto count = eventCount;
     for (auto later = message; later != lastMessage; ++later) {
         const int stamp = stampOf(*later);
-        if (isSystemExclusive(*later) && stamp > position && stamp < end)
+        if ((isSystemExclusive(*later) || isAllSoundOff(*later)) && stamp > position && stamp < end)
             return stamp;
         if (!isChannelMessage(*later))
             continue;

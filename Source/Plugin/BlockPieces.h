@@ -18,8 +18,9 @@ public:
     /// All the strikes that a synthesiser takes at a time: 64 contacts on each of 128 keys.
     static constexpr int maximumEvents = 64 * 128;
 
-    /// Valid until the next `next`. `length` is 0 where more events fall on one sample than fit, or
-    /// some of them before a system exclusive message.
+    /// Valid until the next `next`. "All sound off" is at the start of its piece, so that what
+    /// sounds on behind the player can follow it at its sample. `length` is 0 where more events
+    /// fall on one sample than fit, or some of them before a system exclusive message.
     struct Piece {
         int start = 0;
         int length = 0;

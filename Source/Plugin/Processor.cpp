@@ -89,8 +89,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         sound.process(rendered, piece->events, values);
         if (auto* player = sound.player()) {
             followGivenBends(*player);
-            if (player->takeAllSoundOff())
-                output.hush();
+            if (const auto silenced = player->takeSilenced())
+                output.hush(*silenced);
         }
         output.process(rendered.left, rendered.right, channels, values);
         report(channels, piece->length);

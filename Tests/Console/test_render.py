@@ -53,6 +53,16 @@ class Render(ConsoleTest):
         hushed, _ = self.render(self.song(song + [(480, bytes([0xB0, 120, 0]))]), *room)
         self.assertLess(hushed["seconds"], rings["seconds"] / 2)
 
+    def test_all_sound_off_in_a_room_gives_the_same_file_in_any_block_size(self):
+        song = [tempo(0, 500000)] + note(0, 84, 127)
+        song += [(337, bytes([0xB0, 120, 0]))] + note(337, 72, 100)
+        song += [(480, bytes([0xB1, 120, 0]))] + note(485, 74, 100)
+        room = ("--set", "room=100", "--set", "room_decay=2")
+        _, expected = self.render(self.song(song), *room, name="64.wav")
+        for size in (1, 300, 4096):
+            _, output = self.render(self.song(song), "--block-size", size, *room)
+            self.assertEqual(output.read_bytes(), expected.read_bytes())
+
     def test_a_render_repeats_bit_for_bit(self):
         song = self.song(self.chords())
         first, second = (self.render(song, name=f"{i}.wav")[1] for i in range(2))

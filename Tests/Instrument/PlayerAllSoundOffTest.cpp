@@ -11,6 +11,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
+#include <optional>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -109,6 +110,31 @@ TEST_CASE("A note that all sound off follows at its sample is silent, one after 
     Player player(bars(), sampleRateHz), alone(bars(), sampleRateHz);
     CHECK(render(player, {before, allSoundOff(at), after}, 4800, 480, steadyHand()) ==
           render(alone, {after}, 4800, 480, steadyHand()));
+}
+
+TEST_CASE("A player tells what is silenced at the start of a block, up to the next blow") {
+    using Silenced = std::optional<std::size_t>;
+    Player player(bars(), sampleRateHz);
+    const auto silencedIn = [&](const std::vector<MidiEvent>& events, int samples) {
+        render(player, events, static_cast<std::size_t>(samples),
+               static_cast<std::size_t>(samples));
+        return player.takeSilenced();
+    };
+    CHECK(silencedIn({midi(0, 0x90, 69, 127)}, 480) == Silenced());
+    CHECK(silencedIn({allSoundOff(0), midi(300, 0x90, 60, 90)}, 480) == Silenced(300));
+    CHECK(silencedIn({}, 480) == Silenced());
+    CHECK(silencedIn({allSoundOff(0)}, 480) == Silenced(480));
+    CHECK(silencedIn({}, 100) == Silenced(100));
+    CHECK(silencedIn({midi(70, 0x80, 60, 0), midi(77, 0x90, 60, 90)}, 480) == Silenced(77));
+    CHECK(silencedIn({}, 480) == Silenced());
+    // A note of its sample sounds, and what rang behind the player is to end all the same.
+    CHECK(silencedIn({allSoundOff(0), midi(0, 0x90, 60, 90)}, 480) == Silenced(0));
+    CHECK(player.takeSilenced() == Silenced());
+    player.process({}, std::vector{allSoundOff(0)}, {});
+    CHECK(player.takeSilenced() == Silenced(0));
+    CHECK(silencedIn({}, 480) == Silenced(480));
+    player.reset();
+    CHECK(player.takeSilenced() == Silenced());
 }
 
 TEST_CASE("A scrape that all sound off ends leaves nothing under the next key") {

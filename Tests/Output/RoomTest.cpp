@@ -105,6 +105,18 @@ double decaySecondsOf(const std::vector<double>& samples, double rateHz) {
     return static_cast<double>(fallen(35) - fallen(5)) / rateHz * 60 / 30;
 }
 
+Stereo part(const Stereo& sound, std::size_t from, std::size_t count) {
+    const auto of = [&](const std::vector<float>& side) {
+        const auto first = side.begin() + static_cast<std::ptrdiff_t>(from);
+        return std::vector<float>(first, first + static_cast<std::ptrdiff_t>(count));
+    };
+    return {of(sound.left), of(sound.right)};
+}
+
+Stereo silence(std::size_t count) {
+    return {std::vector<float>(count), std::vector<float>(count)};
+}
+
 double power(const std::vector<float>& samples) {
     double sum = 0;
     for (const double sample : samples)
@@ -190,8 +202,8 @@ TEST_CASE("A hushed room fades within the ramp, and answers again what comes the
     Room room;
     room.prepare(48000, maximumBlock, rampSeconds);
     inRoom(room, sound, values, 480);
-    room.hush();
-    const Stereo nothing{std::vector<float>(960), std::vector<float>(960)};
+    room.hush(0);
+    const auto nothing = silence(960);
     const auto fading = inRoom(room, nothing, values, 480);
     CHECK(power(fading.left) > 0);
     CHECK(room.silent());
@@ -202,10 +214,94 @@ TEST_CASE("A hushed room fades within the ramp, and answers again what comes the
     Room shut;
     shut.prepare(48000, maximumBlock, rampSeconds);
     inRoom(shut, sound, roomOf(0, 1), 480);
-    shut.hush();
+    shut.hush(0);
     inRoom(shut, sound, roomOf(0, 1), 480);
     inRoom(shut, sound, values, 480);
     CHECK_FALSE(shut.silent());
+}
+
+TEST_CASE("What comes with a hush or soon after is answered as in a silent room") {
+    const auto values = roomOf(100, 5);
+    const auto rings = noiseBurst(48000, 0.2, 0.2), burst = noiseBurst(48000, 0.01, 0.5);
+    for (const std::size_t later : {0u, 240u, 480u, 960u}) {
+        CAPTURE(later);
+        Room room, silent;
+        for (auto* each : {&room, &silent})
+            each->prepare(48000, maximumBlock, rampSeconds);
+        inRoom(room, rings, values, 480);
+        room.hush(0);
+        inRoom(room, silence(later), values, 480);
+        const auto heard = inRoom(room, burst, values, 480);
+        const auto expected = inRoom(silent, burst, values, 480);
+        const auto rest = burst.left.size() - 960;
+        CHECK(power(part(expected, 960, rest).left) > 0);
+        CHECK(part(heard, 960, rest) == part(expected, 960, rest));
+    }
+}
+
+TEST_CASE("What rang in a room fades evenly from the hush on, and a second one does not cut it") {
+    const auto values = roomOf(100, 5);
+    const auto rings = noiseBurst(48000, 0.2, 0.2);
+    const auto second = static_cast<std::size_t>(480);
+    Room hushed, other;
+    for (auto* each : {&hushed, &other}) {
+        each->prepare(48000, maximumBlock, rampSeconds);
+        inRoom(*each, rings, values, 480);
+    }
+    const auto unhushed = inRoom(other, silence(960), values, 480);
+    const auto note = part(rings, 0, second);
+    hushed.hush(0);
+    auto fading = inRoom(hushed, note, values, 480);
+    std::ranges::transform(fading.left, note.left, fading.left.begin(), std::minus{});
+    hushed.hush(0);
+    const auto further = inRoom(hushed, silence(960 - second), values, 480);
+    fading.left.insert(fading.left.end(), further.left.begin(), further.left.end());
+    for (std::size_t i = 0; i < 960; ++i)
+        REQUIRE_THAT(fading.left[i], WithinAbs(static_cast<double>(959 - i) / 960 *
+                                                   static_cast<double>(unhushed.left[i]),
+                                               1e-6));
+    CHECK(hushed.silent());
+    CHECK(inRoom(hushed, silence(4800), values, 480) == silence(4800)); // nor is the note answered
+}
+
+TEST_CASE("What a hush leaves unanswered sounds without the room") {
+    const auto values = roomOf(100, 5);
+    const auto sound = noiseBurst(48000, 0.1, 0.3);
+    constexpr std::size_t dry = 700;
+    Room room, silent;
+    for (auto* each : {&room, &silent})
+        each->prepare(48000, maximumBlock, rampSeconds);
+    room.hush(dry);
+    const auto heard = inRoom(room, sound, values, 480);
+    auto later = sound;
+    for (auto* side : {&later.left, &later.right})
+        std::fill_n(side->begin(), dry, 0.0f);
+    const auto answered = inRoom(silent, later, values, 480);
+    const auto rest = sound.left.size() - dry;
+    CHECK(part(heard, 0, dry) == part(sound, 0, dry));
+    CHECK(part(heard, dry, rest) == part(answered, dry, rest));
+}
+
+TEST_CASE("A hushed room's sound does not depend on the block size") {
+    const auto sound = noiseBurst(48000, 0.5, 0.8);
+    const auto values = roomOf(100, 3);
+    const auto played = [&](std::size_t blockSize) {
+        Room room;
+        room.prepare(48000, maximumBlock, rampSeconds);
+        Stereo result;
+        std::size_t from = 0;
+        for (const std::size_t until : {9600u, 9933u, 12000u, 38400u}) {
+            const auto heard = inRoom(room, part(sound, from, until - from), values, blockSize);
+            result.left.insert(result.left.end(), heard.left.begin(), heard.left.end());
+            result.right.insert(result.right.end(), heard.right.begin(), heard.right.end());
+            room.hush(until == 12000 ? 100 : 0);
+            from = until;
+        }
+        return result;
+    };
+    const auto expected = played(maximumBlock);
+    for (const std::size_t blockSize : {1u, 7u, 64u, 300u, 800u})
+        CHECK(played(blockSize) == expected);
 }
 
 TEST_CASE("A room that is opened and shut while it sounds makes no step, in any block size") {

@@ -57,6 +57,24 @@ TEST_CASE("A block that fits is one piece with all its channel messages") {
     CHECK(result.inside);
 }
 
+TEST_CASE("All sound off is at the start of its piece, with the rest of its sample") {
+    juce::MidiBuffer midi;
+    midi.addEvent(note(60), 0);
+    midi.addEvent(note(61), 100);
+    for (const int channel : {1, 2})
+        midi.addEvent(juce::MidiMessage::allSoundOff(channel), 100);
+    midi.addEvent(note(62), 100);
+    midi.addEvent(juce::MidiMessage::allNotesOff(1), 200);
+    midi.addEvent(juce::MidiMessage::allSoundOff(16), 255);
+    const auto result = cut(midi, 256);
+    CHECK(result.lengths == std::vector{100, 155, 1});
+    CHECK(result.notes ==
+          std::vector<std::pair<int, int>>{
+              {0, 60}, {100, 61}, {100, 120}, {100, 120}, {100, 62}, {200, 123}, {255, 120}});
+    CHECK(result.inside);
+    CHECK(result.contiguous);
+}
+
 TEST_CASE("An overlong block is cut, and every event keeps its sample") {
     juce::MidiBuffer midi;
     for (int stamp = 0; stamp < 10000; stamp += 97)

@@ -8,9 +8,12 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <numbers>
+#include <numeric>
+#include <optional>
 
 using namespace idiophone;
 using namespace idiophone::test;
+using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -22,6 +25,17 @@ juce::MidiBuffer oneMessage(const juce::MidiMessage& message) {
 }
 
 const auto hardNote = oneMessage(juce::MidiMessage::noteOn(1, 72, static_cast<juce::uint8>(127)));
+
+/// How long keys ring is up to the fluid damping.
+State inLongRoom(double fluidDampingPerSecond) {
+    auto state = testState();
+    state.parameters.set(ParameterId::strikeSpread, 0);
+    state.parameters.set(ParameterId::material, customMaterial);
+    state.parameters.set(ParameterId::fluidDamping, fluidDampingPerSecond);
+    state.parameters.set(ParameterId::room, 100);
+    state.parameters.set(ParameterId::roomDecay, 10);
+    return state;
+}
 
 bool supports(std::initializer_list<juce::AudioChannelSet> inputs,
               std::initializer_list<juce::AudioChannelSet> outputs) {
@@ -243,12 +257,7 @@ TEST_CASE("Nothing is heard above a 16-bit step when the tail is over, in a room
 
 TEST_CASE("All sound off hushes the room too, and what is played then is heard in it") {
     Processor processor;
-    auto state = testState();
-    state.parameters.set(ParameterId::material, customMaterial);
-    state.parameters.set(ParameterId::fluidDamping, 20);
-    state.parameters.set(ParameterId::room, 100);
-    state.parameters.set(ParameterId::roomDecay, 10);
-    restore(processor, state);
+    restore(processor, inLongRoom(20));
     processor.prepareToPlay(48000, 480);
     const auto played = render(processor, 9600, 480, hardNote);
     juce::MidiBuffer off;
@@ -258,6 +267,49 @@ TEST_CASE("All sound off hushes the room too, and what is played then is heard i
     render(processor, 9600, 480, hardNote);
     render(processor, 48000, 480, {});
     CHECK(loudest(render(processor, 4800, 480, {})) > loudest(played) / 1000);
+}
+
+TEST_CASE("A note that comes with all sound off or soon after has the room's whole answer") {
+    const auto sound = [](std::optional<int> offAt) {
+        Processor processor;
+        restore(processor, inLongRoom(200));
+        processor.prepareToPlay(48000, 480);
+        if (offAt) // or else nothing rings
+            render(processor, 9600, 480, hardNote);
+        juce::MidiBuffer midi;
+        if (offAt)
+            midi.addEvent(juce::MidiMessage::allSoundOff(1), *offAt);
+        midi.addEvent(juce::MidiMessage::noteOn(1, 64, static_cast<juce::uint8>(100)), 1000);
+        return render(processor, 48000, 480, midi);
+    };
+    const auto tailPower = [](const HostSound& heard) {
+        return std::inner_product(heard.left.begin() + 12000, heard.left.end(),
+                                  heard.left.begin() + 12000, 0.0);
+    };
+    const double alone = tailPower(sound({}));
+    REQUIRE(alone > 0);
+    for (const int offAt : {1000, 999, 700, 40})
+        CHECK_THAT(10 * std::log10(tailPower(sound(offAt)) / alone), WithinAbs(0, 1));
+}
+
+TEST_CASE("All sound off in a room is heard in all blocks alike") {
+    juce::MidiBuffer midi;
+    for (const int stamp : {0, 5000, 9600})
+        midi.addEvent(juce::MidiMessage::noteOn(1, 64, static_cast<juce::uint8>(100)), stamp);
+    for (const int stamp : {4711, 9600, 9901, 14000})
+        for (const int channel : {1, 2, 16})
+            midi.addEvent(juce::MidiMessage::allSoundOff(channel), stamp);
+    midi.addEvent(juce::MidiMessage::noteOn(1, 66, static_cast<juce::uint8>(100)), 9901);
+    const auto played = [&](int blockSize) {
+        Processor processor;
+        restore(processor, inLongRoom(200));
+        processor.prepareToPlay(48000, blockSize);
+        return render(processor, 19200, blockSize, midi);
+    };
+    const auto expected = played(64);
+    REQUIRE(loudest(expected) > 0.001f);
+    for (const int blockSize : {1, 7, 300, 800, 4096})
+        CHECK(played(blockSize) == expected);
 }
 
 TEST_CASE("Blocks that come before it is prepared are silent, whatever it is to play") {
