@@ -74,21 +74,26 @@ LoudnessMatch::predictedLufs(const ParameterValues& values) const noexcept {
     return predictedLoudness(phrase, values, wheel);
 }
 
-void LoudnessMatch::prepare(const ParameterValues& now) noexcept {
+void LoudnessMatch::prepare(const ParameterValues& now, int awaitedWheel) noexcept {
+    const int wheelNow = wheel;
     state = {};
-    advance(now, std::numeric_limits<std::size_t>::max());
-    state.prepared = true;
-    start = state;
+    for (const int place : {awaitedWheel, HeldContacts::controllerAtRest, wheelNow}) {
+        wheel = place;
+        advance(now, std::numeric_limits<std::size_t>::max());
+    }
+    wasPrepared = hasPrepared = true;
 }
 
 std::size_t LoudnessMatch::advance(const ParameterValues& now) noexcept {
-    const bool first = !std::exchange(state.prepared, true);
+    const bool first = !std::exchange(hasPrepared, true);
     return advance(now, first ? std::numeric_limits<std::size_t>::max() : modesPerCell);
 }
 
 void LoudnessMatch::reset() noexcept {
-    state = start;
     wheel = HeldContacts::controllerAtRest;
+    state.working = false;
+    state.seen.reset();
+    hasPrepared = wasPrepared;
 }
 
 std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes) noexcept {
@@ -101,17 +106,24 @@ std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes
         taken += prediction.advance(modes - taken);
         if (!prediction.complete())
             break;
-        auto& known = state.onReference ? state.reference : state.played;
-        known.valid = true;
-        known.goal = state.onReference ? state.referenceGoal : state.playedGoal;
-        known.lufs = prediction.lufs();
+        auto& side = state.onReference ? state.reference : state.played;
+        side.known() = {.valid = true, .goal = side.goal, .lufs = prediction.lufs()};
         beginNext();
     }
     return taken;
 }
 
+LoudnessMatch::Known& LoudnessMatch::Side::known() noexcept {
+    return goal.wheel == HeldContacts::controllerAtRest ? atRest : away;
+}
+
+bool LoudnessMatch::Side::isKnown() noexcept {
+    return known().valid && known().goal == goal;
+}
+
 LoudnessMatch::Goal LoudnessMatch::goalOf(const ParameterValues& values) const noexcept {
-    return {.values = valuesThatMatter(values), .wheel = strikes(values) ? 0 : wheel};
+    return {.values = valuesThatMatter(values),
+            .wheel = strikes(values) ? HeldContacts::controllerAtRest : wheel};
 }
 
 void LoudnessMatch::setGoal(const ParameterValues& now) noexcept {
@@ -119,9 +131,9 @@ void LoudnessMatch::setGoal(const ParameterValues& now) noexcept {
     if (seen == state.seen)
         return;
     state.seen = seen;
-    state.playedGoal = goalOf(now);
-    state.referenceGoal = goalOf(withOwn(now, ownValues));
-    if (now[matchLoudness] == 0 || state.playedGoal == state.referenceGoal)
+    state.played.goal = goalOf(now);
+    state.reference.goal = goalOf(withOwn(now, ownValues));
+    if (now[matchLoudness] == 0 || state.played.goal == state.reference.goal)
         state.gainDb = 0;
     else
         beginNext();
@@ -129,23 +141,22 @@ void LoudnessMatch::setGoal(const ParameterValues& now) noexcept {
 
 /// What is still unknown of the goal, or its gain.
 void LoudnessMatch::beginNext() noexcept {
-    const auto isKnown = [](const Known& known, const Goal& goal) {
-        return known.valid && known.goal == goal;
-    };
-    state.onReference = !isKnown(state.reference, state.referenceGoal);
-    state.working = state.onReference || !isKnown(state.played, state.playedGoal);
+    state.onReference = !state.reference.isKnown();
+    state.working = state.onReference || !state.played.isKnown();
     if (!state.working) {
         state.gainDb = gainOfKnown();
         return;
     }
-    const auto& goal = state.onReference ? state.referenceGoal : state.playedGoal;
+    const auto& goal = (state.onReference ? state.reference : state.played).goal;
     prediction.begin(phrase, goal.values, goal.wheel);
 }
 
-double LoudnessMatch::gainOfKnown() const noexcept {
+double LoudnessMatch::gainOfKnown() noexcept {
+    const auto& reference = state.reference.known().lufs;
+    const auto& played = state.played.known().lufs;
     PhrasePrediction::Loudness gains;
     for (std::size_t k = 0; k < gains.size(); ++k)
-        gains[k] = state.reference.lufs[k] - state.played.lufs[k];
+        gains[k] = reference[k] - played[k];
     const double mean =
         std::accumulate(gains.begin(), gains.end(), 0.0) / static_cast<double>(gains.size());
     if (!std::isfinite(mean))

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 namespace idiophone {
 
@@ -30,9 +31,10 @@ public:
                   double sampleRateHz,
                   const ParameterValues& own);
 
-    /// Has the gain of these values at once, however many modes there are: not for the audio
-    /// thread. From then on `reset` returns to here.
-    void prepare(const ParameterValues& now) noexcept;
+    /// Has the gain of these values at once, however many modes there are, and knows that of the
+    /// wheel at rest and where it is about to be: not for the audio thread.
+    void prepare(const ParameterValues& now,
+                 int awaitedWheel = HeldContacts::controllerAtRest) noexcept;
 
     /// Works on the gain of these values and returns how many modes it took in: none while it has
     /// that gain, else at most `modesPerCell`. What moves in the meantime is followed after that.
@@ -48,7 +50,9 @@ public:
     /// The last gain that was complete.
     double gainDb() const noexcept { return state.gainDb; }
 
-    /// As constructed, or as last prepared; the wheel at rest.
+    /// The wheel at rest. What was predicted for it there stays known: where the values are those
+    /// of the last such prediction, the next `advance` has their gain and takes in nothing. Where
+    /// nothing was prepared, the first call prepares, as if constructed anew.
     void reset() noexcept;
 
     /// Of these values and the wheel, complete; not for the audio thread.
@@ -58,7 +62,7 @@ private:
     /// What loudness depends on.
     struct Goal {
         ParameterValues values;
-        int wheel = 0;
+        int wheel = 0; ///< at rest for strikes, which it does not move
 
         bool operator==(const Goal&) const = default;
     };
@@ -67,26 +71,35 @@ private:
         Goal goal;
         PhrasePrediction::Loudness lufs{};
     };
+    /// One of the two that are compared. What is known with the wheel at rest has a place of its
+    /// own: a reset returns there from wherever the wheel is.
+    struct Side {
+        Goal goal;
+        Known atRest, away;
+
+        Known& known() noexcept;
+        bool isKnown() noexcept;
+    };
     struct State {
-        bool prepared = false;
         double gainDb = 0;
-        Known reference, played;
+        Side reference, played;
         bool working = false;
         bool onReference = false; ///< rather than on what is played
-        Goal seen;                ///< what the others are made of
-        Goal referenceGoal, playedGoal;
+        std::optional<Goal> seen; ///< what the goals are made of
     };
 
     std::size_t advance(const ParameterValues& now, std::size_t modes) noexcept;
     Goal goalOf(const ParameterValues& values) const noexcept;
     void setGoal(const ParameterValues& now) noexcept;
     void beginNext() noexcept;
-    double gainOfKnown() const noexcept;
+    double gainOfKnown() noexcept;
 
     Phrase phrase;
     ParameterValues ownValues;
     PhrasePrediction prediction;
-    State state, start;
+    State state;
+    bool wasPrepared = false; ///< by `prepare`
+    bool hasPrepared = false; ///< by it, or by the first `advance`
     int wheel = HeldContacts::controllerAtRest;
 };
 

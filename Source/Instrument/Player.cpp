@@ -283,8 +283,8 @@ std::int64_t Player::lateBlows() const noexcept {
     return performance ? performance->lateBlows() : 0;
 }
 
-void Player::prepare(const ParameterValues& parameters) {
-    loudness.prepare(parameters);
+void Player::prepare(const ParameterValues& parameters, int awaitedWheel) {
+    loudness.prepare(parameters, awaitedWheel);
 }
 
 /// Once a cell, on the grid: what matches loudness, which moves when a prediction is complete, and

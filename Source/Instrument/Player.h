@@ -63,9 +63,13 @@ public:
     Player& operator=(const Player&) = delete;
 
     /// Has the gain that matches the loudness of these values from the first cell on, whatever it
-    /// costs: off the audio thread, between construction or `reset` and the first block. What is
-    /// not prepared in time is made good within the first cell.
-    void prepare(const ParameterValues& parameters);
+    /// costs, with the modulation wheel at rest or where it is about to be, 0 to 127: off the audio
+    /// thread, between construction or `reset` and the first block. What was never prepared is made
+    /// good within the first cell.
+    void prepare(const ParameterValues& parameters,
+                 int awaitedWheel = HeldContacts::controllerAtRest);
+    /// Where the modulation wheel is.
+    int modulationWheel() const noexcept { return loudness.speedController(); }
 
     /// Renders the next `output.size()` samples (full scale 1, before `width` and `level`). Without
     /// radiation both channels are the same. Events are in order of time; what is stamped beyond

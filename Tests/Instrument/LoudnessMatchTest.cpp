@@ -333,8 +333,72 @@ TEST_CASE("The wheel moves the gain of scrapes, and not that of strikes") {
         }
         CHECK((match.gainDb() != atRest) == (kind == scrapeContact));
         match.reset();
+        CHECK(match.advance(with(now, matchLoudness, 1)) == 0);
         CHECK(match.gainDb() == atRest);
     }
+}
+
+TEST_CASE("After a reset what is played has its gain in the first cell, whatever was prepared") {
+    const auto instrument = synthetic(500);
+    ParameterValues own;
+    own.set(matchLoudness, 1);
+    const auto complete = [](LoudnessMatch& match, const ParameterValues& values) {
+        while (match.advance(values) > 0) {
+        }
+    };
+    for (const int kind : {strikeContact, scrapeContact, rollContact}) {
+        own.set(contact, kind);
+        const auto now = with(own, material, firstLibraryMaterial + 5);
+        LoudnessMatch fresh(instrument, {}, sampleRateHz, own);
+        const double gain = gainOf(fresh, now);
+        REQUIRE(gain != 0);
+        LoudnessMatch match(instrument, {}, sampleRateHz, own);
+        match.prepare(with(own, matchLoudness, 0));
+        complete(match, now);
+        match.setSpeedController(127);
+        complete(match, now);
+        for (int times = 0; times < 2; ++times) {
+            match.reset();
+            CHECK(match.speedController() == HeldContacts::controllerAtRest);
+            CHECK(match.advance(now) == 0);
+            CHECK(match.gainDb() == gain);
+        }
+
+        // And where it was under way.
+        const auto other = with(own, material, firstLibraryMaterial + 7);
+        match.advance(other);
+        match.reset();
+        complete(match, other);
+        CHECK(match.gainDb() == gainOf(fresh, other));
+        match.advance(now);
+        match.reset();
+        CHECK(match.advance(with(now, matchLoudness, 0)) == 0);
+        CHECK(match.gainDb() == 0);
+    }
+}
+
+TEST_CASE("What is prepared for the wheel where it will be is known there, and at rest") {
+    ParameterValues own;
+    own.set(matchLoudness, 1);
+    own.set(contact, scrapeContact);
+    const auto now = with(own, material, firstLibraryMaterial + 5);
+    LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
+    const double atRest = gainOf(match, now);
+    match.setSpeedController(127);
+    while (match.advance(now) > 0) {
+    }
+    const double moved = match.gainDb();
+    REQUIRE(moved != atRest);
+
+    LoudnessMatch prepared(synthetic(500), {}, sampleRateHz, own);
+    prepared.prepare(now, 127);
+    CHECK(prepared.speedController() == HeldContacts::controllerAtRest);
+    CHECK(prepared.gainDb() == atRest);
+    CHECK(prepared.advance(now) == 0);
+    CHECK(prepared.gainDb() == atRest);
+    prepared.setSpeedController(127);
+    CHECK(prepared.advance(now) == 0);
+    CHECK(prepared.gainDb() == moved);
 }
 
 TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") {

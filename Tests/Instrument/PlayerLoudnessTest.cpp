@@ -17,6 +17,7 @@ using Catch::Approx;
 namespace {
 
 constexpr double sampleRateHz = 48000;
+constexpr int modulation = 1; // the wheel's controller
 
 } // namespace
 
@@ -40,6 +41,63 @@ TEST_CASE("Matching loudness multiplies by the gain that is predicted, at once f
     const auto after = render(matching, events, 9600, 480, hard);
     for (std::size_t i = 0; i < before.size(); ++i)
         REQUIRE(double(after[i]) == Approx(gain * double(before[i])).margin(1e-7).epsilon(1e-4));
+}
+
+TEST_CASE("A render after a reset is that of a player prepared anew for the same values") {
+    const auto instrument = bars();
+    ParameterValues own;
+    for (const int kind : {strikeContact, scrapeContact, rollContact}) {
+        own.set(ParameterId::contact, kind);
+        auto values = own;
+        values.set(ParameterId::matchLoudness, 1);
+        values.set(ParameterId::material, firstLibraryMaterial + 5);
+        values.set(ParameterId::malletMass, 200);
+        const std::vector events{midi(10, 0x90, 64, 100), midi(6000, 0x80, 64, 0),
+                                 midi(7000, 0x90, 69, 100)};
+        Player fresh(instrument, sampleRateHz, {}, 1, own);
+        fresh.prepare(values);
+        const auto expected = renderStereo(fresh, events, 12000, 480, values);
+        REQUIRE(peak(expected.left) > 0);
+
+        Player player(instrument, sampleRateHz, {}, 1, own);
+        player.prepare(own);
+        renderStereo(player, events, 12000, 480, own);
+        renderStereo(player, events, 48000, 333, values);
+        renderStereo(player, {midi(0, 0xb0, modulation, 120)}, 48000, 333, values);
+        for (int times = 0; times < 2; ++times) {
+            player.reset();
+            CHECK((renderStereo(player, events, 12000, 480, values) == expected));
+        }
+    }
+}
+
+TEST_CASE("A player that takes over the wheel it was prepared for begins with that gain") {
+    const auto instrument = bars();
+    ParameterValues own;
+    own.set(ParameterId::contact, scrapeContact);
+    auto values = own;
+    values.set(ParameterId::material, firstLibraryMaterial + 5);
+    Player former(instrument, sampleRateHz);
+    renderStereo(former, {midi(0, 0xb0, modulation, 120)}, 480, 480, own);
+    REQUIRE(former.modulationWheel() == 120);
+
+    auto matched = values;
+    matched.set(ParameterId::matchLoudness, 1);
+    LoudnessMatch match(instrument, {}, sampleRateHz, own);
+    match.setSpeedController(120);
+    match.prepare(matched);
+    const double gain = std::pow(10, match.gainDb() / 20);
+    REQUIRE(std::abs(gain - 1) > 0.01);
+    const auto rendered = [&](const ParameterValues& of) {
+        Player player(instrument, sampleRateHz, {}, 1, own);
+        player.prepare(of, former.modulationWheel());
+        player.takeControllersOf(former);
+        return render(player, {midi(0, 0x90, 64, 100)}, 9600, 480, of);
+    };
+    const auto plain = rendered(values), after = rendered(matched);
+    REQUIRE(peak(plain) > 0);
+    for (std::size_t i = 0; i < plain.size(); ++i)
+        REQUIRE(double(after[i]) == Approx(gain * double(plain[i])).margin(1e-9).epsilon(1e-4));
 }
 
 TEST_CASE("A mallet that changes while loudness is matched moves the gain without a step") {
