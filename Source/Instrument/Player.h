@@ -138,6 +138,10 @@ public:
     /// ranges stay as MIDI has set them.
     void reset();
 
+    /// What its owner knows it by; 0 until it is given one.
+    void setLabel(std::int64_t given) noexcept { ownersLabel = given; }
+    std::int64_t label() const noexcept { return ownersLabel; }
+
     bool silent() const;
     /// For what sounds on behind the player, where "all sound off" came since this was asked or no
     /// blow has followed it yet: how many samples at the start of the last block are what it
@@ -185,6 +189,7 @@ private:
     double nextStrikeSample() const;
 
     std::shared_ptr<const Instrument> playedInstrument;
+    std::int64_t ownersLabel = 0;
     Synthesiser synth;
     ParameterValues current;
     ParameterGlide glide;

@@ -27,6 +27,9 @@ public:
     /// waits no longer; valid until the next `follow`.
     std::span<const MidiEvent> take() noexcept;
 
+    /// All keys are up, and those that go down from now on are still waited for.
+    void forgetKeys() noexcept { count = 0; }
+
 private:
     static constexpr std::size_t capacity = 256; ///< keys beyond it are not struck again
 

@@ -35,6 +35,15 @@ void HostParameters::loadChanges(const ParameterValues& before,
     ++loads;
 }
 
+ParameterValues HostParameters::valuesAfter(const ParameterValues& before,
+                                            const ParameterValues& after) const noexcept {
+    auto result = values();
+    for (const auto& info : parameterTable())
+        if (after[info.parameter] != before[info.parameter])
+            result.set(info.parameter, after[info.parameter]);
+    return result;
+}
+
 void HostParameters::notifyListeners() const {
     for (auto* parameter : parameters)
         parameter->sendValueChangedMessageToListeners(parameter->getValue());

@@ -28,6 +28,10 @@ public:
     /// others to whoever moves them.
     void loadChanges(const ParameterValues& before, const ParameterValues& after) noexcept;
 
+    /// [any thread] What `loadChanges` would leave.
+    ParameterValues valuesAfter(const ParameterValues& before,
+                                const ParameterValues& after) const noexcept;
+
     /// [message side] Tells the host and other listeners of all values, after `load`.
     void notifyListeners() const;
 

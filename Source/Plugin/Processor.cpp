@@ -51,10 +51,10 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         output.reset();
         transport.forgetPlace();
     }
-    // Before its player, which is handed over first: where the one is seen, the other is there.
-    const bool isRequestAnswered = requestedProgram < 0;
     // The player before the values: a new one never plays values older than its own.
     Player* const next = handoff.take();
+    // It says itself what it answers: from the callback that takes it on, keys are its own.
+    const bool isAnswer = next != nullptr && next->label() == awaitedRequest;
     controllers.follow(midi, parameters);
     const ParameterValues& values = parameters.snapshot();
     sound.changeTo(next);
@@ -70,9 +70,11 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             player->resetStage();
     }
     hand.playOn(sound.player());
-    if (isRequestAnswered)
-        if (const auto keys = awaitingKeys.take(); !keys.empty())
+    if (isAnswer || refusedRequest == awaitedRequest) {
+        const auto keys = awaitingKeys.take();
+        if (isAnswer && !keys.empty())       // or else they sound where they are
             sound.process({}, keys, values); // they strike with the first sample there is
+    }
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
     while (const auto piece = pieces.next()) {
@@ -85,7 +87,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         }
         awaitingKeys.follow(piece->events);
         if (const auto program = awaitingKeys.takeProgram())
-            requestedProgram = programsOfMidi * ++programRequests + *program;
+            requestedProgram = awaitedRequest = programsOfMidi * ++programRequests + *program;
         sound.process(rendered, piece->events, values);
         if (auto* player = sound.player()) {
             followGivenBends(*player);
@@ -101,10 +103,10 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
 }
 
 /// [audio thread] Notes and blows that wait, as those do that came while the host did not process:
-/// for when all keys are up.
+/// for when all keys are up. A program that was asked for is still awaited.
 void Processor::forgetEvents() noexcept {
     pieces.reset();
-    awaitingKeys.take();
+    awaitingKeys.forgetKeys();
     editorNotes.clear();
     hand.clear();
 }
@@ -151,6 +153,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
             peak = highest;
     }
     if (auto* player = sound.player()) {
+        modulationWheel = player->modulationWheel();
         modesMixed = player->synthesiser().modesMixed();
         lateBlows = player->lateBlows();
         capture.take(*player);
@@ -184,12 +187,15 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     output.prepare(preparedRateHz, BlockPieces::maximumSamples);
     monitor.prepare(preparedRateHz);
     delete handoff.take();
-    auto player = newPlayer(instrument, loadedPreset);
+    modulationWheel = HeldContacts::controllerAtRest; // of what is installed
+    auto player = newPlayer(instrument, loadedPreset, parameters.values());
     if (!player)
         lastError = player.error().message;
-    sound.install(player ? prepared(std::move(*player)) : nullptr);
+    sound.install(player ? std::move(*player) : nullptr);
     handoff.collect();
     forgetEvents();
+    if (requestedProgram == noRequest) // no player comes that would answer it
+        awaitingKeys.take();
     transport.forget();
     tempo = 0;
     resetRequested = false;
@@ -251,38 +257,57 @@ const juce::String Processor::getProgramName(int index) {
 }
 
 void Processor::setCurrentProgram(int index) {
-    const auto presets = factoryPresets();
-    if (index < 0 || index >= static_cast<int>(presets.size()))
+    chooseProgram(index, noRequest);
+}
+
+/// For MIDI's request of that number, or the host's own.
+void Processor::chooseProgram(int index, std::int64_t request) {
+    if (index < 0 || index >= static_cast<int>(factoryPresets().size()))
         return;
     {
         const std::scoped_lock lock(soundMutex);
-        const auto& preset = presets[static_cast<std::size_t>(index)];
-        auto built = buildInstrument(preset.keyMap, {});
-        if (!built) {
-            lastError = preset.name + " cannot be played: " + built.error().message;
-            return;
+        const auto loaded = loadProgram(index, request);
+        if (!loaded)
+            lastError = loaded.error().message;
+        if (request != noRequest) {
+            if (!loaded)
+                refusedRequest = request; // for the audio thread, which forgets the keys that wait
+            // Before anybody is told, which may take long; unless another came meanwhile.
+            requestedProgram.compare_exchange_strong(request, noRequest);
         }
-        auto player = newPlayer(*built, preset);
-        if (!player) {
-            lastError = player.error().message;
+        if (!loaded)
             return;
-        }
-        engineVersion = ownEngineVersion();
-        unknownOfSound.clear();
-        parameters.load(withSetupOf(parameters.values(), preset.parameters));
-        play(preset, std::move(*built), std::move(*player));
-        ++loadsByHost;
-        programIndex = index;
-        presetId = factoryPresetId(preset.name);
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
 }
 
-/// Under soundMutex, with what `newPlayer` has made of them.
+/// Under soundMutex.
+Result<void> Processor::loadProgram(int index, std::int64_t request) {
+    const auto& preset = factoryPresets()[static_cast<std::size_t>(index)];
+    auto built = buildInstrument(preset.keyMap, {});
+    if (!built)
+        return failure(preset.name + " cannot be played: " + built.error().message);
+    const auto wanted = [&] { return withSetupOf(parameters.values(), preset.parameters); };
+    auto player = newPlayer(*built, preset, wanted());
+    if (!player)
+        return tl::unexpected(player.error());
+    if (request != noRequest)
+        answeredRequest = request;
+    engineVersion = ownEngineVersion();
+    unknownOfSound.clear();
+    play(preset, std::move(*built), std::move(*player), [&] { parameters.load(wanted()); });
+    ++loadsByHost;
+    programIndex = index;
+    presetId = factoryPresetId(preset.name);
+    return {};
+}
+
+/// Under soundMutex, with what `newPlayer` has made of them, and what loads their values.
 void Processor::play(Preset preset,
                      std::shared_ptr<const Instrument> built,
-                     std::unique_ptr<Player> player) {
+                     std::unique_ptr<Player> player,
+                     const std::function<void()>& loadValues) {
     double slowest = std::numeric_limits<double>::infinity();
     double ratio = std::numeric_limits<double>::infinity();
     for (const auto& slot : built->slots()) {
@@ -292,7 +317,6 @@ void Processor::play(Preset preset,
     }
     ownSlowestDecay = slowest;
     ownDampingScale = built->slots().empty() ? 1 : ratio;
-    stagePaused = false;
     stageSeconds = built->stage() ? built->stage()->lengthSeconds() : 0;
     loadedPreset = std::move(preset);
     if (instrument != built)
@@ -304,34 +328,38 @@ void Processor::play(Preset preset,
     instrument = std::move(built);
     ++loads;
     lastError.clear();
+    if (player != nullptr)
+        player->setLabel(answeredRequest);
+    handoff.collect(); // which may take a while, and not between what follows
     // Before the player, which has its own: an older message never comes to it.
     sendSilences();
+    stagePaused = false;
+    // The last thing, and the values right before the player: callbacks until then play the former
+    // one as it was.
+    loadValues();
     if (player != nullptr)
-        handoff.publish(prepared(std::move(player)));
+        handoff.publish(std::move(player));
 }
 
 /// Under soundMutex: the first thing where another sound is to play, since all stays as it was
-/// where the memory does not suffice for it. Null without a sample rate or an instrument.
+/// where memory or threads do not suffice for it, and as it takes its time, in which the former
+/// player sounds on with its own values. Complete, for the values with which it is to play. Null
+/// without a sample rate or an instrument.
 Result<std::unique_ptr<Player>> Processor::newPlayer(const std::shared_ptr<const Instrument>& built,
-                                                     const Preset& preset) const {
+                                                     const Preset& preset,
+                                                     const ParameterValues& values) const {
     if (built == nullptr || !(preparedRateHz > 0))
         return nullptr;
     return withinMemory(
         [&]() -> Result<std::unique_ptr<Player>> {
-            return std::make_unique<Player>(built, preparedRateHz, preset.surface, preset.seed,
-                                            preset.parameters);
+            auto player = std::make_unique<Player>(built, preparedRateHz, preset.surface,
+                                                   preset.seed, preset.parameters);
+            player->setSilencedModes(silencedModes(
+                *built, preset.mutedModes, built == instrument ? modesHeardAlone : ModeSet()));
+            player->prepare(values, modulationWheel);
+            return player;
         },
         preset.name.empty() ? "The sound" : oneLine(preset.name));
-}
-
-/// Under soundMutex: for what plays, and for the parameters as they are now.
-std::unique_ptr<Player> Processor::prepared(std::unique_ptr<Player> player) const {
-    if (player != nullptr) {
-        player->setSilencedModes(
-            silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));
-        player->prepare(parameters.values());
-    }
-    return player;
 }
 
 void Processor::timerCallback() {
@@ -349,12 +377,8 @@ void Processor::timerCallback() {
 }
 
 void Processor::followProgramChange() {
-    auto request = requestedProgram.load();
-    if (request < 0)
-        return;
-    setCurrentProgram(static_cast<int>(request % programsOfMidi));
-    // It is answered, unless another came meanwhile.
-    requestedProgram.compare_exchange_strong(request, -1);
+    if (const auto request = requestedProgram.load(); request != noRequest)
+        chooseProgram(static_cast<int>(request % programsOfMidi), request);
 }
 
 } // namespace idiophone

@@ -166,6 +166,8 @@ private:
 
     void timerCallback() override;
     void followProgramChange();
+    void chooseProgram(int index, std::int64_t request);
+    Result<void> loadProgram(int index, std::int64_t request);
     void lookForCallbacks(); ///< for `isProcessing`, to know when they came
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
@@ -173,12 +175,13 @@ private:
     void changedByHand();
     void play(Preset preset,
               std::shared_ptr<const Instrument> instrument,
-              std::unique_ptr<Player> player);
+              std::unique_ptr<Player> player,
+              const std::function<void()>& loadValues);
     void tuneTo(const ScalaTuning& wanted, const KeyTuning& keys);
     void recordTuning(const std::string& step, const ScalaTuning& before, const ScalaTuning& after);
     Result<std::unique_ptr<Player>> newPlayer(const std::shared_ptr<const Instrument>& instrument,
-                                              const Preset& preset) const;
-    std::unique_ptr<Player> prepared(std::unique_ptr<Player> player) const;
+                                              const Preset& preset,
+                                              const ParameterValues& values) const;
     bool
     changeModes(std::size_t object,
                 const std::function<bool(const std::string& key, std::size_t modeCount)>& change);
@@ -249,7 +252,8 @@ private:
     std::string presetId;                           ///< of the shelf, or empty
     ParameterValues storedParameters;               ///< of that preset
     std::string lastError;
-    double preparedRateHz = 0; ///< 0 until prepared
+    double preparedRateHz = 0;                ///< 0 until prepared
+    std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over
 
     // Between threads.
     Handoff<Player> handoff;
@@ -266,14 +270,17 @@ private:
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};
     std::atomic<bool> forgetsGivenBends{false}; ///< the player has not forgotten them yet
-    /// That MIDI asked for last, until its player is handed over: with a number of its own in the
-    /// upper bits, as the same may be asked for again. Or -1.
-    std::atomic<std::int64_t> requestedProgram{-1};
+    /// That MIDI asked for last, until its player is handed over or it is refused: with a number of
+    /// its own in the upper bits, as the same may be asked for again. Players carry the last that
+    /// was answered when they were handed over, as their label; what is refused has no player.
+    static constexpr std::int64_t noRequest = -1;
+    std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
     std::atomic<int> programIndex{-1};
     std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
     std::atomic<double> ownDampingScale{1}; ///< the least of their modes, to their materials' law
     std::atomic<double> tempo{0};           ///< that the host told last, or 0
     std::atomic<double> stageSeconds{0};    ///< that bodies move after a note
+    std::atomic<int> modulationWheel{HeldContacts::controllerAtRest}; ///< as it was last
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateBlows{0};
     std::atomic<float> peak{0};
@@ -284,6 +291,7 @@ private:
     AwaitingKeys awaitingKeys;
     HostTransport transport;
     std::int64_t programRequests = 0;
+    std::int64_t awaitedRequest = noRequest; ///< the last that there was
     OutputStage output;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<float*, 2> channelPointers{};

@@ -61,20 +61,22 @@ bool Processor::playSound(const Sound& wanted) {
         const bool playsOn = wanted.instrument == instrument &&
                              wanted.engineVersion == engineVersion &&
                              playsAlike(wanted.preset, loadedPreset);
-        auto player = playsOn ? nullptr : newPlayer(wanted.instrument, wanted.preset);
+        const auto wantedNow = [&] { return withSetupOf(parameters.values(), wanted.parameters); };
+        auto player = playsOn ? nullptr : newPlayer(wanted.instrument, wanted.preset, wantedNow());
         if (!player) {
             lastError = player.error().message;
             return false;
         }
-        parameters.load(withSetupOf(parameters.values(), wanted.parameters));
         if (playsOn) {
+            parameters.load(wantedNow());
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
             loadedPreset = wanted.preset;
             if (!sameModes)
                 sendSilences();
             giveUpRefused();
         } else {
-            play(wanted.preset, wanted.instrument, std::move(*player));
+            play(wanted.preset, wanted.instrument, std::move(*player),
+                 [&] { parameters.load(wantedNow()); });
         }
         if (isImport)
             importLoads = loads;

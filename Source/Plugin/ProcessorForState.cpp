@@ -85,18 +85,19 @@ Result<void> Processor::restore(const State& state) {
     auto built = buildInstrument(preset.keyMap, state.objects);
     if (!built)
         return failure("The saved state cannot be played: " + built.error().message);
-    auto player = newPlayer(*built, preset);
+    auto player = newPlayer(*built, preset, state.parameters);
     if (!player)
         return tl::unexpected(player.error());
-    tuneTo(state.tuning, *keys);
-    tuner.forgetMessages(); // the state knows of none
-    forgetsGivenBends = true;
     engineVersion = state.engineVersion;
     unknownOfSound = state.unknownOfSound;
     unknownOfInstance = state.unknownOfInstance;
-    parameters.load(state.parameters);
-    controllers.assign(state.controllers);
-    play(std::move(preset), std::move(*built), std::move(*player));
+    play(std::move(preset), std::move(*built), std::move(*player), [&] {
+        tuneTo(state.tuning, *keys);
+        tuner.forgetMessages(); // the state knows of none
+        forgetsGivenBends = true;
+        controllers.assign(state.controllers);
+        parameters.load(state.parameters);
+    });
     ++loadsByHost;
     if (absent != nullptr) {
         missing = std::move(absent);

@@ -264,15 +264,16 @@ std::optional<int> Processor::playInstead(const Loaded& now,
         const std::scoped_lock lock(soundMutex);
         if (loads != now.number)
             return std::nullopt;
-        auto player = newPlayer(built, preset);
+        auto player =
+            newPlayer(built, preset, parameters.valuesAfter(now.sound.parameters, values));
         if (!player) {
             lastError = player.error().message;
             return std::nullopt;
         }
-        parameters.loadChanges(now.sound.parameters, values);
         engineVersion = now.sound.engineVersion;
         unknownOfSound = now.sound.unknownMembers;
-        play(preset, built, std::move(*player));
+        play(preset, built, std::move(*player),
+             [&] { parameters.loadChanges(now.sound.parameters, values); });
         programIndex = -1;
         number = loads;
     }

@@ -75,6 +75,14 @@ TEST_CASE("Once taken, keys are waited for no longer") {
     CHECK(taken(keys).empty());
 }
 
+TEST_CASE("Where keys are forgotten, those that go down later are still waited for") {
+    AwaitingKeys keys(programs);
+    keys.follow(std::vector{change, message(0x90, 60, 100)});
+    keys.forgetKeys();
+    keys.follow(std::vector{message(0x90, 62, 90)});
+    CHECK(taken(keys) == std::vector<Struck>{{0, 62, 90}});
+}
+
 TEST_CASE("Another program change starts anew, and what lets all keys go lets these go") {
     CHECK(takenAfter({change, message(0x90, 60, 100), message(0xc0, 0)}).empty());
     for (const int controller : {120, 123, 124, 127})

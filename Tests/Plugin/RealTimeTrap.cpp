@@ -15,6 +15,7 @@
 #include <semaphore.h>
 #include <sys/prctl.h>
 #include <ucontext.h>
+#include <utility>
 
 // Of Linux 5.11; older headers lack them.
 #ifndef PR_SET_SYSCALL_USER_DISPATCH
@@ -32,6 +33,8 @@ struct Watch {
     const char* first = nullptr;
     int firstSystemCall = -1;
     std::size_t mostBytes = SIZE_MAX; ///< of one allocation
+    bool startsNoThreads = false;
+    std::function<void()>* atAllocations = nullptr;
 };
 thread_local Watch watch;
 
@@ -45,6 +48,10 @@ void note(int Watch::*counter, const char* name) {
 
 void noteAllocation(const char* name) {
     note(&Watch::allocations, name);
+    if (auto* each = std::exchange(watch.atAllocations, nullptr)) {
+        (*each)();
+        watch.atAllocations = each;
+    }
 }
 
 template <class Function>
@@ -140,6 +147,16 @@ void free(void* block) {
 }
 }
 
+extern "C" int pthread_create(pthread_t* thread,
+                              const pthread_attr_t* attributes,
+                              void* (*run)(void*),
+                              void* argument) {
+    static decltype(&pthread_create) function = nullptr;
+    return watch.startsNoThreads
+               ? EAGAIN
+               : next(function, "pthread_create")(thread, attributes, run, argument);
+}
+
 using Time = const timespec*;
 IDIOPHONE_WATCHED_LOCK(pthread_mutex_lock, (pthread_mutex_t * m), m)
 IDIOPHONE_WATCHED_LOCK(pthread_mutex_trylock, (pthread_mutex_t * m), m)
@@ -221,6 +238,22 @@ MemoryLimit::~MemoryLimit() {
     watch.mostBytes = SIZE_MAX;
 }
 
+NoThreads::NoThreads() {
+    watch.startsNoThreads = true;
+}
+
+NoThreads::~NoThreads() {
+    watch.startsNoThreads = false;
+}
+
+AtAllocations::AtAllocations(std::function<void()> each) : called(std::move(each)) {
+    watch.atAllocations = &called;
+}
+
+AtAllocations::~AtAllocations() {
+    watch.atAllocations = nullptr;
+}
+
 } // namespace idiophone::test
 
 #else
@@ -239,6 +272,10 @@ RealTimeFaults endRealTimeWatch() {
 }
 MemoryLimit::MemoryLimit(std::size_t) {}
 MemoryLimit::~MemoryLimit() {}
+NoThreads::NoThreads() {}
+NoThreads::~NoThreads() {}
+AtAllocations::AtAllocations(std::function<void()>) {}
+AtAllocations::~AtAllocations() {}
 
 } // namespace idiophone::test
 

@@ -1,9 +1,10 @@
 // Watches code that must not allocate, lock or call the system: counts what it does of that while
-// it runs. And leaves code without memory. Linux with glibc; not under the sanitizers, which
-// replace the same functions.
+// it runs. And leaves code without memory or threads. Linux with glibc; not under the sanitizers,
+// which replace the same functions.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace idiophone::test {
@@ -41,6 +42,29 @@ public:
     MemoryLimit(const MemoryLimit&) = delete;
     MemoryLimit& operator=(const MemoryLimit&) = delete;
     ~MemoryLimit();
+};
+
+/// While it lives, this thread can start no other. Where `realTimeTrapWorks`.
+class NoThreads {
+public:
+    NoThreads();
+    NoThreads(const NoThreads&) = delete;
+    NoThreads& operator=(const NoThreads&) = delete;
+    ~NoThreads();
+};
+
+/// While it lives, this thread calls `each` at every allocation and release, but for those of
+/// `each`: what another thread may do meanwhile, at many moments and always the same ones. Where
+/// `realTimeTrapWorks`.
+class AtAllocations {
+public:
+    explicit AtAllocations(std::function<void()> each);
+    AtAllocations(const AtAllocations&) = delete;
+    AtAllocations& operator=(const AtAllocations&) = delete;
+    ~AtAllocations();
+
+private:
+    std::function<void()> called;
 };
 
 } // namespace idiophone::test

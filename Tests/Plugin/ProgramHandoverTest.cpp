@@ -1,0 +1,249 @@
+// Between the wish for another sound and its first sample: what callbacks play meanwhile.
+#include "Plugin/RealTimeTrap.h"
+#include "Support/TestSound.h"
+
+#include "Instrument/FactoryContent.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 512;
+constexpr int vibraphone = 9, key = 60; // no key of the first preset's
+
+juce::MidiBuffer programChange(int program) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::programChange(1, program), 0);
+    return midi;
+}
+
+juce::MidiBuffer struck(int note) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), 0);
+    return midi;
+}
+
+void followTimers() {
+    juce::Thread::sleep(5);
+    juce::Timer::callPendingTimersSynchronously();
+}
+
+void waitForProgram(Processor& processor, int program) {
+    for (int looks = 0; looks < 1000 && processor.getCurrentProgram() != program; ++looks)
+        followTimers();
+    REQUIRE(processor.getCurrentProgram() == program);
+}
+
+/// Whose callbacks go on while it is told of a change.
+struct BusyHost final : juce::AudioProcessorListener {
+    explicit BusyHost(std::function<void()> callback) : process(std::move(callback)) {}
+    void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
+        if (auto once = std::exchange(process, nullptr))
+            once();
+    }
+    void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails&) override {}
+    std::function<void()> process;
+};
+
+} // namespace
+
+TEST_CASE("A key that goes down in the new preset, while others are told of it, is struck once") {
+    enum class Struck { afterwards, whileTold, asSoonAsLoaded };
+    const auto played = [](Struck when) {
+        Processor processor;
+        processor.prepareToPlay(rateHz, blockSize);
+        render(processor, blockSize, blockSize, programChange(vibraphone));
+        const double former = processor.parameterValue(ParameterId::level);
+        HostSound sound;
+        const auto strike = [&] { sound = render(processor, blockSize, blockSize, struck(key)); };
+        BusyHost host(when == Struck::whileTold ? strike : std::function<void()>());
+        processor.addListener(&host);
+        if (when == Struck::asSoonAsLoaded) {
+            const AtAllocations look([&] {
+                if (sound.left.empty() && processor.parameterValue(ParameterId::level) != former)
+                    strike();
+            });
+            waitForProgram(processor, vibraphone);
+        } else {
+            waitForProgram(processor, vibraphone);
+        }
+        processor.removeListener(&host);
+        if (sound.left.empty())
+            strike();
+        sound.append(render(processor, 24000, blockSize, {}));
+        return sound;
+    };
+    const auto expected = played(Struck::afterwards);
+    REQUIRE(loudest(expected) > 0.001f);
+    CHECK((played(Struck::whileTold) == expected));
+    CHECK((played(Struck::asSoonAsLoaded) == expected));
+}
+
+TEST_CASE("Until another sound is there the one before plays on with its own values") {
+    if (!realTimeTrapWorks())
+        SKIP("nothing can be done at allocations here");
+    auto other = testState("other", 1.5);
+    other.parameters.set(ParameterId::size, 150);
+    other.parameters.set(ParameterId::material, firstLibraryMaterial + 5);
+    other.parameters.set(ParameterId::matchLoudness, 1);
+    other.preset.name = "Other";
+    const auto bytes = encodeState(other);
+    using Load = std::function<void(Processor & processor, const Sound& before)>;
+    const Load loads[] = {
+        [&](Processor& processor, const Sound&) { restoreBytes(processor, bytes); },
+        [](Processor& processor, const Sound&) { processor.setCurrentProgram(vibraphone); },
+        [](Processor& processor, const Sound& before) { processor.playSound(before); },
+    };
+    for (const auto& load : loads) {
+        const auto played = [&](bool meanwhile) {
+            Processor processor;
+            processor.prepareToPlay(rateHz, 64);
+            const auto before = processor.loadedSound();
+            auto first = testState();
+            first.parameters.set(ParameterId::level, -5);
+            restore(processor, first);
+            render(processor, blockSize, 64, struck(64));
+            const double former = processor.parameterValue(ParameterId::level);
+            HostSound sound;
+            {
+                const AtAllocations look([&] {
+                    if (meanwhile && sound.left.empty() &&
+                        processor.parameterValue(ParameterId::level) != former)
+                        sound = render(processor, 64, 64, {});
+                });
+                load(processor, before);
+            }
+            REQUIRE(processor.parameterValue(ParameterId::level) != former);
+            if (sound.left.empty())
+                sound = render(processor, 64, 64, {});
+            sound.append(render(processor, blockSize, 64, {}));
+            return sound;
+        };
+        const auto expected = played(false);
+        CHECK(loudest(expected) > 0.001f);
+        CHECK((played(true) == expected));
+    }
+}
+
+TEST_CASE("A key waits for its program through a reset and another preparation of the host's") {
+    const std::function<void(Processor&)> resets[] = {
+        [](Processor& processor) { processor.reset(); },
+        [](Processor& processor) { processor.prepareToPlay(rateHz, blockSize); },
+    };
+    for (const auto& reset : resets) {
+        Processor processor;
+        processor.prepareToPlay(rateHz, blockSize);
+        auto midi = programChange(vibraphone);
+        midi.addEvents(struck(key + 5), 0, blockSize, 0);
+        render(processor, blockSize, blockSize, midi);
+        reset(processor);
+        CHECK(loudest(render(processor, blockSize, blockSize, struck(key))) == 0);
+        waitForProgram(processor, vibraphone);
+        const auto sound = render(processor, 24000, blockSize, {});
+
+        Processor other;
+        other.setCurrentProgram(vibraphone);
+        other.prepareToPlay(rateHz, blockSize);
+        CHECK(loudest(sound) > 0.001f);
+        CHECK((sound == render(other, 24000, blockSize, struck(key)))); // and no other key
+    }
+}
+
+TEST_CASE("What was answered before the host prepared again strikes nothing later") {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    render(processor, blockSize, blockSize, programChange(vibraphone));
+    waitForProgram(processor, vibraphone);
+    processor.prepareToPlay(rateHz, blockSize); // no callback has taken its player
+    render(processor, 4800, blockSize, struck(key));
+    processor.setCurrentProgram(vibraphone);
+    render(processor, 4800, blockSize, {}); // in which what rang fades out
+    CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+}
+
+TEST_CASE("Where a program cannot be built, keys that sound already are not struck again") {
+    if (!realTimeTrapWorks())
+        SKIP("allocations cannot be made to fail here");
+    constexpr int note = 72;
+    const auto played = [](bool asks) {
+        Processor processor;
+        processor.prepareToPlay(rateHz, blockSize);
+        auto midi = asks ? programChange(vibraphone) : juce::MidiBuffer();
+        midi.addEvents(struck(note), 0, blockSize, 0);
+        auto sound = render(processor, blockSize, blockSize, midi);
+        if (asks) {
+            const MemoryLimit limit(20'000);
+            for (int looks = 0; looks < 1000 && !processor.takeStatus().isError; ++looks)
+                followTimers();
+            CHECK(processor.takeStatus().isError);
+            CHECK(processor.getCurrentProgram() == 0);
+        }
+        sound.append(render(processor, 24000, blockSize, {}));
+        if (asks) { // and nothing later
+            processor.setCurrentProgram(vibraphone);
+            render(processor, 4800, blockSize, {});
+            CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+        }
+        return sound;
+    };
+    const auto expected = played(false);
+    REQUIRE(loudest(expected) > 0.001f);
+    CHECK((played(true) == expected));
+}
+
+TEST_CASE("After a reset loudness is matched as after preparing for the same values") {
+    auto state = testState();
+    state.parameters.set(ParameterId::matchLoudness, 1);
+    const auto change = [](Processor& processor) {
+        processor.changeParameter(ParameterId::material, firstLibraryMaterial + 5);
+        processor.changeParameter(ParameterId::mallet, firstRackMallet);
+    };
+    Processor fresh;
+    restore(fresh, state);
+    change(fresh);
+    fresh.prepareToPlay(rateHz, blockSize);
+    const auto expected = render(fresh, 24000, blockSize, testMusic(24000));
+    REQUIRE(loudest(expected) > 0);
+
+    Processor processor;
+    restore(processor, state);
+    processor.prepareToPlay(rateHz, blockSize);
+    render(processor, 24000, blockSize, testMusic(24000));
+    change(processor);
+    render(processor, 24000, blockSize, testMusic(24000));
+    processor.reset();
+    CHECK((render(processor, 24000, blockSize, testMusic(24000)) == expected));
+}
+
+TEST_CASE("A sound that is loaded with the modulation wheel up begins as loud as it goes on") {
+    auto state = testState();
+    state.parameters.set(ParameterId::contact, scrapeContact);
+    state.parameters.set(ParameterId::material, firstLibraryMaterial + 5);
+    const auto played = [&](bool matches) {
+        state.parameters.set(ParameterId::matchLoudness, matches ? 1 : 0);
+        Processor processor;
+        processor.prepareToPlay(rateHz, blockSize);
+        juce::MidiBuffer wheel;
+        wheel.addEvent(juce::MidiMessage::controllerEvent(1, 1, 120), 0);
+        render(processor, blockSize, blockSize, wheel);
+        restore(processor, state);
+        return render(processor, 48000, blockSize, struck(64)).left;
+    };
+    const auto plain = played(false), matched = played(true);
+    const auto loudestFrom = [](const std::vector<float>& sound, int from) {
+        return loudest(std::vector(sound.begin() + from, sound.begin() + from + 480));
+    };
+    const auto gain = [&](int from) {
+        return loudestFrom(matched, from) / loudestFrom(plain, from);
+    };
+    REQUIRE(std::abs(gain(40000) - 1) > 0.01f);
+    CHECK(std::abs(gain(480) / gain(40000) - 1) < 0.001f);
+}
