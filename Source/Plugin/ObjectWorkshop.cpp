@@ -9,10 +9,12 @@
 #include "Object/ModalObjectFile.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/ImportSummary.h"
+#include "Plugin/WithinMemory.h"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <system_error>
 #include <utility>
 
 namespace idiophone {
@@ -115,8 +117,15 @@ void ObjectWorkshop::start(std::shared_ptr<Job> job) {
         shown = std::move(status);
         current = waiting = std::move(job);
     }
-    if (!worker.joinable())
-        worker = std::thread([this] { run(); });
+    try {
+        if (!worker.joinable())
+            worker = std::thread([this] { run(); });
+    } catch (const std::system_error& fault) {
+        shown.stage = ImportStatus::Stage::failed; // nobody else is there to share it with
+        shown.error = sentenceOf(fault, shown.fileName);
+        shown.step.clear();
+        waiting.reset();
+    }
     wake.notify_all();
 }
 

@@ -1,0 +1,114 @@
+// Where the system starts no more threads: what needs one is refused in a sentence, and what played
+// goes on.
+#include "Plugin/RealTimeTrap.h"
+#include "Plugin/RestoredSound.h"
+#include "Support/ImportedFiles.h"
+#include "Support/UserSettings.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Plugin/WithinMemory.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <system_error>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+const std::string noThread = " needs a thread, and this machine starts no more";
+
+int programOnAStage() {
+    const auto presets = factoryPresets();
+    const auto found = std::ranges::find_if(
+        presets, [](const Preset& preset) { return preset.keyMap.kind == KeyMapKind::scene; });
+    REQUIRE(found != presets.end());
+    return static_cast<int>(found - presets.begin());
+}
+
+} // namespace
+
+TEST_CASE("A fault of the system's is told in a sentence with its subject") {
+    const auto sentence = [](std::errc fault) {
+        return withinMemory(
+                   [=]() -> Result<void> { throw std::system_error(std::make_error_code(fault)); },
+                   "Bell")
+            .error()
+            .message;
+    };
+    CHECK(sentence(std::errc::resource_unavailable_try_again) == "Bell" + noThread);
+    CHECK_THAT(sentence(std::errc::permission_denied), ContainsSubstring("Bell cannot be made: "));
+}
+
+TEST_CASE("A stage whose bodies no thread would move is refused, and what plays goes on") {
+    if (!realTimeTrapWorks())
+        SKIP("threads cannot be made to fail here");
+    const UserSettings user;
+    const int stage = programOnAStage();
+    Processor processor;
+    SECTION("as a program") {
+        restore(processor, testState());
+        processor.prepareToPlay(48000, blockSamples);
+        {
+            const NoThreads shortage;
+            processor.setCurrentProgram(stage);
+        }
+        const auto status = processor.takeStatus();
+        CHECK(status.isError);
+        CHECK_THAT(status.sentence, ContainsSubstring(noThread));
+        CHECK(processor.loadedLabel().name == "Test keyboard");
+        CHECK(loudest(firstBlock(processor)) > 1e-4f);
+    }
+    SECTION("in a state") {
+        processor.setCurrentProgram(stage);
+        const auto bytes = saved(processor);
+        restore(processor, testState());
+        processor.prepareToPlay(48000, blockSamples);
+        {
+            const NoThreads shortage;
+            restoreBytes(processor, bytes);
+        }
+        CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring(noThread));
+        CHECK(processor.loadedLabel().name == "Test keyboard");
+        CHECK(saved(processor) == bytes);
+    }
+    SECTION("when the host prepares") {
+        processor.setCurrentProgram(stage);
+        {
+            const NoThreads shortage;
+            processor.prepareToPlay(48000, blockSamples);
+        }
+        CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring(noThread));
+        CHECK(loudest(firstBlock(processor)) == 0);
+    }
+    processor.prepareToPlay(48000, blockSamples);
+    processor.setCurrentProgram(stage);
+    CHECK_FALSE(processor.takeStatus().isError);
+}
+
+TEST_CASE("A file that no thread would read is refused, and opened once there is one") {
+    if (!realTimeTrapWorks())
+        SKIP("threads cannot be made to fail here");
+    const UserSettings user;
+    const auto file = smallPlateFile("plate.obj", 1000);
+    Processor processor;
+    restore(processor, testState());
+    processor.prepareToPlay(48000, blockSamples);
+    {
+        const NoThreads shortage;
+        processor.openFile(file);
+    }
+    CHECK(processor.importStatus().stage == ImportStatus::Stage::failed);
+    finish(processor);
+    const auto status = processor.takeStatus();
+    CHECK(status.isError);
+    CHECK(status.sentence == "plate.obj" + noThread);
+    CHECK(processor.loadedLabel().name == "Test keyboard");
+    CHECK(loudest(firstBlock(processor)) > 1e-4f);
+    processor.openFile(file);
+    finish(processor);
+    CHECK(processor.loadedLabel().name == "plate");
+}
