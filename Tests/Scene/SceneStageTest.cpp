@@ -62,6 +62,16 @@ double onsetSeconds(const std::vector<float>& sound) {
     return static_cast<double>(first - sound.begin()) / rate;
 }
 
+/// The largest third difference in the left channel within 300 samples: what is cut off has a large
+/// one, what rings or fades has not.
+double kinkFrom(const std::vector<float>& sound, std::size_t first) {
+    double largest = 0;
+    for (std::size_t i = first; i < first + 300; ++i)
+        largest = std::max(largest, std::abs(static_cast<double>(sound[i]) - 3 * sound[i - 1] +
+                                             3 * sound[i - 2] - sound[i - 3]));
+    return largest;
+}
+
 /// The most from a time on, of the left channel.
 float tailLevel(const std::vector<float>& sound, double seconds) {
     float level = 0;
@@ -176,6 +186,50 @@ TEST_CASE("What rolled before all sound off does not ring on under the next note
     // Before the next cylinder lands, and behind the way to the ears.
     const auto after = play(player, {}, 0.06, 128);
     CHECK(tailLevel(after, 0.025) < 1e-4f * tailLevel(before, 0.5));
+}
+
+TEST_CASE("What rolls does not click where it is paused, goes on, is stopped or gives way") {
+    const auto instrument = sceneInstrument("Cylinder off a table");
+    constexpr std::size_t restCells = 100;
+    enum class End { none, pause, stop, note };
+    const auto rolled = [&](std::size_t cells, End end) {
+        // Seven more are in the air, so that the next note takes the first one's act.
+        std::vector<Note> notes{{0, 60, 64}};
+        if (end == End::note)
+            for (int k = 0; k < 7; ++k)
+                notes.push_back(
+                    {(static_cast<double>(cells) - 7 + k) * cellSamples / rate, 60, 64});
+        Player player(instrument, rate);
+        player.setOffline(true);
+        const auto seconds = [](std::size_t count) {
+            return static_cast<double>(count * cellSamples) / rate;
+        };
+        auto sound = play(player, notes, seconds(cells), cellSamples);
+        sound.resize(sound.size() / 2);
+        const auto goOn = [&](const std::vector<Note>& more, std::size_t count) {
+            const auto next = play(player, more, seconds(count), cellSamples);
+            sound.insert(sound.end(), next.begin(),
+                         next.begin() + static_cast<std::ptrdiff_t>(next.size() / 2));
+        };
+        player.pauseStage(end == End::pause);
+        if (end == End::stop)
+            player.resetStage();
+        goOn(end == End::note ? std::vector<Note>{{0, 60, 64}} : std::vector<Note>(), restCells);
+        player.pauseStage(false);
+        goOn({}, 10);
+        return sound;
+    };
+    for (const std::size_t cells : {770u, 807u, 844u}) {
+        const std::size_t cut = cells * cellSamples, again = cut + restCells * cellSamples;
+        const double kink = kinkFrom(rolled(cells, End::none), cut);
+        for (const auto end : {End::pause, End::stop, End::note}) {
+            INFO(cells << " cells, end " << static_cast<int>(end));
+            const auto sound = rolled(cells, end);
+            CHECK(kinkFrom(sound, cut) < 2 * kink);
+            if (end == End::pause)
+                CHECK(kinkFrom(sound, again) < kink);
+        }
+    }
 }
 
 TEST_CASE("The soft pedal slows what a note throws") {
