@@ -269,6 +269,22 @@ TEST_CASE("All sound off hushes the room too, and what is played then is heard i
     CHECK(loudest(render(processor, 4800, 480, {})) > loudest(played) / 1000);
 }
 
+TEST_CASE("The room does not answer what all sound off silences while that still fades") {
+    const auto tail = [](const juce::MidiBuffer& before) {
+        Processor processor;
+        restore(processor, inLongRoom(200));
+        processor.prepareToPlay(48000, 480);
+        render(processor, 480, 480, before);
+        auto midi = oneMessage(juce::MidiMessage::allSoundOff(1));
+        midi.addEvent(juce::MidiMessage::noteOn(1, 64, static_cast<juce::uint8>(5)), 900);
+        render(processor, 9600, 4800, midi);
+        return loudest(render(processor, 9600, 480, {}));
+    };
+    const float alone = tail({});
+    CHECK(alone > 0);
+    CHECK_THAT(tail(hardNote) / alone, WithinRel(1, 0.1));
+}
+
 TEST_CASE("A note that comes with all sound off or soon after has the room's whole answer") {
     const auto sound = [](std::optional<int> offAt) {
         Processor processor;
