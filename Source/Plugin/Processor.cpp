@@ -292,12 +292,16 @@ Result<void> Processor::loadProgram(int index, std::int64_t request) {
     auto player = newPlayer(*built, preset, wanted());
     if (!player)
         return tl::unexpected(player.error());
-    if (request != noRequest)
+    if (request == noRequest) {
+        countHostLoad();
+    } else {
         answeredRequest = request;
+        if (!soundBeforePrograms)
+            soundBeforePrograms = soundNow();
+    }
     engineVersion = ownEngineVersion();
     unknownOfSound.clear();
     play(preset, std::move(*built), std::move(*player), [&] { parameters.load(wanted()); });
-    ++loadsByHost;
     programIndex = index;
     presetId = factoryPresetId(preset.name);
     return {};

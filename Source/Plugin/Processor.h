@@ -132,6 +132,7 @@ public:
     bool playSound(const Sound& wanted) override;
     void relabel(const Sound& wanted) override;
     int hostLoads() const override { return loadsByHost; }
+    std::optional<Sound> takeSoundBeforePrograms() override;
     void changeParameters(const Sound& of, const ParameterValues& wanted) override;
     void setValue(ParameterId parameter, double value) override;
 
@@ -195,6 +196,8 @@ private:
         int number = 0;
     };
     Loaded loaded() const;
+    Sound soundNow() const;
+    void countHostLoad();
     double rateHz() const;
     void beginImport(int number);
     bool followsImportSettings() const { return importLoads == loads && workshop.hasMesh(); }
@@ -251,6 +254,7 @@ private:
     std::shared_ptr<const RefusedState> refused;    ///< or null
     std::string presetId;                           ///< of the shelf, or empty
     ParameterValues storedParameters;               ///< of that preset
+    std::optional<Sound> soundBeforePrograms; ///< that MIDI asked for, and nobody has heard of
     std::string lastError;
     double preparedRateHz = 0;                ///< 0 until prepared
     std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over

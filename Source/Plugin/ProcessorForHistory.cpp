@@ -4,6 +4,8 @@
 #include "Instrument/SilencedModes.h"
 #include "Plugin/FactoryPrograms.h"
 
+#include <utility>
+
 namespace idiophone {
 namespace {
 
@@ -21,21 +23,37 @@ bool sharesObject(const std::shared_ptr<const Instrument>& one,
 } // namespace
 
 Sound Processor::loadedSound() const {
-    return loaded().sound;
+    const std::scoped_lock lock(soundMutex);
+    return soundNow();
 }
 
 Processor::Loaded Processor::loaded() const {
     const std::scoped_lock lock(soundMutex);
-    return {.sound = {.preset = loadedPreset,
-                      .instrument = instrument,
-                      .parameters = parameters.values(),
-                      .engineVersion = engineVersion,
-                      .unknownMembers = unknownOfSound,
-                      .missing = missing,
-                      .refused = refused,
-                      .presetId = presetId,
-                      .stored = storedParameters},
-            .number = loads};
+    return {.sound = soundNow(), .number = loads};
+}
+
+/// Under soundMutex.
+Sound Processor::soundNow() const {
+    return {.preset = loadedPreset,
+            .instrument = instrument,
+            .parameters = parameters.values(),
+            .engineVersion = engineVersion,
+            .unknownMembers = unknownOfSound,
+            .missing = missing,
+            .refused = refused,
+            .presetId = presetId,
+            .stored = storedParameters};
+}
+
+std::optional<Sound> Processor::takeSoundBeforePrograms() {
+    const std::scoped_lock lock(soundMutex);
+    return std::exchange(soundBeforePrograms, std::nullopt);
+}
+
+/// Under soundMutex.
+void Processor::countHostLoad() {
+    ++loadsByHost;
+    soundBeforePrograms.reset();
 }
 
 SoundLabel Processor::loadedLabel() const {

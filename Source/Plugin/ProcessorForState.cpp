@@ -67,7 +67,7 @@ void Processor::setStateInformation(const void* bytes, int byteCount) {
                 lastError = refused->notice;
             // What is under way, an analysis or an audition, is another project's.
             ++loads;
-            ++loadsByHost;
+            countHostLoad();
         }
         return;
     }
@@ -98,7 +98,7 @@ Result<void> Processor::restore(const State& state) {
         controllers.assign(state.controllers);
         parameters.load(state.parameters);
     });
-    ++loadsByHost;
+    countHostLoad();
     if (absent != nullptr) {
         missing = std::move(absent);
         lastError = state.preset.name.empty() ? "" : oneLine(state.preset.name) + ": ";

@@ -6,6 +6,7 @@
 #include "Plugin/ObjectEmbedding.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,8 +64,11 @@ public:
     /// A sentence for the status line.
     virtual void reportError(const std::string& sentence) = 0;
     /// How many states and programs the host has loaded, on whatever thread; states that are
-    /// refused too.
+    /// refused too, but not the programs that MIDI asks for.
     virtual int hostLoads() const = 0;
+    /// What played before the programs that MIDI has asked for since this was called last, or since
+    /// the host has loaded something; nothing where there were none.
+    virtual std::optional<Sound> takeSoundBeforePrograms() = 0;
 
     virtual double parameterValue(ParameterId parameter) const = 0;
     /// Sets the parameters in which `wanted` differs from those of a sound, all at once, if that

@@ -128,6 +128,7 @@ void SoundHistory::undo() {
     endAudition();
     followHolder();
     closeEdit();
+    programs.reset();
     steps.undo();
 }
 
@@ -135,6 +136,7 @@ void SoundHistory::redo() {
     endAudition();
     followHolder();
     closeEdit();
+    programs.reset();
     steps.redo();
 }
 
@@ -188,11 +190,31 @@ bool SoundHistory::play(const Session& wanted) {
 void SoundHistory::followHolder() {
     if (holder.hostLoads() != knownHostLoads)
         forgetAll();
+    if (auto before = holder.takeSoundBeforePrograms())
+        recordPrograms(std::move(*before));
+}
+
+/// They came unasked, so an audition is over, as it is where another sound is loaded.
+void SoundHistory::recordPrograms(Sound before) {
+    if (beforeAudition)
+        changes.clear();
+    closeEdit([values = before.parameters](ParameterId parameter) { return values[parameter]; });
+    const auto from =
+        std::exchange(beforeAudition, std::nullopt)
+            .value_or(Session{.playing = std::move(before), .other = other, .playsB = isB});
+    const auto name = holder.loadedLabel().name;
+    if (const auto known = programs.lock()) {
+        known->after = session();
+        steps.setCurrentTransactionName(fromUtf8(name));
+    } else if (pushLoad(name, from)) {
+        programs = loads.back();
+    }
 }
 
 void SoundHistory::forgetAll() {
     knownHostLoads = holder.hostLoads();
     steps.clearUndoHistory();
+    programs.reset();
     other.reset();
     isB = false;
     beforeAudition.reset();
@@ -200,9 +222,13 @@ void SoundHistory::forgetAll() {
 }
 
 void SoundHistory::closeEdit() {
+    closeEdit([this](ParameterId parameter) { return holder.parameterValue(parameter); });
+}
+
+void SoundHistory::closeEdit(const std::function<double(ParameterId)>& valueOf) {
     auto done = std::exchange(changes, {});
     for (auto& change : done)
-        change.after = holder.parameterValue(change.parameter);
+        change.after = valueOf(change.parameter);
     std::erase_if(done, [](const Change& change) { return change.after == change.before; });
     if (done.empty())
         return;
@@ -213,19 +239,21 @@ void SoundHistory::closeEdit() {
 }
 
 void SoundHistory::push(juce::UndoableAction* step, const std::string& name) {
+    programs.reset();
     steps.beginNewTransaction(fromUtf8(name));
     steps.perform(step);
 }
 
-void SoundHistory::pushLoad(const std::string& name, const Session& before) {
+bool SoundHistory::pushLoad(const std::string& name, const Session& before) {
     auto after = session();
     if (after == before)
-        return;
+        return false;
     auto sessions = std::make_shared<LoadedSessions>(
         LoadedSessions{.before = before, .after = std::move(after)});
     std::erase_if(loads, [](const auto& known) { return known.expired(); });
     loads.push_back(sessions);
     push(new LoadStep(*this, std::move(sessions)), name);
+    return true;
 }
 
 } // namespace idiophone

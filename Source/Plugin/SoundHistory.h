@@ -23,7 +23,8 @@ struct Session {
 };
 
 /// For the message thread. The host's states and programs, of which the holder counts the loads,
-/// forget all steps and the other variant.
+/// forget all steps and the other variant. Programs that MIDI asks for are a step, those in a row
+/// a single one, as a song may go on changing them.
 class SoundHistory final : public EditHistory, public SoundVariants {
 public:
     /// Asks nothing of the holder yet.
@@ -91,14 +92,19 @@ private:
     void change(const std::vector<Change>& changes, bool forward);
     void followHolder();
     void forgetAll();
+    void recordPrograms(Sound before);
     void closeEdit();
+    /// With these values at its end.
+    void closeEdit(const std::function<double(ParameterId)>& valueOf);
     void push(juce::UndoableAction* step, const std::string& name);
-    void pushLoad(const std::string& name, const Session& before);
+    /// Returns whether there is anything to take back.
+    bool pushLoad(const std::string& name, const Session& before);
 
     SoundHolder& holder;
     juce::UndoManager steps;
     std::vector<std::weak_ptr<LoadedSessions>> loads; ///< of the steps that live
     int knownHostLoads = -1;                          ///< that came before the steps
+    std::weak_ptr<LoadedSessions> programs; ///< of the newest step, if it is one of MIDI's
 
     std::optional<Sound> other;
     bool isB = false;

@@ -48,6 +48,9 @@ public:
     void reportError(const std::string& sentence) override { processor.reportError(sentence); }
     int hostLoads() const override { return processor.hostLoads(); }
     double parameterValue(ParameterId id) const override { return processor.parameterValue(id); }
+    std::optional<Sound> takeSoundBeforePrograms() override {
+        return processor.takeSoundBeforePrograms();
+    }
     void changeParameters(const Sound& of, const ParameterValues& wanted) override {
         processor.changeParameters(of, wanted);
     }

@@ -2,8 +2,10 @@
 
 #include "Plugin/HistorySteps.h"
 #include "Support/TestSound.h"
+#include "Support/UserSettings.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <functional>
 #include <thread>
 
@@ -98,6 +100,98 @@ TEST_CASE("States and programs that the host loads forget the steps and the othe
     CHECK(saved(processor) == before);
     drag(processor, density, {1200});
     CHECK(history.canUndo());
+}
+
+TEST_CASE("Programs that MIDI asks for are one step, which leads back to what was not saved") {
+    const UserSettings user;
+    Processor processor;
+    auto& history = processor.editHistory();
+    const bool isOffline = GENERATE(false, true);
+    processor.setNonRealtime(isOffline);
+    processor.prepareToPlay(48000, 512);
+    const auto ask = [&](int program) {
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::programChange(1, program), 0);
+        render(processor, 512, 512, midi);
+        for (int i = 0; i < 100 && processor.getCurrentProgram() != program; ++i) {
+            juce::Thread::sleep(10);
+            juce::Timer::callPendingTimersSynchronously();
+        }
+        REQUIRE(processor.getCurrentProgram() == program);
+    };
+    const auto first = saved(processor);
+    drag(processor, density, {1000});
+    const auto before = saved(processor);
+
+    SECTION("in a row") {
+        history.compare();
+        const auto compared = saved(processor);
+        ask(2);
+        CHECK(history.undoName() == factoryPresets()[2].name);
+        ask(3);
+        ask(4);
+        CHECK(history.undoName() == factoryPresets()[4].name);
+        history.undo();
+        CHECK(saved(processor) == compared);
+        CHECK(history.playsB());
+        history.redo();
+        CHECK(processor.getCurrentProgram() == 4);
+        history.undo();
+        ask(5); // a step of its own: nothing leads forward any more
+        CHECK_FALSE(history.canRedo());
+        history.undo();
+        CHECK(saved(processor) == compared);
+    }
+    SECTION("with a change between") {
+        ask(2);
+        drag(processor, tau, {5});
+        const auto changed = saved(processor);
+        ask(3);
+        history.undo();
+        CHECK(saved(processor) == changed);
+        history.undo();
+        CHECK(processor.getCurrentProgram() == 2);
+        history.undo();
+        CHECK(saved(processor) == before);
+        history.undo();
+        CHECK(saved(processor) == first);
+    }
+    SECTION("while a preset is listened to") {
+        auto& shelf = processor.presetShelf();
+        REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
+        ask(3);
+        shelf.endAudition();
+        CHECK(processor.getCurrentProgram() == 3);
+        history.undo();
+        CHECK(saved(processor) == before);
+    }
+    SECTION("while a hand is at a parameter") {
+        processor.beginParameterChange(tau);
+        processor.changeParameter(tau, 5);
+        const auto held = saved(processor);
+        ask(3);
+        processor.changeParameter(tau, 7);
+        processor.endParameterChange(tau);
+        history.undo();
+        CHECK(processor.parameterValue(tau) == factoryPresets()[3].parameters[tau]);
+        history.undo();
+        CHECK(saved(processor) == held);
+        history.undo();
+        CHECK(saved(processor) == before);
+    }
+    SECTION("before the host loads something") {
+        ask(3);
+        processor.setCurrentProgram(5);
+        CHECK_FALSE(history.canUndo());
+    }
+    SECTION("after the host has loaded something") {
+        processor.setCurrentProgram(5);
+        const auto loaded = saved(processor);
+        ask(3);
+        history.undo();
+        CHECK(saved(processor) == loaded);
+        CHECK_FALSE(history.canUndo());
+    }
 }
 
 TEST_CASE("An undone load plays the very objects of before, and the setup stays where it is") {
