@@ -118,7 +118,7 @@ Result<RenderTally> playSong(const Preset& preset,
                         .isPressed = std::ranges::any_of(*song, isPressure)});
     print(effect.warnings);
     Player player(std::move(*instrument), options.format.sampleRateHz, preset.surface, preset.seed,
-                  preset.parameters);
+                  preset.matched());
     player.setTuning(*tuning);
     player.setSilencedModes(silencedModes(player.instrument(), preset.mutedModes, {}));
     auto tally = renderSong(player, *song, effect.values, options.format, to,

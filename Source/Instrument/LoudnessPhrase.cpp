@@ -29,7 +29,7 @@ std::vector<MidiEvent> loudnessPhrase(const KeyMap& keyMap, int velocity, double
 PlayedPhrase playLoudnessPhrase(const Preset& preset,
                                 const std::shared_ptr<const Instrument>& instrument,
                                 double sampleRateHz) {
-    Player player(instrument, sampleRateHz, preset.surface, preset.seed, preset.parameters);
+    Player player(instrument, sampleRateHz, preset.surface, preset.seed, preset.matched());
     player.setSilencedModes(silencedModes(*instrument, preset.mutedModes, {}));
     const auto samples = static_cast<std::size_t>(loudnessPhraseSeconds * sampleRateHz);
     PlayedPhrase phrase{.left = std::vector<float>(samples), .right = std::vector<float>(samples)};

@@ -63,18 +63,30 @@ KeyMap parseKeyMap(const JsonPlace& place) {
     return map;
 }
 
-void parseParameters(const JsonPlace& place, Preset& preset) {
+/// Sets those that are there, and returns the ids that this version does not know.
+std::vector<std::string> parseParameters(const JsonPlace& place, ParameterValues& values) {
+    std::vector<std::string> unknown;
     for (const auto& [id, value] : place.members()) {
         const auto* info = findParameter(id);
         if (info == nullptr) {
-            preset.unknownParameters.push_back(id);
+            unknown.push_back(id);
             continue;
         }
         const auto parsed = parameterOfJson(*info, value.json());
         if (!parsed)
             value.fail("is a value that it cannot take");
-        preset.parameters.set(info->parameter, *parsed);
+        values.set(info->parameter, *parsed);
     }
+    return unknown;
+}
+
+/// What differs from the preset's own.
+ordered_json matchedToJson(const Preset& preset) {
+    auto differing = ordered_json::object();
+    for (const auto& info : parameterTable())
+        if ((*preset.matchedTo)[info.parameter] != preset.parameters[info.parameter])
+            differing[info.id] = (*preset.matchedTo)[info.parameter];
+    return differing;
 }
 
 ModeSet parseMutedModes(const JsonPlace& place) {
@@ -104,7 +116,11 @@ Preset parse(const JsonPlace& root) {
             preset.tags.push_back(tag.textOrEmpty());
     preset.keyMap = parseKeyMap(root.at("keyMap"));
     if (root.has("parameters"))
-        parseParameters(root.at("parameters"), preset);
+        preset.unknownParameters = parseParameters(root.at("parameters"), preset.parameters);
+    if (root.has("matchedTo")) {
+        preset.matchedTo = preset.parameters;
+        parseParameters(root.at("matchedTo"), *preset.matchedTo);
+    }
     if (root.has("surface"))
         preset.surface = surfaceAt(root.at("surface"));
     if (root.has("mutedModes"))
@@ -171,6 +187,8 @@ std::string encodePreset(const Preset& preset) {
                       {"parameters", parameters},
                       {"surface", ordered_json::parse(encodeSurface(preset.surface))},
                       {"seed", preset.seed}};
+    if (preset.matchedTo)
+        root["matchedTo"] = matchedToJson(preset);
     if (!preset.mutedModes.empty())
         root["mutedModes"] = preset.mutedModes.objects();
     // Names come from people and files: replace what is not UTF-8 rather than throw.

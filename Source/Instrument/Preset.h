@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,13 +57,18 @@ struct Preset {
     std::vector<std::string> tags;
     KeyMap keyMap;
     ParameterValues parameters; ///< those the file does not name have their default
-    Surface surface;            ///< what scrapes and rolls sound like; valid
-    std::uint32_t seed = 1;     ///< of their noise, spread and chatter, so that a render repeats
-    ModeSet mutedModes;         ///< of its objects, by modeSetKey
+    /// Whose material and mallet "match loudness" keeps to, where it is not `parameters`.
+    std::optional<ParameterValues> matchedTo;
+    Surface surface;        ///< what scrapes and rolls sound like; valid
+    std::uint32_t seed = 1; ///< of their noise, spread and chatter, so that a render repeats
+    ModeSet mutedModes;     ///< of its objects, by modeSetKey
     /// Ids of parameters in the file that this version does not know.
     std::vector<std::string> unknownParameters;
 
     bool operator==(const Preset&) const = default;
+
+    /// What "match loudness" keeps to.
+    const ParameterValues& matched() const { return matchedTo ? *matchedTo : parameters; }
 };
 
 inline constexpr int presetFormatVersion = 1;

@@ -18,6 +18,8 @@ juce::File below(const juce::File& settings, const char* name) {
 
 Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std::string id) {
     const auto values = preset.parameters;
+    preset.parameters = preset.matched();
+    preset.matchedTo.reset();
     return {.preset = std::move(preset),
             .instrument = std::move(instrument),
             .parameters = values,
@@ -29,13 +31,19 @@ Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std
 }
 
 /// What is saved sounds as it does now, when its own material and mallet are what "match loudness"
-/// keeps to.
-ParameterValues storedValues(const Sound& sound) {
-    auto values = withSetupOf({}, sound.parameters);
+/// keeps to; or what it keeps to now is, where no level is as loud or as soft.
+void storeValues(const Sound& sound, Preset& preset) {
+    preset.parameters = withSetupOf({}, sound.parameters);
     LoudnessMatch match(sound.instrument, sound.preset.surface, anyRateHz, sound.preset.parameters);
-    match.prepare(values);
-    values.set(ParameterId::level, values[ParameterId::level] + match.gainDb());
-    return values;
+    match.prepare(preset.parameters);
+    const auto& level = parameterInfo(ParameterId::level);
+    const double wanted = preset.parameters[level.parameter] + match.gainDb();
+    if (level.minimum <= wanted && wanted <= level.maximum) {
+        preset.parameters.set(level.parameter, wanted);
+        preset.matchedTo.reset();
+    } else {
+        preset.matchedTo = withSetupOf({}, sound.preset.parameters);
+    }
 }
 
 ShelvedPreset shelved(const Preset& preset, std::string id) {
@@ -203,7 +211,7 @@ PresetCollection::save(const PresetDetails& details,
     preset.author = details.author;
     preset.description = details.description;
     preset.tags = details.tags;
-    preset.parameters = storedValues(sound);
+    storeValues(sound, preset);
     return folder.folder()
         .and_then([&](const juce::File& root) {
             return writePresetObjects(preset.keyMap, *sound.instrument, root);

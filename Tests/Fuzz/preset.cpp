@@ -33,6 +33,7 @@ void examine(std::string_view bytes) {
     claim(!preset->name.empty(), "a preset has a name");
     claimKeys(preset->keyMap);
     claimParameters(preset->parameters);
+    claimParameters(preset->matched());
     claim(validated(preset->surface).has_value(), "its surface is valid");
     claim(preset->mutedModes.size() <= ModeSet::capacity, "muted modes are few");
     preset->unknownParameters.clear(); // which are not written

@@ -21,6 +21,8 @@ Preset example() {
                      .strikeWidth = 0.5,
                      .referenceNote = 60.5};
     preset.parameters.set(ParameterId::tau, 0.123456789012345);
+    preset.matchedTo = preset.parameters;
+    preset.matchedTo->set(ParameterId::density, 7800.5);
     preset.surface = {.name = "Slate \"ü\"",
                       .spectrumExponent = -1.1,
                       .resonFrequencyHz = 812.5,
@@ -64,6 +66,22 @@ TEST_CASE("Parameters may be given as they are shown, and unknown ones are remem
     CHECK(preset->parameters[ParameterId::material] > static_cast<double>(customMaterial));
     CHECK(preset->unknownParameters == std::vector<std::string>{"x9"});
     CHECK(preset->parameters[ParameterId::tau] == parameterInfo(ParameterId::tau).defaultValue);
+}
+
+TEST_CASE("What loudness is matched to is the preset itself, or differs in what the file says") {
+    const auto values = R"("parameters":{"density":"2500 kg/m³","tau":5})";
+    const auto plain = parsePreset(head + map + "," + values + "}", "x.json");
+    REQUIRE(plain);
+    CHECK(plain->matched() == plain->parameters);
+    const auto other = parsePreset(
+        head + map + "," + values + R"(,"matchedTo":{"density":7800,"sheen":1}})", "x.json");
+    REQUIRE(other);
+    CHECK(other->parameters == plain->parameters);
+    auto expected = plain->parameters;
+    expected.set(ParameterId::density, 7800);
+    CHECK(other->matched() == expected);
+    checkRefused(head + map + R"(,"matchedTo":{"density":[]}})",
+                 "matchedTo.density is a value that it cannot take");
 }
 
 TEST_CASE("A preset that makes no sense is refused with its fault and where that stands") {

@@ -186,6 +186,40 @@ TEST_CASE("What was saved under match loudness is as loud when it is loaded") {
 }
 
 TEST_CASE("Saving never cuts what rings") {
+TEST_CASE("What match loudness makes louder than any level is as loud when it is loaded") {
+    const UserSettings user;
+    using enum ParameterId;
+    Processor processor;
+    auto state = testState();
+    for (auto* values : {&state.preset.parameters, &state.parameters})
+        values->set(level, 20);
+    restore(processor, state);
+    processor.changeParameter(matchLoudness, 1);
+    processor.changeParameter(malletHardness, 300);
+    processor.changeParameter(density, 20000);
+    processor.changeParameter(material, customMaterial);
+    const auto expected = firstSecond(processor);
+    REQUIRE(processor.presetShelf().savePreset(called("Loud"), false));
+    CHECK(user.read("Presets/Loud.json").find("matchedTo") != std::string::npos);
+    Processor other;
+    auto& shelf = other.presetShelf();
+    REQUIRE(shelf.loadPreset("Loud.json"));
+    CHECK(other.parameterValue(level) == 20);
+    CHECK_FALSE(shelf.soundIsChanged());
+    CHECK(firstSecond(other) == expected);
+    // So it is after it was saved from there, and once a level suffices it takes the gain over.
+    REQUIRE(shelf.saveChosenPreset());
+    Processor third;
+    REQUIRE(third.presetShelf().loadPreset("Loud.json"));
+    CHECK(firstSecond(third) == expected);
+    third.changeParameter(level, -20);
+    REQUIRE(third.presetShelf().saveChosenPreset());
+    CHECK(user.read("Presets/Loud.json").find("matchedTo") == std::string::npos);
+    Processor fourth;
+    REQUIRE(fourth.presetShelf().loadPreset("Loud.json"));
+    CHECK(loudest(firstSecond(fourth)) == Approx(loudest(firstSecond(third))).epsilon(0.001));
+}
+
     const UserSettings user;
     Processor processor, untouched;
     for (auto* each : {&processor, &untouched}) {
