@@ -4,10 +4,34 @@
 #include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 
+#include <vector>
+
 namespace idiophone {
 namespace {
 
 constexpr int foldersAbove = 4;
+
+/// The preset's, then those above it.
+std::vector<std::filesystem::path> foldersFor(const std::filesystem::path& presetFile) {
+    std::error_code fault;
+    std::vector<std::filesystem::path> folders;
+    auto folder = std::filesystem::absolute(presetFile, fault).parent_path();
+    for (int above = 0; above <= foldersAbove && !folder.empty(); ++above) {
+        folders.push_back(folder);
+        folder = folder.parent_path();
+    }
+    return folders;
+}
+
+/// The first of these folders in which a file of that relative path lies.
+std::optional<std::filesystem::path> folderWith(const std::filesystem::path& name,
+                                                const std::filesystem::path& presetFile) {
+    std::error_code fault;
+    for (const auto& folder : foldersFor(presetFile))
+        if (std::filesystem::is_regular_file(folder / name, fault))
+            return folder;
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -21,16 +45,22 @@ KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile)
     const auto first = keyMap.objectFor(keyMap.lowestNote);
     if (factoryObject(first))
         return keyMap;
-    std::error_code fault;
-    auto folder = std::filesystem::absolute(presetFile, fault).parent_path();
-    for (int above = 0; above <= foldersAbove && !folder.empty(); ++above) {
-        if (std::filesystem::is_regular_file(folder / pathNamed(first), fault)) {
-            keyMap.object = storedNameOf(folder / pathNamed(keyMap.object));
-            break;
-        }
-        folder = folder.parent_path();
-    }
+    if (const auto folder = folderWith(pathNamed(first), presetFile))
+        keyMap.object = storedNameOf(*folder / pathNamed(keyMap.object));
     return keyMap;
+}
+
+std::optional<std::string> nameBeside(const std::filesystem::path& file,
+                                      const std::filesystem::path& presetFile) {
+    for (const auto& folder : foldersFor(presetFile)) {
+        if (folder == folder.root_path())
+            break; // below it all of the disk lies
+        const auto name = file.lexically_relative(folder);
+        // Not where a file of that name is nearer to the preset, which would be found first.
+        if (!name.empty() && *name.begin() != ".." && folderWith(name, presetFile) == folder)
+            return storedNameOf(name);
+    }
+    return std::nullopt;
 }
 
 } // namespace idiophone

@@ -4,6 +4,8 @@
 #include "Instrument/Preset.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 namespace idiophone {
 
@@ -13,5 +15,10 @@ Result<Preset> readPresetFile(const std::filesystem::path& file);
 /// The key map with the full path of its object where a file of that relative path lies in the
 /// preset's folder or one of the four above it; else as it is, as with factory objects.
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile);
+
+/// The relative path by which a preset in that place would find a file, of forward slashes; nothing
+/// where there is no such file or it lies elsewhere.
+std::optional<std::string> nameBeside(const std::filesystem::path& file,
+                                      const std::filesystem::path& presetFile);
 
 } // namespace idiophone

@@ -144,6 +144,12 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
                       .notice = notice};
 }
 
+/// As it was read.
+void PresetCollection::markAsHeard(const std::string& id) {
+    if (const auto* entry = folder.find(id))
+        contents[id] = entry->content;
+}
+
 void PresetCollection::play(const FoundSound& found) {
     if (holder.playSound(found.sound) && !found.notice.empty())
         holder.reportError(found.notice);
@@ -152,6 +158,8 @@ void PresetCollection::play(const FoundSound& found) {
 Result<void> PresetCollection::loadPreset(const std::string& id) {
     return soundOf(id).map([&](const FoundSound& found) {
         history.record(found.sound.preset.name, [&] { play(found); });
+        markAsHeard(id);
+        auditioned.clear();
     });
 }
 
@@ -164,15 +172,20 @@ Result<void> PresetCollection::loadInitialSound() {
 }
 
 Result<void> PresetCollection::auditionPreset(const std::string& id) {
-    return soundOf(id).map(
-        [&](const FoundSound& found) { history.audition([&] { play(found); }); });
+    return soundOf(id).map([&](const FoundSound& found) {
+        history.audition([&] { play(found); });
+        auditioned = id;
+    });
 }
 
 void PresetCollection::keepAudition() {
+    if (const auto kept = std::exchange(auditioned, {}); kept == chosenPreset())
+        markAsHeard(kept);
     history.keepAudition(holder.loadedSound().preset.name);
 }
 
 void PresetCollection::endAudition() {
+    auditioned.clear();
     history.endAudition();
 }
 
@@ -184,8 +197,8 @@ bool PresetCollection::presetExists(const PresetDetails& details) const {
 Result<void> PresetCollection::savePreset(const PresetDetails& details, bool replace) {
     if (!replace && presetExists(details))
         return failure("There is already a preset '" + details.name + "'.");
-    return folder.placeFor(details.name, details.folder).and_then([&](const juce::File&) {
-        return save(details, [&](const Preset& preset) {
+    return folder.placeFor(details.name, details.folder).and_then([&](const juce::File& file) {
+        return save(details, file, [&](const Preset& preset) {
             return folder.write(preset, details.folder, replace);
         });
     });
@@ -193,15 +206,23 @@ Result<void> PresetCollection::savePreset(const PresetDetails& details, bool rep
 
 Result<void> PresetCollection::saveChosenPreset() {
     const auto id = chosenPreset();
-    if (folder.find(id) == nullptr)
+    const auto* entry = folder.find(id);
+    if (entry == nullptr)
         return failure("What plays is no preset of your own that could be replaced.");
-    return save(soundDetails(), [&](const Preset& preset) {
+    const auto heard = contents.find(id);
+    const auto content = heard == contents.end() ? entry->content : heard->second;
+    if (auto same = folder.checkContent(id, content); !same) {
+        readPresets(); // what is there now can be loaded
+        return same;
+    }
+    return save(soundDetails(), folder.fileOf(id), [&](const Preset& preset) {
         return folder.replace(id, preset).map([&] { return id; });
     });
 }
 
 Result<void>
 PresetCollection::save(const PresetDetails& details,
+                       const juce::File& file,
                        const std::function<Result<std::string>(const Preset&)>& write) {
     auto sound = holder.loadedSound();
     if (sound.instrument == nullptr)
@@ -217,7 +238,7 @@ PresetCollection::save(const PresetDetails& details,
             return writePresetObjects(preset.keyMap, *sound.instrument, root);
         })
         .and_then([&](const KeyMap& keyMap) {
-            preset.keyMap = keyMap;
+            preset.keyMap = withSceneBeside(keyMap, file);
             return write(preset);
         })
         .map([&](const std::string& id) {
@@ -228,12 +249,17 @@ PresetCollection::save(const PresetDetails& details,
             sound.stored = sound.parameters;
             holder.relabel(sound);
             readPresets();
+            markAsHeard(id);
         });
 }
 
 Result<void> PresetCollection::renamePreset(const std::string& id, const std::string& name) {
     if (factoryPreset(id) != nullptr)
         return failure("Factory presets keep their names.");
+    // What another has written into it meanwhile stays in it, and is still not this one's to
+    // replace.
+    const auto heard = contents.find(id);
+    const bool isAsHeard = heard != contents.end() && folder.checkContent(id, heard->second);
     return folder.rename(id, name).and_then([&](const std::string& newId) {
         auto sound = holder.loadedSound();
         if (sound.presetId == id) {
@@ -243,6 +269,10 @@ Result<void> PresetCollection::renamePreset(const std::string& id, const std::st
         }
         const auto renamed = favourites.rename(id, newId);
         readPresets();
+        if (isAsHeard)
+            markAsHeard(newId);
+        else if (heard != contents.end())
+            contents[newId] = heard->second;
         return renamed;
     });
 }

@@ -7,7 +7,9 @@
 #include "Plugin/PresetFolder.h"
 #include "Plugin/SoundHistory.h"
 
+#include <cstdint>
 #include <functional>
+#include <map>
 
 namespace idiophone {
 
@@ -43,8 +45,10 @@ private:
     };
     Result<FoundSound> soundOf(const std::string& id);
     void play(const FoundSound& found);
-    /// Writes what plays to the place that `write` returns the id of.
+    void markAsHeard(const std::string& id);
+    /// Writes what plays to that file by `write`, which returns its id.
     Result<void> save(const PresetDetails& details,
+                      const juce::File& file,
                       const std::function<Result<std::string>(const Preset&)>& write);
 
     SoundHolder& holder;
@@ -52,6 +56,10 @@ private:
     PresetFolder folder;
     Favourites favourites;
     std::vector<ShelvedPreset> shelf;
+    /// Of the user's presets by their id: what was in the file when this instance loaded or wrote
+    /// it last, as another one may have written it since.
+    std::map<std::string, std::uint64_t> contents;
+    std::string auditioned; ///< last, of an audition that may not be kept
 };
 
 } // namespace idiophone

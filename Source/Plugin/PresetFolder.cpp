@@ -1,8 +1,10 @@
 #include "Plugin/PresetFolder.h"
 
 #include "Editor/Utf8.h"
-#include "Instrument/PresetFile.h"
+#include "Object/FileBytes.h"
+#include "Object/TextFile.h"
 #include "Object/UntrustedJson.h"
+#include "Plugin/ContentHash.h"
 #include "Plugin/PresetObjects.h"
 #include "Plugin/WholeFile.h"
 
@@ -85,6 +87,10 @@ std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries)
     return files;
 }
 
+std::uint64_t hashOf(const std::string& text) {
+    return contentHash(std::as_bytes(std::span(text)));
+}
+
 using nlohmann::ordered_json;
 
 /// Null where it is none, or too deep to be written again.
@@ -144,6 +150,16 @@ juce::File PresetFolder::fileOf(const std::string& id) const {
     return root.getChildFile(fromUtf8(id));
 }
 
+PresetFolder::Known PresetFolder::readKnown(const juce::File& file) {
+    const auto path = pathOf(file);
+    const auto text = readTextFile(path, largestPresetBytes);
+    return {.written = {},
+            .preset = text.and_then([&](const std::string& read) {
+                return parsePreset(read, nameOf(path.filename()));
+            }),
+            .content = text ? hashOf(*text) : 0};
+}
+
 const std::vector<PresetFolder::Entry>& PresetFolder::read() {
     found.clear();
     std::map<std::string, Known> seen;
@@ -152,12 +168,15 @@ const std::vector<PresetFolder::Entry>& PresetFolder::read() {
         const auto before = known.find(id);
         const bool isKnown = before != known.end() && before->second.bytes == bytes &&
                              before->second.written == written;
-        auto preset = isKnown ? std::move(before->second.preset) : readPresetFile(pathOf(file));
+        auto now = isKnown ? std::move(before->second) : readKnown(file);
+        now.bytes = bytes;
+        now.written = written;
         const auto slash = id.rfind('/');
         found.push_back({.id = id,
                          .folder = slash == std::string::npos ? "" : id.substr(0, slash),
-                         .preset = preset});
-        seen.emplace(id, Known{.bytes = bytes, .written = written, .preset = std::move(preset)});
+                         .preset = now.preset,
+                         .content = now.content});
+        seen.emplace(id, std::move(now));
     }
     known = std::move(seen);
     std::ranges::sort(found, [](const Entry& a, const Entry& b) {
@@ -215,7 +234,23 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
     const auto text = encodePreset(preset);
-    return writeWhole(*place, std::as_bytes(std::span(text))).map([&] { return idOf(*place); });
+    return writeWhole(*place, std::as_bytes(std::span(text))).map([&] {
+        known.erase(idOf(*place)); // times are coarse
+        return idOf(*place);
+    });
+}
+
+Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t content) {
+    const auto file = fileOf(id);
+    if (find(id) == nullptr || !file.existsAsFile())
+        return failure(id + " was renamed, moved or deleted elsewhere: save the sound by Save as "
+                            "in the list of presets.");
+    const auto text = readTextFile(pathOf(file), largestPresetBytes);
+    if (text && hashOf(*text) == content)
+        return {};
+    known.erase(id); // to be read again, whatever its time and size
+    return failure(id + " was changed elsewhere since it was loaded here: load it again, or save "
+                        "the sound by Save as in the list of presets.");
 }
 
 Result<void> PresetFolder::replace(const std::string& id, const Preset& preset) {
@@ -223,7 +258,7 @@ Result<void> PresetFolder::replace(const std::string& id, const Preset& preset) 
         return failure("There is no preset '" + id + "' any more.");
     const auto file = fileOf(id);
     const auto text = textInPlaceOf(file, preset);
-    return writeWhole(file, std::as_bytes(std::span(text)));
+    return writeWhole(file, std::as_bytes(std::span(text))).map([&] { known.erase(id); });
 }
 
 Result<std::string> PresetFolder::rename(const std::string& id, const std::string& name) {
@@ -248,6 +283,7 @@ Result<std::string> PresetFolder::rename(const std::string& id, const std::strin
                 return failure(file.getFullPathName().toStdString() +
                                ": the preset cannot be renamed.");
             }
+            known.erase(idOf(*place));
             return idOf(*place);
         });
 }

@@ -4,6 +4,7 @@
 
 #include "Instrument/Preset.h"
 
+#include <cstdint>
 #include <juce_core/juce_core.h>
 #include <map>
 #include <vector>
@@ -17,6 +18,7 @@ public:
         std::string id;     ///< path below the folder, with '/': "Bells/Small bell.json"
         std::string folder; ///< "Bells"
         Result<Preset> preset;
+        std::uint64_t content = 0; ///< hash of the file as it was read
     };
 
     static constexpr int deepestFolder = 4; ///< deeper ones are not looked at
@@ -33,6 +35,9 @@ public:
     juce::File fileOf(const std::string& id) const;
     /// Where a preset of that name in that folder is saved; an error where there is no such place.
     Result<juce::File> placeFor(const std::string& name, const std::string& folder) const;
+    /// An error where the preset's file is not there any more, or not with that content: another
+    /// window or program has moved or written it. The sentence says what to do.
+    Result<void> checkContent(const std::string& id, std::uint64_t content);
 
     /// Through a file beside it, so that what is there is never half overwritten. Returns the id.
     Result<std::string> write(const Preset& preset, const std::string& folder, bool replace);
@@ -51,8 +56,10 @@ private:
         juce::int64 bytes = 0;
         juce::Time written;
         Result<Preset> preset;
+        std::uint64_t content = 0;
     };
 
+    static Known readKnown(const juce::File& file);
     std::string idOf(const juce::File& file) const;
 
     juce::File root;

@@ -8,6 +8,8 @@
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/WholeFile.h"
 #include "Plugin/WithinMemory.h"
+#include "Scene/FactoryScenes.h"
+#include "Scene/SceneFile.h"
 #include "Scene/SceneStage.h"
 
 #include <algorithm>
@@ -132,6 +134,13 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
         if (auto written = writeOnce(fileOf(note), bytesOf(note)); !written)
             return tl::unexpected(written.error());
     return stored;
+}
+
+KeyMap withSceneBeside(KeyMap keyMap, const juce::File& presetFile) {
+    if (keyMap.kind == KeyMapKind::scene && findFactoryScene(keyMap.object) == nullptr)
+        if (auto name = nameBeside(sceneFileNamed(keyMap.object), pathOf(presetFile)))
+            keyMap.object = std::move(*name);
+    return keyMap;
 }
 
 Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile) {

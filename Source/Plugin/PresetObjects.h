@@ -18,6 +18,10 @@ inline constexpr const char* presetObjectFolder = "Objects";
 Result<KeyMap>
 writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder);
 
+/// The key map as the preset of that file is to have it: a scene by a path that leads there from
+/// where presets look for their objects, if it lies there, and not by this machine's whole path.
+KeyMap withSceneBeside(KeyMap keyMap, const juce::File& presetFile);
+
 struct PresetInstrument {
     KeyMap keyMap; ///< from which the instrument was built
     std::shared_ptr<const Instrument> instrument;

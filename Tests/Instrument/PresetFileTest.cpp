@@ -68,6 +68,20 @@ TEST_CASE("Objects beside a preset are found in its folder and those above, the 
     CHECK(found(none, "b/x.json").empty());
 }
 
+TEST_CASE("A file is named by how a preset finds it, where it does") {
+    const auto scene = write("n/Settings/Scenes/coins.json", "{}");
+    const auto name = [&](const char* preset) { return nameBeside(scene, testFolder() / preset); };
+    CHECK(name("n/Settings/Presets/x.json") == "Scenes/coins.json");
+    CHECK(name("n/Settings/Presets/new/folders/x.json") == "Scenes/coins.json");
+    CHECK(name("n/Settings/Scenes/x.json") == "coins.json");
+    CHECK_FALSE(name("n/Settings/Presets/a/b/c/d/x.json"));
+    CHECK_FALSE(nameBeside(testFolder() / "n/Settings/Scenes/none.json",
+                           testFolder() / "n/Settings/Presets/x.json"));
+    // Another one of that name is nearer.
+    write("n/Settings/Presets/Scenes/coins.json", "{}");
+    CHECK_FALSE(name("n/Settings/Presets/x.json"));
+}
+
 TEST_CASE("The initial preset is plain, plays, and is as loud as the first of the factory") {
     const auto loudness = [](const Preset& preset) {
         const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();

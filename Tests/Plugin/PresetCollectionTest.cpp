@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace idiophone;
@@ -47,10 +48,10 @@ public:
     void relabel(const Sound& sound) override { processor.relabel(sound); }
     void reportError(const std::string& sentence) override { processor.reportError(sentence); }
     int hostLoads() const override { return processor.hostLoads(); }
-    double parameterValue(ParameterId id) const override { return processor.parameterValue(id); }
     std::optional<Sound> takeSoundBeforePrograms() override {
         return processor.takeSoundBeforePrograms();
     }
+    double parameterValue(ParameterId id) const override { return processor.parameterValue(id); }
     void changeParameters(const Sound& of, const ParameterValues& wanted) override {
         processor.changeParameters(of, wanted);
     }
@@ -185,7 +186,6 @@ TEST_CASE("What was saved under match loudness is as loud when it is loaded") {
     CHECK(firstSecond(processor) == expected);
 }
 
-TEST_CASE("Saving never cuts what rings") {
 TEST_CASE("What match loudness makes louder than any level is as loud when it is loaded") {
     const UserSettings user;
     using enum ParameterId;
@@ -220,6 +220,7 @@ TEST_CASE("What match loudness makes louder than any level is as loud when it is
     CHECK(loudest(firstSecond(fourth)) == Approx(loudest(firstSecond(third))).epsilon(0.001));
 }
 
+TEST_CASE("Saving never cuts what rings") {
     const UserSettings user;
     Processor processor, untouched;
     for (auto* each : {&processor, &untouched}) {
@@ -267,6 +268,98 @@ TEST_CASE("Saving over a preset has to be said; the setup is not saved") {
     CHECK(other.parameterValue(ParameterId::tau) == 5);
     CHECK(other.parameterValue(ParameterId::bypass) == 0);
     CHECK(other.parameterValue(ParameterId::concertPitch) == 440);
+}
+
+TEST_CASE("What another window has saved since is not replaced unasked") {
+    const UserSettings user;
+    using enum ParameterId;
+    Processor one, two;
+    auto& shelf = one.presetShelf();
+    auto& otherShelf = two.presetShelf();
+    REQUIRE(shelf.savePreset(called("Bell"), false));
+    REQUIRE(otherShelf.loadPreset("Bell.json"));
+    two.changeParameter(tau, 5);
+
+    SECTION("changed") {
+        one.changeParameter(tau, 3);
+        REQUIRE(shelf.saveChosenPreset());
+        const auto theirs = user.read("Presets/Bell.json");
+        switch (GENERATE(0, 1, 2)) {
+        case 0: // before the list was read again
+            break;
+        case 1: // and in the list
+            otherShelf.readPresets();
+            break;
+        default: // and listened to
+            REQUIRE(otherShelf.auditionPreset("Bell.json"));
+            otherShelf.endAudition();
+            CHECK(two.parameterValue(tau) == 5);
+        }
+        const auto refused = otherShelf.saveChosenPreset();
+        REQUIRE_FALSE(refused);
+        CHECK_THAT(refused.error().message, ContainsSubstring("changed elsewhere"));
+        CHECK(user.read("Presets/Bell.json") == theirs);
+        // Nor is it once it has another name.
+        REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
+        CHECK_FALSE(otherShelf.saveChosenPreset());
+        // Who is asked may replace it, and so may who has loaded it or kept it after listening.
+        switch (GENERATE(0, 1, 2)) {
+        case 0:
+            REQUIRE(otherShelf.savePreset(called("Gong"), true));
+            break;
+        case 1:
+            REQUIRE(otherShelf.loadPreset("Gong.json"));
+            CHECK(two.parameterValue(tau) == 3);
+            break;
+        default:
+            REQUIRE(otherShelf.auditionPreset("Gong.json"));
+            otherShelf.keepAudition();
+        }
+        two.changeParameter(tau, 7);
+        REQUIRE(otherShelf.saveChosenPreset());
+    }
+    SECTION("gone") {
+        REQUIRE(shelf.renamePreset("Bell.json", "Gong"));
+        const auto refused = otherShelf.saveChosenPreset();
+        REQUIRE_FALSE(refused);
+        CHECK_THAT(refused.error().message, ContainsSubstring("Save as"));
+        CHECK_FALSE(std::filesystem::exists(user.folder() / "Presets/Bell.json"));
+        CHECK(find(otherShelf, "Bell") == nullptr); // so that Save asks for a name from now on
+    }
+    SECTION("saved twice by this one") {
+        REQUIRE(otherShelf.saveChosenPreset());
+        two.changeParameter(tau, 7);
+        REQUIRE(otherShelf.saveChosenPreset());
+        REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
+        two.changeParameter(tau, 5);
+        REQUIRE(otherShelf.saveChosenPreset());
+    }
+}
+
+TEST_CASE("A preset of a scene names it by a path that does not lead through this machine") {
+    const UserSettings user;
+    user.write("Scenes/dice.json", R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
+        "kinds": [{"name": "plate", "object": "plate", "fixed": true},
+                  {"name": "die", "object": "die"}],
+        "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.2]}]})");
+    Preset preset;
+    preset.name = "Dice";
+    preset.keyMap = {.kind = KeyMapKind::scene, .object = "Scenes/dice.json"};
+    user.write("Presets/dice.json", encodePreset(preset));
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.loadPreset("dice.json"));
+    processor.changeParameter(ParameterId::tau, 5);
+    REQUIRE(shelf.saveChosenPreset());
+    REQUIRE(shelf.savePreset(called("Other dice", "Thrown"), false));
+    for (const auto* file : {"Presets/dice.json", "Presets/Thrown/Other dice.json"}) {
+        const auto text = user.read(file);
+        CHECK(parsePreset(text, file)->keyMap.object == "Scenes/dice.json");
+        CHECK(text.find(user.folder().string()) == std::string::npos);
+    }
+    REQUIRE(shelf.loadPreset("Thrown/Other dice.json"));
+    CHECK_FALSE(processor.takeStatus().isError);
+    CHECK(processor.hasStage());
 }
 
 TEST_CASE("A load is one step of the history") {

@@ -260,6 +260,47 @@ TEST_CASE("A preset written over its file leaves in it what this version does no
     CHECK(folder.read().size() == 1);
 }
 
+TEST_CASE("What somebody else has written or moved is told, whatever its size and time") {
+    const auto root = freshFolder();
+    PresetFolder folder(root), other(root);
+    const auto id = folder.write(named("One"), "", false).value();
+    folder.read();
+    const auto content = folder.find(id)->content;
+    const auto file = folder.fileOf(id);
+    const auto time = file.getLastModificationTime();
+    CHECK(folder.checkContent(id, content));
+    other.read();
+    auto changed = named("One");
+    changed.seed = changed.seed == 2 ? 3 : 2;
+    REQUIRE(other.replace(id, changed));
+    file.setLastModificationTime(time);
+    const auto refused = folder.checkContent(id, content);
+    checkRefused(refused);
+    CHECK_THAT(refused.error().message, ContainsSubstring("One.json was changed elsewhere"));
+    // From then on the list has it as it is.
+    CHECK(folder.read().front().preset->seed == changed.seed);
+    CHECK(folder.checkContent(id, folder.find(id)->content));
+    REQUIRE(other.rename(id, "Two"));
+    const auto gone = folder.checkContent(id, folder.find(id)->content);
+    checkRefused(gone);
+    CHECK_THAT(gone.error().message, ContainsSubstring("One.json was renamed, moved or deleted"));
+}
+
+TEST_CASE("What this one writes is read again, whatever its size and time") {
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    const auto id = folder.write(named("One"), "", false).value();
+    for (int seed = 2; seed < 9; ++seed) {
+        folder.read();
+        auto changed = named("One");
+        changed.seed = static_cast<std::uint32_t>(seed);
+        REQUIRE((seed % 2 == 0 ? folder.replace(id, changed)
+                               : folder.write(changed, "", true).map([](const auto&) {})));
+        CHECK(folder.read().front().preset->seed == changed.seed);
+        CHECK(folder.checkContent(id, folder.find(id)->content));
+    }
+}
+
 TEST_CASE("A rename onto another preset, of none, or to no name changes nothing") {
     PresetFolder folder(freshFolder());
     REQUIRE(folder.write(named("One"), "", false));
