@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <juce_dsp/juce_dsp.h>
 #include <span>
+#include <vector>
 
 namespace idiophone {
 
@@ -25,6 +26,12 @@ public:
 
     /// The next block starts at its level, width and room, without a ramp, and nothing sounds on.
     void reset() noexcept;
+
+    /// From the next block on another sound plays. Its level holds at once and not after a ramp, as
+    /// levels are tens of decibels apart; what sounds on in the room keeps the one that it had.
+    /// Returns what that was, to the new one: with it whatever is still heard of the sound before
+    /// keeps its level.
+    float changeSound(const ParameterValues& values) noexcept;
 
     /// Writes `left.size()` samples, at most `maximumBlockSize`, to each channel, L and R with what
     /// the room adds. Of two, the first gets M + wS and the second M − wS, where M = (L + R)/2, S =
@@ -44,11 +51,15 @@ public:
     bool silent() const noexcept { return room.silent(); }
 
 private:
+    Room::Sound atOwnLevel(const Room::Sound& sound) noexcept;
     void spread(const Room::Sound& sound, std::span<float* const> channels) noexcept;
 
     Room room;
-    juce::dsp::Gain<float> gain;
-    juce::SmoothedValue<float> width;
+    /// What plays has it before the room, and so what rings there has not. Together with `level` it
+    /// is the level of the parameters.
+    float ownGain = 1;
+    juce::SmoothedValue<float> level, open, width; ///< `open`: 0 in bypass, else 1
+    std::vector<float> ownLeft, ownRight;
     bool startsAtTarget = true;
 };
 

@@ -19,17 +19,21 @@ void PlayerCrossfade::install(std::unique_ptr<Player> player) {
     delete std::exchange(fading, nullptr);
 }
 
-void PlayerCrossfade::changeTo(Player* next) noexcept {
+void PlayerCrossfade::changeTo(Player* next, float levelBefore) noexcept {
     if (next == nullptr)
         return;
     Player* previous = std::exchange(current, next);
     if (previous != nullptr)
         current->takeControllersOf(*previous);
-    if (fading != nullptr || previous == nullptr || previous->silent()) {
+    if (fading != nullptr) {
+        fadingLevel *= levelBefore;
+        handoff.retire(previous);
+    } else if (previous == nullptr || previous->silent()) {
         handoff.retire(previous);
     } else {
         fading = previous;
         fadePosition = 0;
+        fadingLevel = levelBefore;
         fadingValues = lastValues;
     }
 }
@@ -55,7 +59,8 @@ void PlayerCrossfade::addFading(const StereoSpan& output) noexcept {
     const StereoSpan old{std::span(fadingLeft).first(count), std::span(fadingRight).first(count)};
     fading->process(old, {}, fadingValues);
     for (std::size_t i = 0; i < count; ++i, ++fadePosition) {
-        const auto gain =
+        const float gain =
+            fadingLevel *
             static_cast<float>((1 + std::cos(std::numbers::pi * fadePosition / length)) / 2);
         output.left[i] += gain * old.left[i];
         output.right[i] += gain * old.right[i];

@@ -30,8 +30,10 @@ public:
 
     /// Plays `next`, which it now owns, from here on, pedals and controllers where they are; what
     /// rang before fades out under it. A second change within a fade cuts the player that has
-    /// hardly begun, and lets the older one fade on. nullptr changes nothing.
-    void changeTo(Player* next) noexcept;
+    /// hardly begun, and lets the older one fade on. Whatever fades is heard through the output of
+    /// what plays, and is multiplied by `levelBefore`, the old level to the new one. nullptr
+    /// changes nothing.
+    void changeTo(Player* next, float levelBefore = 1) noexcept;
 
     /// The next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.
     void process(const StereoSpan& output,
@@ -50,6 +52,7 @@ private:
     Player* current = nullptr;
     Player* fading = nullptr;
     int fadePosition = 0;
+    float fadingLevel = 1; ///< to that of what plays
     ParameterValues lastValues;
     ParameterValues fadingValues; ///< what held before the change, so that the fade keeps its sound
     std::array<float, BlockPieces::maximumSamples> fadingLeft{}, fadingRight{};

@@ -51,13 +51,20 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         output.reset();
         transport.forgetPlace();
     }
-    // The player before the values: a new one never plays values older than its own.
+    // The player before the values: a new one never plays values older than its own. Nor does the
+    // former one play those of the next, at a level that is none of its own: while values and their
+    // player are handed over, and it has not come yet, the values stay what they were.
+    const auto changesBefore = soundChanges.load();
     Player* const next = handoff.take();
     // It says itself what it answers: from the callback that takes it on, keys are its own.
     const bool isAnswer = next != nullptr && next->label() == awaitedRequest;
     controllers.follow(midi, parameters);
-    const ParameterValues& values = parameters.snapshot();
-    sound.changeTo(next);
+    const ParameterValues& newest = parameters.snapshot();
+    if (next != nullptr || (changesBefore % 2 == 0 && soundChanges == changesBefore))
+        playedValues = newest;
+    const ParameterValues& values = playedValues;
+    if (next != nullptr)
+        sound.changeTo(next, output.changeSound(values));
     silencer.silence(sound.player());
     tuner.tune(sound.player());
     if (auto* player = sound.player()) {
@@ -200,6 +207,7 @@ void Processor::prepareToPlay(double sampleRateHz, int) {
     tempo = 0;
     resetRequested = false;
     ++callbacks; // the first will come
+    playedValues = parameters.values();
     isPrepared = true;
 }
 
@@ -332,17 +340,26 @@ void Processor::play(Preset preset,
     instrument = std::move(built);
     ++loads;
     lastError.clear();
+    handOver(std::move(player), [&] {
+        stagePaused = false;
+        loadValues();
+    });
+}
+
+/// Under soundMutex, with an instrument: the last thing, as callbacks until then play the former
+/// player as it was. The values come right before the player, if there is one, and for the callback
+/// hold with it.
+void Processor::handOver(std::unique_ptr<Player> player, const std::function<void()>& loadValues) {
     if (player != nullptr)
         player->setLabel(answeredRequest);
     handoff.collect(); // which may take a while, and not between what follows
     // Before the player, which has its own: an older message never comes to it.
     sendSilences();
-    stagePaused = false;
-    // The last thing, and the values right before the player: callbacks until then play the former
-    // one as it was.
+    ++soundChanges;
     loadValues();
     if (player != nullptr)
         handoff.publish(std::move(player));
+    ++soundChanges;
 }
 
 /// Under soundMutex: the first thing where another sound is to play, since all stays as it was

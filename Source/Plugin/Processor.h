@@ -178,6 +178,7 @@ private:
               std::shared_ptr<const Instrument> instrument,
               std::unique_ptr<Player> player,
               const std::function<void()>& loadValues);
+    void handOver(std::unique_ptr<Player> player, const std::function<void()>& loadValues);
     void tuneTo(const ScalaTuning& wanted, const KeyTuning& keys);
     void recordTuning(const std::string& step, const ScalaTuning& before, const ScalaTuning& after);
     Result<std::unique_ptr<Player>> newPlayer(const std::shared_ptr<const Instrument>& instrument,
@@ -287,7 +288,10 @@ private:
     std::atomic<int> modulationWheel{HeldContacts::controllerAtRest}; ///< as it was last
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateBlows{0};
+    std::atomic<std::int64_t> notFinite{0};
     std::atomic<float> peak{0};
+    /// Odd while values and their player are on the way.
+    std::atomic<std::uint32_t> soundChanges{0};
 
     // The audio thread's.
     BlockPieces pieces;
@@ -296,6 +300,7 @@ private:
     HostTransport transport;
     std::int64_t programRequests = 0;
     std::int64_t awaitedRequest = noRequest; ///< the last that there was
+    ParameterValues playedValues;            ///< of the callback
     OutputStage output;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<float*, 2> channelPointers{};

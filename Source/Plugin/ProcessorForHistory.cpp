@@ -4,6 +4,7 @@
 #include "Instrument/SilencedModes.h"
 #include "Plugin/FactoryPrograms.h"
 
+#include <cmath>
 #include <utility>
 
 namespace idiophone {
@@ -12,6 +13,14 @@ namespace {
 /// Whether a player of the one plays the other too, given its parameters and muted modes.
 bool playsAlike(const Preset& a, const Preset& b) {
     return a.surface == b.surface && a.seed == b.seed && a.parameters == b.parameters;
+}
+
+/// [dB] What rings on has a new level too, after a ramp in which what is struck has the former one.
+/// Beyond this it fades out under a player of the new level instead.
+constexpr double mostLevelChange = 3;
+
+bool isNear(double levelDb, double otherDb) {
+    return std::abs(levelDb - otherDb) <= mostLevelChange;
 }
 
 bool sharesObject(const std::shared_ptr<const Instrument>& one,
@@ -76,9 +85,10 @@ bool Processor::playSound(const Sound& wanted) {
         // preset of the same object does not.
         const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
                               sharesObject(wanted.instrument, instrument);
-        const bool playsOn = wanted.instrument == instrument &&
-                             wanted.engineVersion == engineVersion &&
-                             playsAlike(wanted.preset, loadedPreset);
+        const bool playsOn =
+            wanted.instrument == instrument && wanted.engineVersion == engineVersion &&
+            playsAlike(wanted.preset, loadedPreset) &&
+            isNear(wanted.parameters[ParameterId::level], parameterValue(ParameterId::level));
         const auto wantedNow = [&] { return withSetupOf(parameters.values(), wanted.parameters); };
         auto player = playsOn ? nullptr : newPlayer(wanted.instrument, wanted.preset, wantedNow());
         if (!player) {
@@ -134,7 +144,19 @@ void Processor::changeParameters(const Sound& of, const ParameterValues& wanted)
         const std::scoped_lock lock(soundMutex);
         if (instrument != of.instrument)
             return;
-        parameters.loadChanges(of.parameters, wanted);
+        const auto values = parameters.valuesAfter(of.parameters, wanted);
+        auto player = isNear(values[ParameterId::level], parameterValue(ParameterId::level))
+                          ? nullptr
+                          : newPlayer(instrument, loadedPreset, values);
+        if (!player) {
+            lastError = player.error().message;
+            return;
+        }
+        const auto loadValues = [&] { parameters.loadChanges(of.parameters, wanted); };
+        if (*player != nullptr)
+            handOver(std::move(*player), loadValues);
+        else
+            loadValues();
         giveUpRefused();
     }
     parameters.notifyListeners();

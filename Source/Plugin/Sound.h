@@ -54,7 +54,8 @@ public:
     /// The same, without what costs to copy.
     virtual SoundLabel loadedLabel() const = 0;
     /// Plays the sound at once, with the setup as it is. What rings fades out where the instrument
-    /// or its preset is another one, and goes on where only parameters change. Returns whether it
+    /// or its preset is another one or the level is quite another, and goes on where only
+    /// parameters change. Returns whether it
     /// plays: neither does a sound without instrument, nor one that the memory does not suffice
     /// for, which is reported.
     virtual bool playSound(const Sound& sound) = 0;

@@ -75,6 +75,24 @@ TEST_CASE("What rang fades out under a raised cosine of 5 ms") {
     }
 }
 
+TEST_CASE(
+    "What fades is multiplied by its level to the new one, and through a second change again") {
+    Ringing plain, levelled, twice;
+    plain.sound.changeTo(testPlayer("other").release());
+    levelled.sound.changeTo(testPlayer("other").release(), 0.25f);
+    twice.sound.changeTo(testPlayer("other").release(), 0.5f);
+    std::vector<float> fade(600), once(600), again(600);
+    play(plain.sound, fade, {}, values);
+    play(levelled.sound, once, {}, values);
+    play(twice.sound, std::span(again).first(100), {}, values);
+    twice.sound.changeTo(testPlayer("third").release(), 8.0f);
+    play(twice.sound, std::span(again).subspan(100), {}, values);
+    for (std::size_t i = 0; i < fade.size(); ++i) {
+        REQUIRE(once[i] == fade[i] / 4);
+        REQUIRE(again[i] == fade[i] * (i < 100 ? 0.5f : 4.0f));
+    }
+}
+
 TEST_CASE("The fade does not depend on the block size") {
     Ringing whole, pieces;
     whole.sound.changeTo(testPlayer("other").release());

@@ -1,0 +1,266 @@
+// Sounds have levels tens of decibels apart, and one after the other: what is heard across a change
+// is never louder than the two would be by themselves.
+#include "Instrument/FactoryContent.h"
+#include "Plugin/HistorySteps.h"
+#include "Support/Level.h"
+#include "Support/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <functional>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using enum ParameterId;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 256;
+constexpr int shortly = 20 * blockSize; // in which all that fades has faded
+constexpr int note = 65;
+
+juce::MidiBuffer strike(int stamp = 0) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), stamp);
+    return midi;
+}
+
+/// Like every other one but in its level, and in shapes that are as much larger as that is lower.
+State soundOf(const std::string& folder, double levelDb, double roomPercent) {
+    auto state = testState(folder);
+    const auto gain = static_cast<float>(0.2 * std::pow(10, -levelDb / 40));
+    state.objects.clear();
+    for (int key = lowestTestNote; key <= highestTestNote; ++key) {
+        auto object = syntheticObject({440 * std::exp2((key - 69) / 12.0), 1300}, {gain, gain});
+        object.name = folder + std::to_string(key);
+        state.objects.push_back(
+            {.name = folder + "/" + std::to_string(key), .modal = encodeModalObject(object)});
+    }
+    auto& values = state.preset.parameters;
+    values.set(strikeSpread, 0);
+    values.set(level, levelDb);
+    values.set(room, roomPercent);
+    values.set(roomDecay, 3);
+    state.parameters = values;
+    return state;
+}
+
+/// What a sound is by itself, struck.
+float aloneWhere(const std::function<void(Processor&)>& load) {
+    Processor processor;
+    load(processor);
+    processor.prepareToPlay(rateHz, blockSize);
+    return loudest(render(processor, shortly, blockSize, strike()));
+}
+
+int programOf(const std::string& name) {
+    const int program = factoryProgram(factoryPresetId(name));
+    REQUIRE(program >= 0);
+    return program;
+}
+
+/// 1 dB: sounds add up, and a struck object sounds a little otherwise each time.
+constexpr float margin = 1.12f;
+
+} // namespace
+
+TEST_CASE("Across a change of level, in either direction, nothing is louder than its own sound") {
+    const double before = GENERATE(-55.0, -41.0, 5.3), after = GENERATE(-55.0, -41.0, 5.3);
+    const double roomPercent = GENERATE(0.0, 80.0);
+    CAPTURE(before, after, roomPercent);
+    const auto former = soundOf("former", before, roomPercent),
+               next = soundOf("next", after, roomPercent);
+    const auto alone = [](const State& state) {
+        return aloneWhere([&](Processor& processor) { restore(processor, state); });
+    };
+    const float formerAlone = alone(former), nextAlone = alone(next);
+    REQUIRE(formerAlone > 1e-4f);
+    REQUIRE(nextAlone > 1e-4f);
+
+    Processor processor;
+    restore(processor, former);
+    processor.prepareToPlay(rateHz, blockSize);
+    SECTION("nothing rings") {
+        render(processor, shortly, blockSize, {});
+        restore(processor, next);
+        const float heard = loudest(render(processor, shortly, blockSize, strike()));
+        CHECK(heard <= margin * nextAlone);
+        CHECK(heard >= nextAlone / margin);
+    }
+    SECTION("the former rings") {
+        const auto ringing = render(processor, shortly, blockSize, strike());
+        const float last = peak(std::span(ringing.left).last(1000));
+        restore(processor, next);
+        CHECK(loudest(render(processor, shortly, blockSize, {})) <= margin * last);
+        CHECK(loudest(render(processor, shortly, blockSize, strike())) <=
+              margin * (nextAlone + last));
+    }
+    SECTION("the former rings, and the next is struck at once") {
+        const auto ringing = render(processor, shortly, blockSize, strike());
+        const float last = peak(std::span(ringing.left).last(1000));
+        restore(processor, next);
+        const float heard = loudest(render(processor, shortly, blockSize, strike()));
+        CHECK(heard <= margin * (nextAlone + last));
+        CHECK(heard >= (nextAlone - last) / margin);
+    }
+    SECTION("twice within a block's time, and a third time while the first fades") {
+        const auto ringing = render(processor, shortly, blockSize, strike());
+        const float last = peak(std::span(ringing.left).last(1000));
+        restore(processor, next);
+        render(processor, 64, 64, {});
+        restore(processor, soundOf("third", before, roomPercent));
+        render(processor, 64, 64, {});
+        restore(processor, next);
+        CHECK(loudest(render(processor, shortly, blockSize, {})) <= margin * last);
+    }
+    SECTION("compared with B, undone and done again") {
+        auto& history = processor.editHistory();
+        const auto sound = [&](const State& state) {
+            auto built = buildInstrument(state.preset.keyMap, state.objects);
+            REQUIRE(built);
+            return Sound{.preset = state.preset,
+                         .instrument = *built,
+                         .parameters = state.parameters,
+                         .unknownMembers = {},
+                         .missing = nullptr,
+                         .refused = nullptr,
+                         .presetId = {},
+                         .stored = state.parameters};
+        };
+        history.compare(); // A and B are alike
+        history.record("Load", [&] { processor.playSound(sound(next)); });
+        float allowed = nextAlone;
+        bool playsNext = true;
+        const auto goOver = [&](const std::function<void()>& change) {
+            const auto ringing = render(processor, shortly, blockSize, strike());
+            const float last = peak(std::span(ringing.left).last(1000));
+            change();
+            playsNext = !playsNext;
+            allowed = playsNext ? nextAlone : formerAlone;
+            CHECK(loudest(render(processor, shortly, blockSize, strike())) <=
+                  margin * (allowed + last));
+        };
+        goOver([&] { history.compare(); });
+        goOver([&] { history.compare(); });
+        goOver([&] { history.undo(); });
+        goOver([&] { history.redo(); });
+    }
+}
+
+TEST_CASE("Parameters that change all at once do not blow up what rings nor what is struck") {
+    // A soft mallet at a high level, and a hard one at a low level.
+    auto state = testState();
+    state.preset.parameters.set(strikeSpread, 0);
+    state.parameters = state.preset.parameters;
+    Processor processor;
+    restore(processor, state);
+    processor.prepareToPlay(rateHz, blockSize);
+    auto loud = state.parameters, soft = state.parameters;
+    loud.set(malletHardness, 20000);
+    loud.set(level, -40);
+    soft.set(malletHardness, 1);
+    soft.set(level, 0);
+    const auto alone = [&](const ParameterValues& values) {
+        auto own = state;
+        own.parameters = values;
+        return aloneWhere([&](Processor& fresh) { restore(fresh, own); });
+    };
+    const std::array values{loud, soft};
+    const std::array most{alone(loud), alone(soft)};
+    auto& history = processor.editHistory();
+    const auto change = [&](std::size_t to) {
+        processor.changeParameters(processor.loadedSound(), values[to]);
+    };
+    history.record("First", [&] { change(0); });
+    history.compare();
+    history.record("Second", [&] { change(1); });
+    std::size_t playing = 1;
+    const auto goOver = [&](const std::function<void()>& step) {
+        const auto ringing = render(processor, shortly, blockSize, strike());
+        const float last = peak(std::span(ringing.left).last(1000));
+        step();
+        playing = 1 - playing;
+        CHECK(loudest(render(processor, shortly, blockSize, strike())) <=
+              margin * (most[playing] + last));
+    };
+    for (int time = 0; time < 2; ++time) {
+        goOver([&] { history.compare(); });
+        goOver([&] { history.compare(); });
+        goOver([&] { history.undo(); }); // the second comparison
+        goOver([&] { history.redo(); });
+        goOver([&] { change(0); });
+        goOver([&] { change(1); });
+    }
+}
+
+TEST_CASE(
+    "Factory presets tens of decibels apart, one after the other: none is louder than alone") {
+    struct Pair {
+        const char *former, *next;
+    };
+    const auto [former, next] =
+        GENERATE(Pair{"Wooden Table", "Marimba"}, Pair{"Stones", "Marimba"},
+                 Pair{"Wooden Table", "Tubular Bells"}, Pair{"Marimba", "Wooden Table"},
+                 Pair{"Tubular Bells", "Wooden Table"});
+    CAPTURE(former, next);
+    const auto struck = [](const Processor& processor, int stamp = 0) {
+        const auto keys = processor.keyRange();
+        juce::MidiBuffer midi;
+        midi.addEvent(
+            juce::MidiMessage::noteOn(1, (keys.lowest + keys.highest) / 2, juce::uint8{100}),
+            stamp);
+        return midi;
+    };
+    const auto playing = [&](const char* name) {
+        auto processor = std::make_unique<Processor>();
+        processor->setNonRealtime(true);
+        processor->setCurrentProgram(programOf(name));
+        processor->prepareToPlay(rateHz, blockSize);
+        return processor;
+    };
+    const auto freshly = playing(next);
+    const auto key = struck(*freshly);
+    const float nextAlone = loudest(render(*freshly, shortly, blockSize, key));
+
+    SECTION("chosen by the host, and struck at once") {
+        const auto processor = playing(former);
+        render(*processor, shortly, blockSize, {});
+        processor->setCurrentProgram(programOf(next));
+        CHECK(loudest(render(*processor, shortly, blockSize, key)) <= margin * nextAlone);
+    }
+    SECTION("chosen by the host while the former rings") {
+        const auto processor = playing(former);
+        const auto ringing = render(*processor, shortly, blockSize, struck(*processor));
+        const float last = peak(std::span(ringing.left).last(1000));
+        processor->setCurrentProgram(programOf(next));
+        CHECK(loudest(render(*processor, shortly, blockSize, {})) <= margin * last);
+    }
+    SECTION("asked for by MIDI at the note's sample, offline") {
+        const auto processor = playing(former);
+        const auto own = struck(*processor);
+        const float formerAlone =
+            loudest(render(*playing(former), shortly, blockSize, struck(*freshly)));
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::programChange(1, programOf(next)), 1000);
+        midi.addEvents(struck(*freshly, 1000), 0, -1, 0);
+        CHECK(loudest(render(*processor, shortly, blockSize, midi)) <=
+              margin * (nextAlone + formerAlone));
+    }
+}
+
+TEST_CASE("A scene that rings in its room is no louder when a preset of a higher level comes") {
+    Processor processor;
+    processor.setNonRealtime(true);
+    processor.setCurrentProgram(programOf("Thrown Shells"));
+    processor.prepareToPlay(rateHz, blockSize);
+    juce::MidiBuffer thrown;
+    thrown.addEvent(juce::MidiMessage::noteOn(1, processor.keyRange().lowest, juce::uint8{120}), 0);
+    const auto scene = render(processor, 2 * static_cast<int>(rateHz), blockSize, thrown);
+    const float last = peak(std::span(scene.left).last(4800));
+    REQUIRE(last > 1e-3f);
+    processor.setCurrentProgram(programOf("Wooden Table"));
+    const auto after = render(processor, shortly, blockSize, {});
+    CHECK(loudest(after) <= margin * last);
+    CHECK(peak(std::span(after.left).last(2400)) > 0.01f * last); // the room rings on
+}
