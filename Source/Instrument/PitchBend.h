@@ -51,6 +51,10 @@ public:
     double ownSemitones(int note) const noexcept {
         return noteSemitones[static_cast<std::size_t>(note)];
     }
+    /// By how much wheels may lower a note.
+    double farthestSemitones() const noexcept {
+        return commonRange.semitones() + (zones().any() ? memberRange.semitones() : 0);
+    }
     struct Channels {
         int first = 0, last = 0;
     };

@@ -100,6 +100,10 @@ public:
 
     /// Acts as `setSilencedModes` does. Keys without a pitch play nothing.
     void setTuning(const KeyTuning& tuning) { slotTuning.setTuning(tuning); }
+    /// By how much tunings and wheels may have any slot below its key in equal temperament.
+    double semitonesBelowEqual() const noexcept {
+        return slotTuning.semitonesBelowEqual() + bend.farthestSemitones();
+    }
 
     /// Pedals, wheels and other controllers stand as another player's do, whose keys this one does
     /// not have.

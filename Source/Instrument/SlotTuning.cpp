@@ -2,6 +2,7 @@
 
 #include "Instrument/ParameterGlide.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -24,6 +25,13 @@ SlotTuning::SlotTuning(const Instrument& playedInstrument, double secondsPerCell
 bool SlotTuning::sounds(int note) const noexcept {
     return instrument.key(note).slot >= 0 &&
            !(keysHaveObjects && tuning.unmapped[static_cast<std::size_t>(note)]);
+}
+
+double SlotTuning::semitonesBelowEqual() const noexcept {
+    double below = 0;
+    for (const auto& slot : slots)
+        below = std::max(below, -slot.tuned);
+    return below;
 }
 
 void SlotTuning::noteOn(int note) noexcept {

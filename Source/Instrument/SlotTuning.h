@@ -25,6 +25,8 @@ public:
     void setTuning(const KeyTuning& wanted) noexcept { tuning = wanted; }
     /// False where the tuning has no pitch for the key's object, and where there is none.
     bool sounds(int note) const noexcept;
+    /// By how much the lowest slot lies below equal temperament by tunings so far, or 0.
+    double semitonesBelowEqual() const noexcept;
     void noteOn(int note) noexcept;
     /// Once a cell, before it begins.
     void apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept;

@@ -7,30 +7,15 @@
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/WithinMemory.h"
-#include "Synth/LiveConditions.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
 constexpr std::int64_t programsOfMidi = 128;
-
-/// By what the least damped mode's damping exceeds its material's.
-double leastDampingScale(const ModalObject& object) noexcept {
-    double least = object.decaysPerSecond.empty() ? 1 : object.dampingScale(0);
-    for (std::size_t mode = 1; mode < object.decaysPerSecond.size(); ++mode)
-        least = std::min(least, object.dampingScale(mode));
-    return least;
-}
-
-/// [1/s] Of the lowest mode that sounds: all laws damp higher ones more.
-double slowestDecay(const DampingLaw& damping) noexcept {
-    const double omega = 2 * std::numbers::pi * lowestSoundingHz;
-    return decayBound(PoleLaw{.eigenvalueRatio = 1, .damping = damping}.pole(omega * omega));
-}
 
 } // namespace
 
@@ -163,6 +148,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
         modulationWheel = player->modulationWheel();
         modesMixed = player->synthesiser().modesMixed();
         lateBlows = player->lateBlows();
+        semitonesBelowPlayed = player->semitonesBelowEqual();
         capture.take(*player);
     }
 }
@@ -235,9 +221,12 @@ juce::AudioProcessorParameter* Processor::getBypassParameter() const {
 double Processor::getTailLengthSeconds() const {
     using enum ParameterId;
     const auto values = parameters.values();
-    const auto live = synthesisSettings(values).material;
+    // Before the first callback the player knows neither tunings nor ranges.
+    const double bends = values[bendRange] + (values[mpe] != 0 ? values[mpeBendRange] : 0);
+    const double semitonesBelow =
+        std::max(bends + semitonesBelowTuned.load(), semitonesBelowPlayed.load());
     const double slowest =
-        live ? slowestDecay(live->damping) * ownDampingScale.load() : ownSlowestDecay.load();
+        slowestDecay(ownDecays.load(), synthesisSettings(values), semitonesBelow);
     const double inRoom = values[room] > 0 ? values[roomDecay] * std::log10(65536) / 3 : 0;
     return std::min(stageSeconds + std::log(65536) / slowest + inRoom, longestTailSeconds);
 }
@@ -320,15 +309,8 @@ void Processor::play(Preset preset,
                      std::shared_ptr<const Instrument> built,
                      std::unique_ptr<Player> player,
                      const std::function<void()>& loadValues) {
-    double slowest = std::numeric_limits<double>::infinity();
-    double ratio = std::numeric_limits<double>::infinity();
-    for (const auto& slot : built->slots()) {
-        const double own = leastDampingScale(*slot.object);
-        slowest = std::min(slowest, own * slowestDecay(slot.object->material.damping));
-        ratio = std::min(ratio, own);
-    }
-    ownSlowestDecay = slowest;
-    ownDampingScale = built->slots().empty() ? 1 : ratio;
+    ownDecays.store(decayBounds(*built));
+    semitonesBelowTuned = semitonesBelowEqual(*built, ownKeys);
     stageSeconds = built->stage() ? built->stage()->lengthSeconds() : 0;
     loadedPreset = std::move(preset);
     if (instrument != built)

@@ -4,6 +4,7 @@
 
 #include "Editor/ProcessorView.h"
 #include "Editor/SettingsFolder.h"
+#include "Instrument/DecayBounds.h"
 #include "Output/OutputStage.h"
 #include "Plugin/AwaitingKeys.h"
 #include "Plugin/BlockPieces.h"
@@ -16,6 +17,7 @@
 #include "Plugin/ObjectWorkshop.h"
 #include "Plugin/PlayerCrossfade.h"
 #include "Plugin/PresetCollection.h"
+#include "Plugin/SharedFigures.h"
 #include "Plugin/SoundHistory.h"
 #include "Plugin/SoundMonitor.h"
 #include "Plugin/SoundPicture.h"
@@ -59,10 +61,11 @@ public:
     using AudioProcessor::processBlock;
 
     juce::AudioProcessorParameter* getBypassParameter() const override;
-    /// The time in which a stage's bodies move and the slowest possible mode falls from full scale
-    /// by 96 dB, one 16-bit step, and then in the room by as much; at most `longestTailSeconds`, as
-    /// hosts do not stop for longer and lightly damped objects ring for minutes. Undamped, whatever
-    /// `let_ring` says: pedals hold keys that were let go, and many hosts ask but once.
+    /// The time in which a stage's bodies move and the lowest mode, as low as wheels may bend it,
+    /// falls from full scale by 96 dB, one 16-bit step, and then in the room by as much; at most
+    /// `longestTailSeconds`, as hosts do not stop for longer and lightly damped objects ring for
+    /// minutes. Undamped, whatever `let_ring` says: pedals hold keys that were let go, and many
+    /// hosts ask but once.
     double getTailLengthSeconds() const override;
     static constexpr double longestTailSeconds = 120;
 
@@ -248,6 +251,7 @@ private:
     Preset loadedPreset;
     ModeSet modesHeardAlone;
     ScalaTuning scala; ///< of files
+    KeyTuning ownKeys; ///< by them
     std::shared_ptr<const Instrument> instrument;
     std::string engineVersion = ownEngineVersion(); ///< of the sound
     std::string unknownOfSound, unknownOfInstance;  ///< as in State
@@ -281,10 +285,12 @@ private:
     static constexpr std::int64_t noRequest = -1;
     std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
     std::atomic<int> programIndex{-1};
-    std::atomic<double> ownSlowestDecay{0}; ///< [1/s] the least of the loaded objects
-    std::atomic<double> ownDampingScale{1}; ///< the least of their modes, to their materials' law
-    std::atomic<double> tempo{0};           ///< that the host told last, or 0
-    std::atomic<double> stageSeconds{0};    ///< that bodies move after a note
+    SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects
+    /// By how much any of them may sound below equal temperament: by the instance's own tuning
+    /// alone, and by tunings and wheels as the player has them.
+    std::atomic<double> semitonesBelowTuned{0}, semitonesBelowPlayed{0};
+    std::atomic<double> tempo{0};        ///< that the host told last, or 0
+    std::atomic<double> stageSeconds{0}; ///< that bodies move after a note
     std::atomic<int> modulationWheel{HeldContacts::controllerAtRest}; ///< as it was last
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateBlows{0};

@@ -66,6 +66,9 @@ void Processor::recordTuning(const std::string& step,
 void Processor::tuneTo(const ScalaTuning& wanted, const KeyTuning& keys) {
     giveUpRefused();
     scala = wanted;
+    ownKeys = keys;
+    if (instrument != nullptr)
+        semitonesBelowTuned = semitonesBelowEqual(*instrument, keys);
     tuner.setOwn(wanted.isGiven() ? std::optional(keys) : std::nullopt);
 }
 

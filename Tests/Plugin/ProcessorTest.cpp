@@ -206,30 +206,51 @@ TEST_CASE("Preparing again, in any order and at any rate, starts from silence") 
 
 TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     using enum ParameterId;
-    constexpr double pi = std::numbers::pi;
     Processor processor;
     auto state = testState();
+    // Of the test objects' own stiffness: what changes it moves the lowest mode, of 261.6 Hz.
     state.parameters.set(material, customMaterial);
+    state.parameters.set(youngsModulus, 10);
+    state.parameters.set(density, 1000);
     state.parameters.set(fluidDamping, 10);
-    restore(processor, state);
-    // γ/2, and what η adds at 20 Hz, the lowest that sounds.
-    const double slowest =
-        5 + parameterInfo(viscoelasticDamping).defaultValue * 1e-6 * std::pow(40 * pi, 2) / 2;
-    CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(std::log(65536) / slowest, 1e-12));
+    state.parameters.set(viscoelasticDamping, 2);
+    state.parameters.set(bendRange, 12);
+    const auto tail = [&] {
+        restore(processor, state);
+        return processor.getTailLengthSeconds();
+    };
+    // γ/2, and what η adds to the lowest mode, bent down by an octave.
+    double omega = std::numbers::pi * 440 * std::exp2(-9 / 12.0);
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (5 + 1e-6 * omega * omega), 1e-12));
     state.parameters.set(fluidDamping, 0.01);
-    restore(processor, state);
-    CHECK(processor.getTailLengthSeconds() == Processor::longestTailSeconds);
-    // A loss factor damps 20 Hz by χ 2π 20 / 2.
-    state.parameters.set(fluidDamping, 10);
-    state.parameters.set(lossFactor, 0.1);
-    restore(processor, state);
-    CHECK_THAT(processor.getTailLengthSeconds(),
-               WithinRel(std::log(65536) / (slowest + 0.1 * 20 * pi), 1e-12));
+    state.parameters.set(viscoelasticDamping, 0);
+    CHECK(tail() == Processor::longestTailSeconds);
+    // A loss factor damps it by χω/2.
+    state.parameters.set(lossFactor, 0.01);
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (0.005 + 0.005 * omega), 1e-12));
+    // What lowers it, lengthens its tail: size, pitch, material, wheels of MPE.
+    state.parameters.set(size, 2);
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (0.005 + 0.005 * omega / 2), 1e-12));
+    state.parameters.set(size, 1);
+    state.parameters.set(tune, -1200);
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (0.005 + 0.005 * omega / 2), 1e-12));
+    state.parameters.set(tune, 0);
+    state.parameters.set(density, 4000);
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (0.005 + 0.005 * omega / 2), 1e-12));
+    state.parameters.set(density, 1000);
+    state.parameters.set(mpe, 1);
+    state.parameters.set(mpeBendRange, 12);
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (0.005 + 0.005 * omega / 2), 1e-12));
+    state.parameters.set(mpe, 0);
+    // Below 20 Hz nothing sounds.
+    state.parameters.set(size, 10);
+    state.parameters.set(tune, -1200);
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (0.005 + 0.005 * 40 * std::numbers::pi), 1e-12));
+    state.parameters.set(size, 1);
+    state.parameters.set(tune, 0);
     // Of its own material, γ = 5 per second and η = 1e-8 s in the test objects.
     state.parameters.set(material, ownMaterial);
-    restore(processor, state);
-    CHECK_THAT(processor.getTailLengthSeconds(),
-               WithinRel(std::log(65536) / (2.5 + 1e-8 * std::pow(40 * pi, 2) / 2), 1e-12));
+    CHECK_THAT(tail(), WithinRel(std::log(65536) / (2.5 + 0.5e-8 * omega * omega), 1e-12));
     // A room goes on after that, for 96 of the 60 dB of its decay.
     const double dry = processor.getTailLengthSeconds();
     state.parameters.set(room, 10);

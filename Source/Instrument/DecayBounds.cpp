@@ -1,0 +1,99 @@
+#include "Instrument/DecayBounds.h"
+
+#include "Synth/LiveConditions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace idiophone {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+DampingLaw
+each(const DampingLaw& a, const DampingLaw& b, double (*choose)(double, double)) noexcept {
+    return {.fluidPerSecond = choose(a.fluidPerSecond, b.fluidPerSecond),
+            .viscoelasticSeconds = choose(a.viscoelasticSeconds, b.viscoelasticSeconds),
+            .lossFactor = choose(a.lossFactor, b.lossFactor)};
+}
+
+double lesser(double a, double b) noexcept {
+    return std::min(a, b);
+}
+
+double greater(double a, double b) noexcept {
+    return std::max(a, b);
+}
+
+} // namespace
+
+DecayBounds decayBounds(const Instrument& instrument) {
+    DecayBounds bounds{.lowestEigenvalue = infinity,
+                       .lowestOfUnitMaterial = infinity,
+                       .least = {infinity, infinity, infinity},
+                       .most = {},
+                       .leastScale = infinity,
+                       .mostScale = 0};
+    for (const auto& slot : instrument.slots()) {
+        const auto& object = *slot.object;
+        const auto& material = object.material;
+        if (object.modeCount() == 0)
+            continue;
+        const double lowest = object.eigenvalues.front() / (slot.sizeRatio * slot.sizeRatio);
+        bounds.lowestEigenvalue = std::min(bounds.lowestEigenvalue, lowest);
+        bounds.lowestOfUnitMaterial =
+            std::min(bounds.lowestOfUnitMaterial,
+                     lowest * material.densityKgPerM3 / material.youngsModulusPa);
+        bounds.least = each(bounds.least, material.damping, lesser);
+        bounds.most = each(bounds.most, material.damping, greater);
+        for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
+            const double scale = object.dampingScale(mode);
+            bounds.leastScale = std::min(bounds.leastScale, scale);
+            bounds.mostScale = std::max(bounds.mostScale, scale);
+            if (object.hasLiveThickness())
+                bounds.mostBending =
+                    std::max(bounds.mostBending, object.bending[mode] / object.eigenvalues[mode]);
+        }
+    }
+    return bounds;
+}
+
+double slowestDecay(const DecayBounds& bounds,
+                    const SynthesisSettings& settings,
+                    double semitonesBelow) noexcept {
+    const auto& live = settings.material;
+    const double tuning =
+        settings.frequencyRatio / settings.sizeRatio * std::exp2(-semitonesBelow / 12);
+    const double thin = std::min(settings.thicknessRatio, 1.0);
+    const double material = live ? live->youngsModulusPa / live->densityKgPerM3 : 1;
+    constexpr double lowestOmega = 2 * std::numbers::pi * lowestSoundingHz;
+    // Of the lowest mode; what lies below the band does not sound.
+    const double eigenvalue =
+        std::max(material * (live ? bounds.lowestOfUnitMaterial : bounds.lowestEigenvalue) *
+                     tuning * tuning * (1 + (thin * thin - 1) * bounds.mostBending),
+                 lowestOmega * lowestOmega);
+    if (!std::isfinite(eigenvalue))
+        return infinity;
+    const double least =
+        bounds.leastScale * (live ? live->damping : bounds.least).perSecond(eigenvalue);
+    const double most =
+        bounds.mostScale * (live ? live->damping : bounds.most).perSecond(eigenvalue);
+    // All laws damp higher modes more: a mode that oscillates has at least d/2. The slower root of
+    // one that is over-damped is above λ/d, and that grows with λ too.
+    return std::min(least / 2, eigenvalue / most);
+}
+
+double semitonesBelowEqual(const Instrument& instrument, const KeyTuning& tuning) {
+    double below = 0;
+    if (!instrument.keysHaveObjects())
+        return below;
+    for (int note = 0; note < KeyTuning::notes; ++note)
+        if (const auto index = static_cast<std::size_t>(note);
+            instrument.key(note).slot >= 0 && !tuning.unmapped[index])
+            below = std::max(below, -tuning.semitonesFromEqual[index]);
+    return below;
+}
+
+} // namespace idiophone

@@ -1,0 +1,123 @@
+#include "Instrument/DecayBounds.h"
+
+#include "Instrument/FactoryContent.h"
+#include "Support/SyntheticObject.h"
+#include "Synth/LiveConditions.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <cmath>
+#include <random>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+/// Of all modes that sound, one by one; infinite where none does.
+double slowestOfAll(const Instrument& instrument,
+                    const SynthesisSettings& settings,
+                    double semitonesBelow) {
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const auto& slot : instrument.slots()) {
+        const auto& object = *slot.object;
+        const auto conditions = liveConditions(object.material, settings, slot.sizeRatio,
+                                               std::exp2(-semitonesBelow / 12));
+        for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
+            const auto pole = conditions.law.pole(
+                object.eigenvalueAt(mode, settings.thicknessRatio), object.dampingScale(mode));
+            if (naturalFrequencyHz(pole) >= lowestSoundingHz)
+                slowest = std::min(slowest, decayBound(pole));
+        }
+    }
+    return slowest;
+}
+
+std::vector<std::shared_ptr<const Instrument>> instruments() {
+    std::vector<std::shared_ptr<const Instrument>> all;
+    for (const auto& preset : factoryPresets())
+        if (preset.keyMap.kind != KeyMapKind::scene)
+            all.push_back(Instrument::build(preset.keyMap, ObjectLibrary::shared()).value());
+    // Measured decays, a live thickness, and materials that differ from key to key.
+    ObjectLibrary library;
+    for (int note = 60; note < 64; ++note) {
+        auto object = syntheticObject({60.0 + note, 500, 3000});
+        object.decaysPerSecond = {1.0 * (note - 55), 0.5, 40};
+        object.bending = object.eigenvalues;
+        object.bending[0] /= 2;
+        object.material.damping.fluidPerSecond = note - 58;
+        object.material.youngsModulusPa *= note;
+        library.add("own/" + std::to_string(note), object);
+    }
+    all.push_back(
+        Instrument::build(
+            {.kind = KeyMapKind::bars, .lowestNote = 60, .highestNote = 63, .object = "own/{note}"},
+            library)
+            .value());
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("No mode dies away more slowly than the bound, whatever the settings") {
+    std::mt19937 random(3);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (const auto& instrument : instruments()) {
+        INFO(instrument->keyMap().object);
+        const auto bounds = decayBounds(*instrument);
+        for (int time = 0; time < 40; ++time) {
+            SynthesisSettings settings{.sizeRatio = std::exp2(between(-3, 3)),
+                                       .thicknessRatio = std::exp2(between(-2, 2)),
+                                       .frequencyRatio = std::exp2(between(-2, 2))};
+            if (time % 2 == 1) // light, and so heavy that modes creep
+                settings.material =
+                    LiveMaterial{.youngsModulusPa = std::pow(10, between(7, 12)),
+                                 .densityKgPerM3 = between(100, 10000),
+                                 .damping = {.fluidPerSecond = std::pow(10, between(-2, 5)),
+                                             .viscoelasticSeconds = std::pow(10, between(-9, -3)),
+                                             .lossFactor = between(0, 0.5)}};
+            const double below = between(0, 14);
+            REQUIRE(slowestDecay(bounds, settings, below) <=
+                    slowestOfAll(*instrument, settings, below) * (1 + 1e-9));
+        }
+    }
+}
+
+TEST_CASE("Of one material that is lightly damped the bound is the lowest mode's decay") {
+    ObjectLibrary library;
+    library.add("plate", syntheticObject({300, 440, 2000}));
+    const auto instrument =
+        Instrument::build(
+            {.kind = KeyMapKind::zones, .lowestNote = 60, .highestNote = 72, .object = "plate"},
+            library)
+            .value();
+    const auto bounds = decayBounds(*instrument);
+    for (const double size : {0.5, 1.0, 3.0})
+        CHECK_THAT(slowestDecay(bounds, {.sizeRatio = size}, 2),
+                   WithinRel(slowestOfAll(*instrument, {.sizeRatio = size}, 2), 1e-9));
+}
+
+TEST_CASE("Keys with objects of their own lie as far below equal temperament as the lowest") {
+    ObjectLibrary library;
+    for (int note = 60; note < 64; ++note)
+        library.add("own/" + std::to_string(note), syntheticObject({300}));
+    KeyMap map{
+        .kind = KeyMapKind::bars, .lowestNote = 60, .highestNote = 63, .object = "own/{note}"};
+    const auto bars = Instrument::build(map, library).value();
+    map.kind = KeyMapKind::zones;
+    map.object = "own/60";
+    const auto zones = Instrument::build(map, library).value();
+    KeyTuning tuning;
+    CHECK(semitonesBelowEqual(*bars, tuning) == 0);
+    tuning.semitonesFromEqual[60] = 3;
+    tuning.semitonesFromEqual[61] = -1.5;
+    tuning.semitonesFromEqual[62] = -7; // has no pitch
+    tuning.unmapped.set(62);
+    tuning.semitonesFromEqual[80] = -20; // no key
+    CHECK(semitonesBelowEqual(*bars, tuning) == 1.5);
+    CHECK(semitonesBelowEqual(*zones, tuning) == 0);
+}

@@ -1,0 +1,86 @@
+// What hosts are told of the tail, beside what rings.
+#include "Instrument/FactoryContent.h"
+#include "Plugin/FactoryPrograms.h"
+#include "Support/Larger.h"
+#include "Support/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <string>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 22050; // the lowest modes ring longest
+constexpr int blockSize = 441;
+
+/// Until what a few keys over the whole range sound like stays 96 dB below its peak.
+double ringingSeconds(Processor& processor, double longestSeconds) {
+    const auto keys = processor.keyRange();
+    juce::MidiBuffer midi;
+    for (int i = 0; i < 4; ++i)
+        midi.addEvent(juce::MidiMessage::noteOn(
+                          1, keys.lowest + (keys.highest - keys.lowest) * i / 3, juce::uint8{127}),
+                      0);
+    float highest = 0;
+    double lastHeard = 0;
+    for (double seconds = 0; seconds < longestSeconds; seconds += blockSize / rateHz) {
+        const float block = loudest(render(processor, blockSize, blockSize, midi));
+        midi.clear();
+        highest = larger(highest, block);
+        if (block > highest / 65536)
+            lastHeard = seconds + blockSize / rateHz;
+    }
+    return lastHeard;
+}
+
+} // namespace
+
+TEST_CASE(
+    "The tail that hosts are told of a factory preset is what rings, and not several times that") {
+    for (const std::string name : {"Glockenspiel", "Tubular Bells", "Ammunition Shell", "Marimba",
+                                   "Steel Plate", "Glass Bowls"}) {
+        CAPTURE(name);
+        Processor processor;
+        processor.setNonRealtime(true);
+        processor.setCurrentProgram(factoryProgram(factoryPresetId(name)));
+        processor.prepareToPlay(rateHz, blockSize);
+        const double told = processor.getTailLengthSeconds();
+        REQUIRE(told < 100);
+        const double rings = ringingSeconds(processor, told + 1);
+        CAPTURE(told, rings);
+        CHECK(rings > 0.5);
+        CHECK(rings <= told);
+        CHECK(told <= 3 * rings);
+    }
+}
+
+TEST_CASE("A bend range that MIDI gives and a tuning that lowers keys lengthen the tail") {
+    Processor processor;
+    auto state = testState();
+    state.parameters.set(ParameterId::material, customMaterial);
+    state.parameters.set(ParameterId::lossFactor, 0.01);
+    state.parameters.set(ParameterId::fluidDamping, 0);
+    state.parameters.set(ParameterId::viscoelasticDamping, 0);
+    state.parameters.set(ParameterId::bendRange, 0);
+    restore(processor, state);
+    processor.prepareToPlay(48000, 512);
+    const double told = processor.getTailLengthSeconds();
+    const auto lengthened = [&] { return processor.getTailLengthSeconds() / told; };
+
+    juce::MidiBuffer octave;
+    for (const auto& [number, value] : {std::pair{101, 0}, {100, 0}, {6, 12}})
+        octave.addEvent(juce::MidiMessage::controllerEvent(1, number, value), 0);
+    render(processor, 512, 512, octave);
+    CHECK(std::abs(lengthened() - 2) < 1e-6);
+
+    state.tuning = {.scale = {.name = "equal.scl", .text = "Equal\n1\n100.0\n"},
+                    .mapping = {.name = "low.kbm", .text = "0\n0\n127\n60\n69\n220.0\n0\n"}};
+    Processor tuned;
+    restore(tuned, state); // before any callback
+    CHECK(std::abs(tuned.getTailLengthSeconds() / told - 2) < 1e-6);
+    tuned.prepareToPlay(48000, 512);
+    render(tuned, 512, 512, {});
+    CHECK(std::abs(tuned.getTailLengthSeconds() / told - 2) < 1e-6);
+}
