@@ -86,7 +86,11 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
             if (const auto silenced = player->takeSilenced())
                 output.hush(*silenced);
         }
-        output.process(rendered.left, rendered.right, channels, values);
+        if (!output.process(rendered.left, rendered.right, channels, values)) {
+            // Or else it would stay so, and the instrument silent: the next note begins anew.
+            sound.reset();
+            ++notFinite;
+        }
         report(channels, piece->length);
     }
     midi.clear(); // what is left in it some wrappers send on
@@ -367,6 +371,8 @@ Result<std::unique_ptr<Player>> Processor::newPlayer(const std::shared_ptr<const
 
 void Processor::timerCallback() {
     lookForCallbacks();
+    if (const auto times = notFinite.load(); std::exchange(notFiniteShown, times) != times)
+        reportError("The sound was not finite, and begins anew with the next note.");
     followWorkshop();
     if (!isNonRealtime()) { // or else the callback follows
         followProgramChange();

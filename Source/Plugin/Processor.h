@@ -160,6 +160,9 @@ public:
 
     /// [message side] What plays; null where nothing could be loaded.
     std::shared_ptr<const Instrument> loadedInstrument() const;
+    /// [any thread] How often what was to be heard was not finite: it was silence instead, and the
+    /// player began anew.
+    std::int64_t timesNotFinite() const { return notFinite; }
     /// [message thread] Whether callbacks come. Blows meanwhile would all wait, and sound as one
     /// when the host goes on: they are refused.
     bool isProcessing() const;
@@ -236,6 +239,7 @@ private:
     StageCapture capture; ///< the audio thread gives it blows
     std::uint32_t callbacksSeen = 0, lastCallbackMilliseconds = 0;
     int asksUnanswered = 0;
+    std::int64_t notFiniteShown = 0;
     std::optional<std::size_t> watched; ///< of the instrument of that number
     int watchedInstrument = 0;
     ObjectWorkshop workshop;

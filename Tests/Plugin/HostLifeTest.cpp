@@ -103,6 +103,7 @@ TEST_CASE("Two hundred notes a second for half a minute: bounded, and silent whe
         return 20 * std::log10(rms(std::span(sound).subspan(from, 10 * second)));
     };
     REQUIRE(allFinite({sound, {}}));
+    REQUIRE(processor.timesNotFinite() == 0);
     CHECK(levelDb(0) > -60);
     INFO(levelDb(0) << " dB, " << levelDb(10) << " dB, " << levelDb(20) << " dB");
     CHECK(std::abs(levelDb(10) - levelDb(0)) < 0.5); // nothing piles up, and nothing is lost
@@ -124,6 +125,7 @@ TEST_CASE("Automation that is no number or next to none leaves a sound that is f
             parameter->setValue(value);
             INFO(parameter->getName(100) << " at " << value);
             REQUIRE(allFinite(render(processor, 2048, 64, music)));
+            REQUIRE(processor.timesNotFinite() == 0);
         }
         const float kept = parameter->getValue();
         REQUIRE((kept >= 0 && kept <= 1));

@@ -70,7 +70,7 @@ private:
             processor.processBlock(sound, midi);
             for (int i = 0; i < blockSize; ++i) {
                 const float now = sound.getSample(0, i);
-                finite = finite && std::isfinite(now);
+                finite = finite && std::isfinite(now) && processor.timesNotFinite() == 0;
                 loudest = std::max(loudest, std::abs(now));
                 sharpest = std::max(sharpest, std::abs(now - 2 * before + beforeThat));
                 beforeThat = before;

@@ -353,6 +353,7 @@ TEST_CASE("A processor goes while its workshop works, and without a message loop
         processor.openFile(file);
         waitFor(wait);
         CHECK(allFinite(render(processor, 4800, blockSamples, testMusic(4800))));
+        CHECK(processor.timesNotFinite() == 0);
         processor.releaseResources();
         processor.prepareToPlay(44100, 64);
         saved(processor);

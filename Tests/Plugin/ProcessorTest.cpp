@@ -87,6 +87,7 @@ TEST_CASE("Every factory preset is a program with a name that plays") {
             render(processor, status.delaySeconds > 0 ? delay : 4800, 480, hardNote);
         CHECK(loudest(output) > 0.001f);
         CHECK(allFinite(output));
+        CHECK(processor.timesNotFinite() == 0);
     }
     CHECK(processor.getProgramName(-1).isEmpty());
     CHECK(processor.getProgramName(1000).isEmpty());

@@ -273,7 +273,8 @@ TEST_CASE(
     std::atomic<bool> stop{false}, finite{true};
     std::thread audio([&] {
         while (!stop)
-            if (!allFinite(render(processor, 256, 256, testMusic(256, 50))))
+            if (!allFinite(render(processor, 256, 256, testMusic(256, 50))) ||
+                processor.timesNotFinite() > 0)
                 finite = false;
     });
     const auto before = saved(processor);

@@ -139,6 +139,9 @@ void RandomSession::render(juce::MidiBuffer& midi, int length) {
     buffer.clear();
     processor.processBlock(buffer, midi);
     samples += length;
+    if (processor.timesNotFinite() > 0) // which is heard as silence
+        throw std::runtime_error("What was rendered up to sample " + std::to_string(samples) +
+                                 " was not finite.");
     loudest = 0;
     for (int channel = 0; channel < 2; ++channel)
         for (int i = 0; i < length; ++i) {

@@ -1,0 +1,97 @@
+// What becomes of a sound that is not finite. Nothing of the instrument makes one: here a stage
+// does.
+#include "Support/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <limits>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 512;
+constexpr int goodNote = 60, badNote = 61;
+
+/// Sounds on after a note, for ever: after the bad one with what is no number.
+class BreakingStage final : public Stage {
+public:
+    std::unique_ptr<StagePerformance> perform(double, std::uint64_t) const override {
+        return std::make_unique<Performance>();
+    }
+    const std::string& objectOf(std::size_t) const override { return object; }
+    std::span<const BodyPose> firstPoses() const override { return {&pose, 1}; }
+    double delaySeconds() const override { return 0; }
+    double lengthSeconds() const override { return 0; }
+
+private:
+    struct Performance final : StagePerformance {
+        void cue(int midiNote, int, std::int64_t, double) noexcept override {
+            sample = midiNote == badNote ? std::numeric_limits<float>::quiet_NaN() : sample + 0.1f;
+        }
+        void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
+        void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
+        void hear(std::span<const CellOutput>, const CellOutput& ears) noexcept override {
+            for (std::size_t c = 0; c < ears.channels(); ++c)
+                std::ranges::fill(ears[c], sample);
+        }
+        void setOffline(bool) noexcept override {}
+        void setPaused(bool) noexcept override {}
+        void stop() noexcept override {}
+        void reset() noexcept override { sample = 0; }
+        bool silent() const noexcept override { return sample == 0; }
+        std::int64_t lateBlows() const noexcept override { return 0; }
+        std::span<const PlacedBlow> takeBlows() noexcept override { return {}; }
+        std::uint32_t number() const noexcept override { return 1; }
+        std::span<const BodyPose> poses() const noexcept override { return {&pose, 1}; }
+        float sample = 0;
+        BodyPose pose;
+    };
+
+    std::string object = "plate";
+    BodyPose pose;
+};
+
+Sound breakingSound() {
+    std::array<int, 128> allOnOne{};
+    Sound sound;
+    sound.preset.name = "Breaks";
+    sound.preset.keyMap = {.kind = KeyMapKind::scene, .object = "stage"};
+    sound.instrument = Instrument::onStage(
+        sound.preset.keyMap,
+        {{.object = std::make_shared<const ModalObject>(syntheticObject({440}))}}, allOnOne,
+        std::make_shared<BreakingStage>());
+    return sound;
+}
+
+juce::MidiBuffer struck(int note) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), 0);
+    return midi;
+}
+
+} // namespace
+
+TEST_CASE("A sound that is not finite is silence, is told of, and the next note sounds again") {
+    Processor processor;
+    REQUIRE(processor.playSound(breakingSound()));
+    processor.prepareToPlay(rateHz, blockSize);
+    CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
+    CHECK(processor.timesNotFinite() == 0);
+    juce::Timer::callPendingTimersSynchronously();
+    CHECK_FALSE(processor.takeStatus().isError);
+
+    CHECK(loudest(render(processor, blockSize, blockSize, struck(badNote))) == 0);
+    CHECK(processor.timesNotFinite() == 1);
+    CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
+    CHECK(processor.timesNotFinite() == 1); // the player has begun anew
+    CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
+    CHECK(processor.timesNotFinite() == 1);
+
+    for (int looks = 0; looks < 1000 && !processor.takeStatus().isError; ++looks) {
+        juce::Thread::sleep(5);
+        juce::Timer::callPendingTimersSynchronously();
+    }
+    CHECK(processor.takeStatus().sentence.find("not finite") != std::string::npos);
+}
