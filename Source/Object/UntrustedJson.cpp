@@ -1,6 +1,7 @@
 #include "Object/UntrustedJson.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace idiophone {
 
@@ -8,8 +9,10 @@ using nlohmann::json;
 
 namespace {
 
-/// Takes everything and remembers where it went wrong.
+/// Takes everything down to a depth, and remembers where it went wrong.
 struct FaultFinder : nlohmann::json_sax<json> {
+    std::size_t deepest = std::numeric_limits<std::size_t>::max();
+    std::size_t depth = 0;
     std::optional<std::size_t> bytesRead;
 
     bool null() override { return true; }
@@ -19,28 +22,33 @@ struct FaultFinder : nlohmann::json_sax<json> {
     bool number_float(number_float_t, const string_t&) override { return true; }
     bool string(string_t&) override { return true; }
     bool binary(binary_t&) override { return true; }
-    bool start_object(std::size_t) override { return true; }
+    bool start_object(std::size_t) override { return ++depth <= deepest; }
     bool key(string_t&) override { return true; }
-    bool end_object() override { return true; }
-    bool start_array(std::size_t) override { return true; }
-    bool end_array() override { return true; }
+    bool end_object() override { return leave(); }
+    bool start_array(std::size_t) override { return ++depth <= deepest; }
+    bool end_array() override { return leave(); }
     bool parse_error(std::size_t position, const std::string&, const json::exception&) override {
         bytesRead = position;
         return false;
+    }
+
+private:
+    bool leave() {
+        --depth;
+        return true;
     }
 };
 
 } // namespace
 
 json parseUntrusted(std::string_view text) {
-    constexpr int deepest = 64;
-    bool isTooDeep = false;
-    const auto keepIfShallow = [&](int depth, json::parse_event_t, json&) {
-        isTooDeep = isTooDeep || depth > deepest;
-        return !isTooDeep;
-    };
-    auto root = json::parse(text, keepIfShallow, false);
-    return isTooDeep ? json(json::value_t::discarded) : root;
+    // In a pass of its own: the parser that asks a callback looks through all of an array at the
+    // end of each object in it, which takes quadratic time.
+    FaultFinder finder;
+    finder.deepest = 64;
+    if (!json::sax_parse(text, &finder))
+        return {json::value_t::discarded};
+    return json::parse(text, nullptr, false);
 }
 
 std::optional<std::size_t> firstByteNotJson(std::string_view text) {
