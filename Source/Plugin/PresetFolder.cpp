@@ -3,15 +3,14 @@
 #include "Editor/Utf8.h"
 #include "Object/FileBytes.h"
 #include "Object/TextFile.h"
-#include "Object/UntrustedJson.h"
 #include "Plugin/ContentHash.h"
 #include "Plugin/PresetObjects.h"
+#include "Plugin/PresetText.h"
 #include "Plugin/WholeFile.h"
 
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace idiophone {
@@ -91,53 +90,15 @@ std::uint64_t hashOf(const std::string& text) {
     return contentHash(std::as_bytes(std::span(text)));
 }
 
-using nlohmann::ordered_json;
-
-/// Null where it is none, or too deep to be written again.
-ordered_json readInOrder(const std::string& text) {
-    return parseUntrusted(text).is_discarded() ? ordered_json() : ordered_json::parse(text);
-}
-
-std::string textOf(const ordered_json& root) {
-    return root.dump(4, ' ', false, ordered_json::error_handler_t::replace);
-}
-
-/// The preset's JSON with another name; what this version does not know stays in it.
 Result<std::string> renamedText(const juce::File& file, const std::string& name) {
-    try {
-        auto root = readInOrder(file.loadFileAsString().toStdString());
-        root.at("name") = name;
-        return textOf(root);
-    } catch (const nlohmann::json::exception&) {
-        return failure(file.getFileName().toStdString() +
-                       ": it cannot be read, and so not renamed.");
-    }
+    return renamedPreset(file.loadFileAsString().toStdString(), name)
+        .map_error([&](const Error& fault) {
+            return Error{file.getFileName().toStdString() + ": " + fault.message};
+        });
 }
 
-/// Gives `now` the members that `before` has, and that are not in what this version knows of it.
-void keepUnknown(const ordered_json& before, const ordered_json& known, ordered_json& now) {
-    for (const auto& [key, value] : before.items()) {
-        const auto same = known.find(key);
-        if (!now.contains(key)) {
-            if (same == known.end())
-                now[key] = value;
-        } else if (same != known.end() && value.is_object() && same->is_object() &&
-                   now[key].is_object()) {
-            keepUnknown(value, *same, now[key]);
-        }
-    }
-}
-
-/// The preset's JSON, with what this version does not know of the one in the file.
 std::string textInPlaceOf(const juce::File& file, const Preset& preset) {
-    const auto text = encodePreset(preset), before = file.loadFileAsString().toStdString();
-    const auto known = parsePreset(before, "");
-    if (!known)
-        return text;
-    auto root = ordered_json::parse(text);
-    keepUnknown(readInOrder(before), ordered_json::parse(encodePreset(*known)), root);
-    const auto both = textOf(root);
-    return both.size() <= largestPresetBytes ? both : text;
+    return presetInPlaceOf(file.loadFileAsString().toStdString(), preset);
 }
 
 } // namespace

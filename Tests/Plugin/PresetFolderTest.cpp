@@ -8,6 +8,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
@@ -299,6 +300,37 @@ TEST_CASE("What this one writes is read again, whatever its size and time") {
         CHECK(folder.read().front().preset->seed == changed.seed);
         CHECK(folder.checkContent(id, folder.find(id)->content));
     }
+}
+
+TEST_CASE("A file full of members that nobody knows is renamed and replaced as fast as others") {
+    PresetFolder folder(freshFolder());
+    const auto id = folder.write(named("One"), "", false).value();
+    const auto file = folder.fileOf(id);
+    // Where each member looked at all before it, each of these took minutes.
+    constexpr int count = 85'000;
+    std::string unknown;
+    for (int k = 0; k < count; ++k)
+        unknown += "\"u" + std::to_string(k) + "\":" + std::to_string(k % 10) + ",";
+    const auto text = file.loadFileAsString().toStdString();
+    const auto at = text.find("\"seed\"");
+    file.replaceWithText(text.substr(0, at) + unknown + "\"u7\": \"last\", " + text.substr(at));
+    folder.read();
+    REQUIRE(folder.find(id)->preset);
+
+    const auto check = [&](const std::string& which, const std::string& name) {
+        folder.read();
+        REQUIRE(folder.find(which)->preset);
+        CHECK(folder.find(which)->preset->name == name);
+        const auto now =
+            nlohmann::json::parse(folder.fileOf(which).loadFileAsString().toStdString());
+        CHECK(now["u0"] == 0);
+        CHECK(now["u7"] == "last");
+        CHECK(now["u" + std::to_string(count - 1)] == (count - 1) % 10);
+    };
+    REQUIRE(folder.replace(id, named("Other")));
+    check(id, "Other");
+    const auto renamed = folder.rename(id, "Two").value();
+    check(renamed, "Two");
 }
 
 TEST_CASE("A rename onto another preset, of none, or to no name changes nothing") {
