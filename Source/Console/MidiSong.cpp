@@ -1,5 +1,6 @@
 #include "Console/MidiSong.h"
 
+#include "Console/TempoMap.h"
 #include "Object/TextFile.h"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
         SongEvent event;
         int order = 0; ///< among all of its time; no less than of those before it in its track
     };
+    const TempoMap tempo(midi);
     std::vector<Ranked> all;
     for (int track = 0; track < midi.getNumTracks(); ++track) {
         const auto first = static_cast<std::ptrdiff_t>(all.size());
@@ -76,7 +78,7 @@ std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
             const int size = message.getRawDataSize();
             if (message.getChannel() == 0 || size < 2 || size > 3)
                 continue;
-            SongEvent event{.seconds = message.getTimeStamp()};
+            SongEvent event{.seconds = tempo.secondsAt(message.getTimeStamp())};
             std::copy_n(message.getRawData(), size, event.bytes.begin());
             all.push_back({event});
         }
@@ -122,7 +124,6 @@ Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
     juce::MidiFile midi;
     if (!midi.readFrom(stream, false) || !isUsableTimeFormat(midi.getTimeFormat()))
         return refuse("the MIDI file is damaged or cut off");
-    midi.convertTimestampTicksToSeconds();
     auto events = channelMessages(midi);
     if (!std::ranges::all_of(events, isWhole))
         return refuse("the MIDI file is damaged or cut off");

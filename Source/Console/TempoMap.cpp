@@ -1,0 +1,53 @@
+#include "Console/TempoMap.h"
+
+#include <algorithm>
+
+namespace idiophone {
+namespace {
+
+using Messages = std::vector<const juce::MidiMessage*>;
+
+void addAll(const juce::MidiFile& midi,
+            bool (juce::MidiMessage::*isWanted)() const,
+            Messages& messages) {
+    for (int track = 0; track < midi.getNumTracks(); ++track)
+        for (const auto* holder : *midi.getTrack(track))
+            if ((holder->message.*isWanted)())
+                messages.push_back(&holder->message);
+}
+
+} // namespace
+
+TempoMap::TempoMap(const juce::MidiFile& midi) : timeFormat(midi.getTimeFormat()) {
+    if (timeFormat < 0)
+        return;
+    // JUCE sums up to where the time signature changes too: other sums would round otherwise.
+    Messages changes;
+    addAll(midi, &juce::MidiMessage::isTempoMetaEvent, changes);
+    addAll(midi, &juce::MidiMessage::isTimeSignatureMetaEvent, changes);
+    std::ranges::stable_sort(changes, {}, &juce::MidiMessage::getTimeStamp);
+
+    const auto tickLength = 1.0 / (timeFormat & 0x7fff);
+    Stretch now{.fromTicks = 0, .fromSeconds = 0, .secondsPerTick = 0.5 * tickLength};
+    stretches.push_back(now);
+    for (auto change = changes.begin(); change != changes.end();) {
+        const double ticks = (*change)->getTimeStamp();
+        now.fromSeconds += (ticks - now.fromTicks) * now.secondsPerTick;
+        now.fromTicks = ticks;
+        for (; change != changes.end() && (*change)->getTimeStamp() == ticks; ++change)
+            if ((*change)->isTempoMetaEvent())
+                now.secondsPerTick = tickLength * (*change)->getTempoSecondsPerQuarterNote();
+        stretches.push_back(now);
+    }
+}
+
+double TempoMap::secondsAt(double ticks) const {
+    if (timeFormat < 0)
+        return ticks / (-(timeFormat >> 8) * (timeFormat & 0xff));
+    const auto next = std::ranges::lower_bound(stretches.begin() + 1, stretches.end(), ticks, {},
+                                               &Stretch::fromTicks);
+    const auto& here = *(next - 1);
+    return here.fromSeconds + (ticks - here.fromTicks) * here.secondsPerTick;
+}
+
+} // namespace idiophone
