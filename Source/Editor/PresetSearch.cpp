@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 namespace idiophone {
 namespace {
@@ -25,10 +26,11 @@ juce::juce_wchar smallLetter(juce::juce_wchar letter) {
 }
 
 juce::String small(const juce::String& text) {
-    juce::String result;
+    // A juce::String finds its end anew for each letter that is added.
+    std::basic_string<juce::juce_wchar> result;
     for (auto letter = text.getCharPointer(); !letter.isEmpty(); ++letter)
         result += smallLetter(*letter);
-    return result;
+    return juce::CharPointer_UTF32(result.c_str());
 }
 
 juce::String small(const std::string& text) {

@@ -86,7 +86,20 @@ std::string JsonPlace::text() const {
 std::string JsonPlace::textOrEmpty() const {
     if (!value.is_string())
         fail("is not a text");
+    if (value.get_ref<const std::string&>().size() > longestTextBytes)
+        fail("is longer than " + std::to_string(longestTextBytes) + " bytes");
     return value;
+}
+
+std::string JsonPlace::textCutTo(std::size_t mostBytes) const {
+    if (!value.is_string())
+        fail("is not a text");
+    const auto& text = value.get_ref<const std::string&>();
+    auto size = std::min(text.size(), mostBytes);
+    while (size > 0 && size < text.size() &&
+           (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80)
+        --size;
+    return text.substr(0, size);
 }
 
 Eigen::Vector3d JsonPlace::vector(double reach) const {

@@ -16,6 +16,10 @@ namespace idiophone {
 /// Fault, for the reader of a whole file to catch.
 class JsonPlace {
 public:
+    /// Of texts that are not cut. Paths of files are no longer, and what looks for one or shows one
+    /// may take its time for each byte.
+    static constexpr std::size_t longestTextBytes = 4096;
+
     struct Fault {
         std::string sentence; ///< "bodies[2].velocity is not a list of three numbers"
     };
@@ -42,6 +46,8 @@ public:
     bool truth() const;
     std::string text() const; ///< not empty
     std::string textOrEmpty() const;
+    /// Of any length, and cut to so many bytes, between characters.
+    std::string textCutTo(std::size_t mostBytes) const;
     Eigen::Vector3d vector(double reach) const;
     const nlohmann::json& json() const { return value; }
 

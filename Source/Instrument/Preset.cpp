@@ -63,6 +63,19 @@ KeyMap parseKeyMap(const JsonPlace& place) {
     return map;
 }
 
+/// Those that fit in what is shown of them.
+std::vector<std::string> parseTags(const JsonPlace& place) {
+    std::vector<std::string> tags;
+    std::size_t bytes = 0;
+    for (const auto& tag : place.list(mostTags)) {
+        auto text = tag.textCutTo(longestNameBytes);
+        bytes += text.size();
+        if (bytes <= longestTagsBytes)
+            tags.push_back(std::move(text));
+    }
+    return tags;
+}
+
 /// Sets those that are there, and returns the ids that this version does not know.
 std::vector<std::string> parseParameters(const JsonPlace& place, ParameterValues& values) {
     std::vector<std::string> unknown;
@@ -106,14 +119,13 @@ Preset parse(const JsonPlace& root) {
     if (version > presetFormatVersion)
         root.fail("was made by a newer Idiophone (preset version " + std::to_string(version) + ")");
     Preset preset;
-    preset.name = root.at("name").textOrEmpty();
+    preset.name = root.at("name").textCutTo(longestNameBytes);
     if (root.has("author"))
-        preset.author = root.at("author").textOrEmpty();
+        preset.author = root.at("author").textCutTo(longestNameBytes);
     if (root.has("description"))
-        preset.description = root.at("description").textOrEmpty();
+        preset.description = root.at("description").textCutTo(longestDescriptionBytes);
     if (root.has("tags"))
-        for (const auto& tag : root.at("tags").list(mostTags))
-            preset.tags.push_back(tag.textOrEmpty());
+        preset.tags = parseTags(root.at("tags"));
     preset.keyMap = parseKeyMap(root.at("keyMap"));
     if (root.has("parameters"))
         preset.unknownParameters = parseParameters(root.at("parameters"), preset.parameters);

@@ -74,7 +74,12 @@ struct Preset {
 inline constexpr int presetFormatVersion = 1;
 inline constexpr std::size_t largestPresetBytes = 1 << 20;
 inline constexpr std::size_t mostTags = 1000;
-inline constexpr std::size_t mostPathPoints = 1000; ///< of KeyMap::strikePath
+/// What is longer is cut, as the browser draws these texts and searches them all: an old state has
+/// to open whatever its preset is called.
+inline constexpr std::size_t longestNameBytes = 500; ///< of a name, an author and each tag
+inline constexpr std::size_t longestDescriptionBytes = 4000;
+inline constexpr std::size_t longestTagsBytes = 4000; ///< together; those beyond are left out
+inline constexpr std::size_t mostPathPoints = 1000;   ///< of KeyMap::strikePath
 
 /// Parses a preset file; `name` stands for it in errors: it is too large, no JSON, lacks something
 /// or has something that it cannot be. Objects and scenes are named, not looked for. Not for the

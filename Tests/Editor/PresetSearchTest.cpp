@@ -41,3 +41,10 @@ TEST_CASE("Tags are listed once each, the most frequent first") {
           juce::StringArray({"zones", "bells", "glass", "metal"}));
     CHECK(tagsOf({}).isEmpty());
 }
+
+TEST_CASE("A long text is searched in no longer than its letters take") {
+    auto wordy = bowl();
+    wordy.description = std::string(4'000'000, 'X') + " end"; // letter by letter: for an hour
+    CHECK(matchesSearch(wordy, "xxx END"));
+    CHECK_FALSE(matchesSearch(wordy, "y"));
+}

@@ -1,4 +1,5 @@
 #include "Instrument/Preset.h"
+#include "Instrument/JsonPlace.h"
 
 #include <catch2/catch_test_macros.hpp>
 
@@ -99,9 +100,9 @@ TEST_CASE("A preset that makes no sense is refused with its fault and where that
     checkRefused(R"({"format":"idiophone-preset","version":1,"name":"A"})", "it lacks 'keyMap'");
     checkRefused(head + map + R"(,"tags":[1]})", "tags[0] is not a text");
     checkRefused(head + map + R"(,"tags":"bell"})", "tags is not a list");
-    std::string tags = R"("bell")";
+    std::string tags = R"("b")";
     for (std::size_t tag = 1; tag < mostTags; ++tag)
-        tags += R"(,"bell")";
+        tags += R"(,"b")";
     CHECK(parsePreset(head + map + R"(,"tags":[)" + tags + "]}", "x.json"));
     checkRefused(head + map + R"(,"tags":[)" + tags + R"(,""]})",
                  "tags is a list of more than 1000");
@@ -132,6 +133,9 @@ TEST_CASE("A key map that makes no sense is refused with its fault and where tha
     refuse(R"({"kind":"bars","lowestNote":60,"highestNote":70.2,"object":"x"})",
            "keyMap.highestNote is not a whole number");
     refuse(R"({"kind":"bars","lowestNote":60,"highestNote":70})", "keyMap lacks 'object'");
+    refuse(R"({"kind":"scene","lowestNote":0,"highestNote":9,"object":")" +
+               std::string(JsonPlace::longestTextBytes + 1, '/') + "\"}",
+           "keyMap.object is longer than 4096 bytes");
     refuse(open + R"(,"strikePath":[]})", "keyMap.strikePath has no points");
     refuse(open + R"(,"strikePath":[[0,0,0],[0,9,0]]})",
            "keyMap.strikePath[1][1] is not between -1 and 1");
@@ -170,4 +174,35 @@ TEST_CASE("What a preset says is fit for one line in the sentence that refuses i
                  "keyMap.kind is 'two?lines' and none of bars, zones, scaled and scene");
     checkRefused(head + map + R"(,"mutedModes":{"two\nlines":7}})",
                  "mutedModes.two?lines is not a list");
+}
+
+TEST_CASE("What people read of a preset is cut between characters where it is too long") {
+    const auto quoted = [](const std::string& text) { return "\"" + text + "\""; };
+    const std::string odd = "x"; // so that no bound falls between two characters
+    std::string long500 = odd, long4000 = odd;
+    while (long500.size() < longestNameBytes - 1)
+        long500 += "ü";
+    while (long4000.size() < longestDescriptionBytes - 1)
+        long4000 += "ü";
+    const auto endless = odd + [] {
+        std::string text;
+        for (int k = 0; k < 20'000; ++k)
+            text += "ü";
+        return text;
+    }();
+    std::string tags = quoted(endless);
+    for (int k = 1; k < 20; ++k)
+        tags += "," + quoted(endless);
+    const auto preset = parsePreset(R"({"format":"idiophone-preset","version":1,"name":)" +
+                                        quoted(endless) + R"(,"author":)" + quoted(endless) +
+                                        R"(,"description":)" + quoted(endless) + "," + map + "}",
+                                    "x.json");
+    REQUIRE(preset);
+    CHECK(preset->name == long500);
+    CHECK(preset->author == long500);
+    CHECK(preset->description == long4000);
+    const auto tagged = parseSavedPreset(head + map + R"(,"tags":[)" + tags + "]}", "x.json");
+    REQUIRE(tagged);
+    CHECK(tagged->tags == std::vector<std::string>(8, long500));
+    CHECK(parsePreset(encodePreset(*tagged), "x.json") == *tagged);
 }
