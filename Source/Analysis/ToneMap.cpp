@@ -1,9 +1,9 @@
 #include "Analysis/ToneMap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 namespace idiophone {
 namespace {
@@ -32,17 +32,13 @@ std::vector<Tone> audibleTones(const ModalObject& object) {
     return tones;
 }
 
-/// ½ α_ij / (α_ij² + Δ_ij²) of two tones, where that counts.
-struct Coupling {
-    std::size_t i = 0, j = 0;
-    double energy = 0;
-};
-
-std::vector<Coupling> couplings(const std::vector<Tone>& tones) {
+/// Calls with two tones and ½ α_ij / (α_ij² + Δ_ij²), where that counts. There are as many as the
+/// square of the modes, so that nobody keeps them.
+template <class Use>
+void forEachCoupling(const std::vector<Tone>& tones, const Use& use) {
     double fastest = 0;
     for (const auto& tone : tones)
         fastest = std::max(fastest, tone.decayPerSecond);
-    std::vector<Coupling> result;
     for (std::size_t i = 0; i < tones.size(); ++i)
         for (std::size_t j = i; j < tones.size(); ++j) {
             const double apart =
@@ -51,41 +47,57 @@ std::vector<Coupling> couplings(const std::vector<Tone>& tones) {
                 break;
             const double decay = tones[i].decayPerSecond + tones[j].decayPerSecond;
             if (apart <= farthestApart * decay)
-                result.push_back({i, j, decay / (decay * decay + apart * apart) / 2});
+                use(i, j, decay / (decay * decay + apart * apart) / 2);
         }
-    return result;
 }
 
-/// (φ · n)² of each tone.
-void findGains(const std::vector<Tone>& tones,
-               std::span<const float> shapes,
-               const float* normal,
-               std::vector<double>& gains) {
-    for (std::size_t i = 0; i < tones.size(); ++i) {
-        double along = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            along += static_cast<double>(shapes[3 * tones[i].mode + axis]) *
-                     static_cast<double>(normal[axis]);
-        gains[i] = along * along;
+/// Vertices whose sums go on side by side.
+constexpr std::size_t rowsTogether = 8;
+using OfRows = std::array<double, rowsTogether>;
+
+/// (φ · n)² of each tone at some vertices that carry shapes; of those beyond the last nothing.
+std::vector<OfRows> gainsOf(const std::vector<Tone>& tones,
+                            const ModalObject& object,
+                            const std::vector<float>& normals,
+                            std::size_t firstRow) {
+    std::vector<OfRows> gains(tones.size());
+    const auto count = std::min(rowsTogether, object.shapeVertexCount() - firstRow);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto shapes = object.shapesAt(firstRow + k);
+        const float* normal =
+            &normals[static_cast<std::size_t>(object.shapeVertices[firstRow + k]) * 3];
+        for (std::size_t i = 0; i < tones.size(); ++i) {
+            double along = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                along += static_cast<double>(shapes[3 * tones[i].mode + axis]) *
+                         static_cast<double>(normal[axis]);
+            gains[i][k] = along * along;
+        }
     }
+    return gains;
 }
 
 } // namespace
 
 std::vector<double> brightnessHz(const ModalObject& object, const std::vector<float>& normals) {
     const auto tones = audibleTones(object);
-    const auto coupled = couplings(tones);
-    std::vector<double> gains(tones.size()), result(object.shapeVertexCount());
-    for (std::size_t row = 0; row < result.size(); ++row) {
-        findGains(tones, object.shapesAt(row),
-                  &normals[static_cast<std::size_t>(object.shapeVertices[row]) * 3], gains);
-        double energy = 0, moment = 0;
-        for (const auto& [i, j, each] : coupled) {
-            const double shared = (i == j ? 1 : 2) * each * gains[i] * gains[j];
-            energy += shared;
-            moment += shared * (tones[i].frequencyHz + tones[j].frequencyHz) / 2;
-        }
-        result[row] = energy > 0 ? moment / energy : 0;
+    std::vector<double> result(object.shapeVertexCount());
+    for (std::size_t firstRow = 0; firstRow < result.size(); firstRow += rowsTogether) {
+        const auto gains = gainsOf(tones, object, normals, firstRow);
+        OfRows energy{}, moment{};
+        forEachCoupling(tones, [&](std::size_t i, std::size_t j, double each) {
+            const double both = (i == j ? 1 : 2) * each;
+            const double frequencies = tones[i].frequencyHz + tones[j].frequencyHz;
+            const auto &one = gains[i], &other = gains[j];
+            for (std::size_t k = 0; k < rowsTogether; ++k) {
+                const double shared = both * one[k] * other[k];
+                energy[k] += shared;
+                moment[k] += shared * frequencies / 2;
+            }
+        });
+        const auto count = std::min(rowsTogether, result.size() - firstRow);
+        for (std::size_t k = 0; k < count; ++k)
+            result[firstRow + k] = energy[k] > 0 ? moment[k] / energy[k] : 0;
     }
     return result;
 }

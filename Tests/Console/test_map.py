@@ -1,4 +1,7 @@
-from console import OBJECTS, ConsoleTest
+import os
+import unittest
+
+from console import OBJECTS, ConsoleTest, many_modes, most_memory_bytes
 
 BAR = OBJECTS / "xylophone-72.modal"
 
@@ -50,6 +53,13 @@ class ToneMap(ConsoleTest):
             return min(vertices, key=lambda v: (abs(abs(v["x"]) - share * half) + abs(v["y"])
                                                 - 1e-3 * v["z"]))["brightness_hz"]
         self.assertGreater(brightness(0.5516), 1.2 * brightness(0))
+
+    @unittest.skipUnless(hasattr(os, "wait4"), "figures of POSIX")
+    def test_modes_that_are_all_near_take_no_memory_for_each_two(self):
+        crowd = self.write("crowd.modal", many_modes(12000))
+        most, code = most_memory_bytes("map", crowd, "-o", self.folder / "crowd.ply")
+        self.assertEqual(code, 0)
+        self.assertLess(most, 1e9)  # 72 million pairs of 24 bytes are more
 
     def test_people_are_told_the_range(self):
         text = self.succeed("map", BAR, "-o", self.folder / "bar.ply").stdout
