@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -134,17 +135,22 @@ bool isBlankOrComment(const std::string& line) {
 
 } // namespace
 
-Error badLines(const std::filesystem::path& file, const std::map<int, std::string>& faults) {
+void BadLines::add(int line, const std::string& sentence) {
+    ++count;
+    if (first.size() == faultsShown && line > first.rbegin()->first)
+        return;
+    first.emplace(line, sentence);
+    if (first.size() > faultsShown)
+        first.erase(std::prev(first.end()));
+}
+
+Error BadLines::error(const std::filesystem::path& file) const {
     std::string sentences;
-    std::size_t shown = 0;
-    for (const auto& [line, sentence] : faults) {
-        if (shown == faultsShown)
-            break;
-        sentences += (shown++ == 0 ? "" : "\n") + file.string() + ": line " + std::to_string(line) +
-                     ": " + sentence;
-    }
-    if (faults.size() > shown)
-        sentences += "\nand " + std::to_string(faults.size() - shown) + " more bad lines.";
+    for (const auto& [line, sentence] : first)
+        sentences += (sentences.empty() ? "" : "\n") + file.string() + ": line " +
+                     std::to_string(line) + ": " + sentence;
+    if (count > first.size())
+        sentences += "\nand " + std::to_string(count - first.size()) + " more bad lines.";
     return {sentences};
 }
 
@@ -153,7 +159,7 @@ Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file) {
     if (!text)
         return tl::unexpected(text.error());
     std::vector<Impulse> impulses;
-    std::map<int, std::string> faults;
+    BadLines faults;
     std::istringstream lines(*text);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
@@ -163,11 +169,11 @@ Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file) {
             impulses.push_back(parseLine(line));
             impulses.back().line = number;
         } catch (const Fault& fault) {
-            faults.emplace(number, fault.sentence);
+            faults.add(number, fault.sentence);
         }
     }
     if (!faults.empty())
-        return tl::unexpected(badLines(file, faults));
+        return tl::unexpected(faults.error(file));
     if (impulses.empty())
         return failure(file.string() + ": it holds no impulses");
     std::ranges::stable_sort(impulses, {}, &Impulse::seconds);

@@ -25,12 +25,22 @@ struct Impulse {
     double sizeRatio = 1;      ///< the object scaled; the point is on it as it is
 };
 
-/// The error of some bad lines, by their numbers: one sentence with file and line for each (for the
-/// first 20).
-Error badLines(const std::filesystem::path& file, const std::map<int, std::string>& faults);
+/// What is wrong with lines of a file.
+class BadLines {
+public:
+    /// Each line once, in any order.
+    void add(int line, const std::string& sentence);
+    bool empty() const { return count == 0; }
+    /// One sentence with file and line for each of the first 20, and how many more there are.
+    Error error(const std::filesystem::path& file) const;
+
+private:
+    std::map<int, std::string> first; ///< no more, as every line of a large file may be bad
+    std::size_t count = 0;
+};
 
 /// The file's impulses in order of time, those of one time in the file's order. The error is one
-/// sentence, or `badLines`.
+/// sentence, or that of `BadLines`.
 Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file);
 
 } // namespace idiophone

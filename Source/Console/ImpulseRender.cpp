@@ -4,6 +4,7 @@
 #include "Console/ImpulseFile.h"
 #include "Console/RenderLoop.h"
 #include "Instrument/FactoryContent.h"
+#include "Instrument/Instrument.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/ObjectSurface.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -56,7 +57,7 @@ StruckObject struckObject(const std::string& object) {
 
 Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::filesystem::path& file) {
     ImpulseScore score;
-    std::map<int, std::string> faults;
+    BadLines faults;
     std::map<std::string, StruckObject> objects;
     std::map<std::pair<std::string, std::string>, std::size_t> slotOfBody;
     for (const auto& impulse : impulses) {
@@ -74,15 +75,15 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::files
         if (isNew)
             score.slots.push_back({.object = *struck.object, .sizeRatio = impulse.sizeRatio});
         else if (score.slots[body->second].sizeRatio != impulse.sizeRatio) {
-            faults.emplace(impulse.line, "its 'size' is another one than before of the same body");
+            faults.add(impulse.line, "its 'size' is another one than before of the same body");
             continue;
         }
 
         const auto point = impulse.vertex ? struck.surface->atVertex(*impulse.vertex)
                                           : struck.surface->nearest(impulse.pointMetres);
         if (!point) {
-            faults.emplace(impulse.line, "vertex " + std::to_string(*impulse.vertex) + " of " +
-                                             inQuotes(impulse.object) + " carries no mode shapes");
+            faults.add(impulse.line, "vertex " + std::to_string(*impulse.vertex) + " of " +
+                                         inQuotes(impulse.object) + " carries no mode shapes");
             continue;
         }
         Contact contact{.seconds = impulse.seconds, .slot = body->second, .strike = {}};
@@ -95,9 +96,11 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::files
     }
     for (const auto& [name, struck] : objects)
         if (!struck.object)
-            faults.emplace(struck.firstLine, struck.object.error().message);
+            faults.add(struck.firstLine, struck.object.error().message);
     if (!faults.empty())
-        return tl::unexpected(badLines(file, faults));
+        return tl::unexpected(faults.error(file));
+    if (auto bounded = boundedSlots(score.slots, file.string(), "bodies"); !bounded)
+        return tl::unexpected(bounded.error());
     return score;
 }
 

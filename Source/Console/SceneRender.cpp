@@ -1,7 +1,9 @@
 #include "Console/SceneRender.h"
 
 #include "Console/RenderLoop.h"
+#include "Instrument/Instrument.h"
 #include "Instrument/SettingsOfParameters.h"
+#include "Object/OneLine.h"
 #include "Scene/SceneSound.h"
 
 #include <chrono>
@@ -21,13 +23,12 @@ std::vector<SceneNote> notesOf(std::span<const SongEvent> song) {
 /// Motion and sound of a scene, a cell at a time.
 class ScenePerformance {
 public:
-    ScenePerformance(const std::shared_ptr<const SceneCast>& cast,
+    ScenePerformance(SceneRun& moved,
+                     const SceneCast& cast,
                      const std::shared_ptr<const HeadResponses>& head,
-                     std::span<const SongEvent> song,
                      const ParameterValues& parameters,
                      double sampleRateHz)
-        : motion(cast, {.notes = notesOf(song)}),
-          sound(*cast, motion.slots(), sampleRateHz, cast->scene().seed, head) {
+        : motion(moved), sound(cast, motion.slots(), sampleRateHz, cast.scene().seed, head) {
         sound.setSettings(synthesisSettings(parameters));
         tally.notesLeftOut = motion.figures().notesLeftOut;
     }
@@ -73,7 +74,7 @@ private:
         }
     }
 
-    SceneRun motion;
+    SceneRun& motion;
     SceneSound sound;
     alignas(64) std::array<float, cellSamples> left{}, right{};
     std::int64_t impactsBefore = 0;
@@ -90,7 +91,11 @@ Result<SceneTally> renderScene(const std::shared_ptr<const SceneCast>& cast,
     const double rate = format.sampleRateHz;
     const double lastSeconds =
         std::max(cast->scene().seconds, song.empty() ? 0 : song.back().seconds);
-    ScenePerformance performance(cast, head, song, parameters, rate);
+    SceneRun motion(cast, {.notes = notesOf(song)});
+    if (auto bounded = boundedSlots(motion.slots(), inQuotes(cast->scene().name), "bodies");
+        !bounded)
+        return tl::unexpected(bounded.error());
+    ScenePerformance performance(motion, *cast, head, parameters, rate);
     if (auto done = renderTo(recording, format,
                              {.name = cast->scene().name,
                               .lastSample = std::llround(std::ceil(lastSeconds * rate)) - 1,

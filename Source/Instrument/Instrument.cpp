@@ -30,14 +30,16 @@ std::uint64_t nextSerialNumber() {
 
 } // namespace
 
-Result<void> boundedSlots(std::span<const SynthesiserSlot> slots, const KeyMap& keyMap) {
+Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
+                          const std::string& ofWhat,
+                          const char* played) {
     std::size_t modes = 0;
     for (const auto& slot : slots)
         modes += slot.object->modeCount();
     if (modes > mostModesOfSlots)
-        return failure(inQuotes(keyMap.object) + " has " + std::to_string(modes) +
-                       " modes on all keys together, more than the " +
-                       std::to_string(mostModesOfSlots) + " that can be played");
+        return failure(ofWhat + " has " + std::to_string(modes) + " modes on all " + played +
+                       " together, more than the " + std::to_string(mostModesOfSlots) +
+                       " that can be played");
     return {};
 }
 
@@ -55,7 +57,7 @@ Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap
                                                        : instrument->buildSingleObject(library);
     if (!built)
         return tl::unexpected(built.error());
-    return boundedSlots(instrument->slots(), keyMap).map([&] {
+    return boundedSlots(instrument->slots(), inQuotes(keyMap.object)).map([&] {
         return std::shared_ptr<const Instrument>(instrument);
     });
 }

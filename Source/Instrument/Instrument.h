@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace idiophone {
@@ -27,8 +28,11 @@ struct Key {
 /// file on 128 keys could take any memory.
 inline constexpr std::size_t mostModesOfSlots = std::size_t{1} << 21;
 
-/// Refuses slots of more; the error names the map's object.
-Result<void> boundedSlots(std::span<const SynthesiserSlot> slots, const KeyMap& keyMap);
+/// Refuses slots of more. The error says of what they are: a key map's object ("'plate'"), a scene,
+/// a file; and on all of which it has too many.
+Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
+                          const std::string& ofWhat,
+                          const char* played = "keys");
 
 class Instrument {
 public:

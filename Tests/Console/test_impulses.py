@@ -1,8 +1,10 @@
 import json
 import math
+import os
 import struct
+import unittest
 
-from console import OBJECTS, ConsoleTest, Wave, run
+from console import OBJECTS, ConsoleTest, Wave, most_memory_bytes, run
 
 
 TAU = 0.001
@@ -207,6 +209,16 @@ class Impulses(ConsoleTest):
         sentences = result.stderr.splitlines()
         self.assertEqual(len(sentences), 21)
         self.assertEqual(sentences[-1], "and 3 more bad lines.")
+
+    @unittest.skipUnless(hasattr(os, "wait4"), "figures of POSIX")
+    def test_bad_lines_that_are_not_told_take_no_memory(self):
+        many = self.write("bad.jsonl", "x\n" * 5_000_000)
+        few = self.write("few.jsonl", "x\n")
+        output = ("-o", self.folder / "out.wav")
+        most, code = most_memory_bytes("render", "--impulses", many, *output)
+        usual, _ = most_memory_bytes("render", "--impulses", few, *output)
+        self.assertEqual(code, 1)
+        self.assertLess(most - usual, 200e6)  # of 10 MB; 600 where each sentence was kept
 
     def refuse_lines(self, bad):
         """`bad`: lines, and what is said of each."""
