@@ -1,6 +1,7 @@
 #include "Console/Command.h"
 #include "Console/JsonText.h"
 #include "Console/MaterialChoice.h"
+#include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 #include "Synth/ModalPole.h"
 #include "Synth/ModeCompression.h"
@@ -102,20 +103,21 @@ void print(const ModalObject& object) {
     };
     const auto& origin = object.provenance;
     std::cout << std::fixed << std::setprecision(2);
-    row("name") << object.name << '\n';
+    row("name") << shownName(object.name) << '\n';
     row("mesh") << object.vertexCount() << " vertices, " << object.faceCount() << " faces, "
                 << object.shapeVertexCount() << " vertices with mode shapes\n";
     row("modes") << object.modeCount() << " up to " << object.bandHz / 1000 << " kHz, "
                  << countGroups(object) << " after compression\n";
-    row("method") << object.method;
+    row("method") << shownName(object.method);
     if (object.body == BodyKind::shell)
         std::cout << ", a shell " << object.thicknessMetres * 1000 << " mm thick";
     std::cout << "\n";
-    row("material") << object.material.name << ", " << object.material.youngsModulusPa / 1e9
-                    << " GPa, " << object.material.densityKgPerM3 << " kg/m³\n";
+    row("material") << shownName(object.material.name) << ", "
+                    << object.material.youngsModulusPa / 1e9 << " GPa, "
+                    << object.material.densityKgPerM3 << " kg/m³\n";
     row("mass") << std::setprecision(4) << object.mass.massKg << " kg\n";
-    row("source") << origin.source << " (" << origin.software << ", " << origin.analysedVertices
-                  << " vertices analysed";
+    row("source") << shownName(origin.source) << " (" << shownName(origin.software) << ", "
+                  << origin.analysedVertices << " vertices analysed";
     if (origin.analysisSeconds > 0)
         std::cout << " in " << std::setprecision(1) << origin.analysisSeconds << " s";
     std::cout << ")\n";

@@ -1,5 +1,6 @@
 #include "Console/Command.h"
 #include "Console/Interrupt.h"
+#include "Console/TerminalText.h"
 #include "Object/WorkControl.h"
 
 #include <cstdlib>
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    const idiophone::TerminalText output(std::cout), complaints(std::cerr);
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {

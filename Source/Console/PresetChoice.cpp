@@ -2,6 +2,7 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Instrument/PresetFile.h"
+#include "Object/OneLine.h"
 #include "Object/TextFile.h"
 
 #include <iostream>
@@ -25,8 +26,8 @@ Result<Preset> findOrReadPreset(const std::string& nameOrFile) {
     if (!preset)
         return preset;
     for (const auto& id : preset->unknownParameters)
-        std::cerr << "warning: " << nameOrFile << ": this version does not know the parameter '"
-                  << id << "'" << std::endl;
+        std::cerr << "warning: " << nameOrFile << ": this version does not know the parameter "
+                  << inQuotes(id) << std::endl;
     preset->keyMap = withObjectsBeside(std::move(preset->keyMap), nameOrFile);
     return preset;
 }

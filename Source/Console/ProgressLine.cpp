@@ -1,5 +1,7 @@
 #include "Console/ProgressLine.h"
 
+#include "Object/OneLine.h"
+
 #include <cmath>
 #include <iostream>
 #ifdef _WIN32
@@ -21,12 +23,12 @@ bool standardErrorIsTerminal() {
 
 } // namespace
 
-ProgressLine::ProgressLine(std::string what)
-    : task(std::move(what)), onTerminal(standardErrorIsTerminal()) {}
+ProgressLine::ProgressLine(std::string_view what)
+    : task(oneLine(what)), onTerminal(standardErrorIsTerminal()) {}
 
 ProgressLine::~ProgressLine() {
     if (!shown.empty())
-        std::cerr << '\r' << std::string(shown.size(), ' ') << '\r' << std::flush;
+        std::clog << '\r' << std::string(shown.size(), ' ') << '\r' << std::flush;
 }
 
 void ProgressLine::show(double fraction, std::string_view step) {
@@ -41,7 +43,7 @@ void ProgressLine::show(double fraction, std::string_view step) {
     shown = line;
     if (line.size() < width)
         line.append(width - line.size(), ' ');
-    std::cerr << '\r' << line << std::flush;
+    std::clog << '\r' << line << std::flush; // std::cerr would show the '\r' (TerminalText)
 }
 
 } // namespace idiophone

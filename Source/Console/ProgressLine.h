@@ -8,7 +8,7 @@ namespace idiophone {
 
 class ProgressLine {
 public:
-    explicit ProgressLine(std::string task);
+    explicit ProgressLine(std::string_view task);
     ~ProgressLine(); ///< takes the line away
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;

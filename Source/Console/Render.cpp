@@ -6,6 +6,7 @@
 #include "Console/PresetChoice.h"
 #include "Console/SongRender.h"
 #include "Instrument/ScalaTuning.h"
+#include "Object/OneLine.h"
 #include "Object/TextFile.h"
 #include "Scene/SceneStage.h"
 
@@ -78,16 +79,17 @@ void warnOfTuning(const Preset& preset, const Instrument& instrument, const Opti
     for (const auto& [option, file] :
          {std::pair{"--scale", options.scale}, std::pair{"--mapping", options.mapping}})
         if (!file.empty())
-            std::cerr << "warning: " << option << " has no effect: the keys of '" << preset.name
-                      << "' share objects, which keep their pitch" << std::endl;
+            std::cerr << "warning: " << option << " has no effect: the keys of "
+                      << inQuotes(preset.name) << " share objects, which keep their pitch"
+                      << std::endl;
 }
 
 void warnOfNotes(const Preset& preset, const RenderTally& tally, const Options& options) {
     if (tally.notesWithoutKey > 0)
         std::cerr << "warning: " << options.midi.string() << ": " << tally.notesWithoutKey << " of "
                   << tally.strikes + tally.notesWithoutKey << " notes "
-                  << (tally.notesWithoutKey == 1 ? "is" : "are") << " no key of '" << preset.name
-                  << "', which has " << preset.keyMap.lowestNote << " to "
+                  << (tally.notesWithoutKey == 1 ? "is" : "are") << " no key of "
+                  << inQuotes(preset.name) << ", which has " << preset.keyMap.lowestNote << " to "
                   << preset.keyMap.highestNote << std::endl;
 }
 

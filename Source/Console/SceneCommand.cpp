@@ -145,7 +145,7 @@ Result<void> perform(const Options& options) {
     if (!assigned)
         return tl::unexpected(assigned.error());
     if (!options.midi.empty() && !scene->noteDrop)
-        return failure("'" + scene->name + "' has no 'notes': nothing is dropped for a song");
+        return failure(inQuotes(scene->name) + " has no 'notes': nothing is dropped for a song");
     std::vector<SongEvent> song;
     if (!options.midi.empty()) {
         auto read = readMidiSong(options.midi);

@@ -1,24 +1,25 @@
 #include "Console/WavReader.h"
 
-#include "Console/JuceFile.h"
+#include "Object/FileBytes.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <juce_audio_formats/juce_audio_formats.h>
 #include <memory>
+#include <string>
 
 namespace idiophone {
 namespace {
 
 constexpr double longestSeconds = 600;
-constexpr std::int64_t largestFileBytes = std::int64_t{1} << 30;
+constexpr std::uintmax_t largestFileBytes = std::uintmax_t{1} << 30;
 constexpr unsigned mostChannels = 64;
 constexpr double lowestRateHz = 1000, highestRateHz = 1e6;
 
 /// Leaves JUCE the format and the samples: the lengths of other chunks it takes at their word, and
 /// in their texts it reads beyond the end. False where a chunk is longer than the file.
-bool hideMetadata(juce::MemoryBlock& file) {
-    juce::MemoryInputStream stream(file, false);
+bool hideMetadata(std::string& file) {
+    juce::MemoryInputStream stream(file.data(), file.size(), false);
     const auto fileEnd = stream.getTotalLength();
     const auto name = [](const char* text) {
         return static_cast<int>(juce::ByteOrder::littleEndianInt(text));
@@ -44,7 +45,7 @@ bool hideMetadata(juce::MemoryBlock& file) {
         if (length > fileEnd - stream.getPosition())
             return false;
         if (id != name("fmt ") && id != name("data") && id != name("ds64"))
-            file.copyFrom("JUNK", static_cast<int>(chunk), 4);
+            std::copy_n("JUNK", std::min<std::int64_t>(4, fileEnd - chunk), file.data() + chunk);
         chunk = stream.getPosition() + length + (length & 1);
     }
     return true;
@@ -74,23 +75,16 @@ Result<MonoRecording> readWav(const std::filesystem::path& file) {
     const auto refuse = [&](const std::string& sentence) {
         return failure(file.string() + ": " + sentence);
     };
-    std::error_code fault;
-    if (std::filesystem::is_directory(file, fault))
-        return refuse("it is a directory");
-    juce::FileInputStream stream(juceFile(file));
-    if (!stream.openedOk())
-        return refuse("the file cannot be opened");
-    if (stream.getTotalLength() > largestFileBytes)
-        return refuse("it is larger than 1 GB");
-    juce::MemoryBlock bytes;
-    stream.readIntoMemoryBlock(bytes);
-    if (!hideMetadata(bytes))
+    auto bytes = readBytes(file, largestFileBytes);
+    if (!bytes)
+        return refuse(bytes.error().message);
+    if (!hideMetadata(*bytes))
         return refuse("it is shorter than its header says");
-    const std::unique_ptr<juce::AudioFormatReader> reader(
-        juce::WavAudioFormat().createReaderFor(new juce::MemoryInputStream(bytes, false), true));
+    const std::unique_ptr<juce::AudioFormatReader> reader(juce::WavAudioFormat().createReaderFor(
+        new juce::MemoryInputStream(bytes->data(), bytes->size(), false), true));
     if (reader == nullptr)
         return refuse("it is not a WAV file");
-    if (const auto sentence = faultOf(*reader, bytes.getSize()); !sentence.empty())
+    if (const auto sentence = faultOf(*reader, bytes->size()); !sentence.empty())
         return refuse(sentence);
 
     const auto channelCount = static_cast<int>(reader->numChannels);

@@ -1,5 +1,7 @@
 #include "Object/FileBytes.h"
 
+#include "Object/OneLine.h"
+
 #include <fstream>
 #include <new>
 
@@ -45,6 +47,15 @@ std::string nameOf(const std::filesystem::path& file) {
     } catch (const std::exception&) {
         return "a file whose name is not Unicode";
     }
+}
+
+std::string shownNameOf(const std::filesystem::path& file) {
+    return shownName(nameOf(file));
+}
+
+std::string shownName(std::string_view name) {
+    constexpr std::size_t mostBytes = 500; // paths are long, and to be found again
+    return oneLine(name, mostBytes);
 }
 
 std::string storedNameOf(const std::filesystem::path& file) {

@@ -17,7 +17,13 @@ Result<std::string> readBytes(const std::filesystem::path& file, std::uintmax_t 
 /// The path in UTF-8, as all our texts are, on every system.
 std::string nameOf(const std::filesystem::path& file);
 
-/// The same with forward slashes, as files of ours keep it: every system reads these.
+/// The same as part of a sentence: what can be shown of it, and of a long one the beginning. It may
+/// come from a file that says where another one lies.
+std::string shownNameOf(const std::filesystem::path& file);
+/// Of a name in UTF-8.
+std::string shownName(std::string_view name);
+
+/// The path in UTF-8 with forward slashes, as files of ours keep it: every system reads these.
 std::string storedNameOf(const std::filesystem::path& file);
 
 /// The path that a name in UTF-8 tells; empty where it can be none on this system.

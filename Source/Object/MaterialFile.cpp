@@ -137,7 +137,7 @@ template <class Parse>
 auto parsed(std::string_view text, const std::filesystem::path& file, const Parse& parse)
     -> Result<decltype(parse(json()))> {
     const auto refuse = [&](const std::string& sentence) {
-        return failure(nameOf(file) + ": " + sentence);
+        return failure(shownNameOf(file) + ": " + sentence);
     };
     if (text.size() > largestFileBytes)
         return refuse("it is too large for a material");

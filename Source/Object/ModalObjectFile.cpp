@@ -248,7 +248,7 @@ json describeMetadata(const ModalObject& object) {
 
 Result<ModalObject> readModalObject(std::span<const std::byte> bytes, std::string_view name) {
     const auto refuse = [&](const std::string& sentence) {
-        return failure(std::string(name) + ": " + sentence);
+        return failure(shownName(name) + ": " + sentence);
     };
     try {
         auto object = validated(Reader(safetensors::parse(bytes)).object());
@@ -267,7 +267,7 @@ Result<ModalObject> readModalObject(std::span<const std::byte> bytes, std::strin
 Result<ModalObject> readModalObject(const std::filesystem::path& file) {
     const auto bytes = readBytes(file, fileLimitBytes);
     if (!bytes)
-        return failure(nameOf(file) + ": " + bytes.error().message);
+        return failure(shownNameOf(file) + ": " + bytes.error().message);
     return readModalObject(std::as_bytes(std::span(*bytes)), nameOf(file));
 }
 
@@ -308,7 +308,7 @@ Result<void> writeModalObject(const ModalObject& object,
                               const std::filesystem::path& file,
                               ShapePrecision precision) {
     const auto refuse = [&](const char* sentence) {
-        return failure(nameOf(file) + ": " + sentence);
+        return failure(shownNameOf(file) + ": " + sentence);
     };
     std::vector<std::byte> bytes;
     try {

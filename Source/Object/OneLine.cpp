@@ -5,7 +5,12 @@
 namespace idiophone {
 namespace {
 
-constexpr std::size_t longestBytes = 100;
+/// Those of a character that begins with that byte; 0 where none does.
+std::size_t bytesFromLead(unsigned char lead) {
+    if (lead < 0x80)
+        return 1;
+    return lead < 0xc2 || lead > 0xf4 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+}
 
 /// The bytes of the character at the beginning of the text; 0 where it cannot be shown.
 std::size_t shownBytes(std::string_view text) {
@@ -13,8 +18,8 @@ std::size_t shownBytes(std::string_view text) {
     const auto lead = at(0);
     if (lead < 0x80)
         return lead >= ' ' && lead != 127 ? 1 : 0;
-    const std::size_t size = lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
-    if (size == 0 || lead > 0xf4 || size > text.size())
+    const auto size = bytesFromLead(lead);
+    if (size == 0 || size > text.size())
         return 0;
     if (!std::ranges::all_of(text.substr(1, size - 1),
                              [](unsigned char c) { return c >= 0x80 && c < 0xc0; }))
@@ -30,11 +35,11 @@ std::size_t shownBytes(std::string_view text) {
 
 } // namespace
 
-std::string oneLine(std::string_view text) {
+std::string oneLine(std::string_view text, std::size_t mostBytes) {
     std::string result;
     for (std::size_t i = 0; i < text.size();) {
         const auto size = shownBytes(text.substr(i));
-        if (i + std::max<std::size_t>(size, 1) > longestBytes)
+        if (i + std::max<std::size_t>(size, 1) > mostBytes)
             return result + "...";
         if (size == 0)
             result += '?';
@@ -46,6 +51,42 @@ std::string oneLine(std::string_view text) {
 
 std::string inQuotes(std::string_view text) {
     return '\'' + oneLine(text) + '\'';
+}
+
+std::string escaped(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string result;
+    const auto escape = [&](unsigned char code) {
+        result += "\\u00";
+        result += digits[code >> 4];
+        result += digits[code & 15];
+    };
+    while (!text.empty()) {
+        const auto lead = static_cast<unsigned char>(text[0]);
+        std::size_t size = std::max<std::size_t>(shownBytes(text), 1);
+        if (lead == 0xc2 && text.size() > 1 && shownBytes(text) == 0 &&
+            static_cast<unsigned char>(text[1]) >= 0x80 &&
+            static_cast<unsigned char>(text[1]) < 0xa0) {
+            size = 2;
+            escape(static_cast<unsigned char>(text[1]));
+        } else if ((lead < ' ' && lead != '\n' && lead != '\t') || lead == 127 ||
+                   (lead >= 0x80 && lead < 0xa0)) {
+            escape(lead);
+        } else {
+            result += text.substr(0, size);
+        }
+        text.remove_prefix(size);
+    }
+    return result;
+}
+
+std::size_t unfinishedBytes(std::string_view text) {
+    for (std::size_t count = 1; count <= std::min<std::size_t>(text.size(), 3); ++count) {
+        const auto byte = static_cast<unsigned char>(text[text.size() - count]);
+        if (byte < 0x80 || byte >= 0xc0)
+            return bytesFromLead(byte) > count ? count : 0;
+    }
+    return 0;
 }
 
 } // namespace idiophone

@@ -8,7 +8,7 @@ namespace idiophone {
 
 Result<std::string> readTextFile(const std::filesystem::path& file, std::uintmax_t limitBytes) {
     return readBytes(file, limitBytes).map_error([&](const Error& fault) {
-        return Error{nameOf(file) + ": " + fault.message};
+        return Error{shownNameOf(file) + ": " + fault.message};
     });
 }
 
@@ -17,7 +17,7 @@ Result<void> writeTextFile(const std::filesystem::path& file, const std::string&
     stream << text;
     stream.close();
     if (!stream)
-        return failure(nameOf(file) + ": the file cannot be written");
+        return failure(shownNameOf(file) + ": the file cannot be written");
     return {};
 }
 

@@ -1,6 +1,7 @@
 #include "Scene/RigidBodyModel.h"
 
 #include "Instrument/HertzContact.h"
+#include "Object/OneLine.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -58,16 +59,16 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
         model.meshFromBody.translation() =
             s * Eigen::Map<const Eigen::Vector3d>(own.mass.centreMetres.data());
         if (!(model.massKg > 0) || !(model.inertiaKgM2.minCoeff() > 0))
-            return failure("'" + kind.name + "' cannot move: its object '" + own.name +
-                           "' has no mass");
+            return failure(inQuotes(kind.name) + " cannot move: its object " + inQuotes(own.name) +
+                           " has no mass");
     }
     if (kind.form == BodyForm::surface && own.faceCount() == 0)
-        return failure("'" + kind.name + "' is no surface: its object '" + own.name +
-                       "' has no faces");
+        return failure(inQuotes(kind.name) + " is no surface: its object " + inQuotes(own.name) +
+                       " has no faces");
     const Eigen::Vector3d sizes = boundingBox(outerVertices(model)).sizes();
     if (!(sizes.minCoeff() > 0) && kind.form != BodyForm::surface && kind.form != BodyForm::ground)
-        return failure("'" + kind.name + "' is as flat as a sheet: its object '" + own.name +
-                       "' has no thickness");
+        return failure(inQuotes(kind.name) + " is as flat as a sheet: its object " +
+                       inQuotes(own.name) + " has no thickness");
     model.contactRadiusMetres =
         kind.contactRadiusMetres > 0 ? kind.contactRadiusMetres : ownContactRadius(model, sizes);
     return std::make_shared<const RigidBodyModel>(std::move(model));

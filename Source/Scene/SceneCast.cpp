@@ -7,6 +7,7 @@
 #include "Instrument/PresetFile.h"
 #include "Instrument/StrikePointMetres.h"
 #include "Object/FileBytes.h"
+#include "Object/OneLine.h"
 
 #include <algorithm>
 #include <numbers>
@@ -109,7 +110,7 @@ Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
     if (!preset)
         return tl::unexpected(preset.error());
     if (preset->keyMap.kind != KeyMapKind::bars)
-        return failure("the keyboard's preset '" + preset->name + "' has no bars");
+        return failure("the keyboard's preset " + inQuotes(preset->name) + " has no bars");
     const auto built = Instrument::build(preset->keyMap, library);
     if (!built)
         return tl::unexpected(built.error());

@@ -7,6 +7,7 @@ import os
 import pathlib
 import struct
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -25,6 +26,15 @@ def run(*arguments, timeout=120, environment=(), largest_file_bytes=None):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
                           timeout=timeout, env={**os.environ, **dict(environment)},
                           preexec_fn=None if largest_file_bytes is None else fill_disk)
+
+
+def most_memory_bytes(*arguments):
+    """What a run had of memory at most, and its exit code; of POSIX."""
+    with subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL) as process:
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    return usage.ru_maxrss * (1 if sys.platform == "darwin" else 1024), process.returncode
 
 
 class ConsoleTest(unittest.TestCase):
@@ -169,3 +179,24 @@ def modal_parts(content):
 def modal_bytes(header, data):
     text = json.dumps(header).encode()
     return struct.pack("<Q", len(text)) + text + data
+
+
+def many_modes(mode_count, **metadata):
+    """A small .modal file: a box whose modes all lie within some hundred Hz."""
+    source, _ = modal_parts((OBJECTS / "xylophone-108.modal").read_bytes())
+    vertices = [0.1 * (corner >> axis & 1) for corner in range(8) for axis in range(3)]
+    faces = [0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
+             2, 4, 6, 1, 3, 5, 3, 7, 5]
+    eigenvalues = ((2 * math.pi * (1000 + 5e-3 * mode)) ** 2 for mode in range(mode_count))
+    header = {"__metadata__": {**source["__metadata__"], **metadata}}
+    data = b""
+    for name, kind, shape, content in (
+            ("eigenvalues", "F64", [mode_count], array.array("d", eigenvalues).tobytes()),
+            ("vertices", "F32", [8, 3], array.array("f", vertices).tobytes()),
+            ("faces", "I32", [12, 3], array.array("i", faces).tobytes()),
+            ("shape_vertices", "I32", [3], array.array("i", [0, 1, 2]).tobytes()),
+            ("shapes", "F16", [3, mode_count, 3], struct.pack("<e", 1) * (9 * mode_count))):
+        header[name] = {"dtype": kind, "shape": shape,
+                        "data_offsets": [len(data), len(data) + len(content)]}
+        data += content
+    return modal_bytes(header, data)

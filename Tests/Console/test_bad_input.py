@@ -7,8 +7,8 @@ import subprocess
 import sys
 import unittest
 
-from console import (OBJECTS, PROGRAM, ConsoleTest, midi_file, modal_bytes, modal_parts, note,
-                     obj_text, run)
+from console import (OBJECTS, PROGRAM, ConsoleTest, many_modes, midi_file, modal_bytes, modal_parts,
+                     note, obj_text, run)
 
 BAR = OBJECTS / "xylophone-108.modal"
 
@@ -221,6 +221,14 @@ class BadPresetsAndSongs(ConsoleTest):
         self.refuse("render", "--preset", "Steel Ring", "--midi", self.folder, *self.out,
                     naming=self.folder)
 
+    def test_a_song_full_of_tempi_is_read_at_once(self):
+        # Where each event went through all tempi before it, for some minutes.
+        body = b"\1\xff\x51\3\7\xa1\x20" * 100000 + b"\1\xb0\1\1" * 200000 + b"\0\xff\x2f\0"
+        path = self.write("tempi.mid", midi_file()[:10] + struct.pack(">HH", 1, 480) + b"MTrk" +
+                          struct.pack(">I", len(body)) + body)
+        self.refuse("render", "--preset", "Steel Ring", "--midi", path, *self.out, naming=path,
+                    saying="no notes")
+
     def test_random_songs_are_no_crash(self):
         random.seed(4)
         for _ in range(60):
@@ -230,6 +238,93 @@ class BadPresetsAndSongs(ConsoleTest):
             result = run("render", "--preset", "Steel Ring", "--midi",
                          self.write("noise.mid", bytes(noise)), *self.out, "--seconds", 0.05)
             self.assertIn(result.returncode, (0, 1), bytes(noise).hex())
+
+
+class Recordings(ConsoleTest):
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "files of POSIX")
+    def test_what_has_no_length_is_not_read(self):
+        pipe = self.folder / "pipe.wav"
+        os.mkfifo(pipe)
+        endless = self.folder / "endless.wav"
+        endless.symlink_to("/dev/zero")
+        for file in (pipe, endless):
+            self.refuse("surface", file, naming=file, saying="cannot be opened")
+            self.refuse("fit", f"{file}@0", "-o", self.folder / "out.modal", naming=file,
+                        saying="cannot be opened")
+
+
+class Terminals(ConsoleTest):
+    """A file's texts do not reach a terminal as commands."""
+
+    HOSTILE = "\x1b[31mred\x1b]0;title\x07\x7f\x9b2J\nü"
+
+    def tame(self, text):
+        return not any(ord(c) < 32 and c not in "\n\t" or 127 <= ord(c) < 160 for c in text)
+
+    def check(self, *arguments, saying, code):
+        result = run(*arguments, environment=self.environment)
+        self.assertEqual(result.returncode, code, result.stderr)
+        said = result.stdout + result.stderr
+        self.assertTrue(self.tame(said), repr(said))
+        self.assertIn(saying, said)
+        return result
+
+    def test_objects(self):
+        header, data = modal_parts(BAR.read_bytes())
+        metadata = header["__metadata__"]
+        for part, member in (("material", "name"), ("provenance", "source"),
+                             ("provenance", "software"), ("provenance", "notes")):
+            metadata[part] = json.dumps({**json.loads(metadata[part]), member: self.HOSTILE})
+        metadata["name"] = metadata["method"] = self.HOSTILE
+        path = self.write("hostile.modal", modal_bytes(header, data))
+        self.check("info", path, saying="[31mred", code=0)
+        told = self.check("info", path, "--json", saying="[31mred", code=0)
+        self.assertEqual(json.loads(told.stdout)["name"], self.HOSTILE)
+
+    def test_presets(self):
+        preset = self.json("presets")[0]
+        preset["parameters"][self.HOSTILE] = 1
+        out = ("-o", self.folder / "out.wav", "--seconds", 0.1)
+        song = self.write("song.mid", midi_file(note(0, 72)))
+        path = self.write("hostile.json", json.dumps(preset))
+        self.check("render", "--preset", path, "--midi", song, *out, saying="[31mred", code=0)
+        preset["keyMap"]["object"] = self.HOSTILE + "/gone.modal"
+        path.write_text(json.dumps(preset))
+        self.check("render", "--preset", path, "--midi", song, *out, saying="[31mred", code=1)
+        preset["keyMap"]["object"] = 5000 * "x"
+        path.write_text(json.dumps(preset))
+        self.refuse("render", "--preset", path, "--midi", song, *out, naming="hostile.json",
+                    saying="keyMap.object is longer than 4096 bytes")
+
+    def test_scenes_and_what_is_typed(self):
+        scene = {"format": "idiophone-scene", "version": 1, "name": self.HOSTILE,
+                 "kinds": [{"name": "ball", "object": "ring"}], "bodies": [{"kind": "ball"}]}
+        song = self.write("song.mid", midi_file(note(0, 72)))
+        self.check("scene", self.write("hostile.json", json.dumps(scene)), "--midi", song, "-o",
+                   self.folder / "out.wav", saying="[31mred", code=1)
+        self.check("info", self.HOSTILE, saying="[31mred", code=1)
+        self.check(self.HOSTILE, saying="[31mred", code=2)
+
+
+class SmallFilesThatAreLarge(ConsoleTest):
+    """No more modes than can be played, however few bytes ask for them."""
+
+    def test_scenes(self):
+        self.write("many.modal", many_modes(65536))
+        scene = {"format": "idiophone-scene", "version": 1, "name": "Crowd",
+                 "kinds": [{"name": "bar", "object": "many.modal"}], "seconds": 0.01,
+                 "bodies": [{"kind": "bar", "count": 33, "over": 3600, "at": [0, 0, 1]}]}
+        self.refuse("scene", self.write("scene.json", json.dumps(scene)), "-o",
+                    self.folder / "out.wav", naming="Crowd",
+                    saying="2162688 modes on all bodies together")
+
+    def test_impulses(self):
+        self.write("many.modal", many_modes(65536))
+        lines = "".join(json.dumps({"time": 0, "object": "many.modal", "body": body, "vertex": 0,
+                                    "impulse": [0, 0, 0.001]}) + "\n" for body in range(33))
+        self.refuse("render", "--impulses", self.write("bodies.jsonl", lines), "-o",
+                    self.folder / "out.wav", "--seconds", 0.01, naming="bodies.jsonl",
+                    saying="2162688 modes on all bodies together")
 
 
 class BadArguments(ConsoleTest):

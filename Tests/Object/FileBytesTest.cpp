@@ -1,4 +1,6 @@
 #include "Object/FileBytes.h"
+#include "Object/ModalObjectFile.h"
+#include "Object/TextFile.h"
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -48,4 +50,15 @@ TEST_CASE("Names that files keep are UTF-8 with forward slashes, and lead back t
 
 TEST_CASE("A file's name is told in UTF-8") {
     CHECK(nameOf(std::filesystem::path(u8"Glöckchen/γ.obj").filename()) == "\xce\xb3.obj");
+}
+
+TEST_CASE("In a sentence a file's name commands no terminal and has an end") {
+    CHECK(shownNameOf(std::filesystem::path(u8"Glöckchen")) == "Gl\xc3\xb6"
+                                                               "ckchen");
+    CHECK(shownName("\x1b]0;a\n.modal") == "?]0;a?.modal");
+    CHECK(shownName(std::string(300, 'x')) == std::string(300, 'x'));
+    CHECK(shownName(std::string(1 << 20, 'x')).size() < 1000);
+    CHECK(readTextFile(std::string(3000, 'x')).error().message.size() < 1000);
+    CHECK(readModalObject(std::string(3000, 'x')).error().message.size() < 1000);
+    CHECK(readModalObject(std::span<const std::byte>(), "\x1b[31m").error().message.front() == '?');
 }

@@ -28,3 +28,25 @@ TEST_CASE("A long text is cut between characters") {
     CHECK(oneLine(std::string(99, 'x') + "ü") == std::string(99, 'x') + "...");
     CHECK(inQuotes(std::string(1000, '\n')) == "'" + std::string(100, '?') + "...'");
 }
+
+TEST_CASE("A terminal is shown control characters instead of obeying them") {
+    CHECK(escaped("Bell\t'ü', 鐘, 🔔\n") == "Bell\t'ü', 鐘, 🔔\n");
+    CHECK(escaped("\x1b[31mRED\x1b]0;title\x07\r") ==
+          "\\u001b[31mRED\\u001b]0;title\\u0007\\u000d");
+    CHECK(escaped(std::string_view("\0\x7f", 2)) == "\\u0000\\u007f");
+    CHECK(escaped("\xc2\x9b") == "\\u009b");
+    CHECK(escaped("\x9b") == "\\u009b"); // where a terminal takes bytes for characters
+    CHECK(escaped("\xe9t\xe9") == "\xe9t\xe9");
+    CHECK(escaped("\xc2\xc2\x85") == "\xc2\\u0085");
+    CHECK(escaped("\xc2\x1b") == "\xc2\\u001b");
+}
+
+TEST_CASE("A character that its text does not end is told") {
+    CHECK(unfinishedBytes("") == 0);
+    CHECK(unfinishedBytes("ü") == 0);
+    CHECK(unfinishedBytes("a\xc3") == 1);
+    CHECK(unfinishedBytes("\xf0\x9f\x94") == 3);
+    CHECK(unfinishedBytes("🔔") == 0);
+    CHECK(unfinishedBytes("\x80\x80\x80\x80") == 0);
+    CHECK(unfinishedBytes("\xff") == 0);
+}
