@@ -1,13 +1,45 @@
 #include "Geometry/ObjectMesh.h"
 
+#include <cmath>
 #include <cstdint>
+#include <igl/PI.h>
 #include <igl/per_corner_normals.h>
+#include <igl/per_face_normals.h>
+#include <igl/vertex_triangle_adjacency.h>
+#include <span>
+#include <vector>
 
 namespace idiophone {
 namespace {
 
 using Coordinates = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Corners = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// The corners at these vertices have the mean of all faces around, or where that turns too far
+/// from their own face, the normal of that.
+void smoothCrowded(const Mesh& mesh,
+                   const Eigen::MatrixXd& faceNormals,
+                   std::span<const std::size_t> vertices,
+                   double leastCosine,
+                   Eigen::MatrixXd& normals) {
+    std::vector<char> isCrowded(static_cast<std::size_t>(mesh.vertexCount()), 0);
+    for (const auto vertex : vertices)
+        isCrowded[vertex] = 1;
+    Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(mesh.vertexCount(), 3);
+    for (const bool isSum : {true, false})
+        for (Eigen::Index corner = 0; corner < normals.rows(); ++corner) {
+            const auto face = corner / 3, vertex = Eigen::Index{mesh.faces(face, corner % 3)};
+            const Eigen::RowVector3d own = faceNormals.row(face);
+            if (isCrowded[static_cast<std::size_t>(vertex)] == 0 || !own.allFinite())
+                continue;
+            if (isSum) {
+                mean.row(vertex) += own;
+                continue;
+            }
+            const Eigen::RowVector3d smooth = mean.row(vertex).normalized();
+            normals.row(corner) = smooth.dot(own) > leastCosine ? smooth : own;
+        }
+}
 
 } // namespace
 
@@ -29,8 +61,21 @@ void setMesh(ModalObject& object, const Mesh& mesh) {
 }
 
 Eigen::MatrixXd cornerNormals(const Mesh& mesh, double creaseDegrees) {
-    Eigen::MatrixXd normals;
-    igl::per_corner_normals(mesh.vertices, mesh.faces, creaseDegrees, normals);
+    // Each corner looks at every face around it, which is quadratic where many meet in one vertex.
+    constexpr std::size_t mostFacesAround = 64;
+    std::vector<std::vector<int>> around, cornersAround;
+    igl::vertex_triangle_adjacency(mesh.vertices, mesh.faces, around, cornersAround);
+    std::vector<std::size_t> crowded;
+    for (std::size_t vertex = 0; vertex < around.size(); ++vertex)
+        if (around[vertex].size() > mostFacesAround) {
+            crowded.push_back(vertex);
+            around[vertex].clear();
+        }
+    Eigen::MatrixXd faceNormals, normals;
+    igl::per_face_normals(mesh.vertices, mesh.faces, faceNormals);
+    igl::per_corner_normals(mesh.vertices, mesh.faces, faceNormals, around, creaseDegrees, normals);
+    if (!crowded.empty())
+        smoothCrowded(mesh, faceNormals, crowded, std::cos(creaseDegrees * igl::PI / 180), normals);
     for (Eigen::Index corner = 0; corner < normals.rows(); ++corner)
         if (!normals.row(corner).allFinite())
             normals.row(corner).setZero();
