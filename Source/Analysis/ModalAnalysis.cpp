@@ -188,7 +188,8 @@ analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const WorkCon
         return tl::unexpected(usable.error());
     control.report(0, "Repairing the mesh");
     const auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
-                                            .largestComponentOnly = settings.largestComponentOnly});
+                                            .largestComponentOnly = settings.largestComponentOnly,
+                                            .cancelled = control.cancelled});
     if (!repaired)
         return failure(repaired.error().message);
     const auto vertices = shapeVertices(settings, *repaired);

@@ -25,7 +25,8 @@ constexpr int elementBudget = 300, shellVertexBudget = 300;
 Result<Mesh>
 lightened(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control) {
     auto repaired = repairMesh(mesh, {.weldTolerance = settings.weldTolerance,
-                                      .largestComponentOnly = settings.largestComponentOnly});
+                                      .largestComponentOnly = settings.largestComponentOnly,
+                                      .cancelled = control.cancelled});
     if (!repaired)
         return tl::unexpected(repaired.error());
     if (repaired->mesh.vertexCount() <= previewVertices)

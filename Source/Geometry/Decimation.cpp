@@ -78,7 +78,8 @@ Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& con
     if (vertexBudget < 4)
         return failure("A mesh cannot be decimated to fewer than 4 vertices.");
     try {
-        const auto repaired = repairMesh(mesh, {.cutIntoManifold = true});
+        const auto repaired =
+            repairMesh(mesh, {.cutIntoManifold = true, .cancelled = control.cancelled});
         if (!repaired)
             return tl::unexpected(repaired.error());
         auto unit = unitSurfaceOf(repaired->mesh);

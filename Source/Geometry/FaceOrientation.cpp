@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace idiophone {
@@ -76,20 +78,25 @@ class Inside {
 public:
     Inside(const Mesh& mesh, const Patch& patch) : box_(patch.box), surface_(meshOf(mesh, patch)) {}
 
-    /// By the number of times that a ray in an unlikely direction passes through the patch.
-    bool contains(const Eigen::Vector3d& point) const {
+    /// By the number of times that a ray in an unlikely direction passes through the patch; nothing
+    /// where that takes more boxes than are left (SurfaceQuery::passages).
+    std::optional<bool> contains(const Eigen::Vector3d& point, std::int64_t& boxesLeft) const {
         if (!box_.contains(point))
             return false;
         const Eigen::Vector3d direction = Eigen::Vector3d(0.5377, 0.2846, 0.7937).normalized();
+        const auto passages = surface_.passages(point, direction, boxesLeft);
+        if (!passages)
+            return std::nullopt;
+        // Passages as near each other as this are one, through an edge.
         const double stepMetres = 1e-10 * box_.diagonal().norm();
-        constexpr int mostHits = 1000;
-        int hits = 0;
-        Eigen::Vector3d origin = point;
-        for (auto hit = surface_.firstHit(origin, direction); hit && hits < mostHits; ++hits) {
-            origin = hit->pointMetres + stepMetres * direction;
-            hit = surface_.firstHit(origin, direction);
-        }
-        return hits % 2 == 1;
+        double from = 0;
+        bool isInside = false;
+        for (const double metres : *passages)
+            if (metres >= from) {
+                isInside = !isInside;
+                from = metres + stepMetres;
+            }
+        return isInside;
     }
 
 private:
@@ -109,7 +116,8 @@ private:
 };
 
 /// By the majority of five of its faces, for patches that touch or cut each other.
-bool liesInside(const Mesh& mesh, const Patch& patch, const Inside& other) {
+std::optional<bool>
+liesInside(const Mesh& mesh, const Patch& patch, const Inside& other, std::int64_t& boxesLeft) {
     int inside = 0;
     for (std::size_t i = 0; i < 5; ++i) {
         const int face = patch.faces[i * (patch.faces.size() - 1) / 4];
@@ -117,13 +125,21 @@ bool liesInside(const Mesh& mesh, const Patch& patch, const Inside& other) {
             (mesh.vertices.row(mesh.faces(face, 0)) + mesh.vertices.row(mesh.faces(face, 1)) +
              mesh.vertices.row(mesh.faces(face, 2))) /
             3;
-        inside += other.contains(centre.transpose()) ? 1 : 0;
+        const auto isInside = other.contains(centre.transpose(), boxesLeft);
+        if (!isInside)
+            return std::nullopt;
+        inside += *isInside ? 1 : 0;
     }
     return inside >= 3;
 }
 
-/// Turns the closed patches that lie inside an odd number of others; returns how many.
-int turnHollows(const Mesh& mesh, std::vector<Patch> patches, FaceFlags& flip) {
+/// Turns the closed patches that lie inside an odd number of others; returns how many. Nothing,
+/// and turns none, where that takes more than a second or two, or once cancelled.
+std::optional<int> turnHollows(const Mesh& mesh,
+                               std::vector<Patch> patches,
+                               FaceFlags& flip,
+                               const std::atomic<bool>* cancelled) {
+    std::int64_t boxesLeft = 50'000'000;
     constexpr std::size_t mostPatches = 1000;
     std::erase_if(patches, [](const Patch& patch) { return !patch.isClosed; });
     std::ranges::stable_sort(patches, std::greater{},
@@ -142,8 +158,12 @@ int turnHollows(const Mesh& mesh, std::vector<Patch> patches, FaceFlags& flip) {
         if (candidates.empty())
             continue;
         const Inside inside(mesh, outer);
-        for (const std::size_t i : candidates)
-            depth[i] += liesInside(mesh, patches[i], inside) ? 1 : 0;
+        for (const std::size_t i : candidates) {
+            const auto isInside = liesInside(mesh, patches[i], inside, boxesLeft);
+            if (!isInside || (cancelled != nullptr && cancelled->load()))
+                return std::nullopt;
+            depth[i] += *isInside ? 1 : 0;
+        }
     }
     int turned = 0;
     for (std::size_t i = 0; i < patches.size(); ++i)
@@ -172,7 +192,8 @@ int turnOver(Mesh& mesh, EdgePairing& pairing, const FaceFlags& flip) {
 
 } // namespace
 
-OrientationReport orientFaces(Mesh& mesh, EdgePairing& pairing) {
+OrientationReport
+orientFaces(Mesh& mesh, EdgePairing& pairing, const std::atomic<bool>* cancelled) {
     OrientationReport report;
     std::vector<Patch> patches;
     FaceFlags seen(mesh.faceCount(), 0), flip(mesh.faceCount(), 0);
@@ -184,7 +205,9 @@ OrientationReport orientFaces(Mesh& mesh, EdgePairing& pairing) {
         chooseSide(mesh, patch, flip);
         patches.push_back(std::move(patch));
     }
-    report.hollows = turnHollows(mesh, std::move(patches), flip);
+    const auto hollows = turnHollows(mesh, std::move(patches), flip, cancelled);
+    report.hollows = hollows.value_or(0);
+    report.isTangled = !hollows;
     report.flippedFaces = turnOver(mesh, pairing, flip);
     return report;
 }

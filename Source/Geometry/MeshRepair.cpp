@@ -5,6 +5,7 @@
 #include "Geometry/ManifoldCut.h"
 #include "Geometry/MeshCleaning.h"
 #include "Geometry/TJunctions.h"
+#include "Object/WorkControl.h"
 
 #include <algorithm>
 #include <optional>
@@ -48,12 +49,14 @@ void dropUnusable(RepairedMesh& repaired) {
     dropUnusedVertices(repaired);
 }
 
-void joinTJunctions(RepairedMesh& repaired, double weldTolerance) {
+void joinTJunctions(RepairedMesh& repaired, double weldTolerance, const WorkControl& control) {
     // An edge may run through vertices that only the rounds before, and the faces that they drop,
     // put on the boundary. A mesh that keeps at it is a tangle and stays as it is.
     constexpr int mostRounds = 100;
     const auto most = 1000 + 2 * repaired.mesh.faceCount();
-    for (int round = 0; round < mostRounds && repaired.report.joinedVertices <= most; ++round) {
+    for (int round = 0;
+         round < mostRounds && repaired.report.joinedVertices <= most && !control.isCancelled();
+         ++round) {
         // The tolerance is a share of what is left, as another repair would take it.
         const double toleranceMetres = 10 * weldTolerance * boundingDiagonalMetres(repaired.mesh);
         const int joined = splitTJunctions(repaired.mesh, toleranceMetres);
@@ -64,13 +67,14 @@ void joinTJunctions(RepairedMesh& repaired, double weldTolerance) {
     }
 }
 
-void orientAndCut(Mesh& mesh, bool cut, RepairReport& report) {
+void orientAndCut(Mesh& mesh, const RepairSettings& settings, RepairReport& report) {
     auto pairing = pairEdges(mesh);
-    const auto orientation = orientFaces(mesh, pairing);
+    const auto orientation = orientFaces(mesh, pairing, settings.cancelled);
     report.flippedFaces = orientation.flippedFaces;
     report.hollows = orientation.hollows;
+    report.isTangled = orientation.isTangled;
     report.oneSidedEdges = orientation.oneSidedEdges;
-    if (cut) {
+    if (settings.cutIntoManifold) {
         const auto before = mesh.vertexCount();
         cutIntoManifold(mesh, pairing);
         report.cutVertices = static_cast<int>(mesh.vertexCount() - before);
@@ -119,6 +123,9 @@ std::string RepairReport::text() const {
         "edges at which the faces cannot agree on a side");
     say(hollows, "", "closed surface inside another, taken for a hollow",
         "closed surfaces inside others, taken for hollows");
+    if (isTangled)
+        text += std::string(text.empty() ? "" : " ") +
+                "Too tangled to find out which closed surfaces are hollows of others.";
     if (components > 1)
         say(components, "", "component", "components that do not touch");
     return text;
@@ -127,20 +134,25 @@ std::string RepairReport::text() const {
 Result<RepairedMesh> repairMesh(const Mesh& input, const RepairSettings& settings) {
     if (auto fault = faultOf(input))
         return failure(std::move(*fault));
+    const WorkControl control{.progress = {}, .cancelled = settings.cancelled};
     RepairedMesh result{.mesh = input, .report = {}, .vertexOfInput = {}};
     auto& [mesh, report, vertexOfInput] = result;
     const double weldTolerance = std::max(settings.weldTolerance, 1e-12);
     vertexOfInput = weldVertices(mesh, weldTolerance * boundingDiagonalMetres(input));
     report.weldedVertices = static_cast<int>(input.vertexCount() - mesh.vertexCount());
     dropUnusable(result);
-    joinTJunctions(result, weldTolerance);
+    joinTJunctions(result, weldTolerance, control);
+    if (control.isCancelled())
+        return cancellation();
     if (mesh.faceCount() == 0)
         return failure("The mesh has no face with an area.");
     if (settings.largestComponentOnly) {
         report.droppedComponents = keepLargestComponent(mesh);
         dropUnusedVertices(result);
     }
-    orientAndCut(mesh, settings.cutIntoManifold, report);
+    orientAndCut(mesh, settings, report);
+    if (control.isCancelled())
+        return cancellation();
     report.components = connectedComponents(mesh).count;
     return result;
 }

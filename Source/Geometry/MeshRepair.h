@@ -6,6 +6,7 @@
 #include "Geometry/Mesh.h"
 #include "Object/Result.h"
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct RepairSettings {
     /// meet at a vertex, and where a one-sided surface closes, as remeshing needs it. What was held
     /// together there alone comes apart, so analysis leaves this off.
     bool cutIntoManifold = false;
+    const std::atomic<bool>* cancelled = nullptr; ///< as WorkControl's
 };
 
 /// What repair found and did; counts of what the mesh holds now come after what was done.
@@ -33,6 +35,7 @@ struct RepairReport {
     int droppedComponents = 0;
     int components = 0;
     int hollows = 0;          ///< closed surfaces inside another, which bound a hollow in it
+    bool isTangled = false;   ///< which closed surface is inside which takes too long to find out
     int boundaryEdges = 0;    ///< 0 when closed
     int nonManifoldEdges = 0; ///< edges of more than two faces
     int oneSidedEdges = 0;    ///< where no turning made neighbours agree
@@ -58,7 +61,8 @@ struct RepairedMesh {
 /// 200,000 such edges. With `cutIntoManifold` every edge has one or two faces, which run along it
 /// in opposite directions, and the faces at every vertex form one fan. Fails, in one sentence, when
 /// indices or values are invalid, no face is left, or the mesh is larger than 10⁹ m or smaller than
-/// 10⁻⁹ m. n log n for n faces.
+/// 10⁻⁹ m, or as WorkControl says once cancelled. n log n for n faces; hollows are looked for a
+/// second or two, and none is turned where that does not suffice.
 Result<RepairedMesh> repairMesh(const Mesh& mesh, const RepairSettings& settings = {});
 
 } // namespace idiophone

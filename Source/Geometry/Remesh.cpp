@@ -204,7 +204,8 @@ decimatedFor(double edgeLengthMetres, const Mesh& mesh, const WorkControl& contr
     if (!decimated)
         return {};
     // Collapsing may bring vertices together.
-    auto repaired = repairMesh(*decimated, {.cutIntoManifold = true});
+    auto repaired =
+        repairMesh(*decimated, {.cutIntoManifold = true, .cancelled = control.cancelled});
     if (!repaired)
         return {};
     return std::move(repaired->mesh);
@@ -231,7 +232,8 @@ Result<Mesh> remesh(const Mesh& mesh, const RemeshSettings& settings, const Work
         !(settings.sharpAngleDegrees > 0 && settings.sharpAngleDegrees <= 180))
         return failure("Remeshing takes 1 to 20 passes and a sharp angle of 0 to 180 degrees.");
     try {
-        const auto repaired = repairMesh(mesh, {.cutIntoManifold = true});
+        const auto repaired =
+            repairMesh(mesh, {.cutIntoManifold = true, .cancelled = control.cancelled});
         if (!repaired)
             return tl::unexpected(repaired.error());
         const Mesh& sound = repaired->mesh;

@@ -104,6 +104,11 @@ SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point) const {
     Eigen::RowVector3d nearest;
     const double squared = tree_->squared_distance(
         mesh_.vertices, mesh_.faces, Eigen::RowVector3d(point.transpose()), face, nearest);
+    if (face < 0) { // as no distance was less than infinite
+        auto some = surfacePoint(mesh_, 0, mesh_.vertices.row(mesh_.faces(0, 0)).transpose());
+        some.distanceMetres = std::numeric_limits<double>::infinity();
+        return some;
+    }
     auto result = surfacePoint(mesh_, face, nearest.transpose());
     result.distanceMetres = std::sqrt(squared);
     return result;
@@ -138,6 +143,33 @@ std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin
     auto result = surfacePoint(mesh_, bestFace, origin + best * direction);
     result.distanceMetres = best * direction.norm();
     return result;
+}
+
+std::optional<std::vector<double>> SurfaceQuery::passages(const Eigen::Vector3d& origin,
+                                                          const Eigen::Vector3d& direction,
+                                                          std::int64_t& boxesLeft) const {
+    const igl::AABB<Eigen::MatrixXd, 3>* root = tree_.get();
+    std::vector pending{root};
+    std::vector<double> distances;
+    while (!pending.empty()) {
+        const auto* node = pending.back();
+        pending.pop_back();
+        if (node == nullptr)
+            continue;
+        if (--boxesLeft < 0)
+            return std::nullopt;
+        if (entry(node->m_box, origin, direction) == std::numeric_limits<double>::infinity())
+            continue;
+        if (node->m_primitive >= 0) {
+            if (const auto distance = Triangle(mesh_, node->m_primitive).hit(origin, direction))
+                distances.push_back(*distance);
+            continue;
+        }
+        pending.push_back(node->m_left);
+        pending.push_back(node->m_right);
+    }
+    std::ranges::sort(distances);
+    return distances;
 }
 
 int SurfaceQuery::nearestVertex(const Eigen::Vector3d& point) const {

@@ -4,8 +4,10 @@
 
 #include "Geometry/Mesh.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace idiophone {
 
@@ -27,12 +29,21 @@ public:
 
     const Mesh& mesh() const { return mesh_; }
 
+    /// Of a point that is not finite, or too far away to measure from, some point of the surface,
+    /// infinitely far away.
     SurfacePoint nearestPoint(const Eigen::Vector3d& point) const;
 
     /// The first face along the ray, from either side; nothing when it misses. The direction need
     /// not have unit length, only not be zero.
     std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& origin,
                                          const Eigen::Vector3d& direction) const;
+
+    /// How far along the ray it passes through faces, in lengths of the direction and ascending;
+    /// along an edge through those on both sides. The boxes around faces that it has to look at are
+    /// taken from `boxesLeft`; nothing where they do not suffice.
+    std::optional<std::vector<double>> passages(const Eigen::Vector3d& origin,
+                                                const Eigen::Vector3d& direction,
+                                                std::int64_t& boxesLeft) const;
 
     /// Linear in the number of vertices.
     int nearestVertex(const Eigen::Vector3d& point) const;

@@ -2,6 +2,7 @@
 
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/TestMeshes.h"
+#include "Object/WorkControl.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -301,6 +302,39 @@ TEST_CASE("A sphere in a sphere bounds a hollow, and one in that is solid again"
     CHECK(std::abs(signedVolumeM3(three->mesh) - (signedVolumeM3(outer) - signedVolumeM3(middle) +
                                                   signedVolumeM3(inner))) < 1e-12);
     CHECK(repairMesh(joined(outer, moved(outer, {3, 0, 0})))->report.hollows == 0);
+}
+
+TEST_CASE("Closed surfaces too tangled to tell which is inside which all look outward") {
+    // Pleated blankets, each over the middles of all that are narrower.
+    constexpr int pleats = 100, blankets = 300;
+    const auto blanket = [&](int number) {
+        Mesh mesh = boxMesh({1, 1 - 1e-4 * number, 0.02}, {pleats, 1, 1});
+        for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+            mesh.vertices(vertex, 2) +=
+                std::lround((mesh.vertices(vertex, 0) + 0.5) * pleats) % 2 == 0 ? 0 : 1;
+        return mesh;
+    };
+    const Mesh one = blanket(0);
+    const auto vertices = one.vertexCount(), faces = one.faceCount();
+    Mesh all{Eigen::MatrixXd(blankets * vertices, 3), Eigen::MatrixXi(blankets * faces, 3)};
+    for (int number = 0; number < blankets; ++number) {
+        all.vertices.middleRows(number * vertices, vertices) = blanket(number).vertices;
+        all.faces.middleRows(number * faces, faces) =
+            one.faces.array() + static_cast<int>(number * vertices);
+    }
+    const auto repaired = repairMesh(insideOut(all));
+    REQUIRE(repaired);
+    CHECK(repaired->report.isTangled);
+    CHECK(repaired->report.hollows == 0);
+    CHECK(repaired->report.flippedFaces == repaired->mesh.faceCount());
+    CHECK_THAT(repaired->report.text(), ContainsSubstring("Too tangled to find out"));
+}
+
+TEST_CASE("A repair that is cancelled says so") {
+    const std::atomic<bool> cancelled = true;
+    const auto repaired = repairMesh(icosphereMesh(1, 2), {.cancelled = &cancelled});
+    REQUIRE_FALSE(repaired);
+    CHECK(isCancellation(repaired.error()));
 }
 
 TEST_CASE("One-sided surfaces are reported, and cut at a seam across") {

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <cmath>
+#include <limits>
 #include <random>
 
 using namespace idiophone;
@@ -109,4 +111,34 @@ TEST_CASE("A query can be moved and goes on working") {
     SurfaceQuery first(icosphereMesh(1, 2));
     SurfaceQuery second = std::move(first);
     CHECK(second.firstHit({3, 0.1, 0.1}, {-1, 0, 0}));
+}
+
+TEST_CASE("A point that no distance can be measured from is infinitely far from some face") {
+    const SurfaceQuery query(icosphereMesh(1, 1));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Eigen::Vector3d& point :
+         {Eigen::Vector3d(nan, 0, 0), Eigen::Vector3d(1e200, 0, 0)}) {
+        const auto nearest = query.nearestPoint(point);
+        CHECK(nearest.face == 0);
+        CHECK(nearest.barycentric.allFinite());
+        CHECK(nearest.pointMetres.allFinite());
+        CHECK(std::isinf(nearest.distanceMetres));
+    }
+}
+
+TEST_CASE("A ray passes through all faces in its way, as far as it may look") {
+    const SurfaceQuery query(icosphereMesh(1, 3));
+    const Eigen::Vector3d from(0.013, 0.021, -3), up(0, 0, 2);
+    std::int64_t boxes = 1000;
+    const auto passages = query.passages(from, up, boxes);
+    REQUIRE(passages);
+    REQUIRE(passages->size() == 2);
+    const double first = query.firstHit(from, up)->distanceMetres / 2;
+    CHECK(std::abs(passages->front() - first) < 1e-12);
+    CHECK(std::abs(passages->back() - 2) < 0.01);
+    CHECK(boxes > 0);
+    CHECK(boxes < 1000);
+    CHECK(query.passages({5, 0, 0}, up, boxes)->empty());
+    boxes = 3;
+    CHECK_FALSE(query.passages(from, up, boxes));
 }
