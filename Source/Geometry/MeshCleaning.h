@@ -1,5 +1,5 @@
-// The first steps of repair: vertices and faces that should not be there. Internal to Geometry;
-// MeshRepair puts the steps in order and reports them. Indices are valid, coordinates finite.
+// The first steps of repair: vertices and faces that should not be there. MeshRepair puts the steps
+// in order and reports them. Indices are valid, coordinates finite.
 #pragma once
 
 #include "Geometry/Mesh.h"

@@ -1,7 +1,6 @@
 #include "Scene/CollisionShape.h"
 
 #include "Geometry/ObjectMesh.h"
-#include "Geometry/Subdivision.h"
 #include "Scene/BulletMath.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
@@ -17,8 +16,7 @@ constexpr double roundestSection = 1.25; // of a ring: width to height, or the o
 constexpr int capsules = 16;
 constexpr int sectors = 20; // of a ring
 constexpr int mostHullVertices = 72;
-constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision makes four of one
-constexpr double marginShare = 0.01;            // of a shape's smallest measure
+constexpr double marginShare = 0.01; // of a shape's smallest measure
 constexpr double mostMarginMetres = 5e-4;
 
 /// All where there are few, or else those that lie farthest in each of some directions, which are
@@ -175,9 +173,7 @@ btCollisionShape* CollisionShape::ground(const RigidBodyModel& model) {
 }
 
 btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
-    Mesh mesh = objectMesh(*model.object);
-    for (auto faces = 4 * mesh.faceCount(); faces <= mostSmoothFaces; faces *= 4)
-        mesh = subdivided(mesh, 1);
+    const Mesh mesh = collisionSurface(*model.object);
     auto& triangles = *meshes.emplace_back(std::make_unique<btTriangleMesh>());
     const auto corner = [&](Eigen::Index face, int k) {
         return toBullet(model.sizeRatio * mesh.vertices.row(mesh.faces(face, k)).transpose());

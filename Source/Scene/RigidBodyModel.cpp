@@ -1,5 +1,9 @@
 #include "Scene/RigidBodyModel.h"
 
+#include "Geometry/MeshCleaning.h"
+#include "Geometry/ObjectMesh.h"
+#include "Geometry/Subdivision.h"
+#include "Geometry/TouchingBoxes.h"
 #include "Instrument/HertzContact.h"
 #include "Object/OneLine.h"
 
@@ -33,6 +37,26 @@ double ownContactRadius(const RigidBodyModel& model, const Eigen::Vector3d& size
     return model.isFixed ? flatRadiusMetres : sizes.minCoeff() / 10;
 }
 
+/// How many pairs of a surface's faces touch, as far as boxes around them tell: Bullet looks at
+/// each for the edge between them.
+Result<std::size_t> touchingFaces(const BodyTemplate& kind, const ModalObject& object) {
+    const auto fault = [&](const std::string& why) {
+        return failure(inQuotes(kind.name) + " is no surface: its object " + inQuotes(object.name) +
+                       " has " + why);
+    };
+    if (object.faceCount() == 0)
+        return fault("no faces");
+    // Bullet numbers them with 21 bits, and trusts that this suffices.
+    if (object.faceCount() > mostSurfaceFaces)
+        return fault("more than " + std::to_string(mostSurfaceFaces) + " faces");
+    const auto mesh = collisionSurface(object);
+    if (mesh.faceCount() == 0)
+        return fault("no face with an area");
+    if (const auto pairs = touchingBoxes(mesh, mostTouchingFaces))
+        return *pairs;
+    return fault("too many faces that lie on or across each other");
+}
+
 } // namespace
 
 Result<std::shared_ptr<const RigidBodyModel>>
@@ -62,9 +86,12 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
             return failure(inQuotes(kind.name) + " cannot move: its object " + inQuotes(own.name) +
                            " has no mass");
     }
-    if (kind.form == BodyForm::surface && own.faceCount() == 0)
-        return failure(inQuotes(kind.name) + " is no surface: its object " + inQuotes(own.name) +
-                       " has no faces");
+    if (kind.form == BodyForm::surface) {
+        const auto touching = touchingFaces(kind, own);
+        if (!touching)
+            return tl::unexpected(touching.error());
+        model.touchingFaces = *touching;
+    }
     const Eigen::Vector3d sizes = boundingBox(outerVertices(model)).sizes();
     if (!(sizes.minCoeff() > 0) && kind.form != BodyForm::surface && kind.form != BodyForm::ground)
         return failure(inQuotes(kind.name) + " is as flat as a sheet: its object " +
@@ -72,6 +99,16 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
     model.contactRadiusMetres =
         kind.contactRadiusMetres > 0 ? kind.contactRadiusMetres : ownContactRadius(model, sizes);
     return std::make_shared<const RigidBodyModel>(std::move(model));
+}
+
+Mesh collisionSurface(const ModalObject& object) {
+    constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision makes four of one
+    Mesh mesh = objectMesh(object);
+    dropDegenerateFaces(mesh);
+    dropDuplicateFaces(mesh);
+    for (auto faces = 4 * mesh.faceCount(); faces > 0 && faces <= mostSmoothFaces; faces *= 4)
+        mesh = subdivided(mesh, 1);
+    return mesh;
 }
 
 std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model) {

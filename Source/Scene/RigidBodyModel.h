@@ -2,10 +2,12 @@
 // round it is where others touch it.
 #pragma once
 
+#include "Geometry/Mesh.h"
 #include "Object/ModalObject.h"
 #include "Scene/Scene.h"
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <memory>
 
 namespace idiophone {
@@ -25,13 +27,24 @@ struct RigidBodyModel {
     double restitution = 0;
     double rollingFrictionMetres = 0;
     double contactRadiusMetres = 0;
-    double compliancePerPa = 0; ///< (1 − ν²)/E
+    double compliancePerPa = 0;    ///< (1 − ν²)/E
+    std::size_t touchingFaces = 0; ///< pairs of them, of a surface: what it takes to make its shape
 };
 
+/// Of an object whose surface others meet.
+inline constexpr std::size_t mostSurfaceFaces = 100'000;
+/// Of a scene's surfaces together, which takes a second or so: a sound mesh has some ten a face.
+inline constexpr std::size_t mostTouchingFaces = 5'000'000;
+
 /// The error names the kind and why it cannot move: an object without mass, one so flat that the
-/// form has no inside, or one without faces where the form is its surface.
+/// form has no inside, or where the form is its surface one without faces, or with too many of
+/// them.
 Result<std::shared_ptr<const RigidBodyModel>>
 makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object);
+
+/// The object's faces as others meet them, smoothed where they are few, not scaled; none without an
+/// area, and of those on the same vertices one.
+Mesh collisionSurface(const ModalObject& object);
 
 /// The vertices of the surface in mesh coordinates; of a shell those of both sides.
 std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model);

@@ -96,6 +96,13 @@ Result<void> SceneCast::castKinds(ObjectLibrary& library) {
         if (auto done = addRole(kind, *object, 1 << k, collidingGroups(played.kinds, k)); !done)
             return done;
     }
+    // Every performance makes the shapes of its own.
+    std::size_t touching = 0;
+    for (const auto& role : allRoles)
+        touching += role.kind.model->touchingFaces;
+    if (touching > mostTouchingFaces)
+        return failure("the surfaces in the scene " + inQuotes(played.name) +
+                       " have too many faces together");
     return {};
 }
 

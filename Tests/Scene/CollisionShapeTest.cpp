@@ -1,9 +1,11 @@
 // Forms of bodies, by what others meet.
+#include "Scene/SceneCast.h"
 #include "Scene/TestBodies.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
 #include <tuple>
 
 using namespace idiophone;
@@ -40,6 +42,31 @@ std::shared_ptr<ModalObject> bowl(double radiusMetres, double thicknessMetres) {
     object->body = BodyKind::shell;
     object->thicknessMetres = thicknessMetres;
     return object;
+}
+
+/// Of one triangle, many times.
+Mesh heap(Eigen::Index faces) {
+    Mesh mesh{Eigen::MatrixXd{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, Eigen::MatrixXi(faces, 3)};
+    mesh.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
+    return mesh;
+}
+
+/// Of vertices of its own each, so that no two are the same.
+Mesh looseHeap(Eigen::Index faces) {
+    Mesh mesh{heap(1).vertices.replicate(faces, 1), Eigen::MatrixXi(faces, 3)};
+    for (Eigen::Index face = 0; face < faces; ++face)
+        mesh.faces.row(face).setLinSpaced(static_cast<int>(3 * face),
+                                          static_cast<int>(3 * face + 2));
+    return mesh;
+}
+
+BodyTemplate surfaceKind() {
+    BodyTemplate kind;
+    kind.name = "floor";
+    kind.object = "floor.modal";
+    kind.form = BodyForm::surface;
+    kind.isFixed = true;
+    return kind;
 }
 
 } // namespace
@@ -114,4 +141,57 @@ TEST_CASE("A ball rolls within a bowl, near its wall, from one side to the other
         farthestLeft = std::min(farthestLeft, centre.x());
     }
     CHECK(farthestLeft < -0.7 * inside * std::sin(angle));
+}
+
+TEST_CASE("A surface of more faces than there can be is refused in a sentence that names it") {
+    const auto fault = [](const Mesh& mesh) {
+        const auto model = makeRigidBodyModel(surfaceKind(), objectOf(mesh, "Steel"));
+        return model ? std::string() : model.error().message;
+    };
+    // Beyond 2^21 Bullet would write outside of its lists.
+    for (const Eigen::Index faces : {100'001, 2'200'000})
+        CHECK(fault(heap(faces)) ==
+              "'floor' is no surface: its object 'body' has more than 100000 faces");
+    CHECK_THAT(fault(looseHeap(20'000)),
+               Catch::Matchers::EndsWith("has too many faces that lie on or across each other"));
+    CHECK(fault({heap(1).vertices, Eigen::MatrixXi{{0, 0, 1}, {1, 1, 1}}}) ==
+          "'floor' is no surface: its object 'body' has no face with an area");
+    CHECK(fault(sheetMesh(1, 1, 40'000)).empty());
+}
+
+TEST_CASE("A face that is there many times is one") {
+    const auto floor = kindOf(objectOf(heap(100'000), "Steel"), BodyForm::surface, true, {});
+    CHECK(floor.model->touchingFaces < 1'000'000);
+    const auto ball = ballAfter(0.3, floor, {0.03, 0.03, 0.02});
+    CHECK_THAT(ball.z(), WithinAbs(ballRadius, 1e-3));
+}
+
+TEST_CASE("The surfaces of a scene are bounded together") {
+    ObjectLibrary library;
+    const auto object = library.add("floor.modal", *objectOf(looseHeap(200), "Steel"));
+    const auto touching = makeRigidBodyModel(surfaceKind(), object).value()->touchingFaces;
+    REQUIRE(touching > 500'000);
+    Scene scene;
+    scene.name = "Floors";
+    scene.kinds.assign(mostTouchingFaces / touching, surfaceKind());
+    CHECK(SceneCast::make(scene, library));
+    scene.kinds.push_back(surfaceKind());
+    CHECK(SceneCast::make(scene, library).error().message ==
+          "the surfaces in the scene 'Floors' have too many faces together");
+}
+
+TEST_CASE("The work of a body on a surface is as much as it has faces near") {
+    const auto floor =
+        kindOf(objectOf(sheetMesh(1, 1, 12'000), "Steel"), BodyForm::surface, true, {});
+    const auto workOf = [&](const RigidWorld::Kind& kind, double height) {
+        RigidWorld world({floor, kind}, stepsPerSecond, gravity);
+        world.add(0, at({0, 0, 0}));
+        world.add(1, at({0, 0, height}));
+        for (int step = 0; step < 3; ++step)
+            world.step();
+        return world.work();
+    };
+    const double ofBall = workOf(ballKind(ballRadius), ballRadius);
+    CHECK(ofBall > 500);
+    CHECK(workOf(cubeKind(2), 1) > 50 * ofBall); // as it takes
 }
