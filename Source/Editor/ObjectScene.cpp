@@ -32,6 +32,26 @@ Vector3d vectorOf(const ScenePlace& place) {
     return Eigen::Vector3f(place.data()).cast<double>();
 }
 
+/// Its sides, looking outward.
+Mesh meshOf(const Eigen::AlignedBox3d& box) {
+    Mesh mesh{Eigen::MatrixXd(8, 3), Eigen::MatrixXi{{0, 2, 1},
+                                                     {1, 2, 3},
+                                                     {4, 5, 6},
+                                                     {5, 7, 6},
+                                                     {0, 1, 4},
+                                                     {1, 5, 4},
+                                                     {2, 6, 3},
+                                                     {3, 6, 7},
+                                                     {0, 4, 2},
+                                                     {2, 4, 6},
+                                                     {1, 3, 5},
+                                                     {3, 7, 5}}};
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.vertices.row(corner) =
+            box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).transpose();
+    return mesh;
+}
+
 } // namespace
 
 /// Bars lie along y, the naturals in a row, the accidentals behind and above them in the gaps, as
@@ -90,22 +110,18 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played,
                        .nearest = -depth / 2,
                        .farthest = depth / 2}};
     }
+    Eigen::Index facesLeft = mostFaces;
     for (std::size_t i = 0; i < played.size(); ++i) {
-        const auto mesh = objectMesh(*played[i].object);
-        const auto normals = cornerNormals(mesh);
-        const auto& placement = placements[i];
-        runs.push_back({.firstVertex = corners.size(),
-                        .vertexCount = static_cast<std::size_t>(3 * mesh.faceCount()),
-                        .colour = colourOf(played[i].object->material)});
-        for (Eigen::Index corner = 0; corner < 3 * mesh.faceCount(); ++corner) {
-            const auto vertex = mesh.faces(corner / 3, corner % 3);
-            corners.push_back(
-                {.place = scenePlace(placement.inScene(mesh.vertices.row(vertex).transpose())),
-                 .normal = scenePlace(placement.axes * normals.row(corner).transpose())});
-            ownVertices.push_back(vertex);
-        }
-        addBox(runs.back());
-        objectOfFace.insert(objectOfFace.end(), static_cast<std::size_t>(mesh.faceCount()), i);
+        const auto& object = *played[i].object;
+        const auto faces = static_cast<Eigen::Index>(object.faceCount());
+        const bool isBox = faces > facesLeft;
+        facesLeft -= isBox ? 0 : faces;
+        addFaces(object, isBox ? meshOf(boxOf(object)) : objectMesh(object), placements[i]);
+        runs.back().isBox = isBox;
+        if (isBox)
+            std::fill(ownVertices.begin() + static_cast<std::ptrdiff_t>(runs.back().firstVertex),
+                      ownVertices.end(), -1);
+        objectOfFace.resize(corners.size() / 3, i);
     }
     if (corners.empty())
         return;
@@ -121,6 +137,23 @@ ObjectScene::ObjectScene(const std::vector<ProcessorView::PlayedObject>& played,
         surface.emplace(surfaceOf(0, corners.size()));
 }
 
+void ObjectScene::addFaces(const ModalObject& object,
+                           const Mesh& mesh,
+                           const Placement& placement) {
+    const auto normals = cornerNormals(mesh);
+    runs.push_back({.firstVertex = corners.size(),
+                    .vertexCount = static_cast<std::size_t>(3 * mesh.faceCount()),
+                    .colour = colourOf(object.material)});
+    for (Eigen::Index corner = 0; corner < 3 * mesh.faceCount(); ++corner) {
+        const auto vertex = mesh.faces(corner / 3, corner % 3);
+        corners.push_back(
+            {.place = scenePlace(placement.inScene(mesh.vertices.row(vertex).transpose())),
+             .normal = scenePlace(placement.axes * normals.row(corner).transpose())});
+        ownVertices.push_back(vertex);
+    }
+    addBox(runs.back());
+}
+
 SurfaceQuery ObjectScene::surfaceOf(std::size_t firstVertex, std::size_t vertexCount) const {
     Mesh mesh{Eigen::MatrixXd(vertexCount, 3), Eigen::MatrixXi(vertexCount / 3, 3)};
     for (std::size_t i = 0; i < vertexCount; ++i) {
@@ -132,6 +165,7 @@ SurfaceQuery ObjectScene::surfaceOf(std::size_t firstVertex, std::size_t vertexC
 }
 
 void ObjectScene::addBox(SceneObject& run) {
+    firstBoxCorners.push_back(boxCorners.size());
     if (run.vertexCount == 0)
         return;
     Eigen::AlignedBox3f box;
@@ -163,9 +197,10 @@ std::vector<ScenePlace> ObjectScene::offsetsOf(std::size_t object,
     const auto& run = runs[object];
     std::vector<ScenePlace> offsets(run.vertexCount);
     for (std::size_t corner = 0; corner < run.vertexCount; ++corner) {
-        const auto vertex = static_cast<std::size_t>(ownVertices[run.firstVertex + corner]);
-        Eigen::Map<Eigen::Vector3f>(offsets[corner].data()) =
-            axes * Eigen::Vector3f(&displacements[3 * vertex]);
+        const auto vertex = ownVertices[run.firstVertex + corner];
+        if (vertex >= 0)
+            Eigen::Map<Eigen::Vector3f>(offsets[corner].data()) =
+                axes * Eigen::Vector3f(&displacements[3 * static_cast<std::size_t>(vertex)]);
     }
     return offsets;
 }
@@ -191,10 +226,11 @@ std::vector<ScenePlace> ObjectScene::outline(std::span<const BodyNow> bodies) co
     constexpr std::size_t boxSize = 8;
     std::vector<ScenePlace> places;
     for (const auto& body : bodies) {
-        const auto first = boxSize * static_cast<std::size_t>(body.object);
-        for (std::size_t corner = first; corner < first + boxSize && corner < boxCorners.size();
-             ++corner)
-            places.push_back(onStage(body, boxCorners[corner]));
+        const auto object = static_cast<std::size_t>(body.object);
+        if (object >= runs.size() || runs[object].vertexCount == 0)
+            continue;
+        for (const auto& corner : std::span(boxCorners).subspan(firstBoxCorners[object], boxSize))
+            places.push_back(onStage(body, corner));
     }
     return places;
 }

@@ -29,6 +29,7 @@ struct SceneObject {
     std::size_t vertexCount = 0;
     std::array<float, 3> colour{}; ///< red, green, blue; 0 to 1
     float radius = 0;              ///< half of the way across it
+    bool isBox = false;            ///< drawn in the place of more faces than are drawn
 };
 
 struct ScenePick {
@@ -41,6 +42,10 @@ struct ScenePick {
 /// Immutable once built, which takes a while for large meshes.
 class ObjectScene {
 public:
+    /// Of all objects. Each takes some 450 bytes, and together a few seconds; objects beyond are
+    /// boxes.
+    static constexpr Eigen::Index mostFaces = 1'000'000;
+
     enum class Layout {
         keyboard, ///< or one alone
         stage     ///< each in its own coordinates, in its size: bodies say where it is
@@ -90,17 +95,19 @@ private:
     static std::vector<Placement>
     keyboardOf(const std::vector<ProcessorView::PlayedObject>& played);
 
+    void addFaces(const ModalObject& object, const Mesh& mesh, const Placement& placement);
     void addBox(SceneObject& run);
     SurfaceQuery surfaceOf(std::size_t firstVertex, std::size_t vertexCount) const;
 
     std::vector<SceneVertex> corners;
     std::vector<SceneObject> runs;
     std::vector<Placement> placements;
-    std::vector<std::int32_t> ownVertices; ///< of each corner, in its object's own mesh
+    std::vector<std::int32_t> ownVertices; ///< of each corner, in its object's own mesh; −1: none
     std::vector<std::size_t> objectOfFace;
     std::vector<ScenePlace> boxCorners;
-    std::optional<SurfaceQuery> surface; ///< all faces, but of a stage
-    std::vector<SurfaceQuery> surfaces;  ///< of a stage's objects
+    std::vector<std::size_t> firstBoxCorners; ///< of the objects; those without faces have none
+    std::optional<SurfaceQuery> surface;      ///< all faces, but of a stage
+    std::vector<SurfaceQuery> surfaces;       ///< of a stage's objects
     float reach = 0;
 };
 

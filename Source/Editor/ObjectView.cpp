@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <juce_audio_basics/juce_audio_basics.h>
+#include <new>
 #include <numbers>
 
 namespace idiophone {
@@ -62,8 +63,15 @@ void ObjectView::newScene() {
     played = view.playedObjects();
     bodies = view.stageBodies();
     onStage = view.hasStage();
-    scene = std::make_shared<const ObjectScene>(played, onStage ? ObjectScene::Layout::stage
-                                                                : ObjectScene::Layout::keyboard);
+    try {
+        scene = std::make_shared<const ObjectScene>(
+            played, onStage ? ObjectScene::Layout::stage : ObjectScene::Layout::keyboard);
+    } catch (const std::bad_alloc&) { // what plays goes on, unseen
+        played.clear();
+        bodies.clear();
+        onStage = false;
+        scene = std::make_shared<const ObjectScene>(played);
+    }
     if (!scene->empty())
         camera.lookAt(bodies.empty() ? scene->outline() : scene->outline(bodies));
     glowMetres = glowShare * scene->radius();
@@ -170,6 +178,8 @@ std::optional<SceneMotion> ObjectView::sceneMotion() {
     if (motion == nullptr || (mode && *mode >= motion->modeCount()))
         return std::nullopt;
     const auto& box = scene->objects()[watched];
+    if (box.isBox)
+        return std::nullopt;
     SceneMotion result{.object = watched, .offsets = {}, .scale = exaggeration * box.radius};
     std::vector<float> displacements(played[watched].object->vertices.size());
     if (mode) {

@@ -11,6 +11,13 @@ namespace idiophone {
 
 namespace {
 
+/// A text of a file or a host, as much of it as could be seen: laying it out takes long.
+juce::String seenOf(const std::string& sentence) {
+    constexpr std::size_t mostBytes = 2000;
+    constexpr int mostLetters = 400;
+    return fromUtf8(std::string_view(sentence).substr(0, mostBytes)).substring(0, mostLetters);
+}
+
 int widthOf(const juce::String& text) {
     return juce::roundToInt(
         std::ceil(juce::GlyphArrangement::getStringWidth(juce::Font(Look::textFont()), text)));
@@ -88,7 +95,7 @@ void StatusBar::paint(juce::Graphics& g) {
                    juce::Justification::centredRight);
     g.setColour(shown.isError ? colourOf(*this, LookColour::error)
                               : colourOf(*this, LookColour::text));
-    g.drawFittedText(fromUtf8(shown.sentence), area, juce::Justification::centredLeft, 2, 0.85f);
+    g.drawFittedText(seenOf(shown.sentence), area, juce::Justification::centredLeft, 2, 0.85f);
 }
 
 } // namespace idiophone

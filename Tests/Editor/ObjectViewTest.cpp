@@ -248,3 +248,59 @@ TEST_CASE("A picture that is closed lifts the hand that holds an object in it") 
     render(processor, 48000, 480, {});
     CHECK(loudest(render(processor, 480, 480, {})) < 1e-6f);
 }
+
+TEST_CASE("Objects of more faces than are drawn are boxes of their size, which can be struck") {
+    auto object = syntheticObject({440});
+    object.vertices = {0, 0, 0, 0.2f, 0, 0, 0, 0.1f, 0.01f};
+    const auto withFaces = [&](std::size_t count) {
+        object.faces.clear();
+        for (std::size_t face = 0; face < count; ++face)
+            object.faces.insert(object.faces.end(), {0, 1, 2});
+        return std::make_shared<const ModalObject>(object);
+    };
+    const auto many = withFaces(ObjectScene::mostFaces + 1), few = withFaces(1000);
+    const ObjectScene scene({{.object = many, .lowestNote = 60, .highestNote = 60},
+                             {.object = few, .lowestNote = 62, .highestNote = 62}});
+    REQUIRE(scene.objects().size() == 2);
+    CHECK(scene.objects()[0].isBox);
+    CHECK(scene.objects()[0].vertexCount == 36);
+    CHECK_FALSE(scene.objects()[1].isBox);
+    CHECK(scene.objects()[1].vertexCount == 3000);
+    CHECK(scene.objects()[0].radius == Approx(scene.objects()[1].radius));
+    for (const auto& vertex : scene.vertices().first(36)) { // they look outward
+        float outward = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            outward +=
+                vertex.normal[axis] *
+                (vertex.place[axis] - (scene.outline()[0][axis] + scene.outline()[7][axis]) / 2);
+        CHECK(outward > 0);
+    }
+    const std::vector<float> displacements(object.vertices.size(), 1);
+    for (const auto& offset : scene.offsetsOf(0, displacements))
+        CHECK(offset == ScenePlace{});
+    const auto from = above(scene, 0);
+    const auto hit = scene.pick(from, {0, 0, -1});
+    REQUIRE(hit);
+    CHECK(hit->object == 0);
+    CHECK(hit->pointMetres[2] == Approx(0.01).margin(1e-6));
+}
+
+TEST_CASE("What is seen of a body on a stage is its own, though another has no faces") {
+    auto bare = syntheticObject({440});
+    bare.faces.clear();
+    auto plain = syntheticObject({440});
+    plain.vertices = {0, 0, 0, 0.2f, 0, 0, 0, 0.1f, 0};
+    plain.faces = {0, 1, 2};
+    const ObjectScene scene({{.object = std::make_shared<const ModalObject>(bare)},
+                             {.object = std::make_shared<const ModalObject>(plain)}},
+                            ObjectScene::Layout::stage);
+    BodyNow first, second;
+    first.object = 0;
+    second.object = 1;
+    second.originMetres = {1, 0, 0};
+    CHECK(scene.outline(std::vector{first}).empty());
+    const auto seen = scene.outline(std::vector{first, second});
+    REQUIRE(seen.size() == 8);
+    for (const auto& place : seen)
+        CHECK(place[0] > 0.9f);
+}

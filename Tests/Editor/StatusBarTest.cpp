@@ -55,3 +55,29 @@ TEST_CASE("The counts of the quality page can be read by a screen reader") {
     CHECK(saidOf(*counts) == "12 sounding, 3 dropped, 4 merged, 5 over budget");
     page.setLookAndFeel(nullptr);
 }
+
+TEST_CASE("A sentence of a file's text, however long, is drawn as far as it can be seen") {
+    Look look;
+    StatusBar bar;
+    bar.setLookAndFeel(&look);
+    bar.setSize(900, 24);
+    const auto drawn = [&](const std::string& sentence) {
+        ProcessorView::Status status;
+        status.sentence = sentence;
+        bar.show(status);
+        return bar.createComponentSnapshot(bar.getLocalBounds());
+    };
+    const auto same = [](const juce::Image& one, const juce::Image& other) {
+        for (int y = 0; y < one.getHeight(); ++y)
+            for (int x = 0; x < one.getWidth(); ++x)
+                if (one.getPixelAt(x, y) != other.getPixelAt(x, y))
+                    return false;
+        return true;
+    };
+    CHECK_FALSE(same(drawn("A wok."), drawn("Another wok.")));
+    std::string text;
+    while (text.size() < 50'000'000)
+        text += "a wok and ";
+    CHECK(same(drawn(text), drawn(text.substr(0, 10'000))));
+    bar.setLookAndFeel(nullptr);
+}

@@ -4,6 +4,7 @@
 #include "Support/ImportedFiles.h"
 #include "Support/UserSettings.h"
 
+#include "Editor/ObjectView.h"
 #include "Plugin/PresetObjects.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -171,4 +172,31 @@ TEST_CASE("A sound for which the memory does not suffice is refused, and what pl
         processor.prepareToPlay(48000, blockSamples);
         CHECK(loudest(firstBlock(processor)) > 1e-4f);
     }
+}
+
+TEST_CASE("A picture for which the memory does not suffice is not drawn, and what plays goes on") {
+    if (!realTimeTrapWorks())
+        SKIP("allocations cannot be made to fail here");
+    const UserSettings user;
+    Processor processor;
+    restoreTest(processor);
+    ObjectView view(processor);
+    view.setSize(300, 300);
+    auto object = syntheticObject({440});
+    for (int face = 0; face < 100'000; ++face)
+        object.faces.insert(object.faces.end(), {0, 1, 2});
+    auto state = crowd(KeyMapKind::zones, 60, 72);
+    state.objects = {{.name = "crowd", .modal = encodeModalObject(object)}};
+    restore(processor, state);
+    REQUIRE_FALSE(processor.takeStatus().isError);
+    {
+        const MemoryLimit limit(mostBytes);
+        view.refresh();
+    }
+    CHECK_FALSE(view.strikeAt({150, 150}));
+    CHECK(loudest(firstBlock(processor)) > 1e-4f);
+    state.preset.keyMap.highestNote = 71;
+    restore(processor, state);
+    view.refresh();
+    CHECK(view.strikeAt({150, 150}));
 }
