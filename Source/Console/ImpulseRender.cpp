@@ -38,7 +38,7 @@ struct ImpulseScore {
 std::string resolved(const std::string& object, const std::filesystem::path& impulseFile) {
     if (factoryObject(object))
         return object;
-    return storedNameOf(impulseFile.parent_path() / pathNamed(object));
+    return storedNameOf(impulseFile.parent_path() / pathNamed(localName(object)));
 }
 
 /// An object that impulses name, and where it can be struck.

@@ -171,9 +171,9 @@ Result<void> strikeObject(const Options& options) {
     if (!assigned)
         return tl::unexpected(assigned.error());
 
-    const auto known = ObjectLibrary::shared().add(options.object, std::move(*object));
-    auto instrument =
-        Instrument::build(keyMapFor(options.object, *known, *row), ObjectLibrary::shared());
+    ObjectLibrary library;
+    const auto known = library.add(options.object, std::move(*object));
+    auto instrument = Instrument::build(keyMapFor(options.object, *known, *row), library);
     if (!instrument)
         return tl::unexpected(instrument.error());
     const auto effect =

@@ -27,6 +27,8 @@ ObjectLibrary& ObjectLibrary::shared() {
 Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string& name) {
     if (auto object = known(name))
         return object;
+    if (behind != nullptr)
+        return behind->find(name);
     const auto factory = factoryObject(name);
     const auto key = factory ? name : fileKey(pathNamed(name));
     if (auto object = known(key))

@@ -16,7 +16,13 @@ namespace idiophone {
 /// read.
 class ObjectLibrary {
 public:
-    /// The library shared by every instance of the plugin in this process.
+    ObjectLibrary() = default;
+    /// One that asks the other, which outlives it, for what was not added to it: names that mean
+    /// something of their own for one build, and to nobody else.
+    explicit ObjectLibrary(ObjectLibrary& others) : behind(&others) {}
+
+    /// The library shared by every instance of the plugin in this process. Nothing is added to it,
+    /// as a name has to mean the same object to all of them.
     static ObjectLibrary& shared();
 
     /// A factory object ("xylophone-72"), or else the modal object file of that path in UTF-8.
@@ -33,6 +39,7 @@ private:
     std::shared_ptr<const ModalObject> knownUnderLock(const std::string& key) const;
     void keepUnderLock(const std::string& key, const std::shared_ptr<const ModalObject>& object);
 
+    ObjectLibrary* const behind = nullptr;
     std::mutex mutex;
     std::map<std::string, std::weak_ptr<const ModalObject>> loaded; ///< what somebody holds
 };

@@ -42,9 +42,10 @@ Result<Preset> readPresetFile(const std::filesystem::path& file) {
 }
 
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile) {
-    const auto first = keyMap.objectFor(keyMap.lowestNote);
-    if (factoryObject(first))
+    if (factoryObject(keyMap.objectFor(keyMap.lowestNote)))
         return keyMap;
+    keyMap.object = localName(keyMap.object);
+    const auto first = keyMap.objectFor(keyMap.lowestNote);
     if (const auto folder = folderWith(pathNamed(first), presetFile))
         keyMap.object = storedNameOf(*folder / pathNamed(keyMap.object));
     return keyMap;

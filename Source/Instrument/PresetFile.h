@@ -13,7 +13,7 @@ namespace idiophone {
 Result<Preset> readPresetFile(const std::filesystem::path& file);
 
 /// The key map with the full path of its object where a file of that relative path lies in the
-/// preset's folder or one of the four above it; else as it is, as with factory objects.
+/// preset's folder or one of the four above it; else as it is (localName), as with factory objects.
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile);
 
 /// The relative path by which a preset in that place would find a file, of forward slashes; nothing

@@ -2,6 +2,7 @@
 
 #include "Object/OneLine.h"
 
+#include <algorithm>
 #include <fstream>
 #include <new>
 
@@ -68,6 +69,28 @@ std::filesystem::path pathNamed(std::string_view name) {
     } catch (const std::exception&) {
         return {};
     }
+}
+
+bool isNetworkName(std::string_view name) {
+    const auto isSeparator = [&](std::size_t at) {
+        return at < name.size() && (name[at] == '/' || name[at] == '\\');
+    };
+    return isSeparator(0) && (isSeparator(1) || (name.substr(1, 2) == "??" && isSeparator(3)));
+}
+
+bool leadsIntoNetwork(std::string_view name) {
+#if defined(_WIN32)
+    return isNetworkName(name);
+#else
+    static_cast<void>(name);
+    return false;
+#endif
+}
+
+std::string localName(std::string_view name) {
+    if (leadsIntoNetwork(name))
+        name.remove_prefix(std::min(name.find_first_not_of("/\\?"), name.size()));
+    return std::string(name);
 }
 
 } // namespace idiophone

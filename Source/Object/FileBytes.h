@@ -29,4 +29,16 @@ std::string storedNameOf(const std::filesystem::path& file);
 /// The path that a name in UTF-8 tells; empty where it can be none on this system.
 std::filesystem::path pathNamed(std::string_view name);
 
+/// Whether Windows takes the name for a share's or a device's: it begins with two separators, of
+/// either kind, or with "\??\".
+bool isNetworkName(std::string_view name);
+
+/// The same where this is Windows, which asks the machine that the name tells and shows it who the
+/// user is: not to be done because a file says so.
+bool leadsIntoNetwork(std::string_view name);
+
+/// A name that stands in a file from anybody: where it leads into the network, without what leads
+/// there, so that there is nothing of that name.
+std::string localName(std::string_view name);
+
 } // namespace idiophone

@@ -21,13 +21,6 @@
 namespace idiophone {
 namespace {
 
-/// Another instance may embed other objects under the same names: theirs must not come between
-/// adding ours and building from them.
-std::mutex& libraryMutex() {
-    static std::mutex mutex;
-    return mutex;
-}
-
 /// What states have of the objects that live: hosts ask for states often, and packing is slow.
 class PackedObjects {
 public:
@@ -101,6 +94,20 @@ std::optional<std::string> firstMissingIn(const Scene& scene) {
                : std::nullopt;
 }
 
+bool isGiven(const std::string& name, const std::vector<EmbeddedObject>& objects) {
+    return std::ranges::find(objects, name, &EmbeddedObject::name) != objects.end();
+}
+
+/// What a state names there without having it: not even looked for, as anybody may have written it.
+std::optional<std::string> firstInNetwork(const KeyMap& keyMap,
+                                          const std::vector<EmbeddedObject>& objects) {
+    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note)
+        if (const auto name = keyMap.objectFor(note);
+            leadsIntoNetwork(name) && (keyMap.kind == KeyMapKind::scene || !isGiven(name, objects)))
+            return shown(name);
+    return std::nullopt;
+}
+
 /// Of its .modal file, at most.
 std::size_t largestFileBytes(const ModalObject& object) {
     constexpr std::size_t largestHeader = 1 << 20;
@@ -160,8 +167,7 @@ fitForState(std::shared_ptr<const Instrument> instrument) {
 Result<std::shared_ptr<const Instrument>>
 buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects) {
     return withinMemory([&]() -> Result<std::shared_ptr<const Instrument>> {
-        const std::scoped_lock lock(libraryMutex());
-        auto& library = ObjectLibrary::shared();
+        ObjectLibrary library(ObjectLibrary::shared());
         std::vector<std::shared_ptr<const ModalObject>> kept;
         for (const auto& embedded : objects) {
             if (factoryObject(embedded.name))
@@ -180,8 +186,7 @@ buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects
 Result<std::shared_ptr<const Instrument>>
 buildSingleObject(const KeyMap& keyMap, const std::shared_ptr<const ModalObject>& object) {
     return withinMemory([&] {
-        const std::scoped_lock lock(libraryMutex());
-        auto& library = ObjectLibrary::shared();
+        ObjectLibrary library(ObjectLibrary::shared());
         library.add(keyMap.object, object);
         return buildInstrument(keyMap, library).and_then(fitForState);
     });
@@ -189,10 +194,9 @@ buildSingleObject(const KeyMap& keyMap, const std::shared_ptr<const ModalObject>
 
 Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const KeyMap& keyMap) {
     return withinMemory([&] {
-        auto& library = ObjectLibrary::shared();
+        ObjectLibrary library(ObjectLibrary::shared());
         if (keyMap.kind == KeyMapKind::scene)
             return buildInstrument(keyMap, library);
-        const std::scoped_lock lock(libraryMutex());
         const auto& map = from.keyMap();
         for (int note = map.lowestNote; note <= map.highestNote; ++note)
             if (const int slot = from.key(note).slot; slot >= 0)
@@ -216,9 +220,7 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap,
     }
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
         const auto name = keyMap.objectFor(note);
-        const bool isGiven =
-            std::ranges::find(objects, name, &EmbeddedObject::name) != objects.end();
-        if (!isGiven && !factoryObject(name) && !isFile(name))
+        if (!isGiven(name, objects) && !factoryObject(name) && !isFile(name))
             return shown(name);
     }
     return std::nullopt;
@@ -233,7 +235,9 @@ KeyMap standInFor(const KeyMap& keyMap) {
 
 std::shared_ptr<const MissingObjects> replaceMissing(Preset& preset,
                                                      const std::vector<EmbeddedObject>& objects) {
-    auto first = firstMissing(preset.keyMap, objects);
+    auto first = firstInNetwork(preset.keyMap, objects);
+    if (!first)
+        first = firstMissing(preset.keyMap, objects);
     if (!first)
         return nullptr;
     MissingObjects missing{.first = std::move(*first),

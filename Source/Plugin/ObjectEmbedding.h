@@ -30,8 +30,8 @@ std::vector<std::byte> modalFile(const ModalObject& object);
 std::vector<EmbeddedObject> embeddedObjects(const Instrument& instrument);
 
 /// Builds the instrument with the given objects under their names; factory objects keep theirs,
-/// whatever is embedded under the same name. May wait for another instance that does the same.
-/// Refuses an instrument whose objects no state can carry, as `buildSingleObject` does.
+/// whatever is embedded under the same name, and other instances know nothing of them. Refuses an
+/// instrument whose objects no state can carry, as `buildSingleObject` does.
 Result<std::shared_ptr<const Instrument>>
 buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects);
 

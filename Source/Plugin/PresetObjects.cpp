@@ -61,9 +61,8 @@ Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
 Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const KeyMap& found) {
     if (found.object == keyMap.object)
         return buildInstrument(keyMap, ObjectLibrary::shared());
-    // A library of its own, where the names mean these objects; the objects are shared all the
-    // same.
-    ObjectLibrary own;
+    // Where the names mean these objects; the objects are shared all the same.
+    ObjectLibrary own(ObjectLibrary::shared());
     std::map<std::string, std::shared_ptr<const ModalObject>> kept;
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
         const auto name = keyMap.objectFor(note);

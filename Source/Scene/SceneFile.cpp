@@ -15,7 +15,7 @@ Result<Scene> readSceneFile(const std::filesystem::path& file) {
     if (!scene)
         return scene;
     const auto beside = [&](const std::string& name) {
-        return storedNameOf(file.parent_path() / pathNamed(name));
+        return storedNameOf(file.parent_path() / pathNamed(localName(name)));
     };
     for (auto& kind : scene->kinds)
         if (!kind.ball && !factoryObject(kind.object))
@@ -34,7 +34,7 @@ std::filesystem::path sceneFileNamed(std::string_view name) {
         return named;
     for (auto at = name.find(settingsFolder); at != std::string_view::npos;
          at = name.find(settingsFolder, at + 1)) {
-        auto file = own / pathNamed(name.substr(at + settingsFolder.size()));
+        auto file = own / pathNamed(localName(name.substr(at + settingsFolder.size())));
         if (std::filesystem::is_regular_file(file, fault))
             return file;
     }

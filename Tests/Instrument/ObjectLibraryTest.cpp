@@ -31,6 +31,18 @@ TEST_CASE("What is added wins over the factory for as long as somebody holds it"
     CHECK(library.find("plate").value()->name != "synthetic");
 }
 
+TEST_CASE(
+    "What is added before another library is in no other's way, and all else is the other's") {
+    ObjectLibrary others;
+    ObjectLibrary own(others);
+    const auto added = own.add("plate", syntheticObject({100}));
+    CHECK(own.find("plate").value() == added);
+    CHECK(others.find("plate").value()->name != "synthetic");
+    const auto ring = own.find("ring").value();
+    CHECK(others.find("ring").value() == ring);
+    CHECK_FALSE(own.find("no such object"));
+}
+
 TEST_CASE("An object that is not there is said so as often as it is asked for") {
     ObjectLibrary library;
     for (int round = 0; round < 3; ++round)

@@ -48,6 +48,30 @@ TEST_CASE("Names that files keep are UTF-8 with forward slashes, and lead back t
     CHECK(pathNamed("").empty());
 }
 
+TEST_CASE("Names that Windows would look for in the network are known, and only there changed") {
+    for (const auto* name :
+         {"\\\\host\\share\\x.modal", "//host/share/x.modal", "/\\host\\x", "\\/host/x",
+          "//?/UNC/host/share/x", "\\??\\UNC\\host\\x", "///x", "//"}) {
+        INFO(name);
+        CHECK(isNetworkName(name));
+    }
+    for (const auto* name : {"", "/", "/home/x.modal", "\\x", "Objects//x.modal", "C:\\\\x", "../x",
+                             "/??", "?//x", "/?/x/y"}) {
+        INFO(name);
+        CHECK_FALSE(isNetworkName(name));
+        CHECK(localName(name) == name);
+    }
+#if defined(_WIN32)
+    CHECK(leadsIntoNetwork("//host/x"));
+    CHECK(localName("\\\\host\\x") == "host\\x");
+    CHECK(localName("\\??\\UNC\\x") == "UNC\\x");
+    CHECK(localName("//").empty());
+#else
+    CHECK_FALSE(leadsIntoNetwork("//host/x"));
+    CHECK(localName("//host/x") == "//host/x");
+#endif
+}
+
 TEST_CASE("A file's name is told in UTF-8") {
     CHECK(nameOf(std::filesystem::path(u8"Glöckchen/γ.obj").filename()) == "\xce\xb3.obj");
 }

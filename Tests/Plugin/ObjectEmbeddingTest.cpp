@@ -1,6 +1,7 @@
 #include "Plugin/ObjectEmbedding.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Object/FileBytes.h"
 #include "Plugin/PresetObjects.h"
 #include "Support/TestFolder.h"
 #include "Support/TestSound.h"
@@ -111,6 +112,28 @@ TEST_CASE("What came packed is saved as it came") {
     REQUIRE(built);
     for (const auto& object : embeddedObjects(**built))
         CHECK(*object.packed == "its own text");
+}
+
+TEST_CASE("An embedded object is nobody else's, even where a file has its name") {
+    const auto file = testFolder() / "same-name.modal";
+    REQUIRE(writeModalObject(syntheticObject({440}), file));
+    const KeyMap map{.kind = KeyMapKind::zones, .object = storedNameOf(file)};
+    const auto lowest = [](const Result<std::shared_ptr<const Instrument>>& built) {
+        return (*built)->slots()[0].object->eigenvalues[0];
+    };
+    const auto of = [](double hertz) { return syntheticObject({hertz}).eigenvalues[0]; };
+    const auto embedded = buildInstrument(
+        map, {{.name = map.object, .modal = encodeModalObject(syntheticObject({100}))}});
+    const auto opened =
+        buildSingleObject(map, std::make_shared<const ModalObject>(syntheticObject({200})));
+    const auto otherKeys = rebuilt(**embedded, {.kind = KeyMapKind::scaled, .object = map.object});
+    CHECK(lowest(embedded) == of(100));
+    CHECK(lowest(opened) == of(200));
+    CHECK((*otherKeys)->slots()[0].object == (*embedded)->slots()[0].object);
+    const auto played = buildInstrument(map, {});
+    CHECK(lowest(played) == of(440));
+    const auto preset = buildPresetInstrument(map, juce::File((testFolder() / "p.json").string()));
+    CHECK(preset->instrument->slots()[0].object == (*played)->slots()[0].object);
 }
 
 TEST_CASE("Objects that no state can carry are refused where they would begin to play") {
