@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 namespace idiophone {
 namespace {
 
-/// How far the two factors of the level may come to lie apart where it is automated and sounds
-/// change, over and over, while a room rings: 100 dB, more than from one end of the parameter to
-/// the other.
-constexpr float farthestOwnGain = 1e5f;
+/// 100 dB, more than from one end of the parameter to the other. Levels that are turned down and
+/// sounds that change, over and over while the room rings, would come there.
+constexpr float farthestOwnLevel = 1e5f;
 
 float gainOf(const ParameterValues& values) {
     return juce::Decibels::decibelsToGain(static_cast<float>(values[ParameterId::level]));
@@ -28,7 +28,8 @@ bool allFinite(std::span<const float> samples) {
 } // namespace
 
 void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
-    for (auto* ramp : {&level, &open, &width})
+    samplesPerSecond = sampleRateHz;
+    for (auto* ramp : {&ownLevel, &level, &open, &width})
         ramp->reset(sampleRateHz, rampSeconds);
     ownLeft.resize(static_cast<std::size_t>(maximumBlockSize));
     ownRight.resize(static_cast<std::size_t>(maximumBlockSize));
@@ -38,22 +39,31 @@ void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
 
 void OutputStage::reset() noexcept {
     startsAtTarget = true;
-    ownGain = 1;
+    forgetChanges();
     room.reset();
 }
 
-float OutputStage::changeSound(const ParameterValues& values) noexcept {
+/// The whole level is behind the room.
+void OutputStage::forgetChanges() noexcept {
+    ownLevelAtChange = 1;
+    highestLevel = std::numeric_limits<float>::infinity();
+    heldSamples = 0;
+}
+
+float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds) noexcept {
     if (startsAtTarget)
         return 1;
-    const float before = ownGain * level.getCurrentValue();
+    const float before = ownLevel.getCurrentValue() * level.getCurrentValue();
     const float now = gainOf(values);
-    ownGain = now / level.getCurrentValue();
-    const bool isFar = ownGain > farthestOwnGain || ownGain < 1 / farthestOwnGain;
-    if (isFar)
+    highestLevel = level.getCurrentValue();
+    ownLevelAtChange = now / highestLevel;
+    if (ownLevelAtChange > farthestOwnLevel)
         room.reset();
-    if (isFar || room.silent())
-        ownGain = 1;
-    level.setCurrentAndTargetValue(now / ownGain);
+    if (room.silent())
+        forgetChanges();
+    level.setCurrentAndTargetValue(now / ownLevelAtChange);
+    ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
+    heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }
 
@@ -63,11 +73,16 @@ bool OutputStage::process(std::span<const float> left,
                           const ParameterValues& values) noexcept {
     if (left.empty() || channels.empty())
         return true;
-    level.setTargetValue(gainOf(values) / ownGain);
+    if (heldSamples == 0) {
+        const float wanted = gainOf(values);
+        level.setTargetValue(std::min(wanted / ownLevelAtChange, highestLevel));
+        ownLevel.setTargetValue(wanted / level.getTargetValue());
+    }
+    heldSamples -= std::min(heldSamples, left.size());
     open.setTargetValue(values[ParameterId::bypass] != 0 ? 0.0f : 1.0f);
     width.setTargetValue(static_cast<float>(values[ParameterId::width] / 100));
     if (startsAtTarget)
-        for (auto* ramp : {&level, &open, &width})
+        for (auto* ramp : {&ownLevel, &level, &open, &width})
             ramp->setCurrentAndTargetValue(ramp->getTargetValue());
     startsAtTarget = false;
 
@@ -83,13 +98,14 @@ bool OutputStage::process(std::span<const float> left,
 }
 
 Room::Sound OutputStage::atOwnLevel(const Room::Sound& sound) noexcept {
-    if (ownGain == 1)
+    if (!ownLevel.isSmoothing() && ownLevel.getTargetValue() == 1)
         return sound;
     const auto count = sound.left.size();
-    juce::FloatVectorOperations::multiply(ownLeft.data(), sound.left.data(), ownGain,
-                                          static_cast<int>(count));
-    juce::FloatVectorOperations::multiply(ownRight.data(), sound.right.data(), ownGain,
-                                          static_cast<int>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        const float gain = ownLevel.getNextValue();
+        ownLeft[i] = gain * sound.left[i];
+        ownRight[i] = gain * sound.right[i];
+    }
     return {std::span(ownLeft).first(count), std::span(ownRight).first(count)};
 }
 

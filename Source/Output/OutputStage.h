@@ -30,8 +30,8 @@ public:
     /// From the next block on another sound plays. Its level holds at once and not after a ramp, as
     /// levels are tens of decibels apart; what sounds on in the room keeps the one that it had.
     /// Returns what that was, to the new one: with it whatever is still heard of the sound before
-    /// keeps its level.
-    float changeSound(const ParameterValues& values) noexcept;
+    /// keeps its level, and for so long the level stays where it is.
+    float changeSound(const ParameterValues& values, double fadeSeconds = 0) noexcept;
 
     /// Writes `left.size()` samples, at most `maximumBlockSize`, to each channel, L and R with what
     /// the room adds. Of two, the first gets M + wS and the second M − wS, where M = (L + R)/2, S =
@@ -52,13 +52,17 @@ public:
 
 private:
     Room::Sound atOwnLevel(const Room::Sound& sound) noexcept;
+    void forgetChanges() noexcept;
     void spread(const Room::Sound& sound, std::span<float* const> channels) noexcept;
 
     Room room;
-    /// What plays has it before the room, and so what rings there has not. Together with `level` it
-    /// is the level of the parameters.
-    float ownGain = 1;
-    juce::SmoothedValue<float> level, open, width; ///< `open`: 0 in bypass, else 1
+    /// The level is `ownLevel` times `level`. What plays has the first before the room, and so what
+    /// rings there of older sounds has not; nor does the second rise while they may ring.
+    juce::SmoothedValue<float> ownLevel, level;
+    float ownLevelAtChange = 1, highestLevel = 0;
+    std::size_t heldSamples = 0; ///< the level stays until then
+    double samplesPerSecond = 44100;
+    juce::SmoothedValue<float> open, width; ///< `open`: 0 in bypass, else 1
     std::vector<float> ownLeft, ownRight;
     bool startsAtTarget = true;
 };

@@ -49,7 +49,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         playedValues = newest;
     const ParameterValues& values = playedValues;
     if (next != nullptr)
-        sound.changeTo(next, output.changeSound(values));
+        sound.changeTo(next, output.changeSound(values, PlayerCrossfade::fadeSeconds));
     silencer.silence(sound.player());
     tuner.tune(sound.player());
     if (auto* player = sound.player()) {

@@ -279,24 +279,58 @@ TEST_CASE(
         REQUIRE_THAT(got.left[i], WithinAbs(wanted.left[i], 1e-7));
 }
 
+TEST_CASE(
+    "A level that is turned up after a change raises nothing that rang before, and is reached") {
+    PreparedStage stage, alone;
+    const auto inRoom = [](double level) {
+        auto values = valuesWith(level);
+        values.set(ParameterId::room, 100);
+        values.set(ParameterId::roomDecay, 3);
+        return values;
+    };
+    const Stereo burst{sine(4800), sine(4800, 700)};
+    const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};
+    processed(stage, burst, 480, inRoom(-5));
+    processed(alone, burst, 480, inRoom(-5));
+    stage.changeSound(inRoom(-55));
+    processed(stage, Stereo{std::vector<float>(64), std::vector<float>(64)}, 64, inRoom(-55));
+    processed(alone, Stereo{std::vector<float>(64), std::vector<float>(64)}, 64, inRoom(-5));
+    // As by a host whose lane of automation goes on where it was.
+    const auto tail = processed(stage, nothing, 480, inRoom(-5)),
+               expected = processed(alone, nothing, 480, inRoom(-5));
+    for (std::size_t i = 0; i < tail.left.size(); ++i)
+        REQUIRE_THAT(tail.left[i], WithinAbs(expected.left[i], 1e-5));
+    // It is turned down with the rest.
+    processed(stage, nothing, 480, inRoom(-50));
+    processed(alone, nothing, 480, inRoom(-50));
+    processed(stage, nothing, 480, valuesWith(-50));
+    const auto dry = processed(stage, burst, 480, valuesWith(6));
+    const auto gain = static_cast<float>(std::pow(10, 6 / 20.0));
+    for (std::size_t i = 960; i < dry.left.size(); ++i)
+        REQUIRE_THAT(dry.left[i], WithinAbs(gain * burst.left[i], 1e-5));
+}
+
 TEST_CASE("However often levels move and sounds change while a room rings, the level is right") {
     PreparedStage stage;
     auto values = valuesWith(0);
     values.set(ParameterId::room, 100);
     values.set(ParameterId::roomDecay, 10);
-    const std::vector<float> ones(1000, 1.0f);
+    const Stereo ones{std::vector<float>(1000, 1.0f), std::vector<float>(1000, 1.0f)};
     for (int time = 0; time < 50; ++time) {
         values.set(ParameterId::level, -60);
         stage.changeSound(values);
         processed(stage, ones, 100, values);
         values.set(ParameterId::level, 24);
         const auto louder = processed(stage, ones, 100, values);
-        REQUIRE(std::ranges::all_of(louder, [](float x) { return std::abs(x) < 1e4f; }));
+        const bool isBounded =
+            std::ranges::all_of(louder.left, [](float x) { return std::abs(x) < 1e4f; });
+        REQUIRE(isBounded);
     }
     auto dry = valuesWith(-7);
     processed(stage, ones, 100, dry);
-    const std::vector<float> one{1.0f};
-    CHECK_THAT(processed(stage, one, 1, dry).front(), WithinRel(std::pow(10, -7 / 20.0), 1e-5));
+    const Stereo one{{1.0f}, {1.0f}};
+    CHECK_THAT(processed(stage, one, 1, dry).left.front(),
+               WithinRel(std::pow(10, -7 / 20.0), 1e-5));
 }
 
 TEST_CASE("A sound that comes before any block, or into a silent room, is as in a new stage") {

@@ -104,6 +104,15 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
         CHECK(heard <= margin * (nextAlone + last));
         CHECK(heard >= (nextAlone - last) / margin);
     }
+    SECTION("the former rings, and the host's automation turns the level back at once") {
+        const auto ringing = render(processor, shortly, 32, strike());
+        const float last = peak(std::span(ringing.left).last(1000));
+        restore(processor, next);
+        float heard = loudest(render(processor, 32, 32, {}));
+        processor.changeParameter(level, before);
+        heard = std::max(heard, loudest(render(processor, shortly, 32, {})));
+        CHECK(heard <= margin * last);
+    }
     SECTION("twice within a block's time, and a third time while the first fades") {
         const auto ringing = render(processor, shortly, blockSize, strike());
         const float last = peak(std::span(ringing.left).last(1000));
