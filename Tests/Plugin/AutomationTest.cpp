@@ -8,6 +8,10 @@
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <iterator>
+#include <numbers>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -21,9 +25,13 @@ constexpr double rateHz = 48000;
 constexpr int cellSize = 64;
 // A motor that turns once a second has shut the discs a quarter of a second in.
 constexpr int struckCell = 150, releasedCell = 160, jumpCell = 188, endCell = 260;
-// Of the farthest that a jump gets, the most that may be there in its first 64 samples: what glides
-// in 10 ms has come an eighth of the way, what jumps all of it.
-constexpr double mostAtOnce = 0.3;
+// Of the farthest that a jump gets, the most that may be there after each of its first 64 samples,
+// twice: what glides in 10 ms has come an eighth and a quarter of the way, what jumps all of it.
+// Modes that leave or return, at once and all together, are faded in 3 ms, which is 2.25 cells.
+constexpr double mostAtOnce = 0.3, mostFaded = 0.8;
+// And of its largest sample, the most above 14 kHz, where no mode is: a fiftieth or more of what
+// steps is there, in whichever cell. Rooms echo a blow's noise.
+constexpr double mostOfStep = 0.002, mostOfStepInRoom = 0.02;
 
 enum class Heard {
     asPole,  ///< in the frequency and the decay of what rings
@@ -104,10 +112,12 @@ juce::MidiMessage noteOn(int note, int velocity = 100) {
     return juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(velocity));
 }
 
+using Cells = std::vector<HostSound>;
+
 /// A chord in which the parameter jumps or does not, from the jump's cell before on.
-std::vector<HostSound> ringing(const Jump& jump, bool jumps) {
+Cells ringing(const Jump& jump, bool jumps) {
     AutomatedHost host(ringingState(jump.heard == Heard::asPole), jump);
-    std::vector<HostSound> cells;
+    Cells cells;
     for (int cell = 0; cell < endCell; ++cell) {
         if (cell == jumpCell && jumps)
             host.moveTo(jump.to);
@@ -142,8 +152,7 @@ std::complex<double> poleOf(const std::vector<float>& samples) {
 }
 
 /// How far each cell is from where it would be.
-std::vector<double> distances(const Jump& jump) {
-    const auto moved = ringing(jump, true), still = ringing(jump, false);
+std::vector<double> distances(const Jump& jump, const Cells& moved, const Cells& still) {
     std::vector<double> result;
     for (std::size_t cell = 0; cell < moved.size(); ++cell) {
         if (jump.heard == Heard::asPole) {
@@ -159,6 +168,36 @@ std::vector<double> distances(const Jump& jump) {
         result.push_back(rms(difference));
     }
     return result;
+}
+
+/// Of the largest sample of what the jump changes, the largest above 14 kHz, which is all that a
+/// step in it leaves; by a windowed sinc.
+double shareOfSteps(const Cells& moved, const Cells& still) {
+    constexpr int reach = 32;
+    constexpr double pi = std::numbers::pi, corner = 14000 / rateHz;
+    std::array<double, 2 * reach + 1> response{};
+    for (int n = -reach; n <= reach; ++n) {
+        const double sinc =
+            n == 0 ? 1 - 2 * corner : -std::sin(2 * pi * corner * n) / (pi * n); // high-pass
+        const double turn = pi * n / reach;
+        response[static_cast<std::size_t>(n + reach)] =
+            sinc * (0.35875 + 0.48829 * std::cos(turn) + 0.14128 * std::cos(2 * turn) +
+                    0.01168 * std::cos(3 * turn)); // of Blackman and Harris
+    }
+    double largest = 0, largestHigh = 0;
+    for (const auto side : {&HostSound::left, &HostSound::right}) {
+        std::vector<double> change;
+        for (std::size_t cell = 0; cell < moved.size(); ++cell)
+            std::ranges::transform(moved[cell].*side, still[cell].*side, std::back_inserter(change),
+                                   std::minus<double>());
+        for (auto at = change.begin(); change.end() - at >= std::ssize(response); ++at) {
+            largest = std::max(largest, std::abs(at[reach]));
+            largestHigh =
+                std::max(largestHigh,
+                         std::abs(std::inner_product(response.begin(), response.end(), at, 0.0)));
+        }
+    }
+    return largestHigh / largest;
 }
 
 constexpr auto asPole = Heard::asPole, asLevel = Heard::asLevel, ofBlows = Heard::ofBlows;
@@ -246,13 +285,20 @@ TEST_CASE("What a host moves while keys ring is heard gradually") {
     for (const auto& jump : jumpsWhileRinging) {
         if (jump.heard == ofBlows)
             continue;
-        const auto found = distances(jump);
+        const auto moved = ringing(jump, true), still = ringing(jump, false);
+        const auto found = distances(jump, moved, still);
         const double farthest = *std::max_element(found.begin(), found.end());
         INFO(parameterInfo(jump.parameter).name);
-        CAPTURE(found[1] / farthest, farthest);
+        CAPTURE(found[1] / farthest, found[2] / farthest, farthest);
         CHECK(found[0] == 0);
         CHECK(farthest > 1e-6);
         CHECK(found[1] < mostAtOnce * farthest);
+        CHECK(found[2] < (jump.parameter == tau ? mostFaded : mostAtOnce) * farthest);
+        const bool isRoom = jump.parameter == room || jump.parameter == roomDecay;
+        CHECK(shareOfSteps(moved, still) < (isRoom ? mostOfStepInRoom : mostOfStep));
+        // The chord's own beats hide what comes of a level from cell to cell.
+        for (std::size_t cell = 1; jump.heard == asPole && cell < found.size(); ++cell)
+            CHECK(std::abs(found[cell] - found[cell - 1]) < mostAtOnce * farthest);
     }
 }
 
