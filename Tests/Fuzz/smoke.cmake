@@ -27,7 +27,12 @@ endfunction()
 
 find_libfuzzer(libfuzzer)
 if(NOT libfuzzer)
-    message(STATUS "No clang with libFuzzer for Linux: the fuzz targets are neither built nor run")
+    foreach(room ${rooms} ${rooms_with_juce})
+        foreach(target ${targets_of_${room}})
+            untested("Fuzz: ${target}" TOOL "a clang for Linux with libFuzzer"
+                PACKAGES clang-16 libclang-rt-16-dev)
+        endforeach()
+    endforeach()
     return()
 endif()
 
