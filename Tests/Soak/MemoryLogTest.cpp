@@ -17,7 +17,7 @@ std::vector<LoggedHour> measured(int count, double leak, int hoursOfProcess = 10
     std::vector<LoggedHour> hours;
     for (int hour = 1; hour <= count; ++hour) {
         const int own = (hour - 1) % hoursOfProcess + 1;
-        const double life = hourOfDay(hour) >= shortLivedHours ? 25 : 0;
+        const double life = hourOfDay(hour) >= shortLivedHours ? -20 : 0;
         hours.push_back({hour, own,
                          mebibytes[static_cast<std::size_t>(hour - 1) % mebibytes.size()] + life +
                              leak * (own - 1)});
