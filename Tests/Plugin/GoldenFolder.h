@@ -3,6 +3,7 @@
 
 #include "Support/TestSound.h"
 
+#include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -23,6 +24,24 @@ inline std::filesystem::path folderOfThisVersion() {
     const auto folder = goldenFolder / ownEngineVersion();
     std::filesystem::create_directories(folder);
     return folder;
+}
+
+/// A way in which states are played and what is kept of it, as NAME and this ending.
+struct GoldenTake {
+    const char* ending;
+    double rateHz;
+    int samples;
+    int keptOf; ///< of so many blocks the last one is kept
+    int least;  ///< that each version has
+};
+constexpr int goldenBlockSize = 256;
+/// All states at a low rate, and some of them as they are mostly played, above 11 kHz and for long.
+constexpr std::array goldenTakes{GoldenTake{".wav", 22050, 22050, 1, 12},
+                                 GoldenTake{"-48k.wav", 48000, 22050, 2, 3},
+                                 GoldenTake{"-5s.wav", 48000, 240000, 16, 1}};
+
+inline std::filesystem::path waveOf(const std::filesystem::path& state, const GoldenTake& take) {
+    return state.parent_path() / (state.stem().string() + take.ending);
 }
 
 inline std::string bytesOf(const std::filesystem::path& file) {
