@@ -1,16 +1,12 @@
 // The audio callback neither allocates, locks nor calls the system, shown by a trap that is itself
 // shown to catch each of these.
-#include "Plugin/RealTimeTrap.h"
-#include "Support/TestSound.h"
-
-#include "Instrument/FactoryContent.h"
+#include "Plugin/WatchedHost.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <cstdlib>
 #include <fcntl.h>
 #include <functional>
 #include <mutex>
-#include <numbers>
 #include <random>
 #include <shared_mutex>
 #include <thread>
@@ -46,83 +42,6 @@ const int* madeWhenFirstAskedFor() {
     static const int made = static_cast<int>(std::random_device()());
     return &made;
 }
-
-/// Half a second in which keys from end to end of the range are held while all that can press, move
-/// and bend them sweeps; then they are released and sound on for a tenth.
-juce::MidiBuffer heldKeys(const ProcessorView::KeyRange& keys) {
-    constexpr int released = 24000, keyCount = 6;
-    juce::MidiBuffer midi;
-    const auto keyAt = [&](int i) {
-        return keys.lowest + (keys.highest - keys.lowest) * i / (keyCount - 1);
-    };
-    for (int i = 0; i < keyCount; ++i) {
-        midi.addEvent(juce::MidiMessage::noteOn(1, keyAt(i), juce::uint8{100}), 700 * i);
-        midi.addEvent(juce::MidiMessage::noteOff(1, keyAt(i)), released + 100 * i);
-    }
-    for (int stamp = 0; stamp < released; stamp += 96) {
-        const double phase = 2 * std::numbers::pi * stamp / released;
-        const auto sweep = [&](double turns) {
-            return static_cast<int>(63.5 - 63.5 * std::cos(turns * phase));
-        };
-        midi.addEvent(juce::MidiMessage::channelPressureChange(1, sweep(1)), stamp);
-        midi.addEvent(
-            juce::MidiMessage::aftertouchChange(1, keyAt(stamp / 96 % keyCount), sweep(3)), stamp);
-        midi.addEvent(juce::MidiMessage::controllerEvent(1, 1, sweep(1.5)), stamp);
-        midi.addEvent(juce::MidiMessage::controllerEvent(1, 74, sweep(2.5)), stamp);
-        midi.addEvent(juce::MidiMessage::pitchWheel(1, 129 * sweep(2)), stamp);
-    }
-    return midi;
-}
-constexpr int heldKeysSamples = 28800;
-
-class WatchedHost {
-public:
-    explicit WatchedHost(int blockSize) : buffer(2, blockSize) {
-        processor.prepareToPlay(48000, blockSize);
-    }
-
-    void block(const juce::MidiBuffer& midi, int samples) {
-        juce::MidiBuffer events(midi);
-        juce::AudioBuffer<float> view(buffer.getArrayOfWritePointers(), 2, samples);
-        const auto faults = faultsOf([&] { processor.processBlock(view, events); });
-        INFO(what << ": first " << faults.first);
-        CHECK(faults.allocations == 0);
-        CHECK(faults.locks == 0);
-        if (systemCallTrapWorks()) // elsewhere their own test is skipped
-            CHECK(faults.systemCalls == 0);
-        loudestSample = std::max(loudestSample, view.getMagnitude(0, samples));
-    }
-
-    void choose(int program) {
-        what = processor.getProgramName(program).toStdString();
-        processor.setCurrentProgram(program); // handed over while the last one rings
-        loudestSample = 0;
-    }
-
-    /// Of what was played since the preset was chosen.
-    void checkHeard(float leastSample) const {
-        INFO(what << ": loudest sample " << loudestSample);
-        CHECK(loudestSample > leastSample);
-    }
-
-    Processor processor;
-    std::string what;
-    float loudestSample = 0;
-
-private:
-    juce::AudioBuffer<float> buffer;
-};
-
-void play(WatchedHost& host, const juce::MidiBuffer& midi, int samples, int blockSize) {
-    for (int start = 0; start < samples; start += blockSize) {
-        juce::MidiBuffer block;
-        block.addEvents(midi, start, blockSize, -start);
-        host.block(block, blockSize);
-    }
-}
-
-/// Faint as they are: a preset that plays nothing there is silent.
-constexpr float leastStruck = 0.003f, leastPressed = 1e-5f;
 
 } // namespace
 
@@ -240,73 +159,6 @@ TEST_CASE("The real-time trap catches planted system calls in a callback") {
     CHECK(written > 0);
 }
 
-TEST_CASE("No factory preset allocates, locks or calls the system, whatever is played") {
-    if (!realTimeTrapWorks())
-        SKIP("the trap needs Linux with glibc and no sanitizer");
-    WatchedHost host(512);
-    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
-        host.choose(program);
-        const auto music = testMusic(512, 30, host.processor.keyRange());
-        for (int block = 0; block < 40; ++block)
-            host.block(music, 512);
-        if (!host.processor.hasStage()) // whose worker takes its time; see below
-            host.checkHeard(leastStruck);
-    }
-}
-
-TEST_CASE("A scene's blows and touches do not allocate, lock or call the system") {
-    if (!realTimeTrapWorks())
-        SKIP("the trap needs Linux with glibc and no sanitizer");
-    WatchedHost host(480);
-    const auto presets = factoryPresets();
-    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
-        if (presets[static_cast<std::size_t>(program)].keyMap.kind != KeyMapKind::scene)
-            continue;
-        host.choose(program);
-        juce::MidiBuffer notes;
-        for (const int note : {72, 74, 77})
-            notes.addEvent(juce::MidiMessage::noteOn(1, note, static_cast<juce::uint8>(100)), note);
-        host.block(notes, 480);
-        for (int waits = 0; waits < 100 && host.loudestSample < 0.0001f; ++waits) {
-            juce::Thread::sleep(50); // for the worker
-            for (int block = 0; block < 5; ++block)
-                host.block({}, 480);
-        }
-        CHECK(host.loudestSample >= 0.0001f);
-    }
-}
-
-TEST_CASE("No factory preset struck, scraped or rolled with every controller allocates, locks or "
-          "calls the system") {
-    if (!realTimeTrapWorks())
-        SKIP("the trap needs Linux with glibc and no sanitizer");
-    struct Way {
-        ContactChoice contact;
-        double coupling;
-        float leastSample;
-    };
-    WatchedHost host(512);
-    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
-        host.choose(program);
-        if (host.processor.hasStage())
-            continue; // its bodies touch as they will
-        const auto midi = heldKeys(host.processor.keyRange());
-        for (const auto& way :
-             {Way{strikeContact, 0, leastStruck}, Way{scrapeContact, 0, leastPressed},
-              Way{rollContact, 0, leastPressed}, Way{rollContact, 100, leastPressed}}) {
-            host.choose(program);
-            host.processor.changeParameter(ParameterId::contact, way.contact);
-            host.processor.changeParameter(ParameterId::rollCoupling, way.coupling);
-            host.what += ", contact " + std::to_string(way.contact) + ", coupling " +
-                         std::to_string(way.coupling);
-            play(host, {}, 512, 512); // in which what rang has faded out
-            host.loudestSample = 0;
-            play(host, midi, heldKeysSamples, 512);
-            host.checkHeard(way.leastSample);
-        }
-    }
-}
-
 TEST_CASE("No parameter at either end makes the callback allocate, lock or call the system") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
@@ -326,36 +178,6 @@ TEST_CASE("No parameter at either end makes the callback allocate, lock or call 
     CHECK(host.loudestSample > 0.001f);
 }
 
-TEST_CASE("No parameter at either end does so in any factory preset") {
-    if (!realTimeTrapWorks())
-        SKIP("the trap needs Linux with glibc and no sanitizer");
-    WatchedHost host(256);
-    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
-        host.choose(program);
-        const auto [lowest, highest] = host.processor.keyRange();
-        juce::MidiBuffer music;
-        for (int i = 0; i < 6; ++i) {
-            const int note = lowest + (highest - lowest) * i / 5;
-            music.addEvent(juce::MidiMessage::noteOn(i + 1, note, juce::uint8{100}), 40 * i);
-            music.addEvent(juce::MidiMessage::channelPressureChange(i + 1, 20 * i), 40 * i + 3);
-            music.addEvent(juce::MidiMessage::pitchWheel(i + 1, 3000 * i), 40 * i + 5);
-        }
-        for (auto* parameter : host.processor.getParameters()) {
-            host.what = host.processor.getProgramName(program).toStdString() + ", " +
-                        parameter->getName(100).toStdString();
-            const float own = parameter->getValue();
-            for (const float end : {0.0f, 1.0f}) {
-                parameter->setValue(end);
-                host.block(music, 256);
-                host.block({}, 256);
-            }
-            parameter->setValue(own);
-        }
-        if (!host.processor.hasStage())
-            host.checkHeard(leastStruck);
-    }
-}
-
 TEST_CASE("System exclusive messages that retune do not allocate, lock or call the system") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
@@ -368,32 +190,6 @@ TEST_CASE("System exclusive messages that retune do not allocate, lock or call t
     host.what = "retuned";
     for (int block = 0; block < 10; ++block)
         host.block(midi, 256);
-}
-
-TEST_CASE("Watched, muted and scraped by hand, the callback neither allocates, locks nor calls") {
-    if (!realTimeTrapWorks())
-        SKIP("the trap needs Linux with glibc and no sanitizer");
-    WatchedHost host(512);
-    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
-        host.choose(program);
-        const auto music = testMusic(512, 60, host.processor.keyRange());
-        int frames = 0;
-        const auto objects = host.processor.playedObjects();
-        for (int block = 0; block < 40; ++block) {
-            const auto object = static_cast<std::size_t>(block) % objects.size();
-            frames += host.processor.takeSoundFrame() != nullptr ? 1 : 0;
-            host.processor.muteMode(object, block % 7, block % 3 != 0);
-            host.processor.hearModeAlone(object, block % 5, block % 8 == 0);
-            if (block % 10 == 0)
-                host.processor.watchObject(object);
-            host.processor.scrapeObject(object, {0.01 * block, 0.002 * block, 0},
-                                        block % 16 == 15 ? 0 : 1);
-            host.block(music, 512);
-        }
-        CHECK(frames > 5);
-        if (!host.processor.hasStage())
-            host.checkHeard(leastStruck);
-    }
 }
 
 TEST_CASE("Controllers that are learned and move every parameter stay real-time safe") {

@@ -1,0 +1,51 @@
+// A host in whose callbacks the real-time trap counts.
+#pragma once
+
+#include "Plugin/RealTimeTrap.h"
+#include "Support/TestSound.h"
+
+#include <algorithm>
+#include <catch2/catch_test_macros.hpp>
+#include <string>
+
+namespace idiophone::test {
+
+class WatchedHost {
+public:
+    explicit WatchedHost(int blockSize) : buffer(2, blockSize) {
+        processor.prepareToPlay(48000, blockSize);
+    }
+
+    void block(const juce::MidiBuffer& midi, int samples) {
+        juce::MidiBuffer events(midi);
+        juce::AudioBuffer<float> view(buffer.getArrayOfWritePointers(), 2, samples);
+        const auto faults = faultsOf([&] { processor.processBlock(view, events); });
+        INFO(what << ": first " << faults.first);
+        CHECK(faults.allocations == 0);
+        CHECK(faults.locks == 0);
+        if (systemCallTrapWorks()) // elsewhere their own test is skipped
+            CHECK(faults.systemCalls == 0);
+        loudestSample = std::max(loudestSample, view.getMagnitude(0, samples));
+    }
+
+    void choose(int program) {
+        what = processor.getProgramName(program).toStdString();
+        processor.setCurrentProgram(program); // handed over while the last one rings
+        loudestSample = 0;
+    }
+
+    /// Of what was played since the preset was chosen.
+    void checkHeard(float leastSample) const {
+        INFO(what << ": loudest sample " << loudestSample);
+        CHECK(loudestSample > leastSample);
+    }
+
+    Processor processor;
+    std::string what;
+    float loudestSample = 0;
+
+private:
+    juce::AudioBuffer<float> buffer;
+};
+
+} // namespace idiophone::test
