@@ -29,7 +29,7 @@ constexpr int struckCell = 150, releasedCell = 160, jumpCell = 188, endCell = 26
 // twice: what glides in 10 ms has come an eighth and a quarter of the way, what jumps all of it.
 // Modes that leave or return, at once and all together, are faded in 3 ms, which is 2.25 cells.
 constexpr double mostAtOnce = 0.3, mostFaded = 0.8;
-// And of its largest sample, the most above 14 kHz, where no mode is: a fiftieth or more of what
+// And of its largest sample, the most above 14 kHz, where no mode is: a hundredth or more of what
 // steps is there, in whichever cell. Rooms echo a blow's noise.
 constexpr double mostOfStep = 0.002, mostOfStepInRoom = 0.02;
 
