@@ -1,11 +1,11 @@
 #include "Console/MidiSong.h"
 
+#include "Console/MidiTracks.h"
 #include "Console/TempoMap.h"
 #include "Object/TextFile.h"
 
 #include <algorithm>
 #include <iterator>
-#include <juce_audio_basics/juce_audio_basics.h>
 #include <map>
 #include <span>
 #include <utility>
@@ -35,8 +35,8 @@ bool isUsableTimeFormat(short format) {
 }
 
 /// All notes of one key of a track, in order of time. At one time some files have what begins
-/// before what ends; JUCE turns some of these around, and notes without length too. Here what ends
-/// comes first where something is down that it ends, or where what begins is ended later.
+/// before what ends; here what ends comes first where something is down that it ends, or where what
+/// begins is ended later.
 void orderKey(std::span<SongEvent* const> notes) {
     std::ptrdiff_t down = 0;
     std::ptrdiff_t endsBehind = 0; // more than there are beginnings
@@ -64,17 +64,16 @@ void orderKey(std::span<SongEvent* const> notes) {
     }
 }
 
-std::vector<SongEvent> channelMessages(const juce::MidiFile& midi) {
+std::vector<SongEvent> channelMessages(const MidiTracks& midi) {
     struct Ranked {
         SongEvent event;
         int order = 0; ///< among all of its time; no less than of those before it in its track
     };
     const TempoMap tempo(midi);
     std::vector<Ranked> all;
-    for (int track = 0; track < midi.getNumTracks(); ++track) {
+    for (const auto& track : midi.tracks) {
         const auto first = static_cast<std::ptrdiff_t>(all.size());
-        for (const auto* holder : *midi.getTrack(track)) {
-            const auto& message = holder->message;
+        for (const auto& message : track) {
             const int size = message.getRawDataSize();
             if (message.getChannel() == 0 || size < 2 || size > 3)
                 continue;
@@ -120,11 +119,10 @@ Result<std::vector<SongEvent>> readMidiSong(const std::filesystem::path& file) {
         return tl::unexpected(bytes.error());
     if (!bytes->starts_with("MThd") && !bytes->starts_with("RIFF"))
         return refuse("it is not a MIDI file");
-    juce::MemoryInputStream stream(bytes->data(), bytes->size(), false);
-    juce::MidiFile midi;
-    if (!midi.readFrom(stream, false) || !isUsableTimeFormat(midi.getTimeFormat()))
+    const auto midi = readMidiTracks(*bytes);
+    if (!midi || !isUsableTimeFormat(midi->timeFormat))
         return refuse("the MIDI file is damaged or cut off");
-    auto events = channelMessages(midi);
+    auto events = channelMessages(*midi);
     if (!std::ranges::all_of(events, isWhole))
         return refuse("the MIDI file is damaged or cut off");
     if (std::ranges::none_of(events, &SongEvent::isNoteOn))

@@ -7,18 +7,18 @@ namespace {
 
 using Messages = std::vector<const juce::MidiMessage*>;
 
-void addAll(const juce::MidiFile& midi,
+void addAll(const MidiTracks& midi,
             bool (juce::MidiMessage::*isWanted)() const,
             Messages& messages) {
-    for (int track = 0; track < midi.getNumTracks(); ++track)
-        for (const auto* holder : *midi.getTrack(track))
-            if ((holder->message.*isWanted)())
-                messages.push_back(&holder->message);
+    for (const auto& track : midi.tracks)
+        for (const auto& message : track)
+            if ((message.*isWanted)())
+                messages.push_back(&message);
 }
 
 } // namespace
 
-TempoMap::TempoMap(const juce::MidiFile& midi) : timeFormat(midi.getTimeFormat()) {
+TempoMap::TempoMap(const MidiTracks& midi) : timeFormat(midi.timeFormat) {
     if (timeFormat < 0)
         return;
     // JUCE sums up to where the time signature changes too: other sums would round otherwise.

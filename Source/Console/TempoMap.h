@@ -1,7 +1,8 @@
 // The time of a Standard MIDI File in seconds.
 #pragma once
 
-#include <juce_audio_basics/juce_audio_basics.h>
+#include "Console/MidiTracks.h"
+
 #include <vector>
 
 namespace idiophone {
@@ -10,8 +11,8 @@ namespace idiophone {
 /// through all changes of tempo for each message, which takes quadratic time.
 class TempoMap {
 public:
-    /// Of a file in ticks, whose time format is not 0 in any part.
-    explicit TempoMap(const juce::MidiFile& midi);
+    /// Of a file whose time format is not 0 in any part.
+    explicit TempoMap(const MidiTracks& midi);
 
     double secondsAt(double ticks) const;
 

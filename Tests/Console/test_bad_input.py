@@ -229,6 +229,16 @@ class BadPresetsAndSongs(ConsoleTest):
         self.refuse("render", "--preset", "Steel Ring", "--midi", path, *self.out, naming=path,
                     saying="no notes")
 
+    def test_a_song_whose_notes_all_come_at_once_is_read_at_once(self):
+        # Where each beginning looked for its end through all that comes then, for some minutes.
+        count = 200000
+        body = (b"\0\x90\x3c\x40" + b"\0\x3c\x40" * count + b"\0\x80\x3c\x40" + b"\0\x3c\x40" * count +
+                b"\0\xb0\1\1" + b"\0\1\1" * 3 * count + b"\0\x90\x3c\xc8\0\xff\x2f\0")
+        path = self.write("chord.mid", midi_file()[:10] + struct.pack(">HH", 1, 480) + b"MTrk" +
+                          struct.pack(">I", len(body)) + body)
+        self.refuse("render", "--preset", "Steel Ring", "--midi", path, *self.out, naming=path,
+                    saying="damaged")
+
     def test_random_songs_are_no_crash(self):
         random.seed(4)
         for _ in range(60):

@@ -11,17 +11,24 @@ void claimTimesOfJuce(std::string_view bytes) {
     if (bytes.size() > 1 << 14)
         return;
     juce::MemoryInputStream stream(bytes.data(), bytes.size(), false);
-    juce::MidiFile midi;
-    if (!midi.readFrom(stream, false))
+    juce::MidiFile juces;
+    if (!juces.readFrom(stream, false))
         return;
-    const TempoMap tempo(midi);
-    auto inSeconds = midi;
-    inSeconds.convertTimestampTicksToSeconds();
-    for (int track = 0; track < midi.getNumTracks(); ++track)
-        for (int k = 0; k < midi.getTrack(track)->getNumEvents(); ++k)
-            claim(tempo.secondsAt(midi.getTrack(track)->getEventTime(k)) ==
-                      inSeconds.getTrack(track)->getEventTime(k),
-                  "times are those of the file's tempo map");
+    const auto midi = readMidiTracks(bytes);
+    claim(midi.has_value() && midi->timeFormat == juces.getTimeFormat() &&
+              std::ssize(midi->tracks) == juces.getNumTracks(),
+          "what JUCE reads is read");
+    const TempoMap tempo(*midi);
+    juces.convertTimestampTicksToSeconds();
+    for (int track = 0; track < juces.getNumTracks(); ++track) {
+        const auto& messages = midi->tracks[static_cast<std::size_t>(track)];
+        claim(std::ssize(messages) == juces.getTrack(track)->getNumEvents(),
+              "a track has the messages that JUCE finds");
+        for (std::size_t k = 0; k < messages.size(); ++k)
+            claim(tempo.secondsAt(messages[k].getTimeStamp()) ==
+                      juces.getTrack(track)->getEventTime(static_cast<int>(k)),
+                  "times are those of JUCE");
+    }
 }
 
 } // namespace
