@@ -34,11 +34,11 @@ struct GoldenTake {
     int keptOf; ///< of so many blocks the last one is kept
     int least;  ///< that each version has
 };
-constexpr int goldenBlockSize = 256;
+inline constexpr int goldenBlockSize = 256;
 /// All states at a low rate, and some of them as they are mostly played, above 11 kHz and for long.
-constexpr std::array goldenTakes{GoldenTake{".wav", 22050, 22050, 1, 12},
-                                 GoldenTake{"-48k.wav", 48000, 22050, 2, 3},
-                                 GoldenTake{"-5s.wav", 48000, 240000, 16, 1}};
+inline constexpr std::array goldenTakes{GoldenTake{".wav", 22050, 22050, 1, 12},
+                                        GoldenTake{"-48k.wav", 48000, 22050, 2, 3},
+                                        GoldenTake{"-5s.wav", 48000, 240000, 16, 1}};
 
 inline std::filesystem::path waveOf(const std::filesystem::path& state, const GoldenTake& take) {
     return state.parent_path() / (state.stem().string() + take.ending);
