@@ -47,7 +47,7 @@ json parseUntrusted(std::string_view text) {
     FaultFinder finder;
     finder.deepest = 64;
     if (!json::sax_parse(text, &finder))
-        return {json::value_t::discarded};
+        return json(json::value_t::discarded); // in braces it would be a list of it
     return json::parse(text, nullptr, false);
 }
 
