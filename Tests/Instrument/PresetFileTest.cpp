@@ -77,9 +77,9 @@ TEST_CASE("A file is named by how a preset finds it, where it does") {
     CHECK_FALSE(name("n/Settings/Presets/a/b/c/d/x.json"));
     CHECK_FALSE(nameBeside(testFolder() / "n/Settings/Scenes/none.json",
                            testFolder() / "n/Settings/Presets/x.json"));
-    // Another one of that name is nearer.
+    // Another one of that name is nearer, so that a longer one is needed.
     write("n/Settings/Presets/Scenes/coins.json", "{}");
-    CHECK_FALSE(name("n/Settings/Presets/x.json"));
+    CHECK(name("n/Settings/Presets/x.json") == "Settings/Scenes/coins.json");
 }
 
 TEST_CASE("The initial preset is plain, plays, and is as loud as the first of the factory") {
