@@ -42,6 +42,7 @@ std::vector<std::shared_ptr<const Instrument>> instruments() {
             all.push_back(Instrument::build(preset.keyMap, ObjectLibrary::shared()).value());
     // Measured decays, a live thickness, and materials that differ from key to key.
     ObjectLibrary library;
+    std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note) {
         auto object = syntheticObject({60.0 + note, 500, 3000});
         object.decaysPerSecond = {1.0 * (note - 55), 0.5, 40};
@@ -49,7 +50,7 @@ std::vector<std::shared_ptr<const Instrument>> instruments() {
         object.bending[0] /= 2;
         object.material.damping.fluidPerSecond = note - 58;
         object.material.youngsModulusPa *= note;
-        library.add("own/" + std::to_string(note), object);
+        kept.push_back(library.add("own/" + std::to_string(note), object));
     }
     all.push_back(
         Instrument::build(
@@ -89,7 +90,7 @@ TEST_CASE("No mode dies away more slowly than the bound, whatever the settings")
 
 TEST_CASE("Of one material that is lightly damped the bound is the lowest mode's decay") {
     ObjectLibrary library;
-    library.add("plate", syntheticObject({300, 440, 2000}));
+    const auto kept = library.add("plate", syntheticObject({300, 440, 2000}));
     const auto instrument =
         Instrument::build(
             {.kind = KeyMapKind::zones, .lowestNote = 60, .highestNote = 72, .object = "plate"},
@@ -103,8 +104,9 @@ TEST_CASE("Of one material that is lightly damped the bound is the lowest mode's
 
 TEST_CASE("Keys with objects of their own lie as far below equal temperament as the lowest") {
     ObjectLibrary library;
+    std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note)
-        library.add("own/" + std::to_string(note), syntheticObject({300}));
+        kept.push_back(library.add("own/" + std::to_string(note), syntheticObject({300})));
     KeyMap map{
         .kind = KeyMapKind::bars, .lowestNote = 60, .highestNote = 63, .object = "own/{note}"};
     const auto bars = Instrument::build(map, library).value();
