@@ -1,12 +1,16 @@
 // JSON with the way to it, so that what is wrong with a value names its place in the file.
 #pragma once
 
+#include "Object/Result.h"
+#include "Object/UntrustedJson.h"
+
 #include <Eigen/Core>
 #include <cstddef>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -60,5 +64,25 @@ private:
     const nlohmann::json& value;
     std::string path;
 };
+
+/// What `parse` makes of a whole text, whose place it is given; where that throws a fault or the
+/// text is no JSON, a sentence that begins with the name.
+template <class Parse>
+auto parsedJson(std::string_view text, std::string_view name, const Parse& parse)
+    -> Result<std::invoke_result_t<Parse, JsonPlace>> {
+    const auto refuse = [&](const std::string& sentence) {
+        return failure(std::string(name) + ": " + sentence);
+    };
+    try {
+        const auto root = parseUntrusted(text);
+        if (root.is_discarded())
+            return refuse("it is not JSON" + placeOfJsonFault(text));
+        return parse(JsonPlace(root));
+    } catch (const JsonPlace::Fault& fault) {
+        return refuse(fault.sentence);
+    } catch (const nlohmann::json::exception&) {
+        return refuse("it is damaged");
+    }
+}
 
 } // namespace idiophone

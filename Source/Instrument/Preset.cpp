@@ -4,7 +4,6 @@
 #include "Instrument/ParameterJson.h"
 #include "Instrument/SurfaceJson.h"
 #include "Object/OneLine.h"
-#include "Object/UntrustedJson.h"
 
 #include <nlohmann/json.hpp>
 
@@ -163,19 +162,7 @@ Result<Preset> parsePreset(std::string_view text, std::string_view name) {
 }
 
 Result<Preset> parseSavedPreset(std::string_view text, std::string_view name) {
-    const auto refuse = [&](const std::string& sentence) {
-        return failure(std::string(name) + ": " + sentence);
-    };
-    try {
-        const auto root = parseUntrusted(text);
-        if (root.is_discarded())
-            return refuse("it is not JSON" + placeOfJsonFault(text));
-        return parse(JsonPlace(root));
-    } catch (const JsonPlace::Fault& fault) {
-        return refuse(fault.sentence);
-    } catch (const nlohmann::json::exception&) {
-        return refuse("it is damaged");
-    }
+    return parsedJson(text, name, parse);
 }
 
 std::string encodePreset(const Preset& preset) {

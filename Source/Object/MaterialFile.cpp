@@ -144,7 +144,7 @@ auto parsed(std::string_view text, const std::filesystem::path& file, const Pars
     try {
         const auto root = parseUntrusted(text);
         if (root.is_discarded())
-            return refuse("it is not JSON");
+            return refuse("it is not JSON" + placeOfJsonFault(text));
         return parse(root);
     } catch (const Fault& fault) {
         return refuse(fault.sentence);

@@ -17,8 +17,7 @@ nlohmann::json parseUntrusted(std::string_view text);
 /// is JSON, as what is nested too deep may be.
 std::optional<std::size_t> firstByteNotJson(std::string_view text);
 
-/// The same to end a sentence with: " (line 3, column 7)"; empty where it is
-/// JSON.
+/// The same to end a sentence with: " (line 3, column 7)"; empty where it is JSON.
 std::string placeOfJsonFault(std::string_view text);
 
 } // namespace idiophone

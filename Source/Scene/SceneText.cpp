@@ -4,7 +4,6 @@
 #include "Instrument/SurfaceJson.h"
 #include "Object/Material.h"
 #include "Object/OneLine.h"
-#include "Object/UntrustedJson.h"
 #include "Scene/HandText.h"
 
 #include <algorithm>
@@ -281,21 +280,9 @@ Scene parse(const JsonPlace& root) {
 } // namespace
 
 Result<Scene> parseScene(std::string_view text, std::string_view file) {
-    const auto refuse = [&](const std::string& sentence) {
-        return failure(std::string(file) + ": " + sentence);
-    };
     if (text.size() > largestSceneBytes)
-        return refuse("it is too large for a scene");
-    try {
-        const auto root = parseUntrusted(text);
-        if (root.is_discarded())
-            return refuse("it is not JSON" + placeOfJsonFault(text));
-        return parse(JsonPlace(root));
-    } catch (const JsonPlace::Fault& fault) {
-        return refuse(fault.sentence);
-    } catch (const nlohmann::json::exception&) {
-        return refuse("it is damaged");
-    }
+        return failure(std::string(file) + ": it is too large for a scene");
+    return parsedJson(text, file, parse);
 }
 
 } // namespace idiophone

@@ -135,7 +135,8 @@ class Lists(ConsoleTest):
         (folder / "broken.json").write_text("{")
         listed = self.succeed("materials")
         self.assertIn("Jade", listed.stdout)
-        self.assertEqual(listed.stderr, f"idiophone: {folder / 'broken.json'}: it is not JSON\n")
+        self.assertEqual(listed.stderr, f"idiophone: {folder / 'broken.json'}: it is not JSON "
+                                        "(line 1, column 2)\n")
         self.assertEqual(self.json("materials", "jade")["name"], "Jade")
 
     def test_parameters_are_told_with_units_ranges_and_defaults(self):
