@@ -50,6 +50,13 @@ void OutputStage::forgetChanges() noexcept {
     heldSamples = 0;
 }
 
+/// The same level, of what will ring in the room too.
+void OutputStage::moveLevelBehindRoom() noexcept {
+    forgetChanges();
+    level.setCurrentAndTargetValue(ownLevel.getTargetValue() * level.getTargetValue());
+    ownLevel.setCurrentAndTargetValue(1);
+}
+
 float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds) noexcept {
     if (startsAtTarget)
         return 1;
@@ -73,6 +80,8 @@ bool OutputStage::process(std::span<const float> left,
                           const ParameterValues& values) noexcept {
     if (left.empty() || channels.empty())
         return true;
+    if (room.silent() && !ownLevel.isSmoothing() && !level.isSmoothing() && heldSamples == 0)
+        moveLevelBehindRoom();
     if (heldSamples == 0) {
         const float wanted = gainOf(values);
         level.setTargetValue(std::min(wanted / ownLevelAtChange, highestLevel));

@@ -53,11 +53,12 @@ public:
 private:
     Room::Sound atOwnLevel(const Room::Sound& sound) noexcept;
     void forgetChanges() noexcept;
+    void moveLevelBehindRoom() noexcept;
     void spread(const Room::Sound& sound, std::span<float* const> channels) noexcept;
 
     Room room;
     /// The level is `ownLevel` times `level`. What plays has the first before the room, and so what
-    /// rings there of older sounds has not; nor does the second rise while they may ring.
+    /// rings there of older sounds has not; nor does the second rise until the room is silent.
     juce::SmoothedValue<float> ownLevel, level;
     float ownLevelAtChange = 1, highestLevel = 0;
     std::size_t heldSamples = 0; ///< the level stays until then

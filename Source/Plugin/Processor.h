@@ -190,6 +190,9 @@ private:
     Result<std::unique_ptr<Player>> newPlayer(const std::shared_ptr<const Instrument>& instrument,
                                               const Preset& preset,
                                               const ParameterValues& values) const;
+    Result<std::unique_ptr<Player>> playerForLevel(const Preset& preset,
+                                                   const ParameterValues& values) const;
+    void goOn(std::unique_ptr<Player> player, const std::function<void()>& loadValues);
     bool
     changeModes(std::size_t object,
                 const std::function<bool(const std::string& key, std::size_t modeCount)>& change);

@@ -15,13 +15,9 @@ bool playsAlike(const Preset& a, const Preset& b) {
     return a.surface == b.surface && a.seed == b.seed && a.parameters == b.parameters;
 }
 
-/// [dB] What rings on has a new level too, after a ramp in which what is struck has the former one.
-/// Beyond this it fades out under a player of the new level instead.
-constexpr double mostLevelChange = 3;
-
-bool isNear(double levelDb, double otherDb) {
-    return std::abs(levelDb - otherDb) <= mostLevelChange;
-}
+/// [dB] What rings on takes a new level in a ramp, in which what is struck has the former one. By
+/// more than this either could be a burst.
+constexpr double mostLevelChange = 12;
 
 bool sharesObject(const std::shared_ptr<const Instrument>& one,
                   const std::shared_ptr<const Instrument>& other) {
@@ -85,26 +81,25 @@ bool Processor::playSound(const Sound& wanted) {
         // preset of the same object does not.
         const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
                               sharesObject(wanted.instrument, instrument);
-        const bool playsOn =
-            wanted.instrument == instrument && wanted.engineVersion == engineVersion &&
-            playsAlike(wanted.preset, loadedPreset) &&
-            isNear(wanted.parameters[ParameterId::level], parameterValue(ParameterId::level));
+        const bool playsOn = wanted.instrument == instrument &&
+                             wanted.engineVersion == engineVersion &&
+                             playsAlike(wanted.preset, loadedPreset);
         const auto wantedNow = [&] { return withSetupOf(parameters.values(), wanted.parameters); };
-        auto player = playsOn ? nullptr : newPlayer(wanted.instrument, wanted.preset, wantedNow());
+        auto player = playsOn ? playerForLevel(wanted.preset, wantedNow())
+                              : newPlayer(wanted.instrument, wanted.preset, wantedNow());
         if (!player) {
             lastError = player.error().message;
             return false;
         }
+        const auto loadValues = [&] { parameters.load(wantedNow()); };
         if (playsOn) {
-            parameters.load(wantedNow());
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
             loadedPreset = wanted.preset;
+            goOn(std::move(*player), loadValues);
             if (!sameModes)
                 sendSilences();
-            giveUpRefused();
         } else {
-            play(wanted.preset, wanted.instrument, std::move(*player),
-                 [&] { parameters.load(wantedNow()); });
+            play(wanted.preset, wanted.instrument, std::move(*player), loadValues);
         }
         if (isImport)
             importLoads = loads;
@@ -145,22 +140,35 @@ void Processor::changeParameters(const Sound& of, const ParameterValues& wanted)
         if (instrument != of.instrument)
             return;
         const auto values = parameters.valuesAfter(of.parameters, wanted);
-        auto player = isNear(values[ParameterId::level], parameterValue(ParameterId::level))
-                          ? nullptr
-                          : newPlayer(instrument, loadedPreset, values);
+        auto player = playerForLevel(loadedPreset, values);
         if (!player) {
             lastError = player.error().message;
             return;
         }
-        const auto loadValues = [&] { parameters.loadChanges(of.parameters, wanted); };
-        if (*player != nullptr)
-            handOver(std::move(*player), loadValues);
-        else
-            loadValues();
-        giveUpRefused();
+        goOn(std::move(*player), [&] { parameters.loadChanges(of.parameters, wanted); });
     }
     parameters.notifyListeners();
     updateHostDisplay(ChangeDetails().withProgramChanged(true));
+}
+
+/// Under soundMutex: for the same instrument at other values. Null where its player goes on, as all
+/// do whose level comes near, and stages at any level: their bodies would begin anew.
+Result<std::unique_ptr<Player>> Processor::playerForLevel(const Preset& preset,
+                                                          const ParameterValues& values) const {
+    using enum ParameterId;
+    const bool isNear = std::abs(values[level] - parameterValue(level)) <= mostLevelChange;
+    if (isNear || instrument == nullptr || instrument->stage())
+        return nullptr;
+    return newPlayer(instrument, preset, values);
+}
+
+/// Under soundMutex, with what `playerForLevel` has made of them.
+void Processor::goOn(std::unique_ptr<Player> player, const std::function<void()>& loadValues) {
+    if (player != nullptr)
+        handOver(std::move(player), loadValues);
+    else
+        loadValues();
+    giveUpRefused();
 }
 
 void Processor::setValue(ParameterId parameter, double value) {

@@ -54,10 +54,10 @@ public:
     /// The same, without what costs to copy.
     virtual SoundLabel loadedLabel() const = 0;
     /// Plays the sound at once, with the setup as it is. What rings fades out where the instrument
-    /// or its preset is another one or the level is quite another, and goes on where only
-    /// parameters change. Returns whether it
-    /// plays: neither does a sound without instrument, nor one that the memory does not suffice
-    /// for, which is reported.
+    /// or its preset is another one, and goes on where only parameters change, unless they change
+    /// the level by more than 12 dB and nothing moves on a stage. Returns whether it plays: neither
+    /// does a sound without instrument, nor one that the memory does not suffice for, which is
+    /// reported.
     virtual bool playSound(const Sound& sound) = 0;
     /// What plays, if it has the wanted one's instrument, gets its preset's name, author,
     /// description and tags, its place on the shelf and its stored values, and keeps all else.
@@ -73,7 +73,8 @@ public:
 
     virtual double parameterValue(ParameterId parameter) const = 0;
     /// Sets the parameters in which `wanted` differs from those of a sound, all at once, if that
-    /// still plays: others stay where automation has moved them meanwhile.
+    /// still plays: others stay where automation has moved them meanwhile. What rings fades out or
+    /// goes on as in `playSound`.
     virtual void changeParameters(const Sound& of, const ParameterValues& wanted) = 0;
     /// As a change by hand, which the host records.
     virtual void setValue(ParameterId parameter, double value) = 0;

@@ -277,3 +277,44 @@ TEST_CASE("A scene that rings in its room is no louder when a preset of a higher
     processor.setCurrentProgram(programOf("Wooden Table"));
     CHECK(loudest(render(processor, shortly, blockSize, {})) <= margin * last);
 }
+
+TEST_CASE("Where only values change, a key that presses goes on, and bodies on a stage move on") {
+    Processor processor;
+    processor.setNonRealtime(true);
+    processor.prepareToPlay(rateHz, blockSize);
+    const auto heardAfter = [&](double levelChangeDb) {
+        const int number = processor.instrumentNumber();
+        auto values = processor.loadedSound().parameters;
+        values.set(level, values[level] + levelChangeDb);
+        SECTION("by a comparison or an undo") {
+            auto sound = processor.loadedSound();
+            sound.parameters = values;
+            REQUIRE(processor.playSound(sound));
+        }
+        SECTION("by a mutation") {
+            processor.changeParameters(processor.loadedSound(), values);
+        }
+        CHECK(processor.loadedSound().parameters[level] == values[level]);
+        CHECK(processor.instrumentNumber() == number);
+        render(processor, shortly, blockSize, {});
+        return loudest(render(processor, static_cast<int>(rateHz), blockSize, {}));
+    };
+    SECTION("scraped") {
+        auto state = testState();
+        state.preset.parameters.set(contact, scrapeContact);
+        state.preset.parameters.set(level, 0);
+        state.parameters = state.preset.parameters;
+        restore(processor, state);
+        const float before = loudest(render(processor, shortly, blockSize, strike()));
+        REQUIRE(before > 0);
+        CHECK(heardAfter(-10) > before / 20);
+    }
+    SECTION("on a stage") {
+        processor.setCurrentProgram(programOf("Falling Cylinder"));
+        juce::MidiBuffer dropped;
+        dropped.addEvent(juce::MidiMessage::noteOn(1, processor.keyRange().lowest, juce::uint8{90}),
+                         0);
+        render(processor, static_cast<int>(rateHz), blockSize, dropped);
+        CHECK(heardAfter(20) > 1e-4f);
+    }
+}

@@ -60,8 +60,10 @@ float loudestOfBlock(WatchedHost& host) {
 /// Has bodies fall, once what sounded is so faint that its beats are not taken for them, and waits
 /// for the worker that moves them until they are heard.
 void soundStage(WatchedHost& host) {
-    for (int block = 0; block < 1000 && loudestOfBlock(host) >= leastOfStage / 4; ++block) {
-    }
+    float before = loudestOfBlock(host);
+    for (int block = 0; block < 1000 && before >= leastOfStage / 4; ++block)
+        before = loudestOfBlock(host);
+    REQUIRE(before < leastOfStage / 4);
     juce::MidiBuffer notes;
     for (const int note : {72, 74, 77})
         notes.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), note);

@@ -1,0 +1,174 @@
+// The level where one sound takes the place of another.
+#include "Output/StageSounds.h"
+
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+ParameterValues inRoom(double levelDecibels) {
+    auto values = valuesWith(levelDecibels);
+    values.set(ParameterId::room, 100);
+    values.set(ParameterId::roomDecay, 3);
+    return values;
+}
+
+} // namespace
+
+TEST_CASE("Another sound has its level at once, whatever the one before had") {
+    const double before = GENERATE(-60.0, -41.0, 5.0, 24.0),
+                 now = GENERATE(-60.0, -41.0, 5.0, 24.0);
+    PreparedStage stage;
+    const std::vector<float> ones(700, 1.0f);
+    processed(stage, ones, 100, valuesWith(before));
+    SECTION("at rest") {}
+    SECTION("while its level still moved") {
+        processed(stage, ones, 100, valuesWith(before - 3));
+    }
+    const float last = processed(stage, {1.0f}, 1, valuesWith(before)).front();
+    const float levelBefore = stage.changeSound(valuesWith(now));
+    for (const float sample : processed(stage, ones, 100, valuesWith(now))) {
+        REQUIRE_THAT(sample, WithinRel(std::pow(10, now / 20), 1e-5));
+        REQUIRE_THAT(levelBefore * sample, WithinRel(last, 1e-5f));
+    }
+}
+
+TEST_CASE(
+    "What rings in the room when another sound comes keeps its level, through levels that are "
+    "automated and further changes") {
+    const std::size_t blockSize = GENERATE(64, 480);
+    const Stereo burst{sine(4800), sine(4800, 700)}, other{sine(4800, 230), sine(4800, 310)},
+        nothing{std::vector<float>(4800), std::vector<float>(4800)};
+    constexpr std::array levels{-41.0, 5.0, -55.0};
+    // Each sound alone, from its own time on: all are in the room together.
+    Stereo expected{std::vector<float>(4 * 4800), std::vector<float>(4 * 4800)};
+    for (std::size_t sound = 0; sound < levels.size(); ++sound) {
+        PreparedStage alone;
+        for (std::size_t part = sound; part < 4; ++part) {
+            const auto heard = processed(alone,
+                                         part > sound     ? nothing
+                                         : sound % 2 == 0 ? burst
+                                                          : other,
+                                         blockSize, inRoom(levels[sound]));
+            for (std::size_t i = 0; i < 4800; ++i) {
+                expected.left[part * 4800 + i] += heard.left[i];
+                expected.right[part * 4800 + i] += heard.right[i];
+            }
+        }
+    }
+    PreparedStage stage;
+    Stereo all;
+    for (std::size_t part = 0; part < 4; ++part) {
+        const auto values = inRoom(levels[std::min<std::size_t>(part, 2)]);
+        if (part == 1 || part == 2)
+            stage.changeSound(values);
+        const auto heard = processed(stage,
+                                     part == 3       ? nothing
+                                     : part % 2 == 0 ? burst
+                                                     : other,
+                                     blockSize, values);
+        all.left.insert(all.left.end(), heard.left.begin(), heard.left.end());
+        all.right.insert(all.right.end(), heard.right.begin(), heard.right.end());
+    }
+    for (std::size_t i = 0; i < all.left.size(); ++i) {
+        REQUIRE_THAT(all.left[i], WithinAbs(expected.left[i], 1e-5));
+        REQUIRE_THAT(all.right[i], WithinAbs(expected.right[i], 1e-5));
+    }
+
+    // The level is still the parameter's, of all that is heard.
+    PreparedStage fresh;
+    const auto quieter = inRoom(-20);
+    processed(stage, nothing, blockSize, quieter);
+    processed(fresh, nothing, blockSize, quieter);
+    stage.changeSound(quieter); // in the tail
+    const auto dry = valuesWith(-30);
+    processed(stage, nothing, blockSize, dry);
+    processed(fresh, nothing, blockSize, dry);
+    const auto got = processed(stage, burst, blockSize, dry),
+               wanted = processed(fresh, burst, blockSize, dry);
+    for (std::size_t i = 0; i < got.left.size(); ++i)
+        REQUIRE_THAT(got.left[i], WithinAbs(wanted.left[i], 1e-7));
+}
+
+TEST_CASE(
+    "A level that is turned up after a change raises nothing that rang before, and is reached") {
+    PreparedStage stage, alone;
+    const Stereo burst{sine(4800), sine(4800, 700)};
+    const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};
+    processed(stage, burst, 480, inRoom(-5));
+    processed(alone, burst, 480, inRoom(-5));
+    stage.changeSound(inRoom(-55));
+    processed(stage, Stereo{std::vector<float>(64), std::vector<float>(64)}, 64, inRoom(-55));
+    processed(alone, Stereo{std::vector<float>(64), std::vector<float>(64)}, 64, inRoom(-5));
+    // As by a host whose lane of automation goes on where it was.
+    const auto tail = processed(stage, nothing, 480, inRoom(-5)),
+               expected = processed(alone, nothing, 480, inRoom(-5));
+    for (std::size_t i = 0; i < tail.left.size(); ++i)
+        REQUIRE_THAT(tail.left[i], WithinAbs(expected.left[i], 1e-5));
+    // It is turned down with the rest.
+    processed(stage, nothing, 480, inRoom(-50));
+    processed(alone, nothing, 480, inRoom(-50));
+    processed(stage, nothing, 480, valuesWith(-50));
+    const auto dry = processed(stage, burst, 480, valuesWith(6));
+    const auto gain = static_cast<float>(std::pow(10, 6 / 20.0));
+    for (std::size_t i = 960; i < dry.left.size(); ++i)
+        REQUIRE_THAT(dry.left[i], WithinAbs(gain * burst.left[i], 1e-5));
+}
+
+TEST_CASE("However often levels move and sounds change while a room rings, the level is right") {
+    PreparedStage stage;
+    const auto loud = inRoom(24), soft = inRoom(-60);
+    const Stereo ones{std::vector<float>(1000, 1.0f), std::vector<float>(1000, 1.0f)};
+    // Each change leaves the level before the room 84 dB higher than it was.
+    for (int time = 0; time < 50; ++time) {
+        stage.changeSound(loud);
+        const auto louder = processed(stage, ones, 100, loud);
+        const bool isBounded =
+            std::ranges::all_of(louder.left, [](float x) { return std::abs(x) < 1e4f; });
+        REQUIRE(isBounded);
+        processed(stage, ones, 100, soft);
+    }
+    auto dry = valuesWith(-7);
+    processed(stage, ones, 100, dry);
+    const Stereo one{{1.0f}, {1.0f}};
+    CHECK_THAT(processed(stage, one, 1, dry).left.front(),
+               WithinRel(std::pow(10, -7 / 20.0), 1e-5));
+}
+
+TEST_CASE("Once what rang at a change of sound has died, the level is again that of the room too") {
+    const double former = GENERATE(-20.0, 5.0), next = GENERATE(-40.0, 0.0);
+    PreparedStage stage, fresh;
+    const Stereo burst{sine(4800), sine(4800, 700)};
+    const std::vector<float> silence(48000);
+    processed(stage, burst, 480, inRoom(former));
+    stage.changeSound(inRoom(next));
+    processed(stage, burst, 480, inRoom(next));
+    for (int seconds = 0; seconds < 60 && !stage.silent(); ++seconds)
+        processed(stage, silence, 480, inRoom(next));
+    REQUIRE(stage.silent());
+    processed(fresh, silence, 480, inRoom(next));
+
+    // Up, and back while the room rings.
+    for (const double level : {next, next + 18, next}) {
+        const auto heard = processed(stage, burst, 480, inRoom(level)),
+                   wanted = processed(fresh, burst, 480, inRoom(level));
+        for (std::size_t i = 0; i < heard.left.size(); ++i)
+            REQUIRE_THAT(heard.left[i], WithinAbs(wanted.left[i], 1e-5));
+    }
+}
+
+TEST_CASE("A sound that comes before any block, or into a silent room, is as in a new stage") {
+    PreparedStage fresh, changed, former;
+    const auto input = sine(1000);
+    const auto expected = processed(fresh, input, 100, valuesWith(-7.3));
+    CHECK(changed.changeSound(valuesWith(5)) == 1);
+    CHECK(processed(changed, input, 100, valuesWith(-7.3)) == expected);
+    processed(former, input, 100, valuesWith(5.1));
+    former.changeSound(valuesWith(-7.3));
+    CHECK(processed(former, input, 100, valuesWith(-7.3)) == expected);
+}
