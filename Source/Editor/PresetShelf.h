@@ -64,8 +64,8 @@ public:
     /// already is replaced only where that is said.
     virtual Result<void> savePreset(const PresetDetails& details, bool replace) = 0;
     /// The same over the file of the user's preset that is chosen, whatever the file is called, as
-    /// another may be called what the preset is. An error where that is not what was loaded from it
-    /// or saved here last: another window or program has written it.
+    /// another may be called what the preset is. An error where another window or program has
+    /// written it since what plays was loaded from it or saved to it here.
     virtual Result<void> saveChosenPreset() = 0;
     virtual Result<void> renamePreset(const std::string& id, const std::string& name) = 0;
     /// Moves the file to the system's bin; the sound plays on.

@@ -16,7 +16,10 @@ juce::File below(const juce::File& settings, const char* name) {
     return settings == juce::File() ? settings : settings.getChildFile(name);
 }
 
-Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std::string id) {
+Sound soundWith(Preset preset,
+                std::shared_ptr<const Instrument> instrument,
+                std::string id,
+                std::uint64_t content = 0) {
     const auto values = preset.parameters;
     preset.parameters = preset.matched();
     preset.matchedTo.reset();
@@ -27,6 +30,7 @@ Sound soundWith(Preset preset, std::shared_ptr<const Instrument> instrument, std
             .missing = nullptr,
             .refused = nullptr,
             .presetId = std::move(id),
+            .presetContent = content,
             .stored = values};
 }
 
@@ -44,6 +48,15 @@ void storeValues(const Sound& sound, Preset& preset) {
     } else {
         preset.matchedTo = withSetupOf({}, sound.preset.parameters);
     }
+}
+
+/// Without a folder.
+PresetDetails detailsOf(const Preset& preset) {
+    return {.name = preset.name,
+            .folder = {},
+            .author = preset.author,
+            .description = preset.description,
+            .tags = preset.tags};
 }
 
 ShelvedPreset shelved(const Preset& preset, std::string id) {
@@ -134,7 +147,8 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
     if (preset.keyMap.kind == KeyMapKind::scene)
         preset.keyMap = built->keyMap; // with its file's whole path: a project has no scene in it
     if (built->notice.empty())
-        return FoundSound{.sound = soundWith(std::move(preset), built->instrument, id),
+        return FoundSound{.sound =
+                              soundWith(std::move(preset), built->instrument, id, entry->content),
                           .notice = {}};
     // It is none of the shelf's, so that saving it over the file has to be said.
     preset.keyMap = built->keyMap;
@@ -142,12 +156,6 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
     const auto notice = preset.name + ": " + built->notice;
     return FoundSound{.sound = soundWith(std::move(preset), built->instrument, {}),
                       .notice = notice};
-}
-
-/// As it was read.
-void PresetCollection::markAsHeard(const std::string& id) {
-    if (const auto* entry = folder.find(id))
-        contents[id] = entry->content;
 }
 
 void PresetCollection::play(const FoundSound& found) {
@@ -158,8 +166,6 @@ void PresetCollection::play(const FoundSound& found) {
 Result<void> PresetCollection::loadPreset(const std::string& id) {
     return soundOf(id).map([&](const FoundSound& found) {
         history.record(found.sound.preset.name, [&] { play(found); });
-        markAsHeard(id);
-        auditioned.clear();
     });
 }
 
@@ -172,20 +178,15 @@ Result<void> PresetCollection::loadInitialSound() {
 }
 
 Result<void> PresetCollection::auditionPreset(const std::string& id) {
-    return soundOf(id).map([&](const FoundSound& found) {
-        history.audition([&] { play(found); });
-        auditioned = id;
-    });
+    return soundOf(id).map(
+        [&](const FoundSound& found) { history.audition([&] { play(found); }); });
 }
 
 void PresetCollection::keepAudition() {
-    if (const auto kept = std::exchange(auditioned, {}); kept == chosenPreset())
-        markAsHeard(kept);
     history.keepAudition(holder.loadedSound().preset.name);
 }
 
 void PresetCollection::endAudition() {
-    auditioned.clear();
     history.endAudition();
 }
 
@@ -198,33 +199,31 @@ Result<void> PresetCollection::savePreset(const PresetDetails& details, bool rep
     if (!replace && presetExists(details))
         return failure("There is already a preset '" + details.name + "'.");
     return folder.placeFor(details.name, details.folder).and_then([&](const juce::File& file) {
-        return save(details, file, [&](const Preset& preset) {
+        return save(holder.loadedSound(), details, file, [&](const Preset& preset) {
             return folder.write(preset, details.folder, replace);
         });
     });
 }
 
 Result<void> PresetCollection::saveChosenPreset() {
-    const auto id = chosenPreset();
-    const auto* entry = folder.find(id);
-    if (entry == nullptr)
+    const auto sound = holder.loadedSound();
+    const auto& id = sound.presetId;
+    if (folder.find(id) == nullptr)
         return failure("What plays is no preset of your own that could be replaced.");
-    const auto heard = contents.find(id);
-    const auto content = heard == contents.end() ? entry->content : heard->second;
-    if (auto same = folder.checkContent(id, content); !same) {
+    if (auto same = folder.checkContent(id, sound.presetContent); !same) {
         readPresets(); // what is there now can be loaded
         return same;
     }
-    return save(soundDetails(), folder.fileOf(id), [&](const Preset& preset) {
+    return save(sound, detailsOf(sound.preset), folder.fileOf(id), [&](const Preset& preset) {
         return folder.replace(id, preset).map([&] { return id; });
     });
 }
 
 Result<void>
-PresetCollection::save(const PresetDetails& details,
+PresetCollection::save(Sound sound,
+                       const PresetDetails& details,
                        const juce::File& file,
                        const std::function<Result<std::string>(const Preset&)>& write) {
-    auto sound = holder.loadedSound();
     if (sound.instrument == nullptr)
         return failure("There is nothing to save: no instrument is loaded.");
     auto preset = sound.preset;
@@ -233,6 +232,7 @@ PresetCollection::save(const PresetDetails& details,
     preset.description = details.description;
     preset.tags = details.tags;
     storeValues(sound, preset);
+    const auto replaced = PresetFolder::contentOf(file);
     return folder.folder()
         .and_then([&](const juce::File& root) {
             return writePresetObjects(preset.keyMap, *sound.instrument, root);
@@ -246,33 +246,41 @@ PresetCollection::save(const PresetDetails& details,
             // its objects came from; it only bears the preset's name from now on.
             sound.preset = preset;
             sound.presetId = id;
+            sound.presetContent = PresetFolder::contentOf(file);
             sound.stored = sound.parameters;
             holder.relabel(sound);
+            // What the steps keep of the preset as it was until now may be saved over it, too; not
+            // what they keep of it from before somebody else wrote it.
+            history.renewSounds([&](Sound& known) {
+                if (known.presetId == id && known.presetContent == replaced)
+                    known.presetContent = sound.presetContent;
+            });
             readPresets();
-            markAsHeard(id);
         });
 }
 
 Result<void> PresetCollection::renamePreset(const std::string& id, const std::string& name) {
     if (factoryPreset(id) != nullptr)
         return failure("Factory presets keep their names.");
-    // What another has written into it meanwhile stays in it, and is still not this one's to
-    // replace.
-    const auto heard = contents.find(id);
-    const bool isAsHeard = heard != contents.end() && folder.checkContent(id, heard->second);
+    const auto before = PresetFolder::contentOf(folder.fileOf(id));
     return folder.rename(id, name).and_then([&](const std::string& newId) {
-        auto sound = holder.loadedSound();
-        if (sound.presetId == id) {
-            sound.preset.name = name;
-            sound.presetId = newId;
+        const auto content = PresetFolder::contentOf(folder.fileOf(newId));
+        const auto rename = [&](Sound& known) {
+            if (known.presetId != id)
+                return false;
+            known.preset.name = name;
+            known.presetId = newId;
+            // What another has written into it meanwhile stays in it, and is still not this one's
+            // to replace.
+            if (known.presetContent == before)
+                known.presetContent = content;
+            return true;
+        };
+        if (auto sound = holder.loadedSound(); rename(sound))
             holder.relabel(sound);
-        }
+        history.renewSounds(rename);
         const auto renamed = favourites.rename(id, newId);
         readPresets();
-        if (isAsHeard)
-            markAsHeard(newId);
-        else if (heard != contents.end())
-            contents[newId] = heard->second;
         return renamed;
     });
 }
@@ -284,6 +292,7 @@ Result<void> PresetCollection::deletePreset(const std::string& id) {
         auto sound = holder.loadedSound();
         if (sound.presetId == id) {
             sound.presetId.clear();
+            sound.presetContent = 0;
             holder.relabel(sound);
         }
         const auto forgotten = favourites.set(id, false);

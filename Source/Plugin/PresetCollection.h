@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 
 namespace idiophone {
 
@@ -45,9 +44,9 @@ private:
     };
     Result<FoundSound> soundOf(const std::string& id);
     void play(const FoundSound& found);
-    void markAsHeard(const std::string& id);
-    /// Writes what plays to that file by `write`, which returns its id.
-    Result<void> save(const PresetDetails& details,
+    /// Writes the sound, which plays, to that file by `write`, which returns its id.
+    Result<void> save(Sound sound,
+                      const PresetDetails& details,
                       const juce::File& file,
                       const std::function<Result<std::string>(const Preset&)>& write);
 
@@ -56,10 +55,6 @@ private:
     PresetFolder folder;
     Favourites favourites;
     std::vector<ShelvedPreset> shelf;
-    /// Of the user's presets by their id: what was in the file when this instance loaded or wrote
-    /// it last, as another one may have written it since.
-    std::map<std::string, std::uint64_t> contents;
-    std::string auditioned; ///< last, of an audition that may not be kept
 };
 
 } // namespace idiophone

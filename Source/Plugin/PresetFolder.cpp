@@ -201,6 +201,11 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
     });
 }
 
+std::uint64_t PresetFolder::contentOf(const juce::File& file) {
+    const auto text = readTextFile(pathOf(file), largestPresetBytes);
+    return text ? hashOf(*text) : 0;
+}
+
 Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t content) {
     const auto file = fileOf(id);
     if (find(id) == nullptr || !file.existsAsFile())
@@ -210,8 +215,8 @@ Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t con
     if (text && hashOf(*text) == content)
         return {};
     known.erase(id); // to be read again, whatever its time and size
-    return failure(id + " was changed elsewhere since it was loaded here: load it again, or save "
-                        "the sound by Save as in the list of presets.");
+    return failure(id + " was changed elsewhere since this sound was loaded: load it again, or "
+                        "save the sound by Save as in the list of presets.");
 }
 
 Result<void> PresetFolder::replace(const std::string& id, const Preset& preset) {

@@ -35,6 +35,8 @@ public:
     juce::File fileOf(const std::string& id) const;
     /// Where a preset of that name in that folder is saved; an error where there is no such place.
     Result<juce::File> placeFor(const std::string& name, const std::string& folder) const;
+    /// Hash of what is in the file now; 0 where it cannot be read.
+    static std::uint64_t contentOf(const juce::File& file);
     /// An error where the preset's file is not there any more, or not with that content: another
     /// window or program has moved or written it. The sentence says what to do.
     Result<void> checkContent(const std::string& id, std::uint64_t content);

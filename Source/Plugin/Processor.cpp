@@ -321,6 +321,7 @@ void Processor::play(Preset preset,
         modesHeardAlone = {};
     storedParameters = loadedPreset.parameters;
     presetId.clear();
+    presetContent = 0;
     missing.reset();
     refused.reset();
     instrument = std::move(built);

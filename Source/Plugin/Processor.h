@@ -265,6 +265,7 @@ private:
     std::shared_ptr<const MissingObjects> missing;  ///< for which a stand-in plays, or null
     std::shared_ptr<const RefusedState> refused;    ///< or null
     std::string presetId;                           ///< of the shelf, or empty
+    std::uint64_t presetContent = 0;                ///< as in Sound
     ParameterValues storedParameters;               ///< of that preset
     std::optional<Sound> soundBeforePrograms; ///< that MIDI asked for, and nobody has heard of
     std::string lastError;

@@ -47,6 +47,7 @@ Sound Processor::soundNow() const {
             .missing = missing,
             .refused = refused,
             .presetId = presetId,
+            .presetContent = presetContent,
             .stored = storedParameters};
 }
 
@@ -110,6 +111,7 @@ bool Processor::playSound(const Sound& wanted) {
         if (refused)
             lastError = refused->notice;
         presetId = wanted.presetId;
+        presetContent = wanted.presetContent;
         storedParameters = wanted.stored;
         programIndex = factoryProgram(presetId);
     }
@@ -128,6 +130,7 @@ void Processor::relabel(const Sound& wanted) {
         loadedPreset.description = wanted.preset.description;
         loadedPreset.tags = wanted.preset.tags;
         presetId = wanted.presetId;
+        presetContent = wanted.presetContent;
         storedParameters = wanted.stored;
         programIndex = factoryProgram(presetId);
     }

@@ -5,6 +5,7 @@
 #include "Instrument/Preset.h"
 #include "Plugin/ObjectEmbedding.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,7 +29,10 @@ struct Sound {
     std::string unknownMembers;                    ///< State::unknownOfSound
     std::shared_ptr<const MissingObjects> missing; ///< or null
     std::shared_ptr<const RefusedState> refused;   ///< in whose place this is played, or null
-    std::string presetId;   ///< of the preset on the shelf (PresetShelf.h), or empty
+    std::string presetId; ///< of the preset on the shelf (PresetShelf.h), or empty
+    /// Hash of what that preset's file held when this was read from it or written to it; 0 for the
+    /// factory's and where there is no preset.
+    std::uint64_t presetContent = 0;
     ParameterValues stored; ///< what that preset has, to tell whether the sound was changed
 
     bool operator==(const Sound&) const = default;
@@ -60,7 +64,8 @@ public:
     /// reported.
     virtual bool playSound(const Sound& sound) = 0;
     /// What plays, if it has the wanted one's instrument, gets its preset's name, author,
-    /// description and tags, its place on the shelf and its stored values, and keeps all else.
+    /// description and tags, its place on the shelf with what its file holds, and its stored
+    /// values, and keeps all else.
     virtual void relabel(const Sound& wanted) = 0;
     /// A sentence for the status line.
     virtual void reportError(const std::string& sentence) = 0;

@@ -62,9 +62,9 @@ public:
                     std::function<void()> undone,
                     std::function<void()> doneAgain);
 
-    /// Objects have been replaced for good, what plays among them, as the preview of an analysis by
-    /// its end: every sound that the steps and the other variant know passes through `renew`. No
-    /// step.
+    /// What sounds refer to has been replaced for good, for what plays too, as the preview of an
+    /// analysis by its end or what the file of a preset held by what was saved: every sound that
+    /// the steps and the other variant know passes through `renew`. No step.
     void renewSounds(const std::function<void(Sound&)>& renew);
 
     /// Plays sounds to listen to, without steps, until `keepAudition`, which makes one step of them

@@ -3,13 +3,13 @@
 
 #include "Instrument/FactoryContent.h"
 #include "Plugin/FactoryPrograms.h"
+#include "Plugin/PresetsAtHand.h"
 #include "Support/TestSound.h"
 #include "Support/UserSettings.h"
 
 #include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
-#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 using namespace idiophone;
@@ -19,48 +19,21 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-PresetDetails called(const std::string& name, const std::string& folder = "") {
-    return {.name = name,
-            .folder = folder,
-            .author = "Anna",
-            .description = "A test.",
-            .tags = {"test", "small"}};
-}
-
-const ShelvedPreset* find(const PresetShelf& shelf, const std::string& name) {
-    const auto found = std::ranges::find(shelf.presets(), name, &ShelvedPreset::name);
-    return found == shelf.presets().end() ? nullptr : &*found;
-}
-
 /// Automation moves a parameter whenever the sound has been asked for.
-class AutomatedHolder final : public SoundHolder {
+class AutomatedHolder final : public ForwardingHolder {
 public:
     AutomatedHolder(Processor& held, ParameterId moved)
-        : processor(held), automated(*held.getParameters()[static_cast<int>(moved)]) {}
+        : ForwardingHolder(held), automated(*held.getParameters()[static_cast<int>(moved)]) {}
 
     Sound loadedSound() const override {
-        auto sound = processor.loadedSound();
+        auto sound = ForwardingHolder::loadedSound();
         automated.setValue(place += 0.1f);
         return sound;
     }
-    SoundLabel loadedLabel() const override { return processor.loadedLabel(); }
-    bool playSound(const Sound& sound) override { return processor.playSound(sound); }
-    void relabel(const Sound& sound) override { processor.relabel(sound); }
-    void reportError(const std::string& sentence) override { processor.reportError(sentence); }
-    int hostLoads() const override { return processor.hostLoads(); }
-    std::optional<Sound> takeSoundBeforePrograms() override {
-        return processor.takeSoundBeforePrograms();
-    }
-    double parameterValue(ParameterId id) const override { return processor.parameterValue(id); }
-    void changeParameters(const Sound& of, const ParameterValues& wanted) override {
-        processor.changeParameters(of, wanted);
-    }
-    void setValue(ParameterId id, double value) override { processor.setValue(id, value); }
 
     bool isWhereItWasMoved() const { return std::abs(automated.getValue() - place) < 1e-6f; }
 
 private:
-    Processor& processor;
     juce::AudioProcessorParameter& automated;
     mutable float place = 0;
 };
@@ -245,95 +218,6 @@ TEST_CASE("A sound that is named anew leaves automation alone") {
     CHECK(processor.loadedLabel().name == "Two");
     CHECK(processor.loadedLabel().author == "Anna");
     CHECK(shelf.chosenPreset() == "Two.json");
-}
-
-TEST_CASE("Saving over a preset has to be said; the setup is not saved") {
-    const UserSettings user;
-    Processor processor;
-    auto& shelf = processor.presetShelf();
-    REQUIRE(shelf.savePreset(called("Twice"), false));
-    CHECK(shelf.presetExists(called("Twice")));
-    CHECK_FALSE(shelf.presetExists(called("Thrice")));
-    CHECK_FALSE(shelf.presetExists(called("")));
-    const auto before = user.read("Presets/Twice.json");
-    processor.changeParameter(ParameterId::tau, 5);
-    processor.changeParameter(ParameterId::bypass, 1);
-    processor.changeParameter(ParameterId::concertPitch, 415);
-    const auto refused = shelf.savePreset(called("Twice"), false);
-    REQUIRE_FALSE(refused);
-    CHECK(user.read("Presets/Twice.json") == before);
-    REQUIRE(shelf.savePreset(called("Twice"), true));
-    Processor other;
-    REQUIRE(other.presetShelf().loadPreset("Twice.json"));
-    CHECK(other.parameterValue(ParameterId::tau) == 5);
-    CHECK(other.parameterValue(ParameterId::bypass) == 0);
-    CHECK(other.parameterValue(ParameterId::concertPitch) == 440);
-}
-
-TEST_CASE("What another window has saved since is not replaced unasked") {
-    const UserSettings user;
-    using enum ParameterId;
-    Processor one, two;
-    auto& shelf = one.presetShelf();
-    auto& otherShelf = two.presetShelf();
-    REQUIRE(shelf.savePreset(called("Bell"), false));
-    REQUIRE(otherShelf.loadPreset("Bell.json"));
-    two.changeParameter(tau, 5);
-
-    SECTION("changed") {
-        one.changeParameter(tau, 3);
-        REQUIRE(shelf.saveChosenPreset());
-        const auto theirs = user.read("Presets/Bell.json");
-        switch (GENERATE(0, 1, 2)) {
-        case 0: // before the list was read again
-            break;
-        case 1: // and in the list
-            otherShelf.readPresets();
-            break;
-        default: // and listened to
-            REQUIRE(otherShelf.auditionPreset("Bell.json"));
-            otherShelf.endAudition();
-            CHECK(two.parameterValue(tau) == 5);
-        }
-        const auto refused = otherShelf.saveChosenPreset();
-        REQUIRE_FALSE(refused);
-        CHECK_THAT(refused.error().message, ContainsSubstring("changed elsewhere"));
-        CHECK(user.read("Presets/Bell.json") == theirs);
-        // Nor is it once it has another name.
-        REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
-        CHECK_FALSE(otherShelf.saveChosenPreset());
-        // Who is asked may replace it, and so may who has loaded it or kept it after listening.
-        switch (GENERATE(0, 1, 2)) {
-        case 0:
-            REQUIRE(otherShelf.savePreset(called("Gong"), true));
-            break;
-        case 1:
-            REQUIRE(otherShelf.loadPreset("Gong.json"));
-            CHECK(two.parameterValue(tau) == 3);
-            break;
-        default:
-            REQUIRE(otherShelf.auditionPreset("Gong.json"));
-            otherShelf.keepAudition();
-        }
-        two.changeParameter(tau, 7);
-        REQUIRE(otherShelf.saveChosenPreset());
-    }
-    SECTION("gone") {
-        REQUIRE(shelf.renamePreset("Bell.json", "Gong"));
-        const auto refused = otherShelf.saveChosenPreset();
-        REQUIRE_FALSE(refused);
-        CHECK_THAT(refused.error().message, ContainsSubstring("Save as"));
-        CHECK_FALSE(std::filesystem::exists(user.folder() / "Presets/Bell.json"));
-        CHECK(find(otherShelf, "Bell") == nullptr); // so that Save asks for a name from now on
-    }
-    SECTION("saved twice by this one") {
-        REQUIRE(otherShelf.saveChosenPreset());
-        two.changeParameter(tau, 7);
-        REQUIRE(otherShelf.saveChosenPreset());
-        REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
-        two.changeParameter(tau, 5);
-        REQUIRE(otherShelf.saveChosenPreset());
-    }
 }
 
 TEST_CASE("A preset of a scene names it by a path that does not lead through this machine") {

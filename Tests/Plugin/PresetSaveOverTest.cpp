@@ -1,0 +1,253 @@
+// What is asked before a preset's file is written over, and what is never written over.
+#include "Plugin/FactoryPrograms.h"
+#include "Plugin/PresetsAtHand.h"
+#include "Support/UserSettings.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+/// Does not play what is loaded while it is told so, as where the memory does not suffice.
+class ReluctantHolder final : public ForwardingHolder {
+public:
+    using ForwardingHolder::ForwardingHolder;
+
+    bool playSound(const Sound& sound) override {
+        return plays && ForwardingHolder::playSound(sound);
+    }
+
+    bool plays = true;
+};
+
+} // namespace
+
+TEST_CASE("Saving over a preset has to be said; the setup is not saved") {
+    const UserSettings user;
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.savePreset(called("Twice"), false));
+    CHECK(shelf.presetExists(called("Twice")));
+    CHECK_FALSE(shelf.presetExists(called("Thrice")));
+    CHECK_FALSE(shelf.presetExists(called("")));
+    const auto before = user.read("Presets/Twice.json");
+    processor.changeParameter(ParameterId::tau, 5);
+    processor.changeParameter(ParameterId::bypass, 1);
+    processor.changeParameter(ParameterId::concertPitch, 415);
+    const auto refused = shelf.savePreset(called("Twice"), false);
+    REQUIRE_FALSE(refused);
+    CHECK(user.read("Presets/Twice.json") == before);
+    REQUIRE(shelf.savePreset(called("Twice"), true));
+    Processor other;
+    REQUIRE(other.presetShelf().loadPreset("Twice.json"));
+    CHECK(other.parameterValue(ParameterId::tau) == 5);
+    CHECK(other.parameterValue(ParameterId::bypass) == 0);
+    CHECK(other.parameterValue(ParameterId::concertPitch) == 440);
+}
+
+TEST_CASE("What another window has saved since is not replaced unasked") {
+    const UserSettings user;
+    using enum ParameterId;
+    Processor one, two;
+    auto& shelf = one.presetShelf();
+    auto& otherShelf = two.presetShelf();
+    REQUIRE(shelf.savePreset(called("Bell"), false));
+    REQUIRE(otherShelf.loadPreset("Bell.json"));
+    two.changeParameter(tau, 5);
+
+    SECTION("changed") {
+        one.changeParameter(tau, 3);
+        REQUIRE(shelf.saveChosenPreset());
+        const auto theirs = user.read("Presets/Bell.json");
+        switch (GENERATE(0, 1, 2)) {
+        case 0: // before the list was read again
+            break;
+        case 1: // and in the list
+            otherShelf.readPresets();
+            break;
+        default: // and listened to
+            REQUIRE(otherShelf.auditionPreset("Bell.json"));
+            otherShelf.endAudition();
+            CHECK(two.parameterValue(tau) == 5);
+        }
+        const auto refused = otherShelf.saveChosenPreset();
+        REQUIRE_FALSE(refused);
+        CHECK_THAT(refused.error().message, ContainsSubstring("changed elsewhere"));
+        CHECK(user.read("Presets/Bell.json") == theirs);
+        // Nor is it once it has another name.
+        REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
+        CHECK_FALSE(otherShelf.saveChosenPreset());
+        // Who is asked may replace it, and so may who has loaded it or kept it after listening.
+        switch (GENERATE(0, 1, 2)) {
+        case 0:
+            REQUIRE(otherShelf.savePreset(called("Gong"), true));
+            break;
+        case 1:
+            REQUIRE(otherShelf.loadPreset("Gong.json"));
+            CHECK(two.parameterValue(tau) == 3);
+            break;
+        default:
+            REQUIRE(otherShelf.auditionPreset("Gong.json"));
+            otherShelf.keepAudition();
+        }
+        two.changeParameter(tau, 7);
+        REQUIRE(otherShelf.saveChosenPreset());
+    }
+    SECTION("gone") {
+        REQUIRE(shelf.renamePreset("Bell.json", "Gong"));
+        const auto refused = otherShelf.saveChosenPreset();
+        REQUIRE_FALSE(refused);
+        CHECK_THAT(refused.error().message, ContainsSubstring("Save as"));
+        CHECK_FALSE(std::filesystem::exists(user.folder() / "Presets/Bell.json"));
+        CHECK(find(otherShelf, "Bell") == nullptr); // so that Save asks for a name from now on
+    }
+    SECTION("saved twice by this one") {
+        REQUIRE(otherShelf.saveChosenPreset());
+        two.changeParameter(tau, 7);
+        REQUIRE(otherShelf.saveChosenPreset());
+        REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
+        two.changeParameter(tau, 5);
+        REQUIRE(otherShelf.saveChosenPreset());
+    }
+}
+
+TEST_CASE("What is saved over is what the sound that plays came from") {
+    const UserSettings user;
+    using enum ParameterId;
+    Processor one, two;
+    auto& shelf = one.presetShelf();
+    auto& otherShelf = two.presetShelf();
+    REQUIRE(shelf.savePreset(called("Bell"), false));
+    // Of another size than before, so that lists that are read again know it whatever the clock.
+    std::string theirs;
+    const auto saveTheirs = [&] {
+        one.changeParameter(tau, 3.0625);
+        REQUIRE(shelf.saveChosenPreset());
+        theirs = user.read("Presets/Bell.json");
+    };
+    const auto checkRefused = [&] {
+        for (int time = 0; time < 2; ++time) {
+            const auto refused = otherShelf.saveChosenPreset();
+            REQUIRE_FALSE(refused);
+            CHECK_THAT(refused.error().message, ContainsSubstring("changed elsewhere"));
+            CHECK(user.read("Presets/Bell.json") == theirs);
+        }
+    };
+    const auto checkSaved = [&](double wanted) {
+        two.changeParameter(tau, wanted);
+        REQUIRE(otherShelf.saveChosenPreset());
+        Processor third;
+        REQUIRE(third.presetShelf().loadPreset(otherShelf.chosenPreset()));
+        CHECK(third.parameterValue(tau) == wanted);
+    };
+
+    SECTION("undone") {
+        REQUIRE(otherShelf.loadPreset("Bell.json"));
+        two.changeParameter(tau, 5);
+        saveTheirs();
+        checkRefused();
+        REQUIRE(otherShelf.loadPreset("Bell.json"));
+        CHECK(two.parameterValue(tau) == 3.0625);
+        two.editHistory().undo();
+        CHECK(two.parameterValue(tau) == 5);
+        checkRefused();
+        two.editHistory().redo();
+        checkSaved(7);
+        // What is there now has theirs in it, of which the older sound knows nothing.
+        theirs = user.read("Presets/Bell.json");
+        two.editHistory().undo();
+        checkRefused();
+    }
+    SECTION("compared") {
+        REQUIRE(otherShelf.loadPreset("Bell.json"));
+        two.soundVariants().copyToOther();
+        saveTheirs();
+        otherShelf.readPresets();
+        REQUIRE(otherShelf.loadPreset("Bell.json"));
+        two.soundVariants().compare();
+        checkRefused();
+        two.soundVariants().compare();
+        checkSaved(7);
+    }
+    SECTION("auditioned, and not kept") {
+        REQUIRE(otherShelf.auditionPreset("Bell.json"));
+        saveTheirs();
+        checkRefused();
+        REQUIRE(otherShelf.auditionPreset("Bell.json"));
+        checkSaved(7);
+    }
+    SECTION("auditioned, starred and kept") {
+        REQUIRE(otherShelf.auditionPreset("Bell.json"));
+        saveTheirs();
+        REQUIRE(otherShelf.setFavourite("Bell.json", true));
+        otherShelf.keepAudition();
+        two.changeParameter(tau, 7);
+        checkRefused();
+    }
+    SECTION("auditioned anew") {
+        REQUIRE(otherShelf.loadPreset("Bell.json"));
+        saveTheirs();
+        otherShelf.readPresets();
+        REQUIRE(otherShelf.auditionPreset("Bell.json"));
+        CHECK(two.parameterValue(tau) == 3.0625);
+        checkSaved(7);
+    }
+}
+
+TEST_CASE("A preset that was read but did not play is not saved over") {
+    const UserSettings user;
+    using enum ParameterId;
+    Processor one, two;
+    ReluctantHolder holder(two);
+    SoundHistory history(holder);
+    PresetCollection shelf(holder, history, juce::File(user.folder().string()));
+    REQUIRE(one.presetShelf().savePreset(called("Bell"), false));
+    REQUIRE(shelf.loadPreset("Bell.json"));
+    two.changeParameter(tau, 5);
+    one.changeParameter(tau, 3.0625);
+    REQUIRE(one.presetShelf().saveChosenPreset());
+    const auto theirs = user.read("Presets/Bell.json");
+    shelf.readPresets();
+    holder.plays = false;
+    REQUIRE(shelf.loadPreset("Bell.json"));
+    CHECK(two.parameterValue(tau) == 5);
+    CHECK_FALSE(shelf.saveChosenPreset());
+    CHECK(user.read("Presets/Bell.json") == theirs);
+}
+
+TEST_CASE("What this window saves or renames is known to the sounds that it keeps") {
+    const UserSettings user;
+    using enum ParameterId;
+    Processor processor;
+    auto& shelf = processor.presetShelf();
+    REQUIRE(shelf.savePreset(called("Bell"), false));
+    REQUIRE(shelf.loadPreset(factoryPresetId("Wok")));
+    REQUIRE(shelf.loadPreset("Bell.json"));
+    processor.soundVariants().copyToOther();
+    processor.changeParameter(tau, 5);
+    REQUIRE(shelf.saveChosenPreset());
+    const std::string name = GENERATE("Bell", "Gong");
+    if (name != "Bell")
+        REQUIRE(shelf.renamePreset("Bell.json", name));
+    SECTION("that are compared") {
+        processor.soundVariants().compare();
+    }
+    SECTION("that are loaded again by the history") {
+        for (int step = 0; step < 3; ++step)
+            processor.editHistory().undo();
+        CHECK(processor.editHistory().redoName() == "Wok");
+    }
+    CHECK(processor.parameterValue(tau) != 5);
+    CHECK(shelf.soundDetails().name == name);
+    CHECK(shelf.chosenPreset() == name + ".json");
+    processor.changeParameter(tau, 7);
+    REQUIRE(shelf.saveChosenPreset());
+    Processor other;
+    REQUIRE(other.presetShelf().loadPreset(name + ".json"));
+    CHECK(other.parameterValue(tau) == 7);
+}
