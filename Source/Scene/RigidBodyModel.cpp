@@ -3,7 +3,6 @@
 #include "Geometry/MeshCleaning.h"
 #include "Geometry/ObjectMesh.h"
 #include "Geometry/Subdivision.h"
-#include "Geometry/TouchingBoxes.h"
 #include "Instrument/HertzContact.h"
 #include "Object/OneLine.h"
 
@@ -37,9 +36,9 @@ double ownContactRadius(const RigidBodyModel& model, const Eigen::Vector3d& size
     return model.isFixed ? flatRadiusMetres : sizes.minCoeff() / 10;
 }
 
-/// How many pairs of a surface's faces touch, as far as boxes around them tell: Bullet looks at
-/// each for the edge between them.
-Result<std::size_t> touchingFaces(const BodyTemplate& kind, const ModalObject& object) {
+/// Of a surface's faces, as far as boxes around them tell: Bullet looks for each one's neighbours
+/// in such a tree, and at each pair for the edge between them.
+Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& object) {
     const auto fault = [&](const std::string& why) {
         return failure(inQuotes(kind.name) + " is no surface: its object " + inQuotes(object.name) +
                        " has " + why);
@@ -52,15 +51,17 @@ Result<std::size_t> touchingFaces(const BodyTemplate& kind, const ModalObject& o
     const auto mesh = collisionSurface(object);
     if (mesh.faceCount() == 0)
         return fault("no face with an area");
-    if (const auto pairs = touchingBoxes(mesh, mostTouchingFaces))
-        return *pairs;
+    if (const auto touching = touchingBoxes(mesh, mostTouchingFaces))
+        return *touching;
     return fault("too many faces that lie on or across each other");
 }
 
 } // namespace
 
 Result<std::shared_ptr<const RigidBodyModel>>
-makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object) {
+makeRigidBodyModel(const BodyTemplate& kind,
+                   std::shared_ptr<const ModalObject> object,
+                   const RigidBodyModel* likeSurface) {
     const auto& own = *object;
     const double s = kind.sizeRatio;
     const auto& material = own.material;
@@ -87,7 +88,8 @@ makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> 
                            " has no mass");
     }
     if (kind.form == BodyForm::surface) {
-        const auto touching = touchingFaces(kind, own);
+        const auto touching =
+            likeSurface ? Result<BoxSearch>(likeSurface->touchingFaces) : touchingFaces(kind, own);
         if (!touching)
             return tl::unexpected(touching.error());
         model.touchingFaces = *touching;

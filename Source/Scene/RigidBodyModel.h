@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Geometry/Mesh.h"
+#include "Geometry/TouchingBoxes.h"
 #include "Object/ModalObject.h"
 #include "Scene/Scene.h"
 
@@ -27,20 +28,23 @@ struct RigidBodyModel {
     double restitution = 0;
     double rollingFrictionMetres = 0;
     double contactRadiusMetres = 0;
-    double compliancePerPa = 0;    ///< (1 − ν²)/E
-    std::size_t touchingFaces = 0; ///< pairs of them, of a surface: what it takes to make its shape
+    double compliancePerPa = 0;   ///< (1 − ν²)/E
+    BoxSearch touchingFaces = {}; ///< of a surface: what it takes to make its shape
 };
 
 /// Of an object whose surface others meet.
 inline constexpr std::size_t mostSurfaceFaces = 100'000;
-/// Of a scene's surfaces together, which takes a second or so: a sound mesh has some ten a face.
-inline constexpr std::size_t mostTouchingFaces = 5'000'000;
+/// Of a scene's surfaces together, which takes a second or two: a sound mesh has some ten pairs a
+/// face, and under a hundred boxes.
+inline constexpr BoxSearch mostTouchingFaces{.pairs = 5'000'000, .boxes = 200'000'000};
 
 /// The error names the kind and why it cannot move: an object without mass, one so flat that the
 /// form has no inside, or where the form is its surface one without faces, or with too many of
-/// them.
+/// them. `likeSurface` is a surface of the same object, which then is not looked at again, or null.
 Result<std::shared_ptr<const RigidBodyModel>>
-makeRigidBodyModel(const BodyTemplate& kind, std::shared_ptr<const ModalObject> object);
+makeRigidBodyModel(const BodyTemplate& kind,
+                   std::shared_ptr<const ModalObject> object,
+                   const RigidBodyModel* likeSurface = nullptr);
 
 /// The object's faces as others meet them, smoothed where they are few, not scaled; none without an
 /// area, and of those on the same vertices one.

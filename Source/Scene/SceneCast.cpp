@@ -77,7 +77,11 @@ Result<void> SceneCast::addRole(const BodyTemplate& kind,
                                 const std::shared_ptr<const ModalObject>& object,
                                 int group,
                                 int collidesWith) {
-    return makeRigidBodyModel(kind, object)
+    const RigidBodyModel* likeSurface = nullptr;
+    for (const auto& role : allRoles)
+        if (role.kind.model->object == object && role.kind.model->form == BodyForm::surface)
+            likeSurface = role.kind.model.get();
+    return makeRigidBodyModel(kind, object, likeSurface)
         .map([&](const std::shared_ptr<const RigidBodyModel>& model) {
             allRoles.push_back(
                 {.kind = {.model = model, .group = group, .collidesWith = collidesWith},
@@ -88,6 +92,7 @@ Result<void> SceneCast::addRole(const BodyTemplate& kind,
 }
 
 Result<void> SceneCast::castKinds(ObjectLibrary& library) {
+    BoxSearch touching;
     for (std::size_t k = 0; k < played.kinds.size(); ++k) {
         const auto& kind = played.kinds[k];
         const auto object = kind.ball ? ballOf(*kind.ball) : library.find(kind.object);
@@ -95,14 +100,14 @@ Result<void> SceneCast::castKinds(ObjectLibrary& library) {
             return tl::unexpected(object.error());
         if (auto done = addRole(kind, *object, 1 << k, collidingGroups(played.kinds, k)); !done)
             return done;
+        // Every performance makes the shapes of its own, also those of kinds of one object.
+        const auto& own = allRoles.back().kind.model->touchingFaces;
+        touching.pairs += own.pairs;
+        touching.boxes += own.boxes;
+        if (touching.pairs > mostTouchingFaces.pairs || touching.boxes > mostTouchingFaces.boxes)
+            return failure("the surfaces in the scene " + inQuotes(played.name) +
+                           " have too many faces together");
     }
-    // Every performance makes the shapes of its own.
-    std::size_t touching = 0;
-    for (const auto& role : allRoles)
-        touching += role.kind.model->touchingFaces;
-    if (touching > mostTouchingFaces)
-        return failure("the surfaces in the scene " + inQuotes(played.name) +
-                       " have too many faces together");
     return {};
 }
 

@@ -2,32 +2,108 @@
 
 #include "Geometry/ParametricMesh.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <vector>
 
 using namespace idiophone;
+
+namespace {
+
+constexpr BoxSearch plenty{.pairs = 5'000'000, .boxes = 200'000'000};
+
+/// Its faces in no order.
+Mesh shuffled(const Mesh& mesh) {
+    std::vector<int> order(static_cast<std::size_t>(mesh.faceCount()));
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::shuffle(order, std::mt19937(1));
+    return {mesh.vertices, mesh.faces(order, Eigen::all)};
+}
+
+/// Corrugated, each fold as long as the sheet.
+Mesh washboard(int strips, double pitchMetres) {
+    Mesh mesh{Eigen::MatrixXd(2 * (strips + 1), 3), Eigen::MatrixXi(2 * strips, 3)};
+    for (int fold = 0; fold <= strips; ++fold)
+        for (int end = 0; end < 2; ++end)
+            mesh.vertices.row(2 * fold + end) << end, fold * pitchMetres, fold % 2 * pitchMetres;
+    for (int strip = 0; strip < strips; ++strip) {
+        const int first = 2 * strip;
+        mesh.faces.row(first) << first, first + 1, first + 2;
+        mesh.faces.row(first + 1) << first + 1, first + 3, first + 2;
+    }
+    return mesh;
+}
+
+/// Beside each other, a hair's width apart, all as wide and as high as they are long.
+Mesh slivers(int count) {
+    Mesh mesh{Eigen::MatrixXd(3 * count, 3), Eigen::MatrixXi(count, 3)};
+    for (int sliver = 0; sliver < count; ++sliver) {
+        const double y = 2e-5 * sliver;
+        mesh.vertices.middleRows(3 * sliver, 3) << 0, y, 0, 1, y, 1, 1, y + 1e-5, 0;
+        mesh.faces.row(sliver) << 3 * sliver, 3 * sliver + 1, 3 * sliver + 2;
+    }
+    return mesh;
+}
+
+} // namespace
 
 TEST_CASE("Faces in one place touch each other, and those beside each other their neighbours") {
     Mesh same{Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Eigen::MatrixXi(10, 3)};
     same.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
-    CHECK(touchingBoxes(same, 45) == 45);
-    CHECK_FALSE(touchingBoxes(same, 44));
+    const auto pairs = [](const Mesh& mesh, std::size_t most) {
+        const auto touching = touchingBoxes(mesh, {.pairs = most, .boxes = plenty.boxes});
+        return touching ? std::optional(touching->pairs) : std::nullopt;
+    };
+    CHECK(pairs(same, 45) == 45);
+    CHECK_FALSE(pairs(same, 44));
     Mesh row{Eigen::MatrixXd(30, 3), Eigen::MatrixXi(10, 3)};
     for (int face = 0; face < 10; ++face)
         for (int corner = 0; corner < 3; ++corner) {
             row.vertices.row(3 * face + corner) << face + (corner == 1), corner == 2, 0;
             row.faces(face, corner) = 3 * face + corner;
         }
-    CHECK(touchingBoxes(row, 1000) == 9);
-    CHECK(touchingBoxes({row.vertices, Eigen::MatrixXi(0, 3)}, 0) == 0);
+    CHECK(pairs(row, 1000) == 9);
+    CHECK(pairs({row.vertices, Eigen::MatrixXi(0, 3)}, 0) == 0);
 }
 
 TEST_CASE("A sound mesh has some ten neighbours a face, and a heap is known for one soon") {
     const auto ball = icosphereMesh(1, 6); // of 81920 faces
-    const auto touching = touchingBoxes(ball, 5'000'000);
+    const auto faces = static_cast<std::size_t>(ball.faceCount());
+    const auto touching = touchingBoxes(ball, plenty);
     REQUIRE(touching);
-    CHECK(*touching > 6 * static_cast<std::size_t>(ball.faceCount()));
-    CHECK(*touching < 20 * static_cast<std::size_t>(ball.faceCount()));
+    CHECK(touching->pairs > 6 * faces);
+    CHECK(touching->pairs < 20 * faces);
+    CHECK(touching->boxes < 100 * faces);
     Mesh heap{Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Eigen::MatrixXi(1'000'000, 3)};
     heap.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
-    CHECK_FALSE(touchingBoxes(heap, 5'000'000));
+    CHECK_FALSE(touchingBoxes(heap, plenty));
+}
+
+TEST_CASE("Long faces beside each other are told apart by no more boxes than round ones") {
+    constexpr int faces = 100'000;
+    // Also where they are longer than all of them are wide.
+    for (const double pitchMetres : {1e-4, 1e-6})
+        for (const auto& mesh :
+             {washboard(faces / 2, pitchMetres), shuffled(washboard(faces / 2, pitchMetres))}) {
+            const auto touching = touchingBoxes(mesh, plenty);
+            REQUIRE(touching);
+            CHECK(touching->pairs == 249'996);
+            CHECK(touching->boxes < 100 * faces);
+        }
+    for (const auto& mesh : {slivers(faces), shuffled(slivers(faces))}) {
+        const auto touching = touchingBoxes(mesh, plenty);
+        REQUIRE(touching);
+        CHECK(touching->pairs == 0);
+        CHECK(touching->boxes < 100 * faces);
+    }
+}
+
+TEST_CASE("A search through too many boxes is given up, whatever it finds") {
+    const auto mesh = slivers(1000);
+    const auto boxes = touchingBoxes(mesh, plenty).value().boxes;
+    CHECK(touchingBoxes(mesh, {.pairs = 0, .boxes = boxes}));
+    CHECK_FALSE(touchingBoxes(mesh, {.pairs = 0, .boxes = boxes - 1}));
 }

@@ -161,7 +161,7 @@ TEST_CASE("A surface of more faces than there can be is refused in a sentence th
 
 TEST_CASE("A face that is there many times is one") {
     const auto floor = kindOf(objectOf(heap(100'000), "Steel"), BodyForm::surface, true, {});
-    CHECK(floor.model->touchingFaces < 1'000'000);
+    CHECK(floor.model->touchingFaces.pairs < 1'000'000);
     const auto ball = ballAfter(0.3, floor, {0.03, 0.03, 0.02});
     CHECK_THAT(ball.z(), WithinAbs(ballRadius, 1e-3));
 }
@@ -172,11 +172,11 @@ TEST_CASE("The surfaces of a scene are bounded together") {
     for (Eigen::Index vertex = 0; vertex < heaps.vertexCount(); ++vertex)
         heaps.vertices(vertex, 0) += static_cast<double>(vertex / 3 / 151);
     const auto object = library.add("floor.modal", *objectOf(heaps, "Steel"));
-    const auto touching = makeRigidBodyModel(surfaceKind(), object).value()->touchingFaces;
+    const auto touching = makeRigidBodyModel(surfaceKind(), object).value()->touchingFaces.pairs;
     REQUIRE(touching > 500'000);
     Scene scene;
     scene.name = "Floors";
-    scene.kinds.assign(mostTouchingFaces / touching, surfaceKind());
+    scene.kinds.assign(mostTouchingFaces.pairs / touching, surfaceKind());
     CHECK(SceneCast::make(scene, library));
     scene.kinds.push_back(surfaceKind());
     CHECK(SceneCast::make(scene, library).error().message ==
