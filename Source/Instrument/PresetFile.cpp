@@ -4,6 +4,7 @@
 #include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace idiophone {
@@ -33,6 +34,18 @@ std::optional<std::filesystem::path> folderWith(const std::filesystem::path& nam
     return std::nullopt;
 }
 
+/// What stands behind the folder in the file's path as it is written, if anything does.
+std::filesystem::path behind(const std::filesystem::path& folder,
+                             const std::filesystem::path& file) {
+    const auto [inFolder, inFile] =
+        std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    std::filesystem::path rest;
+    if (inFolder == folder.end())
+        for (auto part = inFile; part != file.end(); ++part)
+            rest /= *part;
+    return rest.lexically_normal();
+}
+
 } // namespace
 
 Result<Preset> readPresetFile(const std::filesystem::path& file) {
@@ -53,10 +66,18 @@ KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile)
 
 std::optional<std::string> nameBeside(const std::filesystem::path& file,
                                       const std::filesystem::path& presetFile) {
-    for (const auto& folder : foldersFor(presetFile)) {
+    const auto folders = foldersFor(presetFile);
+    // Stays as it was written into the preset: it holds however its folder is called.
+    if (!folders.empty())
+        if (const auto written = behind(folders.front(), file);
+            !written.empty() && *written.begin() == ".." &&
+            folderWith(written, presetFile) == folders.front())
+            return storedNameOf(written);
+    const auto plain = file.lexically_normal();
+    for (const auto& folder : folders) {
         if (folder == folder.root_path())
             break; // below it all of the disk lies
-        const auto name = file.lexically_relative(folder);
+        const auto name = plain.lexically_relative(folder);
         // Not where a file of that name is nearer to the preset, which would be found first.
         if (!name.empty() && *name.begin() != ".." && folderWith(name, presetFile) == folder)
             return storedNameOf(name);

@@ -16,8 +16,9 @@ Result<Preset> readPresetFile(const std::filesystem::path& file);
 /// preset's folder or one of the four above it; else as it is (localName), as with factory objects.
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile);
 
-/// The relative path by which a preset in that place would find a file, of forward slashes; nothing
-/// where there is no such file or it lies elsewhere.
+/// The relative path by which a preset in that place would find a file, of forward slashes and
+/// normal; nothing where there is no such file or it lies elsewhere. It leads up ("..") only where
+/// the file's path does so from the preset's folder (withObjectsBeside).
 std::optional<std::string> nameBeside(const std::filesystem::path& file,
                                       const std::filesystem::path& presetFile);
 

@@ -82,6 +82,21 @@ TEST_CASE("A file is named by how a preset finds it, where it does") {
     CHECK(name("n/Settings/Presets/x.json") == "Settings/Scenes/coins.json");
 }
 
+TEST_CASE("A file's name is plain, and leads up from the preset where it was written so") {
+    write("m/Pack/Scenes/d.json", "{}");
+    write("m/Pack/Presets/Scenes/e.json", "{}");
+    const auto preset = testFolder() / "m/Pack/Presets/a.json";
+    const auto again = [&](const char* name, const std::filesystem::path& savedAs) {
+        const auto keyMap = withObjectsBeside({.kind = KeyMapKind::scene, .object = name}, preset);
+        return nameBeside(pathNamed(keyMap.object), savedAs);
+    };
+    CHECK(again("../Scenes/d.json", preset) == "../Scenes/d.json");
+    CHECK(again("../Scenes/d.json", testFolder() / "m/Pack/Mine/a.json") == "Scenes/d.json");
+    CHECK(again("../Scenes/d.json", testFolder() / "m/a.json") == "Pack/Scenes/d.json");
+    CHECK(again("./Scenes/d.json", preset) == "Scenes/d.json");
+    CHECK(again("./Scenes/e.json", preset) == "Scenes/e.json");
+}
+
 TEST_CASE("The initial preset is plain, plays, and is as loud as the first of the factory") {
     const auto loudness = [](const Preset& preset) {
         const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
