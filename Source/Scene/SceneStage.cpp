@@ -47,7 +47,8 @@ Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
     if (stage->slots().empty())
         return failure("nothing in the scene " + inQuotes(stage->cast()->scene().name) +
                        " can sound");
-    if (const auto bounded = boundedSlots(stage->slots(), inQuotes(keyMap.object)); !bounded)
+    if (const auto bounded = boundedSlots(stage->slots(), inQuotes(keyMap.object), "bodies");
+        !bounded)
         return tl::unexpected(bounded.error());
     return Instrument::onStage(keyMap, stage->slots(),
                                stage->slotOfKey(keyMap.lowestNote, keyMap.highestNote), stage);
