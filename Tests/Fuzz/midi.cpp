@@ -3,30 +3,50 @@
 #include "Console/TempoMap.h"
 #include "Fuzz/FuzzTarget.h"
 
+#include <optional>
+
 namespace idiophone::fuzz {
 namespace {
 
-/// To the same bits, except where JUCE would take long.
-void claimTimesOfJuce(std::string_view bytes) {
+/// Nothing where JUCE would take long, or finds no tracks, as where there are 32768 or more, which
+/// it takes for a negative number.
+std::optional<juce::MidiFile> readByJuce(std::string_view bytes) {
     if (bytes.size() > 1 << 14)
-        return;
+        return std::nullopt;
     juce::MemoryInputStream stream(bytes.data(), bytes.size(), false);
-    juce::MidiFile juces;
-    if (!juces.readFrom(stream, false))
+    juce::MidiFile midi;
+    if (!midi.readFrom(stream, false) || midi.getNumTracks() == 0)
+        return std::nullopt;
+    return midi;
+}
+
+void claimTracksOfJuce(std::string_view bytes) {
+    const auto juces = readByJuce(bytes);
+    if (!juces)
         return;
     const auto midi = readMidiTracks(bytes);
-    claim(midi.has_value() && midi->timeFormat == juces.getTimeFormat() &&
-              std::ssize(midi->tracks) == juces.getNumTracks(),
+    claim(midi.has_value() && midi->timeFormat == juces->getTimeFormat() &&
+              std::ssize(midi->tracks) == juces->getNumTracks(),
           "what JUCE reads is read");
-    const TempoMap tempo(*midi);
-    juces.convertTimestampTicksToSeconds();
-    for (int track = 0; track < juces.getNumTracks(); ++track) {
-        const auto& messages = midi->tracks[static_cast<std::size_t>(track)];
-        claim(std::ssize(messages) == juces.getTrack(track)->getNumEvents(),
+    for (int track = 0; track < juces->getNumTracks(); ++track)
+        claim(std::ssize(midi->tracks[static_cast<std::size_t>(track)]) ==
+                  juces->getTrack(track)->getNumEvents(),
               "a track has the messages that JUCE finds");
+}
+
+/// Of a song, to the same bits.
+void claimTimesOfJuce(std::string_view bytes) {
+    auto juces = readByJuce(bytes);
+    const auto midi = readMidiTracks(bytes);
+    if (!juces || !midi)
+        return;
+    const TempoMap tempo(*midi);
+    juces->convertTimestampTicksToSeconds();
+    for (int track = 0; track < juces->getNumTracks(); ++track) {
+        const auto& messages = midi->tracks[static_cast<std::size_t>(track)];
         for (std::size_t k = 0; k < messages.size(); ++k)
             claim(tempo.secondsAt(messages[k].getTimeStamp()) ==
-                      juces.getTrack(track)->getEventTime(static_cast<int>(k)),
+                      juces->getTrack(track)->getEventTime(static_cast<int>(k)),
                   "times are those of JUCE");
     }
 }
@@ -34,6 +54,7 @@ void claimTimesOfJuce(std::string_view bytes) {
 } // namespace
 
 void examine(std::string_view bytes) {
+    claimTracksOfJuce(bytes);
     const auto song = readMidiSong(scratchFile(bytes, "fuzz.mid"));
     if (!song)
         return claimSentence(song.error());
