@@ -144,7 +144,7 @@ TEST_CASE("Once what rang at a change of sound has died, the level is again that
     const double former = GENERATE(-20.0, 5.0), next = GENERATE(-40.0, 0.0);
     PreparedStage stage, fresh;
     const Stereo burst{sine(4800), sine(4800, 700)};
-    const std::vector<float> silence(48000);
+    const Stereo silence{std::vector<float>(48000), std::vector<float>(48000)};
     processed(stage, burst, 480, inRoom(former));
     stage.changeSound(inRoom(next));
     processed(stage, burst, 480, inRoom(next));
