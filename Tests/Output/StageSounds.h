@@ -46,7 +46,7 @@ inline Stereo processed(OutputStage& stage,
     for (std::size_t start = 0; start < input.left.size(); start += blockSize) {
         const auto count = std::min(blockSize, input.left.size() - start);
         const std::array<float*, 2> channels{&output.left[start], &output.right[start]};
-        stage.process({channels[0], count}, {channels[1], count}, channels, values);
+        CHECK(stage.process({channels[0], count}, {channels[1], count}, channels, values));
     }
     return output;
 }
@@ -61,7 +61,7 @@ inline std::vector<float> processed(OutputStage& stage,
         const auto count = std::min(blockSize, input.size() - start);
         const std::array<float*, 2> channels{&left[start], &right[start]};
         const auto block = std::span(input).subspan(start, count);
-        stage.process(block, block, channels, values);
+        CHECK(stage.process(block, block, channels, values));
     }
     CHECK(left == right);
     return left;
