@@ -8,6 +8,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <functional>
+#include <utility>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -72,7 +73,8 @@ constexpr float margin = 1.4f;
 } // namespace
 
 TEST_CASE("Across a change of level, in either direction, nothing is louder than its own sound") {
-    const double before = GENERATE(-55.0, -41.0, 5.3), after = GENERATE(-55.0, -41.0, 5.3);
+    const auto [before, after] =
+        GENERATE(std::pair{-55.0, 5.3}, std::pair{5.3, -41.0}, std::pair{-41.0, -55.0});
     const double roomPercent = GENERATE(0.0, 80.0);
     CAPTURE(before, after, roomPercent);
     const auto former = soundOf("former", before, roomPercent),
