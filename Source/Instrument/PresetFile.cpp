@@ -67,13 +67,19 @@ KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile)
 std::optional<std::string> nameBeside(const std::filesystem::path& file,
                                       const std::filesystem::path& presetFile) {
     const auto folders = foldersFor(presetFile);
+    // Where a folder is a link, `..` behind it leads elsewhere than to the one that it is in.
+    const auto isSame = [&](const std::filesystem::path& plain) {
+        std::error_code fault;
+        return std::filesystem::equivalent(plain, file, fault);
+    };
     // Stays as it was written into the preset: it holds however its folder is called.
     if (!folders.empty())
         if (const auto written = behind(folders.front(), file);
             !written.empty() && *written.begin() == ".." &&
-            folderWith(written, presetFile) == folders.front())
+            folderWith(written, presetFile) == folders.front() && isSame(folders.front() / written))
             return storedNameOf(written);
-    const auto plain = file.lexically_normal();
+    const auto normal = file.lexically_normal();
+    const auto& plain = isSame(normal) ? normal : file;
     for (const auto& folder : folders) {
         if (folder == folder.root_path())
             break; // below it all of the disk lies

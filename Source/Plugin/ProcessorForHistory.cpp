@@ -95,10 +95,10 @@ bool Processor::playSound(const Sound& wanted) {
         const auto loadValues = [&] { parameters.load(wantedNow()); };
         if (playsOn) {
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
-            loadedPreset = wanted.preset;
-            goOn(std::move(*player), loadValues);
-            if (!sameModes)
+            loadedPreset = wanted.preset; // whose silences a new player begins with
+            if (!sameModes && *player == nullptr)
                 sendSilences();
+            goOn(std::move(*player), loadValues);
         } else {
             play(wanted.preset, wanted.instrument, std::move(*player), loadValues);
         }

@@ -180,7 +180,10 @@ btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     };
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
         triangles.addTriangle(corner(face, 0), corner(face, 1), corner(face, 2));
-    auto* shape = own<btBvhTriangleMeshShape>(&triangles, true);
+    // Its tree is not rounded to a share of the whole surface: beside a face far away all others
+    // would be one place.
+    constexpr bool isQuantised = false;
+    auto* shape = own<btBvhTriangleMeshShape>(&triangles, isQuantised);
     const bool isShell = model.object->body == BodyKind::shell;
     shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
                              : mostMarginMetres);

@@ -97,6 +97,32 @@ TEST_CASE("A file's name is plain, and leads up from the preset where it was wri
     CHECK(again("./Scenes/e.json", preset) == "Scenes/e.json");
 }
 
+TEST_CASE("A file is named so that it is found again where folders are links") {
+    const auto linked = write("l/Cloud/Scenes/d.json", "the linked folder's");
+    write("l/Idiophone/Scenes/d.json", "the own folder's");
+    std::filesystem::create_directories(testFolder() / "l/Cloud/Presets/Bells");
+    std::error_code fault;
+    std::filesystem::create_directory_symlink(testFolder() / "l/Cloud/Presets",
+                                              testFolder() / "l/Idiophone/Presets", fault);
+    if (fault)
+        SKIP("no links here");
+    const auto presets = testFolder() / "l/Idiophone/Presets";
+    const auto found = [](const std::string& name, const std::filesystem::path& preset) {
+        const KeyMap keyMap{.kind = KeyMapKind::scene, .object = name};
+        return pathNamed(withObjectsBeside(keyMap, preset).object);
+    };
+    for (const char* written : {"../../Scenes/d.json", "../../Presets/../Scenes/d.json"}) {
+        const auto scene = found(written, presets / "Bells/a.json");
+        REQUIRE(std::filesystem::equivalent(scene, linked));
+        for (const auto* savedAs : {"Bells/b.json", "Drums/b.json", "b.json"}) {
+            const auto name = nameBeside(scene, presets / savedAs);
+            const auto again =
+                name ? found(*name, presets / savedAs) : std::filesystem::path(scene);
+            CHECK(std::filesystem::equivalent(again, linked, fault));
+        }
+    }
+}
+
 TEST_CASE("The initial preset is plain, plays, and is as loud as the first of the factory") {
     const auto loudness = [](const Preset& preset) {
         const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
