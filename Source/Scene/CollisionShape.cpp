@@ -2,6 +2,7 @@
 
 #include "Geometry/ObjectMesh.h"
 #include "Scene/BulletMath.h"
+#include "Scene/SurfaceTree.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <LinearMath/btConvexHullComputer.h>
@@ -173,17 +174,17 @@ btCollisionShape* CollisionShape::ground(const RigidBodyModel& model) {
 }
 
 btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
-    const Mesh mesh = collisionSurface(*model.object);
+    Mesh mesh = collisionSurface(*model.object);
+    mesh.vertices *= model.sizeRatio;
     auto& triangles = *meshes.emplace_back(std::make_unique<btTriangleMesh>());
     const auto corner = [&](Eigen::Index face, int k) {
-        return toBullet(model.sizeRatio * mesh.vertices.row(mesh.faces(face, k)).transpose());
+        return toBullet(Eigen::Vector3d(mesh.vertices.row(mesh.faces(face, k))));
     };
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
         triangles.addTriangle(corner(face, 0), corner(face, 1), corner(face, 2));
-    // Its tree is not rounded to a share of the whole surface: beside a face far away all others
-    // would be one place.
-    constexpr bool isQuantised = false;
-    auto* shape = own<btBvhTriangleMeshShape>(&triangles, isQuantised);
+    constexpr bool isQuantised = false, hasOwnTree = false;
+    auto* shape = own<btBvhTriangleMeshShape>(&triangles, isQuantised, hasOwnTree);
+    shape->setOptimizedBvh(trees.emplace_back(std::make_unique<SurfaceTree>(mesh)).get());
     const bool isShell = model.object->body == BodyKind::shell;
     shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
                              : mostMarginMetres);

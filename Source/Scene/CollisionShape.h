@@ -30,6 +30,7 @@ private:
     btCollisionShape* surface(const RigidBodyModel& model);
 
     std::vector<std::unique_ptr<btTriangleMesh>> meshes;
+    std::vector<std::unique_ptr<btOptimizedBvh>> trees;
     std::vector<std::unique_ptr<btTriangleInfoMap>> edges;
     std::vector<std::unique_ptr<btCollisionShape>> shapes; ///< destroyed before what they refer to
     btCollisionShape* root = nullptr;

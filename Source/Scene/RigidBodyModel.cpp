@@ -37,7 +37,7 @@ double ownContactRadius(const RigidBodyModel& model, const Eigen::Vector3d& size
 }
 
 /// Of a surface's faces, as far as boxes around them tell: Bullet looks for each one's neighbours
-/// in such a tree, and at each pair for the edge between them.
+/// in this tree (SurfaceTree), and at each pair for the edge between them.
 Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& object) {
     const auto fault = [&](const std::string& why) {
         return failure(inQuotes(kind.name) + " is no surface: its object " + inQuotes(object.name) +
@@ -51,7 +51,7 @@ Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& obj
     const auto mesh = collisionSurface(object);
     if (mesh.faceCount() == 0)
         return fault("no face with an area");
-    if (const auto touching = touchingBoxes(mesh, mostTouchingFaces))
+    if (const auto touching = BoxTree(mesh).touchingFaces(mostTouchingFaces))
         return *touching;
     return fault("too many faces that lie on or across each other");
 }

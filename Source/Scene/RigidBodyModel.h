@@ -2,8 +2,8 @@
 // round it is where others touch it.
 #pragma once
 
+#include "Geometry/BoxTree.h"
 #include "Geometry/Mesh.h"
-#include "Geometry/TouchingBoxes.h"
 #include "Object/ModalObject.h"
 #include "Scene/Scene.h"
 
@@ -36,7 +36,7 @@ struct RigidBodyModel {
 inline constexpr std::size_t mostSurfaceFaces = 100'000;
 /// Of a scene's surfaces together, which takes a second or two: a sound mesh has some ten pairs a
 /// face, and under a hundred boxes.
-inline constexpr BoxSearch mostTouchingFaces{.pairs = 5'000'000, .boxes = 200'000'000};
+inline constexpr BoxSearch mostTouchingFaces{.pairs = 5'000'000, .boxes = 50'000'000};
 
 /// The error names the kind and why it cannot move: an object without mass, one so flat that the
 /// form has no inside, or where the form is its surface one without faces, or with too many of

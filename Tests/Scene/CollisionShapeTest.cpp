@@ -217,7 +217,7 @@ TEST_CASE("The surfaces of a scene are bounded together") {
         isRefusedBeyond(mostTouchingFaces.pairs / touching.pairs, floor);
     }
     SECTION("by what is looked at to know that none do") {
-        const std::shared_ptr<const ModalObject> floor = objectOf(lattice(120), "Steel");
+        const std::shared_ptr<const ModalObject> floor = objectOf(lattice(80), "Steel");
         const auto touching = makeRigidBodyModel(surfaceKind(), floor).value()->touchingFaces;
         REQUIRE(touching.pairs == 0);
         REQUIRE(touching.boxes > mostTouchingFaces.boxes / 20);

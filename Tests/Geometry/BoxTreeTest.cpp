@@ -1,9 +1,10 @@
-#include "Geometry/TouchingBoxes.h"
+#include "Geometry/BoxTree.h"
 
 #include "Geometry/ParametricMesh.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -48,13 +49,29 @@ Mesh slivers(int count) {
     return mesh;
 }
 
+/// Round about the origin, at distances and of sizes from a millionth of a millionth to one.
+Mesh unevenFaces(int count) {
+    Mesh mesh{Eigen::MatrixXd(3 * count, 3), Eigen::MatrixXi(count, 3)};
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> exponent(-12, 0), anywhere(-1, 1);
+    for (int face = 0; face < count; ++face) {
+        const double scale = std::pow(10, exponent(random));
+        const Eigen::RowVector3d way(anywhere(random), anywhere(random), anywhere(random));
+        auto corners = mesh.vertices.middleRows(3 * face, 3);
+        corners = (scale * way).replicate(3, 1);
+        corners.bottomRightCorner(2, 2).diagonal().array() += 1e-3 * scale;
+        mesh.faces.row(face) << 3 * face, 3 * face + 1, 3 * face + 2;
+    }
+    return mesh;
+}
+
 } // namespace
 
 TEST_CASE("Faces in one place touch each other, and those beside each other their neighbours") {
     Mesh same{Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Eigen::MatrixXi(10, 3)};
     same.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
     const auto pairs = [](const Mesh& mesh, std::size_t most) {
-        const auto touching = touchingBoxes(mesh, {.pairs = most, .boxes = plenty.boxes});
+        const auto touching = BoxTree(mesh).touchingFaces({.pairs = most, .boxes = plenty.boxes});
         return touching ? std::optional(touching->pairs) : std::nullopt;
     };
     CHECK(pairs(same, 45) == 45);
@@ -72,14 +89,14 @@ TEST_CASE("Faces in one place touch each other, and those beside each other thei
 TEST_CASE("A sound mesh has some ten neighbours a face, and a heap is known for one soon") {
     const auto ball = icosphereMesh(1, 6); // of 81920 faces
     const auto faces = static_cast<std::size_t>(ball.faceCount());
-    const auto touching = touchingBoxes(ball, plenty);
+    const auto touching = BoxTree(ball).touchingFaces(plenty);
     REQUIRE(touching);
     CHECK(touching->pairs > 6 * faces);
     CHECK(touching->pairs < 20 * faces);
     CHECK(touching->boxes < 100 * faces);
     Mesh heap{Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Eigen::MatrixXi(1'000'000, 3)};
     heap.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
-    CHECK_FALSE(touchingBoxes(heap, plenty));
+    CHECK_FALSE(BoxTree(heap).touchingFaces(plenty));
 }
 
 TEST_CASE("Long faces beside each other are told apart by no more boxes than round ones") {
@@ -88,22 +105,30 @@ TEST_CASE("Long faces beside each other are told apart by no more boxes than rou
     for (const double pitchMetres : {1e-4, 1e-6})
         for (const auto& mesh :
              {washboard(faces / 2, pitchMetres), shuffled(washboard(faces / 2, pitchMetres))}) {
-            const auto touching = touchingBoxes(mesh, plenty);
+            const auto touching = BoxTree(mesh).touchingFaces(plenty);
             REQUIRE(touching);
             CHECK(touching->pairs == 249'996);
             CHECK(touching->boxes < 100 * faces);
         }
     for (const auto& mesh : {slivers(faces), shuffled(slivers(faces))}) {
-        const auto touching = touchingBoxes(mesh, plenty);
+        const auto touching = BoxTree(mesh).touchingFaces(plenty);
         REQUIRE(touching);
         CHECK(touching->pairs == 0);
         CHECK(touching->boxes < 100 * faces);
     }
 }
 
+TEST_CASE("Faces of very different sizes are told apart by no more boxes than others") {
+    constexpr int faces = 100'000;
+    const auto touching = BoxTree(unevenFaces(faces)).touchingFaces(plenty);
+    REQUIRE(touching);
+    CHECK(touching->pairs < faces);
+    CHECK(touching->boxes < 100 * faces);
+}
+
 TEST_CASE("A search through too many boxes is given up, whatever it finds") {
     const auto mesh = slivers(1000);
-    const auto boxes = touchingBoxes(mesh, plenty).value().boxes;
-    CHECK(touchingBoxes(mesh, {.pairs = 0, .boxes = boxes}));
-    CHECK_FALSE(touchingBoxes(mesh, {.pairs = 0, .boxes = boxes - 1}));
+    const auto boxes = BoxTree(mesh).touchingFaces(plenty).value().boxes;
+    CHECK(BoxTree(mesh).touchingFaces({.pairs = 0, .boxes = boxes}));
+    CHECK_FALSE(BoxTree(mesh).touchingFaces({.pairs = 0, .boxes = boxes - 1}));
 }
