@@ -21,6 +21,9 @@ constexpr Range ranges[] = {
 } // namespace
 
 Result<Surface> validated(Surface surface) {
+    if (surface.name.size() > Surface::longestNameBytes)
+        return failure("the surface's name is longer than " +
+                       std::to_string(Surface::longestNameBytes) + " bytes");
     for (const auto& [what, member, lowest, highest, range] : ranges)
         if (!(surface.*member >= lowest && surface.*member <= highest))
             return failure("the surface's " + std::string(what) + " is not " + range);

@@ -4,6 +4,7 @@
 
 #include "Object/Result.h"
 
+#include <cstddef>
 #include <string>
 
 namespace idiophone {
@@ -11,7 +12,9 @@ namespace idiophone {
 /// A rough profile, whose power spectrum follows ω^β, felt through a resonance (the paper's reson)
 /// whose frequency and damping are proportional to the contact's speed.
 struct Surface {
-    std::string name = {};
+    static constexpr std::size_t longestNameBytes = 1000;
+
+    std::string name = {}; ///< at most `longestNameBytes`, so that a file of it stays readable
     /// β, −4 to 1; a profile of fractal dimension D has β = 2 (D − 2). Machined surfaces have −1.66
     /// to −1.22.
     double spectrumExponent = -1.4;
@@ -30,7 +33,7 @@ struct Surface {
     bool operator==(const Surface&) const = default;
 };
 
-/// The surface unchanged, or which figure is out of its range.
+/// The surface unchanged, or which figure is out of its range, or that its name is too long.
 Result<Surface> validated(Surface surface);
 
 } // namespace idiophone

@@ -46,6 +46,16 @@ TEST_CASE("A surface survives its file to the last bit") {
     CHECK(*read == slate);
 }
 
+TEST_CASE("A surface with the longest name survives its file, and a longer name is refused") {
+    auto longest = slate;
+    longest.name = std::string(Surface::longestNameBytes, '\x01'); // six bytes each in the file
+    const auto read = parseSurface(encodeSurface(longest), "x.json");
+    REQUIRE(read);
+    CHECK(*read == longest);
+    // A file as large as can be read, which would be too large once it was written anew.
+    checkRefused(slateWith("name", std::string(65000, 'x')), "name is longer than 1000 bytes");
+}
+
 TEST_CASE("Name, slowest speed and roughness may be left out of a surface file") {
     CHECK(parseSurface(slateWithout("name"), "x.json")->name.empty());
     CHECK(parseSurface(slateWithout("roughness"), "x.json")->roughness == Surface{}.roughness);
