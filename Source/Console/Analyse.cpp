@@ -142,7 +142,9 @@ void addAnalyse(CLI::App& program, Action& chosen) {
     auto* command = program.add_subcommand("analyse", "Makes a modal object from a triangle mesh");
     auto options = std::make_shared<Options>();
     command->add_option("MESH", options->mesh, "An .obj, .off, .ply or .stl file")->required();
-    command->add_option("-o,--output", options->output, "The .modal file to write")->required();
+    command->add_option("-o,--output", options->output, "The .modal file to write")
+        ->type_name(writtenFile)
+        ->required();
     command->add_option("--name", options->name, "The object's name; else the mesh file's");
     command->add_option("--material", options->material, "A material's name or a JSON file")
         ->capture_default_str();

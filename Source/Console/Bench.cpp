@@ -1,6 +1,7 @@
 #include "Console/BenchFactoryContent.h"
 #include "Console/Command.h"
 #include "Console/JsonText.h"
+#include "Console/OptionChecks.h"
 #include "Console/OutputCheck.h"
 #include "Console/ProgressLine.h"
 #include "Object/TextFile.h"
@@ -87,7 +88,8 @@ void addBench(CLI::App& program, Action& chosen) {
         ->check(CLI::IsMember(benchmarkNames()));
     command->add_option("--song", options->song,
                         "The MIDI file that the benchmark xylophone plays");
-    command->add_option("-o,--output", options->output, "A file to write to");
+    command->add_option("-o,--output", options->output, "A file to write to")
+        ->type_name(writtenFile);
     command->add_flag("--json", options->json, "Goals and raw figures as JSON");
     command->final_callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
 }

@@ -195,7 +195,9 @@ void addFit(CLI::App& program, Action& chosen) {
         ->add_option("RECORDING@PLACE", options->strikes,
                      "WAV files, each of a strike at a place: X,Y,Z or a radius, in metres")
         ->required();
-    command->add_option("-o,--output", options->output, "The .modal file to write")->required();
+    command->add_option("-o,--output", options->output, "The .modal file to write")
+        ->type_name(writtenFile)
+        ->required();
     command->add_option("--name", options->name, "The object's name; else the output's");
     command->add_option("--modes", options->fit.modeCount, "At most so many: the strongest")
         ->check(CLI::Range(1, 1000))

@@ -1,5 +1,6 @@
 #include "Console/Command.h"
 #include "Console/Interrupt.h"
+#include "Console/OptionChecks.h"
 #include "Console/TerminalText.h"
 #include "Object/WorkControl.h"
 
@@ -35,6 +36,9 @@ int run(int argc, char** argv) {
     }
     if (!chosen)
         return complain("Say which command to run; `idiophone --help` lists them.", badUsage);
+    for (const auto* command : program.get_subcommands())
+        if (const auto apart = checkWrittenFiles(*command); !apart)
+            return complain(apart.error().message, failed);
     const auto outcome = chosen();
     if (outcome)
         return std::cout.flush() ? success

@@ -105,6 +105,7 @@ void addMesh(CLI::App& program, Action& chosen) {
     command->add_option("KIND", options->kind, "bar, plate, box, disc, icosphere, ring or hoop")
         ->required();
     command->add_option("-o,--output", options->output, "The .obj or .ply file to write")
+        ->type_name(writtenFile)
         ->required();
     const auto size = [&](const char* option, double& metres, const char* what) {
         command->add_option(option, metres, what)

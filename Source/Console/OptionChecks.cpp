@@ -1,8 +1,45 @@
 #include "Console/OptionChecks.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <sstream>
+#include <vector>
 
 namespace idiophone {
+namespace {
+
+bool isWritten(const CLI::Option& option) {
+    return option.get_type_name() == writtenFile;
+}
+
+/// Those of its groups, too.
+std::vector<const CLI::Option*> givenOptions(const CLI::App& command) {
+    std::vector<const CLI::Option*> given;
+    for (const auto* option :
+         command.get_options([](const auto* each) { return each->count() > 0; }))
+        given.push_back(option);
+    for (const auto* group :
+         command.get_subcommands([](const CLI::App* each) { return each->get_name().empty(); }))
+        std::ranges::copy(givenOptions(*group), std::back_inserter(given));
+    return given;
+}
+
+std::filesystem::path normal(const std::string& file) {
+    return std::filesystem::path(file).lexically_normal();
+}
+
+bool areSame(const std::filesystem::path& one, const std::filesystem::path& other) {
+    std::error_code fault;
+    return std::filesystem::is_regular_file(one, fault) &&
+           std::filesystem::equivalent(one, other, fault);
+}
+
+/// A recording is given as FILE@PLACE.
+bool names(const std::string& given, const std::filesystem::path& file) {
+    return areSame(file, given) || areSame(file, given.substr(0, given.rfind('@')));
+}
+
+} // namespace
 
 CLI::Validator numberBetween(double lowest, double highest) {
     std::ostringstream range;
@@ -15,6 +52,24 @@ CLI::Validator numberBetween(double lowest, double highest) {
             return "'" + given + "' is not a number from " + text;
         },
         range.str());
+}
+
+Result<void> checkWrittenFiles(const CLI::App& command) {
+    const auto options = givenOptions(command);
+    for (const auto* written : options)
+        for (const auto* other : options) {
+            if (written == other || !isWritten(*written))
+                continue;
+            const auto& file = written->results().front();
+            const bool areNew =
+                isWritten(*other) && normal(file) == normal(other->results().front());
+            if (areNew || std::ranges::any_of(other->results(), [&](const auto& given) {
+                    return names(given, file);
+                }))
+                return failure(file + ": " + written->get_name() + " would write over what " +
+                               other->get_name() + " names");
+        }
+    return {};
 }
 
 } // namespace idiophone

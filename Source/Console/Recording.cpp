@@ -21,7 +21,9 @@ double decibelsFullScale(double amplitude) {
 } // namespace
 
 void addRecordingOptions(CLI::App& command, RecordingFormat& format) {
-    command.add_option("-o,--output", format.file, "The WAV file to write")->required();
+    command.add_option("-o,--output", format.file, "The WAV file to write")
+        ->type_name(writtenFile)
+        ->required();
     command.add_option("--sample-rate", format.sampleRateHz, "In Hz")
         ->check(numberBetween(8000, 384000))
         ->capture_default_str();

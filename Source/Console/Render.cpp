@@ -1,6 +1,7 @@
 #include "Console/AssignedEffect.h"
 #include "Console/Command.h"
 #include "Console/ImpulseRender.h"
+#include "Console/OptionChecks.h"
 #include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/PresetChoice.h"
@@ -174,7 +175,8 @@ void addRender(CLI::App& program, Action& chosen) {
         ->needs(midi);
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
-    command->add_option("--stats", options->statistics, "A JSON file for figures of the rendering");
+    command->add_option("--stats", options->statistics, "A JSON file for figures of the rendering")
+        ->type_name(writtenFile);
     command->add_flag("--json", options->json, "Says the figures as JSON");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return render(*options); }; });

@@ -1,5 +1,6 @@
 #include "Console/AssignedEffect.h"
 #include "Console/Command.h"
+#include "Console/OptionChecks.h"
 #include "Console/OutputCheck.h"
 #include "Console/ParameterAssignments.h"
 #include "Console/SceneRender.h"
@@ -204,10 +205,14 @@ void addScene(CLI::App& program, Action& chosen) {
                         "A SOFA file of a measured head to hear it with, instead of a sphere");
     addRecordingOptions(*command, options->format);
     addParameterAssignments(*command, options->assignments);
-    command->add_option("--stats", options->statistics,
-                        "A JSON file for figures of the performance, frame by frame");
-    command->add_option("--impulses", options->impulses,
-                        "A file for the impacts, which `render --impulses` plays");
+    command
+        ->add_option("--stats", options->statistics,
+                     "A JSON file for figures of the performance, frame by frame")
+        ->type_name(writtenFile);
+    command
+        ->add_option("--impulses", options->impulses,
+                     "A file for the impacts, which `render --impulses` plays")
+        ->type_name(writtenFile);
     command->add_flag("--json", options->json, "Says the figures as JSON");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return perform(*options); }; });

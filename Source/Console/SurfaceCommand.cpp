@@ -74,7 +74,8 @@ void addSurface(CLI::App& program, Action& chosen) {
     auto options = std::make_shared<Options>();
     command->add_option("RECORDING", options->recording, "A WAV file, a quarter second or longer")
         ->required();
-    command->add_option("-o,--output", options->output, "The surface file (.json) to write");
+    command->add_option("-o,--output", options->output, "The surface file (.json) to write")
+        ->type_name(writtenFile);
     command->add_option("--speed", options->speedMetresPerSecond, "Of the recorded contact, in m/s")
         ->check(numberBetween(0.001, 100))
         ->capture_default_str();

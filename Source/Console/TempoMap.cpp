@@ -1,30 +1,35 @@
 #include "Console/TempoMap.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace idiophone {
 namespace {
 
 using Messages = std::vector<const juce::MidiMessage*>;
 
-void addAll(const MidiTracks& midi,
-            bool (juce::MidiMessage::*isWanted)() const,
-            Messages& messages) {
+template <class Wanted>
+void addAll(const MidiTracks& midi, Wanted isWanted, Messages& messages) {
     for (const auto& track : midi.tracks)
         for (const auto& message : track)
-            if ((message.*isWanted)())
+            if (isWanted(message))
                 messages.push_back(&message);
 }
 
 } // namespace
+
+// JUCE takes the three bytes of a tempo from wherever a shorter event ends.
+bool isTempo(const juce::MidiMessage& message) {
+    return message.isTempoMetaEvent() && message.getMetaEventLength() >= 3;
+}
 
 TempoMap::TempoMap(const MidiTracks& midi) : timeFormat(midi.timeFormat) {
     if (timeFormat < 0)
         return;
     // JUCE sums up to where the time signature changes too: other sums would round otherwise.
     Messages changes;
-    addAll(midi, &juce::MidiMessage::isTempoMetaEvent, changes);
-    addAll(midi, &juce::MidiMessage::isTimeSignatureMetaEvent, changes);
+    addAll(midi, isTempo, changes);
+    addAll(midi, std::mem_fn(&juce::MidiMessage::isTimeSignatureMetaEvent), changes);
     std::ranges::stable_sort(changes, {}, &juce::MidiMessage::getTimeStamp);
 
     const auto tickLength = 1.0 / (timeFormat & 0x7fff);
@@ -35,7 +40,7 @@ TempoMap::TempoMap(const MidiTracks& midi) : timeFormat(midi.timeFormat) {
         now.fromSeconds += (ticks - now.fromTicks) * now.secondsPerTick;
         now.fromTicks = ticks;
         for (; change != changes.end() && (*change)->getTimeStamp() == ticks; ++change)
-            if ((*change)->isTempoMetaEvent())
+            if (isTempo(**change))
                 now.secondsPerTick = tickLength * (*change)->getTempoSecondsPerQuarterNote();
         stretches.push_back(now);
     }

@@ -7,6 +7,9 @@
 
 namespace idiophone {
 
+/// Whether it tells a tempo, all of it.
+bool isTempo(const juce::MidiMessage& message);
+
 /// As juce::MidiFile::convertTimestampTicksToSeconds counts, to the same bits; that one goes
 /// through all changes of tempo for each message, which takes quadratic time.
 class TempoMap {

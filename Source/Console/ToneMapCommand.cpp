@@ -1,6 +1,7 @@
 #include "Analysis/ToneMap.h"
 #include "Console/Command.h"
 #include "Console/JsonText.h"
+#include "Console/OptionChecks.h"
 #include "Console/OutputCheck.h"
 #include "Geometry/ColourMap.h"
 #include "Geometry/MeshWriter.h"
@@ -120,7 +121,9 @@ void addToneMap(CLI::App& program, Action& chosen) {
         "map", "Colours an object's surface by how bright it sounds where it is struck");
     auto options = std::make_shared<Options>();
     command->add_option("OBJECT", options->object, "A .modal file")->required();
-    command->add_option("-o,--output", options->output, "The .ply file to write")->required();
+    command->add_option("-o,--output", options->output, "The .ply file to write")
+        ->type_name(writtenFile)
+        ->required();
     command->add_flag("--json", options->json, "Reports as JSON");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return mapObject(*options); }; });

@@ -1,24 +1,18 @@
 #include "Geometry/MeshWriter.h"
 
+#include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
 #include "Object/SameName.h"
 
-#include <fstream>
 #include <limits>
 #include <locale>
+#include <ostream>
 
 namespace idiophone {
 namespace {
 
 bool hasExtension(const std::filesystem::path& file, std::string_view extension) {
     return sameName(nameOf(file.extension()), extension);
-}
-
-std::ofstream openForNumbers(const std::filesystem::path& file) {
-    std::ofstream stream(file, std::ios::binary);
-    stream.imbue(std::locale::classic());
-    stream.precision(std::numeric_limits<double>::max_digits10);
-    return stream;
 }
 
 /// `figures` may be null.
@@ -54,9 +48,14 @@ void writeObj(const Mesh& mesh, std::ostream& stream) {
                << mesh.faces(i, 2) + 1 << '\n';
 }
 
-Result<void> closed(std::ofstream& stream, const std::filesystem::path& file) {
-    stream.close();
-    if (!stream)
+Result<void> replaceByNumbers(const std::filesystem::path& file,
+                              const std::function<void(std::ostream&)>& write) {
+    const bool isWritten = replaceFile(file, [&](std::ostream& stream) {
+        stream.imbue(std::locale::classic());
+        stream.precision(std::numeric_limits<double>::max_digits10);
+        write(stream);
+    });
+    if (!isWritten)
         return failure("The mesh file \"" + nameOf(file) + "\" cannot be written.");
     return {};
 }
@@ -68,12 +67,12 @@ Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file) {
     if (!isPly && !hasExtension(file, ".obj"))
         return failure("The mesh cannot be written to \"" + nameOf(file) +
                        "\": its extension is neither .obj nor .ply.");
-    auto stream = openForNumbers(file);
-    if (isPly)
-        writePly(mesh, nullptr, stream);
-    else
-        writeObj(mesh, stream);
-    return closed(stream, file);
+    return replaceByNumbers(file, [&](std::ostream& stream) {
+        if (isPly)
+            writePly(mesh, nullptr, stream);
+        else
+            writeObj(mesh, stream);
+    });
 }
 
 Result<void> writeColouredMesh(const Mesh& mesh,
@@ -82,9 +81,7 @@ Result<void> writeColouredMesh(const Mesh& mesh,
     if (!hasExtension(file, ".ply"))
         return failure("Colours cannot be written to \"" + nameOf(file) +
                        "\": its extension is not .ply.");
-    auto stream = openForNumbers(file);
-    writePly(mesh, &figures, stream);
-    return closed(stream, file);
+    return replaceByNumbers(file, [&](std::ostream& stream) { writePly(mesh, &figures, stream); });
 }
 
 } // namespace idiophone

@@ -33,6 +33,9 @@ std::uint64_t nextSerialNumber() {
 Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
                           const std::string& ofWhat,
                           const char* played) {
+    if (slots.size() > mostSlots)
+        return failure(ofWhat + " has " + std::to_string(slots.size()) + " " + played +
+                       ", more than the " + std::to_string(mostSlots) + " that can be played");
     std::size_t modes = 0;
     for (const auto& slot : slots)
         modes += slot.object->modeCount();

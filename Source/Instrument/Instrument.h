@@ -27,8 +27,10 @@ struct Key {
 /// Of all slots together: each has a bank of its own, of half a kilobyte a mode, so that a small
 /// file on 128 keys could take any memory.
 inline constexpr std::size_t mostModesOfSlots = std::size_t{1} << 21;
+/// And each slot takes as much again as thirty modes.
+inline constexpr std::size_t mostSlots = std::size_t{1} << 16;
 
-/// Refuses slots of more. The error says of what they are: a key map's object ("'plate'"), a scene,
+/// Refuses more slots, or slots of more modes. The error says of what they are: a key map's object ("'plate'"), a scene,
 /// a file; and on all of which it has too many.
 Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
                           const std::string& ofWhat,

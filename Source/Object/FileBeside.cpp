@@ -1,6 +1,7 @@
 #include "Object/FileBeside.h"
 
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 namespace idiophone {
@@ -18,9 +19,27 @@ bool makeNewFile(const std::filesystem::path& file) {
     return stream != nullptr && std::fclose(stream) == 0;
 }
 
+bool isProtected(const std::filesystem::path& file) {
+    using std::filesystem::perms;
+    std::error_code ignored;
+    const auto there = std::filesystem::status(file, ignored);
+    return std::filesystem::is_regular_file(there) &&
+           (there.permissions() &
+            (perms::owner_write | perms::group_write | perms::others_write)) == perms::none;
+}
+
+bool fill(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+    std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+    write(stream);
+    stream.close();
+    return !stream.fail();
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path& file) {
+    if (isProtected(file))
+        return std::nullopt;
     std::error_code ignored;
     for (int number = 1; number <= mostNames; ++number) {
         auto beside = file;
@@ -31,6 +50,31 @@ std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path&
             break;
     }
     return std::nullopt;
+}
+
+bool replaceFile(const std::filesystem::path& file,
+                 const std::function<void(std::ostream&)>& write) {
+    std::error_code fault;
+    const auto kind = std::filesystem::status(file, fault).type();
+    if (kind != std::filesystem::file_type::regular &&
+        kind != std::filesystem::file_type::not_found)
+        return fill(file, write);
+    // Where it is a link to a file, the link stays.
+    auto place = std::filesystem::canonical(file, fault);
+    if (fault)
+        place = file;
+    const auto beside = makeFileBeside(place);
+    if (!beside)
+        return false;
+    fault.clear();
+    const bool isComplete = fill(*beside, write);
+    if (isComplete)
+        std::filesystem::rename(*beside, place, fault);
+    if (!isComplete || fault) {
+        std::filesystem::remove(*beside, fault);
+        return false;
+    }
+    return true;
 }
 
 } // namespace idiophone

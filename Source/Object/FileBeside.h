@@ -2,12 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <ostream>
 
 namespace idiophone {
 
 /// Makes an empty file beside `file`, of a name that no file had: the caller's to fill, and to
-/// rename or remove. Nothing where none can be made.
+/// rename or remove. Nothing where none can be made, or `file` is protected from being written.
 std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path& file);
+
+/// Makes `file` what `write` writes, through a file beside it that takes its place once it is
+/// complete. False where that fails: what was there stays. A device or a pipe is written as it is.
+bool replaceFile(const std::filesystem::path& file,
+                 const std::function<void(std::ostream&)>& write);
 
 } // namespace idiophone

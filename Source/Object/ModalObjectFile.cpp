@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 namespace idiophone {
 namespace {
@@ -318,20 +318,12 @@ Result<void> writeModalObject(const ModalObject& object,
     }
     if (!safetensors::hasReadableHeader(bytes))
         return refuse("the object's texts are too long for a file");
-    const auto temporary = makeFileBeside(file);
-    if (!temporary)
+    const bool isWritten = replaceFile(file, [&](std::ostream& stream) {
+        stream.write(reinterpret_cast<const char*>(bytes.data()),
+                     static_cast<std::streamsize>(bytes.size()));
+    });
+    if (!isWritten)
         return refuse("the file cannot be written");
-    std::ofstream stream(*temporary, std::ios::binary | std::ios::trunc);
-    stream.write(reinterpret_cast<const char*>(bytes.data()),
-                 static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    std::error_code fault;
-    if (stream)
-        std::filesystem::rename(*temporary, file, fault);
-    if (!stream || fault) {
-        std::filesystem::remove(*temporary, fault);
-        return refuse("the file cannot be written");
-    }
     return {};
 }
 

@@ -1,8 +1,7 @@
 #include "Object/TextFile.h"
 
+#include "Object/FileBeside.h"
 #include "Object/FileBytes.h"
-
-#include <fstream>
 
 namespace idiophone {
 
@@ -13,10 +12,7 @@ Result<std::string> readTextFile(const std::filesystem::path& file, std::uintmax
 }
 
 Result<void> writeTextFile(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-    stream << text;
-    stream.close();
-    if (!stream)
+    if (!replaceFile(file, [&](std::ostream& stream) { stream << text; }))
         return failure(shownNameOf(file) + ": the file cannot be written");
     return {};
 }

@@ -14,7 +14,7 @@ namespace idiophone {
 Result<std::string> readTextFile(const std::filesystem::path& file,
                                  std::uintmax_t limitBytes = std::uintmax_t{1} << 28);
 
-/// Writes the text; the error names a file that cannot be written.
+/// Writes the text, as `replaceFile` does; the error names a file that cannot be written.
 Result<void> writeTextFile(const std::filesystem::path& file, const std::string& text);
 
 } // namespace idiophone

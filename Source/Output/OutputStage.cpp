@@ -1,6 +1,7 @@
 #include "Output/OutputStage.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,7 @@ namespace {
 /// 100 dB, more than from one end of the parameter to the other. Levels that are turned down and
 /// sounds that change, over and over while the room rings, would come there.
 constexpr float farthestOwnLevel = 1e5f;
+constexpr std::size_t cell = 64; ///< of the grid on which it is looked for silence
 
 float gainOf(const ParameterValues& values) {
     return juce::Decibels::decibelsToGain(static_cast<float>(values[ParameterId::level]));
@@ -39,6 +41,7 @@ void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
 
 void OutputStage::reset() noexcept {
     startsAtTarget = true;
+    gridPosition = 0;
     forgetChanges();
     room.reset();
 }
@@ -62,14 +65,14 @@ float OutputStage::changeSound(const ParameterValues& values, double fadeSeconds
         return 1;
     const float before = ownLevel.getCurrentValue() * level.getCurrentValue();
     const float now = gainOf(values);
-    highestLevel = level.getCurrentValue();
-    ownLevelAtChange = now / highestLevel;
+    ownLevelAtChange = now / level.getCurrentValue();
     if (ownLevelAtChange > farthestOwnLevel)
         room.reset();
     if (room.silent())
         forgetChanges();
     level.setCurrentAndTargetValue(now / ownLevelAtChange);
     ownLevel.setCurrentAndTargetValue(ownLevelAtChange);
+    highestLevel = level.getCurrentValue(); // in a silent room, too: what fades yet may ring there
     heldSamples = static_cast<std::size_t>(fadeSeconds * samplesPerSecond) + 1;
     return before / now;
 }
@@ -80,7 +83,32 @@ bool OutputStage::process(std::span<const float> left,
                           const ParameterValues& values) noexcept {
     if (left.empty() || channels.empty())
         return true;
-    if (room.silent() && !ownLevel.isSmoothing() && !level.isSmoothing() && heldSamples == 0)
+    std::array<float*, 2> rest{};
+    const auto count = std::min(channels.size(), rest.size());
+    for (std::size_t start = 0, length = 0; start < left.size(); start += length) {
+        length = std::min(left.size() - start, cell - gridPosition);
+        if (heldSamples > 0)
+            length = std::min(length, heldSamples);
+        for (std::size_t channel = 0; channel < count; ++channel)
+            rest[channel] = channels[channel] + start;
+        if (!processPiece(left.subspan(start, length), right.subspan(start, length),
+                          std::span(rest).first(count), values)) {
+            for (float* channel : channels)
+                std::fill_n(channel, left.size(), 0.0f);
+            reset();
+            return false;
+        }
+        gridPosition = (gridPosition + length) % cell;
+    }
+    return true;
+}
+
+bool OutputStage::processPiece(std::span<const float> left,
+                               std::span<const float> right,
+                               std::span<float* const> channels,
+                               const ParameterValues& values) noexcept {
+    if (gridPosition == 0 && room.silent() && !ownLevel.isSmoothing() && !level.isSmoothing() &&
+        heldSamples == 0)
         moveLevelBehindRoom();
     if (heldSamples == 0) {
         const float wanted = gainOf(values);
@@ -96,14 +124,9 @@ bool OutputStage::process(std::span<const float> left,
     startsAtTarget = false;
 
     spread(room.process(atOwnLevel({left, right}), values), channels);
-    if (std::ranges::all_of(channels, [&](const float* channel) {
-            return allFinite({channel, left.size()});
-        }))
-        return true;
-    for (float* channel : channels)
-        std::fill_n(channel, left.size(), 0.0f);
-    room.reset();
-    return false;
+    return std::ranges::all_of(channels, [&](const float* channel) {
+        return allFinite({channel, left.size()});
+    });
 }
 
 Room::Sound OutputStage::atOwnLevel(const Room::Sound& sound) noexcept {

@@ -37,7 +37,7 @@ public:
     /// the room adds. Of two, the first gets M + wS and the second M − wS, where M = (L + R)/2, S =
     /// (L − R)/2 and w is the width; one gets M. Left may be the first of them and right the
     /// second. Values act from the block's first sample on. False where a sample would not be
-    /// finite: the block is silent then, and nothing sounds on in the room.
+    /// finite: the block is silent then, and the next one comes as after a reset.
     bool process(std::span<const float> left,
                  std::span<const float> right,
                  std::span<float* const> channels,
@@ -51,6 +51,10 @@ public:
     bool silent() const noexcept { return room.silent(); }
 
 private:
+    bool processPiece(std::span<const float> left,
+                      std::span<const float> right,
+                      std::span<float* const> channels,
+                      const ParameterValues& values) noexcept;
     Room::Sound atOwnLevel(const Room::Sound& sound) noexcept;
     void forgetChanges() noexcept;
     void moveLevelBehindRoom() noexcept;
@@ -61,7 +65,8 @@ private:
     /// rings there of older sounds has not; nor does the second rise until the room is silent.
     juce::SmoothedValue<float> ownLevel, level;
     float ownLevelAtChange = 1, highestLevel = 0;
-    std::size_t heldSamples = 0; ///< the level stays until then
+    std::size_t heldSamples = 0;  ///< the level stays until then
+    std::size_t gridPosition = 0; ///< of the next sample
     double samplesPerSecond = 44100;
     juce::SmoothedValue<float> open, width; ///< `open`: 0 in bypass, else 1
     std::vector<float> ownLeft, ownRight;

@@ -252,8 +252,10 @@ PresetCollection::save(Sound sound,
             // What the steps keep of the preset as it was until now may be saved over it, too; not
             // what they keep of it from before somebody else wrote it.
             history.renewSounds([&](Sound& known) {
-                if (known.presetId == id && known.presetContent == replaced)
-                    known.presetContent = sound.presetContent;
+                if (known.presetId != id || known.presetContent != replaced)
+                    return;
+                known.presetContent = sound.presetContent;
+                known.stored = sound.stored;
             });
             readPresets();
         });

@@ -185,7 +185,7 @@ private:
               std::unique_ptr<Player> player,
               const std::function<void()>& loadValues);
     void handOver(std::unique_ptr<Player> player, const std::function<void()>& loadValues);
-    void tuneTo(const ScalaTuning& wanted, const KeyTuning& keys);
+    void tuneTo(ScalaTuning wanted, const KeyTuning& keys);
     void recordTuning(const std::string& step, const ScalaTuning& before, const ScalaTuning& after);
     Result<std::unique_ptr<Player>> newPlayer(const std::shared_ptr<const Instrument>& instrument,
                                               const Preset& preset,

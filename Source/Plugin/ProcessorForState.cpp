@@ -8,6 +8,7 @@
 #include "Plugin/WithinMemory.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace idiophone {
 
@@ -88,11 +89,12 @@ Result<void> Processor::restore(const State& state) {
     auto player = newPlayer(*built, preset, state.parameters);
     if (!player)
         return tl::unexpected(player.error());
+    auto tuning = state.tuning;
     engineVersion = state.engineVersion;
     unknownOfSound = state.unknownOfSound;
     unknownOfInstance = state.unknownOfInstance;
     play(std::move(preset), std::move(*built), std::move(*player), [&] {
-        tuneTo(state.tuning, *keys);
+        tuneTo(std::move(tuning), *keys);
         tuner.forgetMessages(); // the state knows of none
         forgetsGivenBends = true;
         controllers.assign(state.controllers);

@@ -3,6 +3,8 @@
 #include "Plugin/FileKinds.h"
 #include "Plugin/Processor.h"
 
+#include <utility>
+
 namespace idiophone {
 
 bool Processor::isTuningFile(const std::filesystem::path& file) const {
@@ -62,14 +64,14 @@ void Processor::recordTuning(const std::string& step,
     tellHost();
 }
 
-/// Under soundMutex.
-void Processor::tuneTo(const ScalaTuning& wanted, const KeyTuning& keys) {
+/// Under soundMutex. Makes no copy of the texts: where it is a part of a hand-over, nothing fails.
+void Processor::tuneTo(ScalaTuning wanted, const KeyTuning& keys) {
     giveUpRefused();
-    scala = wanted;
+    scala = std::move(wanted);
     ownKeys = keys;
     if (instrument != nullptr)
         semitonesBelowTuned = semitonesBelowEqual(*instrument, keys);
-    tuner.setOwn(wanted.isGiven() ? std::optional(keys) : std::nullopt);
+    tuner.setOwn(scala.isGiven() ? std::optional(keys) : std::nullopt);
 }
 
 TuningStatus Processor::tuningStatus() const {

@@ -25,12 +25,14 @@ void SoundHistory::willChange(ParameterId parameter) {
 }
 
 void SoundHistory::endGesture(ParameterId parameter) {
+    followHolder();
     gestures.reset(static_cast<std::size_t>(parameter));
     if (gestures.none() && openEdits == 0)
         closeEdit();
 }
 
 void SoundHistory::endAllGestures() {
+    followHolder();
     gestures.reset();
     openEdits = 0;
     closeEdit();
@@ -46,6 +48,7 @@ void SoundHistory::beginEdit(const std::string& name) {
 }
 
 void SoundHistory::endEdit() {
+    followHolder();
     if (openEdits == 0 || --openEdits > 0)
         return;
     closeEdit();

@@ -19,6 +19,7 @@ constexpr int sectors = 20; // of a ring
 constexpr int mostHullVertices = 72;
 constexpr double marginShare = 0.01; // of a shape's smallest measure
 constexpr double mostMarginMetres = 5e-4;
+constexpr double mostMarginOfDepth = 0.1; // from the middle to the nearest face
 
 /// All where there are few, or else those that lie farthest in each of some directions, which are
 /// spread over the sphere along a spiral.
@@ -90,11 +91,12 @@ CollisionShape::CollisionShape(const RigidBodyModel& model) {
 
 /// As large as the points with Bullet's margin, by which it lies inside them.
 btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& points) {
-    const double margin =
-        std::min(mostMarginMetres, marginShare * boundingBox(points).sizes().minCoeff());
     btConvexHullComputer computer;
-    computer.compute(points.front().data(), sizeof(Eigen::Vector3d),
-                     static_cast<int>(points.size()), margin, 0);
+    // Of what is thinner than its box, being askew in it, the margin is smaller.
+    const double margin = computer.compute(
+        points.front().data(), sizeof(Eigen::Vector3d), static_cast<int>(points.size()),
+        std::min(mostMarginMetres, marginShare * boundingBox(points).sizes().minCoeff()),
+        mostMarginOfDepth);
     auto* shape = own<btConvexHullShape>();
     for (const auto& corner : fewer(computer.vertices))
         shape->addPoint(corner, false);
@@ -189,6 +191,9 @@ btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
                              : mostMarginMetres);
     auto& map = *edges.emplace_back(std::make_unique<btTriangleInfoMap>());
+    // Corners that are one have the same bits. By its own measure, a tenth of a millimetre, Bullet
+    // leaves out all faces smaller than half a square centimetre.
+    map.m_equalVertexThreshold = 1e-24;
     btGenerateInternalEdgeInfo(shape, &map);
     return shape;
 }

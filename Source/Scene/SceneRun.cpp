@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <queue>
 #include <utility>
 
 namespace idiophone {
@@ -119,38 +121,51 @@ void SceneRun::planNotes() {
     const auto& drop = *scene.noteDrop;
     auto& notes = call.notes;
     std::ranges::stable_sort(notes, {}, &SceneNote::seconds);
-    struct Taken {
-        std::size_t slot;
-        double until;
-    };
-    std::vector<Taken> taken;
+    const auto outer = outerVertices(*cast->roles()[drop.kind].kind.model);
     std::uint32_t number = firstNote;
+    const auto first = std::ssize(coming);
     for (const auto& note : notes) {
         if (!cast->target(note.note)) {
             ++counted.notesLeftOut;
             continue;
         }
         double fallSeconds = 0;
-        const auto motion = falling(note, number++, fallSeconds);
-        const double begins = note.seconds - fallSeconds;
+        const auto motion = falling(note, number++, outer, fallSeconds);
         const double ends = note.seconds + drop.lifeSeconds;
-        auto free = std::ranges::find_if(
-            taken, [&](const Taken& one) { return one.until + ringingSeconds < begins; });
-        if (free == taken.end())
-            free = taken.insert(taken.end(), {.slot = newSlot(drop.kind), .until = 0});
-        free->until = ends;
-        coming.push_back({.seconds = begins,
+        coming.push_back({.seconds = note.seconds - fallSeconds,
                           .role = drop.kind,
-                          .slot = free->slot,
+                          .slot = noSlot,
                           .motion = motion,
                           .lastsUntil = ends});
         overSeconds = std::max(overSeconds, ends);
+    }
+    const std::span fallen(coming.begin() + first, coming.end());
+    std::ranges::stable_sort(fallen, {}, &Coming::seconds);
+    shareSlots(fallen);
+}
+
+/// Each has the first slot that is free when it comes.
+void SceneRun::shareSlots(std::span<Coming> ofOneRole) {
+    using Leaving = std::pair<double, std::size_t>; // when, and from which slot
+    std::priority_queue<Leaving, std::vector<Leaving>, std::greater<>> taken;
+    std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> free;
+    for (auto& one : ofOneRole) {
+        for (; !taken.empty() && taken.top().first < one.seconds; taken.pop())
+            free.push(taken.top().second);
+        if (free.empty())
+            free.push(newSlot(one.role));
+        one.slot = free.top();
+        free.pop();
+        taken.emplace(one.lastsUntil + ringingSeconds, one.slot);
     }
 }
 
 /// From rest, turned somehow, so high that its lowest point meets the target at a speed that grows
 /// evenly with the velocity.
-BodyMotion SceneRun::falling(const SceneNote& note, std::uint32_t number, double& fallSeconds) {
+BodyMotion SceneRun::falling(const SceneNote& note,
+                             std::uint32_t number,
+                             std::span<const Eigen::Vector3d> outer,
+                             double& fallSeconds) {
     const auto& drop = *scene.noteDrop;
     const double gravity = std::max(scene.gravityMetresPerSecond2, 1e-3);
     const double slowest = std::sqrt(2 * gravity * drop.softestMetres);
@@ -163,18 +178,13 @@ BodyMotion SceneRun::falling(const SceneNote& note, std::uint32_t number, double
     auto place = *cast->target(note.note);
     for (int axis = 0; axis < 2; ++axis)
         place(axis) += drop.reachMetres(axis) * chance.spread();
-    place.z() += speed * fallSeconds / 2 - lowestPoint(drop.kind, turn);
-    return {.pose = posed(*cast->roles()[drop.kind].kind.model, place, turn)};
-}
-
-/// Of a body whose centre of mass is at 0, negative.
-double SceneRun::lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const {
-    const auto& model = *cast->roles()[role].kind.model;
-    const auto pose = posed(model, Eigen::Vector3d::Zero(), turn);
-    double lowest = 0;
-    for (const auto& vertex : outerVertices(model))
-        lowest = std::min(lowest, (pose * vertex).z());
-    return lowest;
+    const auto& model = *cast->roles()[drop.kind].kind.model;
+    const auto about = posed(model, Eigen::Vector3d::Zero(), turn);
+    double lowest = 0; // of a body whose centre of mass is at 0
+    for (const auto& vertex : outer)
+        lowest = std::min(lowest, (about * vertex).z());
+    place.z() += speed * fallSeconds / 2 - lowest;
+    return {.pose = posed(model, place, turn)};
 }
 
 // A step that begins at t reports blows since t less a step.

@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace idiophone {
@@ -108,8 +109,11 @@ private:
     std::size_t newSlot(std::size_t role);
     void planReleases();
     void planNotes();
-    BodyMotion falling(const SceneNote& note, std::uint32_t number, double& fallSeconds);
-    double lowestPoint(std::size_t role, const Eigen::Quaterniond& turn) const;
+    BodyMotion falling(const SceneNote& note,
+                       std::uint32_t number,
+                       std::span<const Eigen::Vector3d> outer,
+                       double& fallSeconds);
+    void shareSlots(std::span<Coming> ofOneRole);
     void step();
     void takeHand();
     std::span<const Touch> withHand(double from, double until);

@@ -399,32 +399,80 @@ class BadArguments(ConsoleTest):
         self.refuse("mesh", "cow", "-o", self.folder / "cow.obj", naming="cow")
 
 
+class WrittenFiles(ConsoleTest):
+    """No command writes over what the same command line names otherwise."""
+
+    def refuse_to_write_over(self, file, *command, option="-o"):
+        before = file.read_bytes()
+        for spelled in (file, f"{file.parent}/./{file.name}"):
+            self.refuse(*command, option, spelled, naming=spelled, saying="would write over what")
+            self.assertEqual(file.read_bytes(), before)
+
+    def test_what_is_read(self):
+        mesh = self.write("bar.obj", "")
+        self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
+        self.refuse_to_write_over(mesh, "analyse", mesh)
+        bar = self.write("bar.modal", BAR.read_bytes())
+        self.refuse_to_write_over(bar, "strike", bar)
+        self.refuse_to_write_over(bar, "map", bar)
+        song = self.write("song.mid", midi_file(note(0, 60)))
+        render = ("render", "--preset", "Marimba", "--midi", song)
+        self.refuse_to_write_over(song, *render)
+        self.refuse_to_write_over(song, *render, "-o", self.folder / "x.wav", option="--stats")
+        sound = self.folder / "bar.wav"
+        self.succeed("strike", BAR, "--seconds", 0.5, "-o", sound)
+        self.refuse_to_write_over(sound, "surface", sound)
+        self.refuse_to_write_over(sound, "fit", f"{sound}@0,0,0", "--mesh", mesh)
+        impulses = self.write("blows.jsonl", "{}")
+        self.refuse_to_write_over(impulses, "render", "--impulses", impulses)
+
+    def test_what_is_written_too(self):
+        song = self.write("song.mid", midi_file(note(0, 60)))
+        new = self.folder / "new"
+        self.refuse("render", "--preset", "Marimba", "--midi", song, "-o", new, "--stats", new,
+                    naming=new, saying="would write over what")
+
+    @unittest.skipIf(sys.platform == "win32", "links need a right there")
+    def test_a_link_is_what_it_leads_to(self):
+        bar = self.write("bar.modal", BAR.read_bytes())
+        link = self.folder / "link"
+        link.symlink_to(bar)
+        self.refuse_to_write_over(bar, "strike", link)
+
+    def test_a_protected_file(self):
+        mesh = self.write("mine.obj", "mine")
+        mesh.chmod(0o444)
+        self.refuse("mesh", "bar", "-o", mesh, naming=mesh, saying="written")
+        self.refuse("strike", BAR, "-o", mesh, naming=mesh, saying="written")
+        self.assertEqual(mesh.read_bytes(), b"mine")
+
+
 @unittest.skipIf(sys.platform == "win32", "limits of POSIX")
 class FullDisks(ConsoleTest):
     """There is room for all but the last bytes of what a command writes."""
 
-    def refuse_last_bytes(self, output, *command, keeps):
+    def refuse_last_bytes(self, output, *command):
         output = self.folder / output
         self.succeed(*command, "-o", output)
         written = output.read_bytes()
         for missing in (64, len(written) // 2, len(written)):
             self.refuse(*command, "-o", output, naming=output, saying="written",
                         largest_file_bytes=len(written) - missing)
-            if keeps:
-                self.assertEqual(output.read_bytes(), written, "what was there stays")
+            self.assertEqual(output.read_bytes(), written, "what was there stays")
 
     def test_sound(self):
         strike = ("strike", BAR, "--seconds", 0.1)
         for bits in (16, 24, 32):
-            self.refuse_last_bytes("bar.wav", *strike, "--bit-depth", bits, keeps=True)
+            self.refuse_last_bytes("bar.wav", *strike, "--bit-depth", bits)
 
     def test_objects(self):
         mesh = self.folder / "bar.obj"
         self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
-        self.refuse_last_bytes("bar.modal", "analyse", mesh, keeps=True)
+        self.refuse_last_bytes("bar.modal", "analyse", mesh)
 
     def test_meshes(self):
-        self.refuse_last_bytes("bar.obj", "mesh", "bar", keeps=False)
+        self.refuse_last_bytes("bar.obj", "mesh", "bar")
+        self.refuse_last_bytes("map.ply", "map", BAR)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "no device that is always full")
     def test_the_standard_output(self):

@@ -144,6 +144,13 @@ class Render(ConsoleTest):
         plain = self.song([tempo(0, 500000)] + fast, name="plain.mid")
         self.assert_same_sound(with_map, plain)
 
+    def test_a_tempo_without_its_bytes_is_none(self):
+        notes = note(0, 72) + note(480, 84)
+        plain = self.song(notes, name="plain.mid")
+        text = (0, b"\xff\x01\x28" + b"\x01\x86\xa0" * 13 + b"x")
+        for cut in (b"\xff\x51\x00", b"\xff\x51\x02\x01\x86"):
+            self.assert_same_sound(self.song([text, (0, cut)] + notes), plain)
+
     def test_smpte_time_is_followed(self):
         beats = self.song([tempo(0, 500000)] + note(0, 72, length=48) + note(96, 84, length=48),
                           division=480)

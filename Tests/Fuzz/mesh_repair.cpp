@@ -1,31 +1,12 @@
-// What repair and checks make of meshes that no modeller would write: corners on a lattice of few
-// points, so that faces meet, fold, repeat and pass through each other.
+// What repair, checks and subdivision make of meshes that no modeller would write.
 #include "Fuzz/FuzzTarget.h"
+#include "Fuzz/LatticeMesh.h"
 #include "Geometry/MeshCheck.h"
 #include "Geometry/MeshRepair.h"
+#include "Geometry/Subdivision.h"
 
 namespace idiophone::fuzz {
 namespace {
-
-constexpr std::size_t mostVertices = 64, mostFaces = 200;
-
-/// A byte that says how many vertices there are, three bytes for each, then three for each face.
-Mesh latticeMesh(std::string_view bytes) {
-    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    const auto vertices = 1 + at(0) % mostVertices;
-    Mesh mesh{Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(vertices), 3), {}};
-    std::size_t next = 1;
-    for (std::size_t i = 0; i < vertices * 3 && next < bytes.size(); ++i, ++next)
-        // Fourths of a lattice's step are off it by less than repair welds, or by more.
-        mesh.vertices(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
-            (at(next) & 15) + (at(next) >> 6) * (at(next) & 32 ? 0.25 : 1e-7);
-    const auto faces = std::min(mostFaces, (bytes.size() - next) / 3);
-    mesh.faces.resize(static_cast<Eigen::Index>(faces), 3);
-    for (std::size_t i = 0; i < faces * 3; ++i, ++next)
-        mesh.faces(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
-            static_cast<int>(at(next) % vertices);
-    return mesh;
-}
 
 void claimUsable(const Mesh& mesh) {
     claim(mesh.faceCount() > 0 && mesh.vertices.allFinite(), "a repaired mesh has faces");
@@ -48,6 +29,13 @@ void claimPlausible(const Mesh& mesh) {
           "a solid fits into its bounding box");
 }
 
+void claimSmooth(const Mesh& mesh) {
+    const auto fine = subdivided(mesh, 1);
+    claim(fine.vertices.allFinite() && fine.faces.minCoeff() >= 0 &&
+              fine.faces.maxCoeff() < fine.vertexCount(),
+          "what was subdivided has faces between vertices");
+}
+
 } // namespace
 
 void examine(std::string_view bytes) {
@@ -68,6 +56,8 @@ void examine(std::string_view bytes) {
     claim(cut.has_value(), "what can be repaired can be cut");
     claimUsable(cut->mesh);
     claimManifold(cut->mesh);
+    for (const auto* each : {&mesh, &repaired->mesh, &cut->mesh})
+        claimSmooth(*each);
 }
 
 } // namespace idiophone::fuzz

@@ -3,6 +3,7 @@
 #include "Console/TempoMap.h"
 #include "Fuzz/FuzzTarget.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace idiophone::fuzz {
@@ -34,11 +35,18 @@ void claimTracksOfJuce(std::string_view bytes) {
               "a track has the messages that JUCE finds");
 }
 
+/// Which JUCE reads as a tempo of bytes that it does not have.
+bool isHalfTempo(const juce::MidiMessage& message) {
+    return message.isTempoMetaEvent() && !isTempo(message);
+}
+
 /// Of a song, to the same bits.
 void claimTimesOfJuce(std::string_view bytes) {
     auto juces = readByJuce(bytes);
     const auto midi = readMidiTracks(bytes);
-    if (!juces || !midi)
+    if (!juces || !midi || std::ranges::any_of(midi->tracks, [](const auto& track) {
+            return std::ranges::any_of(track, isHalfTempo);
+        }))
         return;
     const TempoMap tempo(*midi);
     juces->convertTimestampTicksToSeconds();

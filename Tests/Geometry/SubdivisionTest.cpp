@@ -30,6 +30,31 @@ TEST_CASE("Vertices without a face are left out of what is subdivided") {
     CHECK(subdivided(mesh, 1).vertices == whole.vertices);
 }
 
+TEST_CASE("Faces that disagree on a side, and such as have a corner twice, stay as they are") {
+    constexpr int around = 40;
+    Eigen::MatrixXi strip(2 * around, 3); // of Möbius, on vertices i and around + i
+    for (int i = 0; i < around; ++i) {
+        const int next = (i + 1) % around;
+        const int near = next == 0 ? around : next, far = next == 0 ? 0 : around + next;
+        strip.row(2 * i) << i, near, around + i;
+        strip.row(2 * i + 1) << near, far, around + i;
+    }
+    for (const Eigen::MatrixXi& faces :
+         {Eigen::MatrixXi{{0, 1, 2}, {1, 2, 3}}, strip, Eigen::MatrixXi{{0, 1, 2}, {2, 1, 1}}}) {
+        const Mesh mesh{Eigen::MatrixXd::Random(2 * around, 3), faces};
+        CHECK(subdivided(mesh, 2).faces == mesh.faces);
+    }
+}
+
+TEST_CASE("Fans that share a vertex are subdivided like others") {
+    const Mesh mesh{
+        Eigen::MatrixXd::Random(9, 3),
+        Eigen::MatrixXi{{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 6, 7}, {0, 7, 8}, {0, 8, 6}}};
+    const auto fine = subdivided(mesh, 2);
+    CHECK(fine.faceCount() == 16 * mesh.faceCount());
+    CHECK(fine.vertices.allFinite());
+}
+
 TEST_CASE("Faces that meet three in an edge stay as they are") {
     const Mesh mesh{.vertices = Eigen::MatrixXd::Random(5, 3),
                     .faces = (Eigen::MatrixXi(3, 3) << 0, 1, 2, 1, 0, 3, 0, 1, 4).finished()};

@@ -94,6 +94,18 @@ TEST_CASE("An instrument has a bounded number of modes on all keys together") {
     CHECK(Instrument::build(keyMap(KeyMapKind::zones, 0, 127, "crowd"), library));
 }
 
+TEST_CASE("There is a bounded number of slots, however few modes they have") {
+    const SynthesiserSlot slot{.object =
+                                   std::make_shared<const ModalObject>(syntheticObject({440}))};
+    std::vector<SynthesiserSlot> slots(mostSlots, slot);
+    CHECK(boundedSlots(slots, "heap.jsonl", "bodies"));
+    slots.push_back(slot);
+    const auto bounded = boundedSlots(slots, "heap.jsonl", "bodies");
+    REQUIRE_FALSE(bounded);
+    CHECK(bounded.error().message ==
+          "heap.jsonl has 65537 bodies, more than the 65536 that can be played");
+}
+
 TEST_CASE("Zones move the strike along the path as the keys go up") {
     ObjectLibrary library;
     const auto kept = library.add("square", syntheticObject({200}));

@@ -120,6 +120,60 @@ TEST_CASE(
         REQUIRE_THAT(dry.left[i], WithinAbs(gain * burst.left[i], 1e-5));
 }
 
+TEST_CASE("What fades into the room of another sound is raised by no level that is turned up") {
+    const double former = GENERATE(5.3, -22.8), next = GENERATE(-41.0, -55.0);
+    const std::size_t blockSize = GENERATE(32, 480);
+    PreparedStage stage;
+    const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};
+    processed(stage, sine(4800), blockSize, valuesWith(former)); // in no room
+    constexpr std::size_t fadeSamples = 240;
+    const float before = stage.changeSound(inRoom(next), fadeSamples / rateHz);
+    auto fading = sine(fadeSamples);
+    for (std::size_t i = 0; i < fadeSamples; ++i)
+        fading[i] *= before * (1 - static_cast<float>(i) / fadeSamples);
+    processed(stage, Stereo{fading, fading}, fadeSamples, inRoom(next));
+    const auto tail = processed(stage, nothing, blockSize, inRoom(former));
+    const auto most = static_cast<float>(std::pow(10, former / 20));
+    CHECK(std::ranges::all_of(tail.left, [&](float x) { return std::abs(x) <= most; }));
+    CHECK(std::ranges::any_of(tail.left, [&](float x) { return std::abs(x) > 1e-4f * most; }));
+}
+
+TEST_CASE("Where a room falls silent and is played in again, blocks of any size have one level") {
+    const auto room = [](double levelDecibels) {
+        auto values = inRoom(levelDecibels);
+        values.set(ParameterId::roomDecay, 0.4);
+        return values;
+    };
+    constexpr std::size_t blockSize = 4096;
+    const auto begun = [&](PreparedStage& stage) {
+        processed(stage, Stereo{sine(blockSize), sine(blockSize, 700)}, 64, room(5));
+        stage.changeSound(room(-30));
+    };
+    PreparedStage measured;
+    begun(measured);
+    std::size_t silentAfter = 0; // which is when it is played in again
+    const Stereo cell{std::vector<float>(64), std::vector<float>(64)};
+    for (; !measured.silent(); silentAfter += 64)
+        processed(measured, cell, 64, room(-30));
+    const auto blocks = silentAfter / blockSize + 2;
+    Stereo input{std::vector<float>(blocks * blockSize), std::vector<float>(blocks * blockSize)};
+    const auto burst = sine(blocks * blockSize - silentAfter - 64);
+    std::ranges::copy(burst, input.left.end() - std::ssize(burst));
+    std::ranges::copy(burst, input.right.end() - std::ssize(burst));
+
+    PreparedStage fine, coarse;
+    Stereo expected, found;
+    for (auto* stage : {&fine, &coarse}) {
+        begun(*stage);
+        auto& heard = stage == &fine ? expected : found;
+        const auto size = stage == &fine ? std::size_t{64} : blockSize;
+        processed(*stage, input, size, room(-30));
+        const Stereo nothing{std::vector<float>(9600), std::vector<float>(9600)};
+        heard = processed(*stage, nothing, size, room(-10));
+    }
+    CHECK(expected == found);
+}
+
 TEST_CASE("However often levels move and sounds change while a room rings, the level is right") {
     PreparedStage stage;
     const auto loud = inRoom(24), soft = inRoom(-60);

@@ -245,6 +245,9 @@ TEST_CASE("What this window saves or renames is known to the sounds that it keep
     CHECK(processor.parameterValue(tau) != 5);
     CHECK(shelf.soundDetails().name == name);
     CHECK(shelf.chosenPreset() == name + ".json");
+    CHECK(shelf.soundIsChanged()); // from what the file has now
+    processor.changeParameter(tau, 5);
+    CHECK_FALSE(shelf.soundIsChanged());
     processor.changeParameter(tau, 7);
     REQUIRE(shelf.saveChosenPreset());
     Processor other;

@@ -179,6 +179,19 @@ TEST_CASE("Programs that MIDI asks for are one step, which leads back to what wa
         history.undo();
         CHECK(saved(processor) == before);
     }
+    SECTION("while a hand is at a parameter that it only lets go of then") {
+        processor.beginParameterChange(tau);
+        processor.changeParameter(tau, 5);
+        const auto held = saved(processor);
+        ask(3);
+        processor.endParameterChange(tau);
+        history.undo();
+        CHECK(saved(processor) == held);
+        history.undo();
+        CHECK(saved(processor) == before);
+        history.redo();
+        CHECK(saved(processor) == held);
+    }
     SECTION("before the host loads something") {
         ask(3);
         processor.setCurrentProgram(5);

@@ -171,6 +171,53 @@ TEST_CASE("A ball rolls within a bowl, near its wall, from one side to the other
     CHECK(farthestLeft < -0.7 * inside * std::sin(angle));
 }
 
+TEST_CASE("What rolls over a flat surface of fine faces seldom feels their edges") {
+    const double speed = GENERATE(0.1, 0.4, 1.0), metres = 0.2;
+    RigidWorld world(
+        {kindOf(objectOf(sheetMesh(0.4, 0.4, 10'000), "Steel"), BodyForm::surface, true, {}),
+         ballKind(ballRadius)},
+        stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto ball = world.add(1, at({-metres / 2, 0.0123, ballRadius}, {speed, speed / 7, 0},
+                                      {-speed / 7 / ballRadius, speed / ballRadius, 0}));
+    std::size_t blows = 0;
+    while (world.seconds() < metres / speed) {
+        world.step();
+        blows += world.impacts().size();
+        CHECK_THAT(world.motion(ball).velocity.z(), WithinAbs(0, 0.03));
+    }
+    // On its way lie some eighty of them.
+    CAPTURE(speed);
+    CHECK(blows / 2 <= 15); // of two bodies each
+    // Nor is it braked by more than a five-hundredth of its weight.
+    CHECK_THAT(world.motion(ball).velocity.x(), WithinAbs(speed, 0.02 * metres / speed));
+}
+
+TEST_CASE("A thin plate that lies askew in its mesh comes to rest as one that does not") {
+    const double thickness = 0.0006, side = 0.05;
+    const double degrees = GENERATE(0.0, 5.0, 45.0);
+    Mesh mesh = boxMesh({side, side, thickness}, {4, 4, 1});
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Eigen::Vector3d(1, 0.3, 0).normalized())
+            .toRotationMatrix();
+    mesh.vertices *= turn.transpose();
+    auto object = objectOf(mesh, "Steel");
+    const double mass = side * side * thickness * 7850, across = mass * side * side / 12;
+    const Eigen::Matrix3d inertia =
+        turn * Eigen::Vector3d(across, across, 2 * across).asDiagonal() * turn.transpose();
+    object->mass = {.massKg = mass};
+    Eigen::Map<Eigen::Matrix3d>(object->mass.inertiaKgM2.data()) = inertia;
+    RigidWorld world({groundKind(), kindOf(object, BodyForm::hull, false, {.restitution = 0})},
+                     stepsPerSecond, gravity);
+    world.add(0, at({0, 0, 0}));
+    BodyMotion lying = at({0, 0, 0.002});
+    lying.pose.rotate(turn.transpose());
+    const auto plate = world.add(1, lying);
+    while (world.seconds() < 0.5)
+        world.step();
+    CHECK_THAT(world.centre(plate).z(), WithinAbs(thickness / 2, 1e-4));
+}
+
 TEST_CASE("A surface of more faces than there can be is refused in a sentence that names it") {
     const auto fault = [](const Mesh& mesh) {
         const auto model = makeRigidBodyModel(surfaceKind(), objectOf(mesh, "Steel"));

@@ -121,6 +121,21 @@ TEST_CASE("Notes beyond the keyboard are left out and counted") {
     CHECK(motion.figures().notesLeftOut == 2);
 }
 
+TEST_CASE("Dice of a long song share the slots of those that were taken away") {
+    const auto cast = factoryCast("Dice on a xylophone");
+    const auto standing = SceneRun(cast).slots().size();
+    const double apart = cast->scene().noteDrop->lifeSeconds + 5;
+    std::vector<SceneNote> notes;
+    for (int chord = 0; chord < 300; ++chord)
+        for (int k = 0; k < 400; ++k)
+            notes.push_back({apart * chord, 65 + k % 40, 1 + k % 127});
+    CHECK(SceneRun(cast, {.notes = notes}).slots().size() == standing + 400);
+    // In time by their number, and not by its square.
+    for (auto& note : notes)
+        note.seconds = 1;
+    CHECK(SceneRun(cast, {.notes = notes}).slots().size() == standing + notes.size());
+}
+
 TEST_CASE("Blows come in order of time, whatever the steps in which they are asked for") {
     const auto cast = factoryCast("Shells in a room");
     SceneRun whole(cast), bits(cast);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs what finds faults with time: every fuzz target, and music at random, for SOAK_SECONDS, an hour
-unless set.
+"""Runs what finds faults with time: every fuzz target for SOAK_SECONDS, an hour unless set, and a day of
+music at random, or the same share of it.
 
 build/soak keeps what there is between calls: log.tsv with a line for each run, the inputs that each
 target has come by, and those that failed. A run is cut into slices, so that a call which ends early
@@ -35,17 +35,26 @@ class Run(typing.NamedTuple):
     finding: str  # a file, or ""
 
 
+class Total(typing.NamedTuple):
+    """Of all runs of a program in the log."""
+
+    seconds: int
+    runs: int
+    findings: list  # of which the files are still there
+
+
 class FuzzTarget:
-    """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`.
+    """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`. Its rounds go by seconds.
 
     Of three slices' time one slice's goes to inputs of up to `longest` bytes, which pass what the readers
     of presets, materials, tunings and scenes allow; the others are left to libFuzzer, for which 4096
     are enough unless a seed is longer."""
 
+    unit = "seconds"
     interrupted = 72  # libFuzzer's exit code
-    slice_seconds = 300
-    longest = {"mesh_repair": 1 << 12, "player_midi": 1 << 14, "scene": (1 << 22) + (1 << 16),
-               "state": 1 << 16}
+    slice_length = 300
+    longest = {"body": 1 << 12, "mesh_repair": 1 << 12, "player_midi": 1 << 14,
+               "scene": (1 << 22) + (1 << 16), "state": 1 << 16}
     longest_file = (1 << 20) + (1 << 16)
 
     def __init__(self, program):
@@ -53,7 +62,7 @@ class FuzzTarget:
         self.name = program.name.removeprefix("fuzz_")
 
     def length_options(self, before):
-        if before // self.slice_seconds % 3 != 2:
+        if before // self.slice_length % 3 != 2:
             return []
         return [f"-max_len={self.longest.get(self.name, self.longest_file)}", "-len_control=0"]
 
@@ -61,6 +70,10 @@ class FuzzTarget:
         """Of what lies elsewhere than in the corpus."""
         released = sorted((ROOT / "Tests/Plugin/Golden").glob("*/*.state"))
         return ["-seed_inputs=" + ",".join(map(str, released))] if self.name == "state" else []
+
+    @staticmethod
+    def round_length(seconds):
+        return seconds
 
     def run(self, seconds, before):
         """Tries inputs behind so many seconds in earlier slices and calls, as a Run, with the file of one that failed or that says why nothing ran."""
@@ -89,18 +102,25 @@ class FuzzTarget:
 
 
 class Music:
-    """Hours of music in one processor, after each of which everything must be as it was."""
+    """Hours of music in one processor, after each of which everything must be as it was. Its rounds go by
+    these hours, which are its runs."""
 
+    unit = "runs"
     name = "music"
-    slice_seconds = 24 * 3600  # a long session in one process is what is tried
+    hours_of_day = 24
+    slice_length = hours_of_day  # a long session in one process is what is tried
 
-    def run(self, seconds, before):
-        """Plays hours, as a Run, with the file that says what went wrong."""
+    @classmethod
+    def round_length(cls, seconds):
+        return max(1, round(cls.hours_of_day * seconds / 3600))
+
+    def run(self, wanted, before):
+        """Plays so many hours, as a Run, with the file that says what went wrong."""
         KEPT.mkdir(parents=True, exist_ok=True)
         hours, output = KEPT / "music.hours", KEPT / "music.txt"
         logged = len(hours.read_text().splitlines()) if hours.exists() else 0
         with output.open("wb") as file:
-            code, used = wait(subprocess.Popen([MUSIC, hours, str(seconds)], stdout=file,
+            code, used = wait(subprocess.Popen([MUSIC, hours, str(wanted)], stdout=file,
                                                stderr=file, start_new_session=True))
         played = len(hours.read_text().splitlines()) - logged if hours.exists() else 0
         return Run(used, played, "" if code == 0 or Stop.asked else keep(output))
@@ -155,25 +175,25 @@ class Log:
             file.write(f"{now}\t{name}\t{ran.seconds}\t{ran.runs}\t{ran.finding}\n")
 
     def total(self, name):
-        """(seconds, runs, findings), of which those count whose files are still there."""
         rows = [row for row in (line.split("\t") for line in self.file.read_text().splitlines())
                 if row[1] == name]
         findings = sorted({row[4] for row in rows if row[4] and pathlib.Path(row[4]).exists()})
-        return sum(int(row[2]) for row in rows), sum(int(row[3]) for row in rows), findings
+        return Total(sum(int(row[2]) for row in rows), sum(int(row[3]) for row in rows), findings)
 
-    def seconds(self, name):
-        return self.total(name)[0]
+    def done(self, program):
+        """Of what the program's rounds go by."""
+        return getattr(self.total(program.name), program.unit)
 
 
-def soak(program, seconds, log):
-    """Runs the program for so long in slices; what it finds ends that early."""
-    while seconds > 0 and not Stop.asked:
-        ran = program.run(min(seconds, program.slice_seconds), log.seconds(program.name))
+def soak(program, left, log):
+    """Runs the program for so many seconds or hours in slices; what it finds ends that early."""
+    while left > 0 and not Stop.asked:
+        ran = program.run(min(left, program.slice_length), log.total(program.name).seconds)
         log.add(program.name, ran)
         if ran.finding:
             print(f"{program.name}: {ran.finding}", flush=True)
             return
-        seconds -= ran.seconds
+        left -= getattr(ran, program.unit)
 
 
 def all_programs():
@@ -197,11 +217,11 @@ def main(names):
         signal.signal(number, Stop.ask)
 
     log = Log()
-    round_ends = (min(log.seconds(program.name) for program in programs) // each + 1) * each
+    rounds = 1 + min(log.done(program) // program.round_length(each) for program in programs)
     for program in programs:
-        left = round_ends - log.seconds(program.name)
+        left = rounds * program.round_length(each) - log.done(program)
         if left > 0 and not Stop.asked:
-            print(f"{program.name}: {left} s", flush=True)
+            print(f"{program.name}: {left} {'s' if program.unit == 'seconds' else 'h of it'}", flush=True)
             soak(program, left, log)
 
     print(f"\n{'program':16}{'hours':>8}{'runs':>14}  findings")

@@ -1,13 +1,12 @@
 // Plays music at random, faster than real time, in one processor, hour by hour of it. Of a day's
 // hours the first ones change sounds and hosts, so that no player lasts long; the others are one
 // player's life. After each hour everything must fall silent, a reference phrase must sound as it
-// did at first and the process must not have grown, by all hours of the log. Begins no hour after
-// so many seconds; goes on behind the last hour that the log tells of.
-//   soak_music LOG SECONDS
+// did at first and the process must not have grown, by all hours of the log. Plays so many hours
+// behind the last one that the log tells of.
+//   soak_music LOG HOURS
 #include "Soak/MemoryLog.h"
 #include "Soak/RandomSession.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -105,16 +104,11 @@ private:
     std::optional<Sounds> life; ///< of the player that plays, while it is one that lives on
 };
 
-void soak(const std::string& log, double seconds) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto isOver = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
-               seconds;
-    };
+void soak(const std::string& log, int wantedHours) {
     Soak soak;
     std::ifstream before(log);
     auto hours = readHours(before);
-    for (int ofProcess = 1; !isOver(); ++ofProcess) {
+    for (int ofProcess = 1; ofProcess <= wantedHours; ++ofProcess) {
         const int hour = hours.empty() ? 1 : hours.back().hour + 1;
         const auto notes = soak.notesPlayed();
         soak.playHour(hour);
@@ -130,12 +124,12 @@ void soak(const std::string& log, double seconds) {
 
 int main(int count, char** arguments) {
     if (count != 3) {
-        std::cerr << "soak_music LOG SECONDS" << std::endl;
+        std::cerr << "soak_music LOG HOURS" << std::endl;
         return 2;
     }
     const juce::ScopedJuceInitialiser_GUI juce;
     try {
-        soak(arguments[1], std::atof(arguments[2]));
+        soak(arguments[1], std::atoi(arguments[2]));
     } catch (const std::exception& fault) {
         std::cerr << fault.what() << std::endl;
         return 1;

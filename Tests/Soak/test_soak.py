@@ -12,9 +12,14 @@ import soak
 
 
 class Program:
+    unit = "seconds"
+
     def __init__(self, name, finding=""):
         self.name, self.finding, self.seconds = name, finding, []
-        self.slice_seconds = 300
+        self.slice_length = 300
+
+    def round_length(self, seconds):
+        return seconds
 
     def run(self, seconds, before):
         self.seconds.append(seconds)
@@ -87,6 +92,32 @@ class Soak(unittest.TestCase):
         self.assertEqual((a.seconds, b.seconds), ([], [60]))
         with self.assertRaisesRegex(SystemExit, "no program 'c', but a, b"):
             self.soak(a, b, each=60, names=["c"])
+
+    def music(self, script):
+        program = self.folder / "soak_music"
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+        patch = mock.patch.object(soak, "MUSIC", program)
+        patch.start()
+        self.addCleanup(patch.stop)
+        return soak.Music()
+
+    def test_music_is_played_by_the_hour_a_day_for_an_hour_of_the_others(self):
+        music, a = self.music('for i in $(seq "$2"); do echo hour >> "$1"; done'), Program("a")
+        self.soak(music, a, each=600)
+        self.assertEqual(soak.Log().total("music").runs, 4)
+        self.soak(music, a, each=3600)
+        self.assertEqual(soak.Log().total("music").runs, 24)
+        self.soak(music, a, each=3600)
+        self.assertEqual(soak.Log().total("music").runs, 48)
+        self.assertEqual(sum(a.seconds), 7200)
+
+    def test_music_that_fails_is_a_finding_and_its_hours_count(self):
+        told = self.soak(self.music('echo hour >> "$1"; echo "It grew."; exit 1'), each=3600)
+        total = soak.Log().total("music")
+        self.assertEqual((total.runs, self.code), (1, 1))
+        self.assertEqual(pathlib.Path(total.findings[0]).read_text(), "It grew.\n")
+        self.assertIn(total.findings[0], told)
 
     def target(self, script, name="x"):
         program = self.folder / f"fuzz_{name}"

@@ -1,0 +1,58 @@
+// Bodies of any mesh, which fall on a ground or are fallen on: what a scene makes of the objects
+// that it names.
+#include "Fuzz/FuzzTarget.h"
+#include "Fuzz/LatticeMesh.h"
+#include "Scene/TestBodies.h"
+
+namespace idiophone::fuzz {
+namespace {
+
+constexpr double latticeMetres = 0.01;
+
+/// By the bits of a byte.
+BodyTemplate templateOf(unsigned char bits) {
+    BodyTemplate kind;
+    kind.name = "body";
+    kind.form = static_cast<BodyForm>((bits & 7) % 6);
+    kind.isFixed =
+        (bits & 8) != 0 || kind.form == BodyForm::surface || kind.form == BodyForm::ground;
+    return kind;
+}
+
+std::shared_ptr<ModalObject> objectOf(const Mesh& mesh, bool isShell) {
+    auto object = test::objectOf({latticeMetres * mesh.vertices, mesh.faces}, "Steel");
+    object->body = isShell ? BodyKind::shell : BodyKind::solid;
+    object->thicknessMetres = isShell ? 0.002 : 0;
+    object->mass = {.massKg = 0.1, .inertiaKgM2 = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}};
+    return object;
+}
+
+} // namespace
+
+void examine(std::string_view bytes) {
+    if (bytes.size() < 2)
+        return;
+    const auto bits = static_cast<unsigned char>(bytes[0]);
+    const auto mesh = latticeMesh(bytes.substr(1));
+    if (mesh.faceCount() == 0)
+        return; // no object is without faces
+    const auto object = objectOf(mesh, (bits & 16) != 0);
+    const auto model = makeRigidBodyModel(templateOf(bits), object);
+    if (!model)
+        return claimSentence(model.error());
+    RigidWorld world({test::groundKind(), {.model = *model}, test::ballKind(0.005)}, 1000,
+                     test::gravity);
+    const double top = latticeMetres * mesh.vertices.col(2).maxCoeff();
+    world.add(0, test::at({0, 0, -0.001}));
+    const auto body = world.add(1, test::at({0, 0, 0}));
+    const auto ball = world.add(2, test::at({0.02, 0.02, top + 0.007}, {0, 0, -0.5}));
+    for (int step = 0; step < 20; ++step) {
+        world.step();
+        claim(world.centre(body).allFinite() && world.centre(ball).allFinite(),
+              "bodies are somewhere");
+        for (const auto& impact : world.impacts())
+            claim(impact.impulseNewtonSeconds.allFinite(), "blows have an impulse");
+    }
+}
+
+} // namespace idiophone::fuzz

@@ -1,0 +1,86 @@
+#include "Object/FileBeside.h"
+
+#include "Object/TextFile.h"
+#include "Support/TestFolder.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <iterator>
+#include <string>
+
+using namespace idiophone;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path emptyFolder(const char* name) {
+    const auto folder = test::testFolder() / name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    return folder;
+}
+
+auto writing(std::string text) {
+    return [text = std::move(text)](std::ostream& stream) { stream << text; };
+}
+
+void failing(std::ostream& stream) {
+    stream << "half";
+    stream.setstate(std::ios::failbit);
+}
+
+std::string textOf(const fs::path& file) {
+    return readTextFile(file).value_or("none");
+}
+
+auto fileCount(const fs::path& folder) {
+    return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+} // namespace
+
+TEST_CASE("A file is replaced as a whole, or stays as it was") {
+    const auto folder = emptyFolder("replaced");
+    const auto file = folder / "file";
+    REQUIRE_FALSE(replaceFile(file, failing));
+    CHECK(fileCount(folder) == 0);
+    REQUIRE(replaceFile(file, writing("longer at first")));
+    CHECK(textOf(file) == "longer at first");
+    REQUIRE(replaceFile(file, writing("then short")));
+    CHECK(textOf(file) == "then short");
+    REQUIRE_FALSE(replaceFile(file, failing));
+    CHECK(textOf(file) == "then short");
+    CHECK(fileCount(folder) == 1);
+    CHECK_FALSE(replaceFile(folder / "none" / "file", writing("x")));
+    CHECK_FALSE(replaceFile(folder, writing("x")));
+}
+
+TEST_CASE("A file that is protected from being written is not replaced") {
+    const auto folder = emptyFolder("protected");
+    const auto file = folder / "file";
+    REQUIRE(replaceFile(file, writing("kept")));
+    fs::permissions(file, fs::perms::owner_read);
+    CHECK_FALSE(makeFileBeside(file));
+    CHECK_FALSE(replaceFile(file, writing("lost")));
+    CHECK(textOf(file) == "kept");
+    CHECK(fileCount(folder) == 1);
+    fs::permissions(file, fs::perms::owner_all);
+}
+
+#ifndef _WIN32
+
+TEST_CASE("What a link leads to is replaced, and the link stays") {
+    const auto folder = emptyFolder("linked");
+    REQUIRE(replaceFile(folder / "file", writing("first")));
+    fs::create_symlink("file", folder / "link");
+    REQUIRE(replaceFile(folder / "link", writing("second")));
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(textOf(folder / "file") == "second");
+}
+
+TEST_CASE("A device is written as it is") {
+    CHECK(replaceFile("/dev/null", writing("x")));
+    CHECK_FALSE(fs::exists("/dev/null.1.part"));
+    CHECK_FALSE(fs::is_regular_file("/dev/null"));
+}
+
+#endif
