@@ -55,7 +55,7 @@ bool adjustContact(btManifoldPoint& point,
         btAdjustInternalEdgeContacts(point, second, first, secondPart, secondIndex);
         // From beside a face no more than its edge is felt, which is not there. What rolls comes
         // down towards it, but on an arc.
-        constexpr double isTurned = 1e-9;
+        constexpr double isTurned = 1e-5; // by a quarter of a degree
         if (felt.dot(point.m_normalWorldOnB) < 1 - isTurned && point.getDistance() > -restingMetres)
             takeFarAway(point, *second);
     }
