@@ -21,24 +21,13 @@ constexpr double restingStepsOfFall = 2;
 // face beyond those.
 constexpr double microsecondsOfPair = 5, microsecondsOfMesh = 500, microsecondsOfFace = 3.5;
 constexpr int someFaces = 2000;
-// A little less deep than what rests lies in what it rests on at 2000 steps a second. By trial:
-// with less than half, what rolls feels most of the edges that it passes; with more, it loses its
-// hold between two.
-constexpr double restingMetres = 4e-6;
-
-/// So that the solver does nothing about it.
-void takeFarAway(btManifoldPoint& point, const btCollisionObjectWrapper& second) {
-    point.m_distance1 = 1;
-    point.m_positionWorldOnB = point.m_positionWorldOnA - point.m_normalWorldOnB;
-    point.m_localPointB = second.getWorldTransform().invXform(point.m_positionWorldOnB);
-}
 
 /// Bullet asks for this of every new contact: what rolls is braked by both bodies' rolling
 /// friction, and does not feel the edges inside a mesh.
 bool adjustContact(btManifoldPoint& point,
                    const btCollisionObjectWrapper* first,
-                   int /*firstPart*/,
-                   int /*firstIndex*/,
+                   int firstPart,
+                   int firstIndex,
                    const btCollisionObjectWrapper* second,
                    int secondPart,
                    int secondIndex) {
@@ -49,16 +38,10 @@ bool adjustContact(btManifoldPoint& point,
         return false;
     point.m_combinedRollingFriction =
         of(first)->rollingFrictionMetres + of(second)->rollingFrictionMetres;
-    // A mesh comes second, whatever was added first.
-    if (second->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE) {
-        const btVector3 felt = point.m_normalWorldOnB;
+    if (first->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE)
+        btAdjustInternalEdgeContacts(point, first, second, firstPart, firstIndex);
+    else if (second->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE)
         btAdjustInternalEdgeContacts(point, second, first, secondPart, secondIndex);
-        // From beside a face no more than its edge is felt, which is not there. What rolls comes
-        // down towards it, but on an arc.
-        constexpr double isTurned = 1e-5; // by a quarter of a degree
-        if (felt.dot(point.m_normalWorldOnB) < 1 - isTurned && point.getDistance() > -restingMetres)
-            takeFarAway(point, *second);
-    }
     return true;
 }
 

@@ -171,26 +171,28 @@ TEST_CASE("A ball rolls within a bowl, near its wall, from one side to the other
     CHECK(farthestLeft < -0.7 * inside * std::sin(angle));
 }
 
-TEST_CASE("What rolls over a flat surface of fine faces seldom feels their edges") {
+TEST_CASE("A flat surface of fine faces holds up straight what rolls over it") {
     const double speed = GENERATE(0.1, 0.4, 1.0), metres = 0.2;
     RigidWorld world(
         {kindOf(objectOf(sheetMesh(0.4, 0.4, 10'000), "Steel"), BodyForm::surface, true, {}),
          ballKind(ballRadius)},
         stepsPerSecond, gravity);
     world.add(0, at({0, 0, 0}));
-    const auto ball = world.add(1, at({-metres / 2, 0.0123, ballRadius}, {speed, speed / 7, 0},
-                                      {-speed / 7 / ballRadius, speed / ballRadius, 0}));
-    std::size_t blows = 0;
+    world.add(1, at({-metres / 2, 0.0123, ballRadius}, {speed, speed / 7, 0},
+                    {-speed / 7 / ballRadius, speed / ballRadius, 0}));
+    int touches = 0;
+    const auto isStraight = [](const Eigen::Vector3d& along) {
+        return along.head<2>().norm() < 1e-3 * std::abs(along.z());
+    };
     while (world.seconds() < metres / speed) {
         world.step();
-        blows += world.impacts().size();
-        CHECK_THAT(world.motion(ball).velocity.z(), WithinAbs(0, 0.03));
+        for (const auto& touch : world.touches()) {
+            CHECK(isStraight(touch.inward[0]));
+            ++touches;
+        }
     }
-    // On its way lie some eighty of them.
     CAPTURE(speed);
-    CHECK(blows / 2 <= 15); // of two bodies each
-    // Nor is it braked by more than a five-hundredth of its weight.
-    CHECK_THAT(world.motion(ball).velocity.x(), WithinAbs(speed, 0.02 * metres / speed));
+    CHECK(touches > 50);
 }
 
 TEST_CASE("A thin plate that lies askew in its mesh comes to rest as one that does not") {
