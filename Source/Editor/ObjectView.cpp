@@ -174,11 +174,13 @@ std::optional<SceneMotion> ObjectView::sceneMotion() {
     const auto mode = modeWithNodes();
     if (!mode && (!showsVibration || slowMotion.atRest()))
         return std::nullopt;
-    const auto* motion = motionOf(watched);
-    if (motion == nullptr || (mode && *mode >= motion->modeCount()))
+    if (watched >= played.size())
         return std::nullopt;
     const auto& box = scene->objects()[watched];
-    if (box.isBox)
+    if (box.isBox) // of more faces than are soon gone through
+        return std::nullopt;
+    const auto* motion = motionOf(watched);
+    if (mode && *mode >= motion->modeCount())
         return std::nullopt;
     SceneMotion result{.object = watched, .offsets = {}, .scale = exaggeration * box.radius};
     std::vector<float> displacements(played[watched].object->vertices.size());

@@ -107,6 +107,8 @@ std::string scalarsFault(const ModalObject& object) {
     if (!(object.thicknessMetres >= 0 && object.thicknessMetres <= farthestMetres) ||
         (object.body == BodyKind::shell && object.thicknessMetres == 0))
         return "the thickness is not a positive number of at most 1000 km";
+    if (object.body == BodyKind::shell && object.thicknessMetres < 1e-9)
+        return "the thickness of the shell is less than a nanometre";
     if (!std::isfinite(object.bandHz) || object.bandHz <= 0)
         return "the analysed band is not a positive number";
     // From what has shapes that are far too large to what weighs as much as the moon.

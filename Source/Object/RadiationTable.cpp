@@ -68,9 +68,9 @@ std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
         return "the size of the radiation is not directions x ratios x modes";
     if (!std::ranges::all_of(table.directions, isUnit))
         return "a direction of the radiation is not a unit vector";
-    const auto isPositive = [](double ratio) { return std::isfinite(ratio) && ratio > 0; };
-    if (!std::ranges::all_of(table.frequencyRatios, isPositive))
-        return "a frequency ratio of the radiation is not a positive number";
+    const auto isInRange = [](double ratio) { return ratio >= 1e-6 && ratio <= 1e6; };
+    if (!std::ranges::all_of(table.frequencyRatios, isInRange))
+        return "a frequency ratio of the radiation is not between 1e-6 and 1e6";
     if (std::ranges::adjacent_find(table.frequencyRatios, std::greater_equal{}) !=
         table.frequencyRatios.end())
         return "the frequency ratios of the radiation are not in ascending order";

@@ -92,17 +92,22 @@ CollisionShape::CollisionShape(const RigidBodyModel& model) {
 /// As large as the points with Bullet's margin, by which it lies inside them.
 btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& points) {
     btConvexHullComputer computer;
+    const auto compute = [&](double margin) {
+        return computer.compute(points.front().data(), sizeof(Eigen::Vector3d),
+                                static_cast<int>(points.size()), margin, mostMarginOfDepth);
+    };
     // Of what is thinner than its box, being askew in it, the margin is smaller.
-    const double margin = computer.compute(
-        points.front().data(), sizeof(Eigen::Vector3d), static_cast<int>(points.size()),
-        std::min(mostMarginMetres, marginShare * boundingBox(points).sizes().minCoeff()),
-        mostMarginOfDepth);
+    double margin =
+        compute(std::min(mostMarginMetres, marginShare * boundingBox(points).sizes().minCoeff()));
+    if (computer.vertices.size() == 0) // too thin for any
+        margin = compute(0);
     auto* shape = own<btConvexHullShape>();
     for (const auto& corner : fewer(computer.vertices))
         shape->addPoint(corner, false);
     shape->recalcLocalAabb();
     shape->setMargin(margin);
-    if (computer.vertices.size() <= mostHullVertices)
+    constexpr int fewestFaces = 4; // what has none is read beyond its list
+    if (computer.vertices.size() <= mostHullVertices && computer.faces.size() >= fewestFaces)
         shape->initializePolyhedralFeatures(); // what has faces meets others with the whole of one
     return shape;
 }

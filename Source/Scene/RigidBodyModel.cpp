@@ -13,6 +13,9 @@
 namespace idiophone {
 namespace {
 
+// Of what is smaller the solver would divide by numbers too small for it.
+constexpr double leastMetres = 1e-9, leastMassKg = 1e-24;
+
 /// Right-handed, its columns the axes of ascending inertia.
 Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& inertia, Eigen::Vector3d& moments) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
@@ -83,7 +86,8 @@ makeRigidBodyModel(const BodyTemplate& kind,
         model.meshFromBody.linear() = principalAxes(inertia, model.inertiaKgM2);
         model.meshFromBody.translation() =
             s * Eigen::Map<const Eigen::Vector3d>(own.mass.centreMetres.data());
-        if (!(model.massKg > 0) || !(model.inertiaKgM2.minCoeff() > 0))
+        if (!(model.massKg > leastMassKg) ||
+            !(model.inertiaKgM2.minCoeff() > leastMetres * leastMetres * model.massKg))
             return failure(inQuotes(kind.name) + " cannot move: its object " + inQuotes(own.name) +
                            " has no mass");
     }
@@ -95,7 +99,8 @@ makeRigidBodyModel(const BodyTemplate& kind,
         model.touchingFaces = *touching;
     }
     const Eigen::Vector3d sizes = boundingBox(outerVertices(model)).sizes();
-    if (!(sizes.minCoeff() > 0) && kind.form != BodyForm::surface && kind.form != BodyForm::ground)
+    if (!(sizes.minCoeff() > leastMetres) && kind.form != BodyForm::surface &&
+        kind.form != BodyForm::ground)
         return failure(inQuotes(kind.name) + " is as flat as a sheet: its object " +
                        inQuotes(own.name) + " has no thickness");
     model.contactRadiusMetres =

@@ -35,7 +35,11 @@ ForcedResponse::ForcedResponse(const ModalPole& pole,
     constantStiffness = delta * delta + pole.damping * delta + pole.stiffness;
     stiffnessIncrease = {-omega * omega, omega * (2 * delta + pole.damping)};
     // Not as a sum: λ − Ω² near resonance is exact when formed first.
-    const double real = (delta * delta + pole.damping * delta) + (pole.stiffness - omega * omega);
+    double real = (delta * delta + pole.damping * delta) + (pole.stiffness - omega * omega);
+    // And at resonance, undamped, not 0: the limit is finite.
+    const double nearest = 1e-9 * omega * omega;
+    if (std::abs(real) < nearest && std::abs(stiffnessIncrease.imag()) < nearest)
+        real = std::copysign(nearest, real);
     swingStiffness = {real, stiffnessIncrease.imag()};
     steady = contactRate * delta / constantStiffness;
     swing = -contactRate * quotient({delta, omega}, swingStiffness);

@@ -170,6 +170,8 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         if (!oscillates)
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }
+    if (!std::ranges::is_sorted(resonancesHz)) // which thickness may change
+        std::ranges::sort(resonancesHz);
     std::fill(firstHeavy.begin() + static_cast<std::ptrdiff_t>(blockCount()), firstHeavy.end(),
               heavyModes.size());
     rotationsOfPoles({.stiffness = stiffness.data(),

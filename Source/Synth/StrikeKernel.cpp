@@ -104,6 +104,12 @@ void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t coun
     const auto phaseIm = set(pulse.phase.imag());
     const auto rest = set(1 - pulse.phase.real());
     const auto one = set(1);
+    // As far from resonance as single precision bears, where no other contact time was farther.
+    const auto nearest = set(1e-3);
+    const auto apart = [&](auto re, auto im) HWY_ATTR {
+        const auto isNear = hn::And(hn::Lt(hn::Abs(re), nearest), hn::Lt(hn::Abs(im), nearest));
+        return hn::IfThenElse(isNear, hn::CopySign(nearest, re), re);
+    };
     for (std::size_t g = 0; g < count; g += hn::MaxLanes(f)) {
         const PoleInPulse pole = poleInPulse(arrays, perOmega, g);
         const auto damping = hn::Add(pole.decay, pole.decay);
@@ -111,8 +117,8 @@ void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t coun
         const auto stiffness =
             hn::MulAdd(pole.frequency, pole.frequency, hn::Mul(pole.decay, pole.decay));
         const auto constant = hn::Add(drag, stiffness); // P(δ)
-        const auto re = hn::Add(drag, pole.excess);     // P(δ + i)
         const auto im = hn::Add(hn::Add(delta, delta), damping);
+        const auto re = apart(hn::Add(drag, pole.excess), im); // P(δ + i)
         const auto perSquared = hn::Div(rate, hn::MulAdd(re, re, hn::Mul(im, im)));
         const auto reciprocal = hn::Div(one, hn::Mul(constant, pole.frequency));
         const auto perConstant = hn::Mul(reciprocal, pole.frequency);

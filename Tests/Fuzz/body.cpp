@@ -19,10 +19,12 @@ BodyTemplate templateOf(unsigned char bits) {
     return kind;
 }
 
-std::shared_ptr<ModalObject> objectOf(const Mesh& mesh, bool isShell) {
+/// A shell where the byte's fifth bit says so, of 2 mm or less by a thousandth at a time.
+std::shared_ptr<ModalObject> objectOf(const Mesh& mesh, unsigned char bits) {
+    const bool isShell = (bits & 16) != 0;
     auto object = test::objectOf({latticeMetres * mesh.vertices, mesh.faces}, "Steel");
     object->body = isShell ? BodyKind::shell : BodyKind::solid;
-    object->thicknessMetres = isShell ? 0.002 : 0;
+    object->thicknessMetres = isShell ? 0.002 * std::pow(1000.0, -(bits >> 5)) : 0;
     object->mass = {.massKg = 0.1, .inertiaKgM2 = {1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4}};
     return object;
 }
@@ -36,20 +38,23 @@ void examine(std::string_view bytes) {
     const auto mesh = latticeMesh(bytes.substr(1));
     if (mesh.faceCount() == 0)
         return; // no object is without faces
-    const auto object = objectOf(mesh, (bits & 16) != 0);
+    const auto object = objectOf(mesh, bits);
     const auto model = makeRigidBodyModel(templateOf(bits), object);
     if (!model)
         return claimSentence(model.error());
-    RigidWorld world({test::groundKind(), {.model = *model}, test::ballKind(0.005)}, 1000,
-                     test::gravity);
+    RigidWorld world(
+        {test::groundKind(), test::cubeKind(0.02), {.model = *model}, test::ballKind(0.005)}, 1000,
+        test::gravity);
     const double top = latticeMetres * mesh.vertices.col(2).maxCoeff();
     world.add(0, test::at({0, 0, -0.001}));
-    const auto body = world.add(1, test::at({0, 0, 0}));
-    const auto ball = world.add(2, test::at({0.02, 0.02, top + 0.007}, {0, 0, -0.5}));
+    // Bullet takes the one that came first for the first of two.
+    const auto cube = world.add(1, test::at({-0.02, 0.02, top + 0.012}, {0, 0, -0.5}, {3, 2, 1}));
+    const auto body = world.add(2, test::at({0, 0, 0}));
+    const auto ball = world.add(3, test::at({0.02, 0.02, top + 0.007}, {0, 0, -0.5}));
     for (int step = 0; step < 20; ++step) {
         world.step();
-        claim(world.centre(body).allFinite() && world.centre(ball).allFinite(),
-              "bodies are somewhere");
+        for (const auto each : {cube, body, ball})
+            claim(world.centre(each).allFinite(), "bodies are somewhere");
         for (const auto& impact : world.impacts())
             claim(impact.impulseNewtonSeconds.allFinite(), "blows have an impulse");
     }

@@ -43,6 +43,12 @@ TEST_CASE("Each malformed field is named") {
     refuse([](auto& o) { o = syntheticObject(std::vector<double>(mostObjectModes + 1, 440.0)); },
            "more than 65536 modes");
     refuse([](auto& o) { o.shapes.pop_back(); }, "size of the mode shapes");
+    refuse(
+        [](auto& o) {
+            o.body = BodyKind::shell;
+            o.thicknessMetres = 1e-10;
+        },
+        "less than a nanometre");
     refuse([](auto& o) { o.bending = {1}; }, "bending parts");
     refuse([](auto& o) { o.bending = {1, -1, 1}; }, "bending part");
     refuse([](auto& o) { o.decaysPerSecond = {1}; }, "decays are not one for each mode");

@@ -83,9 +83,10 @@ TEST_CASE("Each malformed part of a radiation table is named") {
     refuse([](auto& t) { t.directions[0] = {0, 0, 0}; }, "unit vector");
     refuse([](auto& t) { t.directions[0][1] = static_cast<float>(notANumber); }, "unit vector");
     refuse([](auto& t) { t.directions[0][1] = static_cast<float>(infinity); }, "unit vector");
-    refuse([](auto& t) { t.frequencyRatios[0] = 0; }, "positive number");
-    refuse([](auto& t) { t.frequencyRatios[1] = notANumber; }, "positive number");
-    refuse([](auto& t) { t.frequencyRatios[2] = infinity; }, "positive number");
+    refuse([](auto& t) { t.frequencyRatios[0] = 0; }, "between 1e-6 and 1e6");
+    refuse([](auto& t) { t.frequencyRatios[0] = 5e-324; }, "between 1e-6 and 1e6");
+    refuse([](auto& t) { t.frequencyRatios[1] = notANumber; }, "between 1e-6 and 1e6");
+    refuse([](auto& t) { t.frequencyRatios[2] = infinity; }, "between 1e-6 and 1e6");
     refuse([](auto& t) { t.frequencyRatios[1] = 0.5; }, "ascending order");
     refuse([](auto& t) { std::swap(t.frequencyRatios[1], t.frequencyRatios[2]); },
            "ascending order");

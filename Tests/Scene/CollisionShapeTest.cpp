@@ -220,6 +220,64 @@ TEST_CASE("A thin plate that lies askew in its mesh comes to rest as one that do
     CHECK_THAT(world.centre(plate).z(), WithinAbs(thickness / 2, 1e-4));
 }
 
+TEST_CASE("What falls on a ring of loose points, each of faces without an area, goes on falling") {
+    Mesh mesh{Eigen::MatrixXd{{0.012, 0.001, 0.001},
+                              {-0.012, 0.002, 0.012},
+                              {0.001, 0.012, -0.012},
+                              {0.003, -0.012, 0.002}},
+              Eigen::MatrixXi(8, 3)};
+    for (int face = 0; face < 8; ++face)
+        mesh.faces.row(face).setConstant(face / 2);
+    for (int turn = 0; turn < 12; ++turn) {
+        RigidWorld world(
+            {cubeKind(0.02), kindOf(objectOf(mesh, "Steel"), BodyForm::ring, true, {})},
+            stepsPerSecond, gravity);
+        BodyMotion falling = at({0.002 * turn - 0.012, 0.001, 0.03});
+        falling.pose.rotate(
+            Eigen::AngleAxisd(0.4 * turn, Eigen::Vector3d(1, 0.5, 0.2).normalized()));
+        const auto cube =
+            world.add(0, falling); // before what Bullet then takes for the second hull
+        world.add(1, at({0, 0, 0}));
+        while (world.seconds() < 0.15)
+            world.step();
+        CHECK(world.centre(cube).allFinite());
+    }
+}
+
+TEST_CASE("A hull that is too thin for any margin is met, or the body is refused") {
+    const double thickness = GENERATE(1e-300, 1e-165, 1e-100, 1e-12, 1e-8, 1e-6);
+    auto object = objectOf(sheetMesh(0.05, 0.05, 16), "Steel");
+    object->body = BodyKind::shell;
+    object->thicknessMetres = thickness;
+    BodyTemplate kind;
+    kind.name = "foil";
+    kind.isFixed = true;
+    const auto model = makeRigidBodyModel(kind, object);
+    CHECK(model.has_value() == (thickness > 1e-9));
+    if (!model)
+        return;
+    RigidWorld world({{.model = *model}, ballKind(ballRadius, {.restitution = 0})}, stepsPerSecond,
+                     gravity);
+    world.add(0, at({0, 0, 0}));
+    const auto ball = world.add(1, at({0, 0, ballRadius + 0.001}));
+    while (world.seconds() < 0.1)
+        world.step();
+    CHECK_THAT(world.centre(ball).z(), WithinAbs(ballRadius, 1e-3));
+}
+
+TEST_CASE("A body whose mass or moments of inertia are too small to divide by cannot move") {
+    const double massKg = GENERATE(0.1, 1e-30), share = GENERATE(1e-310, 1e-20, 1e-4);
+    auto object = objectOf(boxMesh({0.02, 0.02, 0.02}, {2, 2, 2}), "Steel");
+    object->mass = {.massKg = massKg,
+                    .inertiaKgM2 = {share * massKg, 0, 0, 0, massKg, 0, 0, 0, massKg}};
+    BodyTemplate kind;
+    kind.name = "dust";
+    const auto model = makeRigidBodyModel(kind, object);
+    REQUIRE(model.has_value() == (massKg == 0.1 && share == 1e-4));
+    if (!model)
+        CHECK(model.error().message == "'dust' cannot move: its object 'body' has no mass");
+}
+
 TEST_CASE("A surface of more faces than there can be is refused in a sentence that names it") {
     const auto fault = [](const Mesh& mesh) {
         const auto model = makeRigidBodyModel(surfaceKind(), objectOf(mesh, "Steel"));
