@@ -30,8 +30,8 @@ inline constexpr std::size_t mostModesOfSlots = std::size_t{1} << 21;
 /// And each slot takes as much again as thirty modes.
 inline constexpr std::size_t mostSlots = std::size_t{1} << 16;
 
-/// Refuses more slots, or slots of more modes. The error says of what they are: a key map's object ("'plate'"), a scene,
-/// a file; and on all of which it has too many.
+/// Refuses more slots, or slots of more modes. The error says of what they are: a key map's object
+/// ("'plate'"), a scene, a file; and on all of which it has too many.
 Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
                           const std::string& ofWhat,
                           const char* played = "keys");
