@@ -155,7 +155,7 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
         for (const double share : {0.5, 0.47, 0.53, 0.44, 0.56, 0.41, 0.59, 0.38, 0.62}) {
             const double cut = std::pow(low + share * (high - low), 2);
             const Index left = factoriseAndCount(cut) - slice.below;
-            if (factor_.shift() != cut)
+            if (factor_.shift() != cut || left < 0 || left > slice.count) // by rounding
                 continue;
             const double above = cut * (1 + 1e-6), middle = (cut + above) / 2;
             if (factoriseAndCount(above) - slice.below != left || factor_.shift() != above)

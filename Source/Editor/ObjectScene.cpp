@@ -5,6 +5,7 @@
 #include "Geometry/ObjectMesh.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <juce_audio_basics/juce_audio_basics.h>
 #include <limits>
 
@@ -15,6 +16,8 @@ using Eigen::Vector3d;
 
 /// Of a click on a stage, where no end of a body is the player's: half way from soft to hard.
 constexpr double stageStrength = 0.5;
+
+constexpr std::int64_t boxesForStage = 5'000'000; // of a click: a tenth of a second
 
 Eigen::AlignedBox3d boxOf(const ModalObject& object) {
     Eigen::AlignedBox3d box;
@@ -240,12 +243,14 @@ std::optional<ScenePick> ObjectScene::pick(const ScenePlace& origin,
                                            std::span<const BodyNow> bodies) const {
     std::optional<ScenePick> nearest;
     double nearestMetres = std::numeric_limits<double>::infinity();
+    std::int64_t boxesLeft = boxesForStage;
     for (const auto& body : bodies) {
         const auto object = static_cast<std::size_t>(body.object);
         if (object >= surfaces.size())
             continue;
         const Vector3d start = vectorOf(onBody(body, origin));
-        const auto hit = surfaces[object].firstHit(start, vectorOf(turnedBack(body, direction)));
+        const auto hit =
+            surfaces[object].firstHit(start, vectorOf(turnedBack(body, direction)), boxesLeft);
         if (!hit || !((hit->pointMetres - start).norm() < nearestMetres))
             continue;
         nearestMetres = (hit->pointMetres - start).norm();

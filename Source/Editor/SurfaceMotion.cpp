@@ -7,19 +7,26 @@
 #include <cmath>
 
 namespace idiophone {
+namespace {
+
+constexpr std::int64_t boxesForSurface = 50'000'000; // a second or two
+
+} // namespace
 
 SurfaceMotion::SurfaceMotion(std::shared_ptr<const ModalObject> moved) : object(std::move(moved)) {
     const SurfaceQuery surface(shapeMesh(*object));
     places.reserve(object->vertexCount());
+    std::int64_t boxesLeft = boxesForSurface;
     for (std::size_t vertex = 0; vertex < object->vertexCount(); ++vertex) {
         const float* at = object->vertices.data() + 3 * vertex;
         const auto nearest =
-            surface.nearestPoint(Eigen::Vector3f(at[0], at[1], at[2]).cast<double>());
+            surface.nearestPoint(Eigen::Vector3f(at[0], at[1], at[2]).cast<double>(), boxesLeft);
         Place place;
         for (int corner = 0; corner < 3; ++corner) {
             const auto index = static_cast<std::size_t>(corner);
             place.rows[index] = surface.mesh().faces(nearest.face, corner);
-            place.weights[index] = static_cast<float>(nearest.barycentric(corner));
+            if (std::isfinite(nearest.distanceMetres))
+                place.weights[index] = static_cast<float>(nearest.barycentric(corner));
         }
         places.push_back(place);
     }

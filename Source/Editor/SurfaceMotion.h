@@ -13,7 +13,8 @@
 namespace idiophone {
 
 /// Immutable once built, which takes a while for large meshes. Vertices without shapes of their
-/// own, as the underside of a bar, move as the nearest place that has them.
+/// own, as the underside of a bar, move as the nearest place that has them; of a surface heaped so
+/// much on itself that these would take minutes to find, the last ones stand still.
 class SurfaceMotion {
 public:
     /// The object carries shapes at a vertex.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <igl/AABB.h>
+#include <igl/point_simplex_squared_distance.h>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -100,44 +102,100 @@ SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;
 SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
 
 SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point) const {
-    int face = -1;
+    std::int64_t boxesLeft = boxesForPoint;
+    return nearestPoint(point, boxesLeft);
+}
+
+// libigl's own search, in its order and with its measure of a triangle, but that it can be ended.
+SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
+                                        std::int64_t& boxesLeft) const {
+    using Node = igl::AABB<Eigen::MatrixXd, 3>;
+    const Eigen::RowVector3d from = point.transpose();
+    double best = std::numeric_limits<double>::infinity();
+    int bestFace = -1;
     Eigen::RowVector3d nearest;
-    const double squared = tree_->squared_distance(
-        mesh_.vertices, mesh_.faces, Eigen::RowVector3d(point.transpose()), face, nearest);
-    if (face < 0) { // as no distance was less than infinite
+    const auto search = [&](const auto& self, const Node& node) -> void {
+        if (boxesLeft <= 0)
+            return;
+        --boxesLeft;
+        if (node.m_primitive >= 0) {
+            double squared = 0;
+            Eigen::RowVector3d candidate;
+            igl::point_simplex_squared_distance<3>(from, mesh_.vertices, mesh_.faces,
+                                                   node.m_primitive, squared, candidate);
+            if (squared < best) {
+                best = squared;
+                bestFace = node.m_primitive;
+                nearest = candidate;
+            }
+            return;
+        }
+        const Node *first = node.m_left, *second = node.m_right;
+        if (!first->m_box.contains(point) &&
+            (second->m_box.contains(point) || !(first->m_box.squaredExteriorDistance(point) <
+                                                second->m_box.squaredExteriorDistance(point))))
+            std::swap(first, second);
+        for (const auto* half : {first, second})
+            if (half->m_box.squaredExteriorDistance(point) < best)
+                self(self, *half);
+    };
+    search(search, *tree_);
+    if (bestFace < 0) { // as no distance was less than infinite, or no box was left
         auto some = surfacePoint(mesh_, 0, mesh_.vertices.row(mesh_.faces(0, 0)).transpose());
         some.distanceMetres = std::numeric_limits<double>::infinity();
         return some;
     }
-    auto result = surfacePoint(mesh_, face, nearest.transpose());
-    result.distanceMetres = std::sqrt(squared);
+    auto result = surfacePoint(mesh_, bestFace, nearest.transpose());
+    result.distanceMetres = std::sqrt(best);
     return result;
 }
 
-std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin,
-                                                   const Eigen::Vector3d& direction) const {
+template <typename Visit>
+bool SurfaceQuery::visitAlong(const Eigen::Vector3d& origin,
+                              const Eigen::Vector3d& direction,
+                              const double& reach,
+                              std::int64_t& boxesLeft,
+                              const Visit& visit) const {
     // libigl's own ray test works in float and takes triangles under 1e-6 m² for parallel to every
     // ray: its tree, our test.
     const igl::AABB<Eigen::MatrixXd, 3>* root = tree_.get();
     std::vector pending{root};
-    double best = std::numeric_limits<double>::infinity();
-    int bestFace = -1;
     while (!pending.empty()) {
         const auto* node = pending.back();
         pending.pop_back();
-        if (node == nullptr || entry(node->m_box, origin, direction) >= best)
+        if (boxesLeft <= 0)
+            return false;
+        --boxesLeft;
+        if (entry(node->m_box, origin, direction) >= reach)
             continue;
         if (node->m_primitive >= 0) {
-            const auto distance = Triangle(mesh_, node->m_primitive).hit(origin, direction);
-            if (distance && *distance < best) {
-                best = *distance;
-                bestFace = node->m_primitive;
-            }
+            if (const auto distance = Triangle(mesh_, node->m_primitive).hit(origin, direction))
+                visit(node->m_primitive, *distance);
             continue;
         }
         pending.push_back(node->m_left);
         pending.push_back(node->m_right);
     }
+    return true;
+}
+
+std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin,
+                                                   const Eigen::Vector3d& direction) const {
+    std::int64_t boxesLeft = boxesForRay;
+    return firstHit(origin, direction, boxesLeft);
+}
+
+std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin,
+                                                   const Eigen::Vector3d& direction,
+                                                   std::int64_t& boxesLeft) const {
+    double best = std::numeric_limits<double>::infinity();
+    int bestFace = -1;
+    visitAlong(origin, direction, best, boxesLeft, [&](int face, double distance) {
+        if (distance < best) {
+            best = distance;
+            bestFace = face;
+        }
+    });
     if (bestFace < 0)
         return std::nullopt;
     auto result = surfacePoint(mesh_, bestFace, origin + best * direction);
@@ -148,26 +206,11 @@ std::optional<SurfacePoint> SurfaceQuery::firstHit(const Eigen::Vector3d& origin
 std::optional<std::vector<double>> SurfaceQuery::passages(const Eigen::Vector3d& origin,
                                                           const Eigen::Vector3d& direction,
                                                           std::int64_t& boxesLeft) const {
-    const igl::AABB<Eigen::MatrixXd, 3>* root = tree_.get();
-    std::vector pending{root};
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
     std::vector<double> distances;
-    while (!pending.empty()) {
-        const auto* node = pending.back();
-        pending.pop_back();
-        if (node == nullptr)
-            continue;
-        if (--boxesLeft < 0)
-            return std::nullopt;
-        if (entry(node->m_box, origin, direction) == std::numeric_limits<double>::infinity())
-            continue;
-        if (node->m_primitive >= 0) {
-            if (const auto distance = Triangle(mesh_, node->m_primitive).hit(origin, direction))
-                distances.push_back(*distance);
-            continue;
-        }
-        pending.push_back(node->m_left);
-        pending.push_back(node->m_right);
-    }
+    if (!visitAlong(origin, direction, everywhere, boxesLeft,
+                    [&](int, double distance) { distances.push_back(distance); }))
+        return std::nullopt;
     std::ranges::sort(distances);
     return distances;
 }

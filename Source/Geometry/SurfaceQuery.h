@@ -19,8 +19,14 @@ struct SurfacePoint {
     double distanceMetres = 0; ///< from the query's point or the ray's origin
 };
 
+/// A question looks at boxes round ever fewer faces. Of most surfaces some hundred will do; where
+/// faces are heaped on each other all of them might have to be looked at. So each one is taken from
+/// `boxesLeft`, or from a number of its own for each question; once there are none left, the answer
+/// is the best of the faces looked at: for a point, of none, some point infinitely far away.
 class SurfaceQuery {
 public:
+    static constexpr std::int64_t boxesForPoint = 20'000, boxesForRay = 200'000;
+
     /// The mesh has a face, and its indices are valid (as MeshReader and MeshRepair see to).
     explicit SurfaceQuery(Mesh mesh);
     ~SurfaceQuery();
@@ -32,15 +38,18 @@ public:
     /// Of a point that is not finite, or too far away to measure from, some point of the surface,
     /// infinitely far away.
     SurfacePoint nearestPoint(const Eigen::Vector3d& point) const;
+    SurfacePoint nearestPoint(const Eigen::Vector3d& point, std::int64_t& boxesLeft) const;
 
     /// The first face along the ray, from either side; nothing when it misses. The direction need
     /// not have unit length, only not be zero.
     std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& origin,
                                          const Eigen::Vector3d& direction) const;
+    std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& origin,
+                                         const Eigen::Vector3d& direction,
+                                         std::int64_t& boxesLeft) const;
 
     /// How far along the ray it passes through faces, in lengths of the direction and ascending;
-    /// along an edge through those on both sides. The boxes around faces that it has to look at are
-    /// taken from `boxesLeft`; nothing where they do not suffice.
+    /// along an edge through those on both sides. Nothing where the boxes do not suffice.
     std::optional<std::vector<double>> passages(const Eigen::Vector3d& origin,
                                                 const Eigen::Vector3d& direction,
                                                 std::int64_t& boxesLeft) const;
@@ -50,6 +59,17 @@ public:
 
 private:
     struct Tree;
+
+    /// Calls `visit(face, distance)` for faces that the ray meets, distances in lengths of the
+    /// direction, but for those in boxes that it enters no sooner than at `reach`, which may change
+    /// meanwhile. Whether the boxes sufficed.
+    template <typename Visit>
+    bool visitAlong(const Eigen::Vector3d& origin,
+                    const Eigen::Vector3d& direction,
+                    const double& reach,
+                    std::int64_t& boxesLeft,
+                    const Visit& visit) const;
+
     Mesh mesh_;
     std::unique_ptr<Tree> tree_;
 };

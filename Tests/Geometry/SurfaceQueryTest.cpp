@@ -49,6 +49,25 @@ double hitDistance(const Mesh& mesh,
     return inside ? x(2) * direction.norm() : -1;
 }
 
+/// Every face between three heaps of vertices in a sloping plane, so that all have nearly one box.
+Mesh heapedFaces(int verticesOfHeap) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> spread(-0.001, 0.001);
+    const Eigen::Vector2d heaps[]{{0, 0}, {1, 0}, {0, 1}};
+    Mesh mesh{Eigen::MatrixXd(3 * verticesOfHeap, 3),
+              Eigen::MatrixXi(verticesOfHeap * verticesOfHeap * verticesOfHeap, 3)};
+    for (int vertex = 0; vertex < mesh.vertices.rows(); ++vertex) {
+        const auto& heap = heaps[vertex / verticesOfHeap];
+        const double x = heap.x() + spread(random), y = heap.y() + spread(random);
+        mesh.vertices.row(vertex) << x, y, x + y;
+    }
+    for (int face = 0; face < mesh.faces.rows(); ++face)
+        mesh.faces.row(face) << face % verticesOfHeap,
+            verticesOfHeap + face / verticesOfHeap % verticesOfHeap,
+            2 * verticesOfHeap + face / verticesOfHeap / verticesOfHeap;
+    return mesh;
+}
+
 } // namespace
 
 TEST_CASE("Nearest points and first hits agree with brute force, for any size of mesh") {
@@ -141,4 +160,29 @@ TEST_CASE("A ray passes through all faces in its way, as far as it may look") {
     CHECK(query.passages({5, 0, 0}, up, boxes)->empty());
     boxes = 3;
     CHECK_FALSE(query.passages(from, up, boxes));
+}
+
+TEST_CASE("Where faces are heaped on each other, a question ends with the best it has seen") {
+    const SurfaceQuery query(heapedFaces(40));
+    const Eigen::Vector3d above(0.3, 0.3, 5), down(0, 0, -1);
+    constexpr std::int64_t plenty = 1'000'000;
+    std::int64_t forPoint = plenty, forRay = plenty;
+    const auto nearest = query.nearestPoint(above, forPoint);
+    const auto hit = query.firstHit(above, down, forRay);
+    REQUIRE(hit);
+    CHECK(plenty - forPoint > query.boxesForPoint); // the reason why there is an end
+    CHECK(plenty - forRay > 50'000);
+
+    const auto soon = query.nearestPoint(above);
+    CHECK(soon.distanceMetres >= nearest.distanceMetres);
+    CHECK(soon.distanceMetres < 1.01 * nearest.distanceMetres);
+    std::int64_t few = 100;
+    const auto some = query.firstHit(above, down, few);
+    CHECK(few == 0);
+    REQUIRE(some);
+    CHECK(std::abs(some->distanceMetres - hit->distanceMetres) < 0.01);
+    few = 0;
+    CHECK_FALSE(query.firstHit(above, down, few));
+    CHECK(std::isinf(query.nearestPoint(above, few).distanceMetres));
+    CHECK(few == 0);
 }
