@@ -44,14 +44,21 @@ std::string resolved(const std::string& object, const std::filesystem::path& imp
 /// An object that impulses name, and where it can be struck.
 struct StruckObject {
     Result<std::shared_ptr<const ModalObject>> object;
-    std::optional<ObjectSurface> surface; ///< where there is an object
-    int firstLine = 0;                    ///< that names it
+    std::shared_ptr<const ObjectSurface> surface; ///< where there is an object
+    int firstLine = 0;                            ///< that names it
 };
 
-StruckObject struckObject(const std::string& object) {
+/// Whatever names it has, an object has one surface.
+using Surfaces = std::map<const ModalObject*, std::shared_ptr<const ObjectSurface>>;
+
+StruckObject struckObject(const std::string& object, Surfaces& surfaces) {
     StruckObject struck{.object = ObjectLibrary::shared().find(object), .surface = {}};
-    if (struck.object)
-        struck.surface.emplace(**struck.object);
+    if (struck.object) {
+        auto& surface = surfaces[struck.object->get()];
+        if (surface == nullptr)
+            surface = std::make_shared<ObjectSurface>(**struck.object);
+        struck.surface = surface;
+    }
     return struck;
 }
 
@@ -59,12 +66,15 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::files
     ImpulseScore score;
     BadLines faults;
     std::map<std::string, StruckObject> objects;
+    Surfaces surfaces;
     std::map<std::pair<std::string, std::string>, std::size_t> slotOfBody;
     for (const auto& impulse : impulses) {
         auto known = objects.find(impulse.object);
         if (known == objects.end())
             known =
-                objects.emplace(impulse.object, struckObject(resolved(impulse.object, file))).first;
+                objects
+                    .emplace(impulse.object, struckObject(resolved(impulse.object, file), surfaces))
+                    .first;
         auto& struck = known->second;
         if (struck.firstLine == 0 || impulse.line < struck.firstLine)
             struck.firstLine = impulse.line;

@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-WavWriter::WavWriter(std::filesystem::path destination) : file(std::move(destination)) {}
+WavWriter::WavWriter(const std::filesystem::path& destination) : file(behindLinks(destination)) {}
 
 WavWriter::~WavWriter() {
     if (partial.empty())
@@ -32,7 +32,10 @@ Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::filesystem::path
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
         return failure(file.string() + ": it is a directory");
-    const auto beside = makeFileBeside(file);
+    if (std::filesystem::exists(result->file, ignored) &&
+        !std::filesystem::is_regular_file(result->file, ignored))
+        return failure(file.string() + ": a WAV file cannot be written to a device or a pipe");
+    const auto beside = makeFileBeside(result->file);
     if (!beside)
         return result->fault();
     result->partial = *beside;

@@ -16,7 +16,8 @@ namespace idiophone {
 class WavWriter {
 public:
     /// `bitDepth` is 16 or 24 for whole numbers, which clip at full scale, or 32 for floats, which
-    /// do not. The error names a file that cannot be written.
+    /// do not. A link goes on leading to the file. The error names a file that cannot be written,
+    /// as a device or a pipe.
     static Result<std::unique_ptr<WavWriter>>
     create(const std::filesystem::path& file, int sampleRateHz, int channelCount, int bitDepth);
 
@@ -30,7 +31,7 @@ public:
     Result<void> finish();
 
 private:
-    explicit WavWriter(std::filesystem::path file);
+    explicit WavWriter(const std::filesystem::path& file);
     bool writeRounded(const float* const* channels, int sampleCount);
     tl::unexpected<Error> fault() const;
 

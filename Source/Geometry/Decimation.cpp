@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_probabilistic_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <algorithm>
+#include <boost/optional/optional.hpp>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <string>
@@ -40,6 +42,38 @@ private:
     const WorkControl& control_;
 };
 
+struct Stopped {};
+
+/// Of every edge that a collapse has moved CGAL goes through all edges round both of its ends,
+/// which for faces that all meet in one vertex is the cube of their number: counts those, and
+/// throws Stopped where there are too many, or when asked to stop.
+template <class Placement>
+class LimitedPlacement {
+public:
+    LimitedPlacement(const Placement& placement,
+                     std::int64_t& neighboursLeft,
+                     const WorkControl& control)
+        : placement_(placement), neighboursLeft_(neighboursLeft), control_(control) {}
+
+    template <class Profile>
+    boost::optional<typename Profile::Point> operator()(const Profile& profile) const {
+        neighboursLeft_ -= static_cast<std::int64_t>(profile.link().size());
+        if (neighboursLeft_ < 0 || control_.isCancelled())
+            throw Stopped{};
+        return placement_(profile);
+    }
+
+private:
+    const Placement& placement_;
+    std::int64_t& neighboursLeft_;
+    const WorkControl& control_;
+};
+
+/// A scan has some 160 for each face; ten nanoseconds each.
+std::int64_t neighboursAllowed(const UnitSurface& unit) {
+    return 300'000'000 + 1000 * static_cast<std::int64_t>(unit.surface.number_of_faces());
+}
+
 using Policies = sms::GarlandHeckbert_probabilistic_plane_policies<Surface, SurfaceKernel>;
 
 /// Quadrics of planes that are a hair uncertain (Trettner & Kobbelt 2020): where the surface is
@@ -55,11 +89,15 @@ Policies policiesFor(Surface& surface) {
 
 void collapseEdges(UnitSurface& unit, std::size_t budget, const WorkControl& control) {
     const BudgetReached stop(unit.surface.number_of_vertices(), budget, control);
+    auto neighboursLeft = neighboursAllowed(unit);
+    const auto placement = [&](const Policies& policies) {
+        return LimitedPlacement(policies.get_placement(), neighboursLeft, control);
+    };
     {
         const auto policies = policiesFor(unit.surface);
         sms::edge_collapse(unit.surface, stop,
                            CGAL::parameters::get_cost(policies.get_cost())
-                               .get_placement(policies.get_placement())
+                               .get_placement(placement(policies))
                                .filter(sms::Bounded_normal_change_filter<>()));
     }
     if (unit.surface.number_of_vertices() <= budget || control.isCancelled())
@@ -69,7 +107,7 @@ void collapseEdges(UnitSurface& unit, std::size_t budget, const WorkControl& con
     const auto policies = policiesFor(unit.surface);
     sms::edge_collapse(
         unit.surface, stop,
-        CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+        CGAL::parameters::get_cost(policies.get_cost()).get_placement(placement(policies)));
 }
 
 } // namespace
@@ -95,6 +133,10 @@ Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& con
                            " vertices: its holes and components need " +
                            std::to_string(result->vertexCount()) + ".");
         return result;
+    } catch (const Stopped&) {
+        if (control.isCancelled())
+            return cancellation();
+        return failure("The mesh cannot be decimated: too many of its faces meet in one vertex.");
     } catch (const std::bad_alloc&) {
         return failure("The mesh needs more memory to be decimated than this machine has.");
     } catch (const std::exception& error) {

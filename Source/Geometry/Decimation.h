@@ -14,8 +14,9 @@ namespace idiophone {
 /// manifold, oriented, without degenerate faces, closed where it was closed; the order of vertices
 /// and faces is new.
 /// Fails, in one sentence, where repair does, when the topology (many components, holes, handles)
-/// needs more vertices than the budget, or once cancelled. Never throws. Any thread; not for the
-/// audio thread.
+/// needs more vertices than the budget, when thousands of faces meet in one vertex (which would
+/// take the cube of their number), or once cancelled. Never throws. Any thread; not for the audio
+/// thread.
 Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& control = {});
 
 } // namespace idiophone

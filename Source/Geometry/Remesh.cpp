@@ -166,6 +166,14 @@ std::int64_t questionsAllowed(const UnitSurface& unit) {
     return 4'000'000 + 20 * static_cast<std::int64_t>(unit.surface.number_of_faces());
 }
 
+/// Some steps go through all faces round a vertex for each of them, and ask nothing meanwhile.
+bool isCrowded(const Mesh& mesh) {
+    Eigen::VectorXd degrees = Eigen::VectorXd::Zero(mesh.vertexCount());
+    for (const int vertex : mesh.faces.reshaped())
+        ++degrees(vertex);
+    return degrees.squaredNorm() > 4e8 + 100 * static_cast<double>(mesh.faceCount());
+}
+
 void remeshUnit(UnitSurface& unit,
                 double edgeLength,
                 const RemeshSettings& settings,
@@ -245,6 +253,9 @@ Result<Mesh> remesh(const Mesh& mesh, const RemeshSettings& settings, const Work
             return failure("The mesh would need more than " +
                            std::to_string(std::llround(settings.maximumTriangles)) +
                            " triangles at this edge length; choose a longer one.");
+        if (isCrowded(sound))
+            return failure("The mesh cannot be remeshed in reasonable time: too many of its faces "
+                           "meet in one vertex.");
         const auto lighter = decimatedFor(settings.edgeLengthMetres, sound, control);
         if (control.isCancelled())
             return cancellation();

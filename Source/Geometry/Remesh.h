@@ -31,7 +31,8 @@ double remeshedTriangles(const Mesh& mesh, double edgeLengthMetres);
 /// RepairReport::nonManifoldEdges before. The result is a manifold, oriented, without degenerate
 /// faces, not guaranteed free of self-intersections; the order of vertices and faces is new. Fails,
 /// in one sentence, where repair does, for settings outside their ranges, when it would take more
-/// than `maximumTriangles`, or once cancelled. Never throws. Any thread; not for the audio thread.
+/// than `maximumTriangles`, when ten thousands of
+/// faces meet in one vertex, or once cancelled. Never throws. Any thread; not for the audio thread.
 Result<Mesh>
 remesh(const Mesh& mesh, const RemeshSettings& settings, const WorkControl& control = {});
 

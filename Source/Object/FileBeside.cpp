@@ -52,6 +52,12 @@ std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path&
     return std::nullopt;
 }
 
+std::filesystem::path behindLinks(const std::filesystem::path& file) {
+    std::error_code fault;
+    auto place = std::filesystem::canonical(file, fault);
+    return fault ? file : place;
+}
+
 bool replaceFile(const std::filesystem::path& file,
                  const std::function<void(std::ostream&)>& write) {
     std::error_code fault;
@@ -59,15 +65,15 @@ bool replaceFile(const std::filesystem::path& file,
     if (kind != std::filesystem::file_type::regular &&
         kind != std::filesystem::file_type::not_found)
         return fill(file, write);
-    // Where it is a link to a file, the link stays.
-    auto place = std::filesystem::canonical(file, fault);
-    if (fault)
-        place = file;
+    const auto place = behindLinks(file);
     const auto beside = makeFileBeside(place);
     if (!beside)
         return false;
-    fault.clear();
     const bool isComplete = fill(*beside, write);
+    if (kind == std::filesystem::file_type::regular)
+        std::filesystem::permissions(*beside, std::filesystem::status(place, fault).permissions(),
+                                     fault);
+    fault.clear(); // there are disks without permissions
     if (isComplete)
         std::filesystem::rename(*beside, place, fault);
     if (!isComplete || fault) {

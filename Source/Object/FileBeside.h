@@ -12,8 +12,12 @@ namespace idiophone {
 /// rename or remove. Nothing where none can be made, or `file` is protected from being written.
 std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path& file);
 
+/// The file that it leads to, where it is a link to one; else itself.
+std::filesystem::path behindLinks(const std::filesystem::path& file);
+
 /// Makes `file` what `write` writes, through a file beside it that takes its place once it is
-/// complete. False where that fails: what was there stays. A device or a pipe is written as it is.
+/// complete, with the permissions of what was there. False where that fails: what was there stays.
+/// A device or a pipe is written as it is, and a link goes on leading to the file.
 bool replaceFile(const std::filesystem::path& file,
                  const std::function<void(std::ostream&)>& write);
 

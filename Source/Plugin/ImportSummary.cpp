@@ -3,6 +3,7 @@
 #include "Editor/Utf8.h"
 #include "Instrument/ObjectBox.h"
 #include "Object/ModalObjectFile.h"
+#include "Object/OneLine.h"
 #include "Plugin/ContentHash.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ std::string notesOf(const ModalObject& object, const std::string& unitSentence) 
 
 std::string uniqueName(const ModalObject& object) {
     const auto hash = static_cast<juce::int64>(contentHash(encodeModalObject(object)));
-    return "imported/" + object.name + "-" + juce::String::toHexString(hash).toStdString();
+    return "imported/" + oneLine(object.name) + "-" + juce::String::toHexString(hash).toStdString();
 }
 
 } // namespace idiophone

@@ -226,6 +226,8 @@ PresetCollection::save(Sound sound,
                        const std::function<Result<std::string>(const Preset&)>& write) {
     if (sound.instrument == nullptr)
         return failure("There is nothing to save: no instrument is loaded.");
+    if (holder.playsPreview())
+        return failure("A preview plays: save it when the analysis is over, or cancel that first.");
     auto preset = sound.preset;
     preset.name = details.name;
     preset.author = details.author;

@@ -24,8 +24,9 @@ std::string nameOf(const PresetFolder::Entry& entry) {
 }
 
 Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
+    // JUCE takes what begins with ~ for a path of its own.
     const auto legal =
-        juce::File::createLegalFileName(fromUtf8(name)).trim().trimCharactersAtStart(".");
+        juce::File::createLegalFileName(fromUtf8(name)).trimCharactersAtStart(".~ ").trim();
     if (legal.isEmpty())
         return failure(std::string(ofWhat) + " needs a name that a file can have.");
     if (legal.length() > longestName)
@@ -171,7 +172,11 @@ Result<juce::File> PresetFolder::placeFor(const std::string& name,
     for (const auto& part : parts) {
         if (part.trim().isEmpty())
             continue;
-        const auto legal = legalName(part.toStdString(), "A folder");
+        // One that is there keeps its name, which need not be one that every system allows.
+        const auto child = place.getChildFile(part.trim());
+        const bool isThere = child.isDirectory() && child.isAChildOf(place);
+        const auto legal =
+            isThere ? Result<juce::String>(part.trim()) : legalName(part.toStdString(), "A folder");
         if (!legal)
             return tl::unexpected(legal.error());
         if (++depth > deepestFolder)
@@ -229,10 +234,11 @@ Result<void> PresetFolder::replace(const std::string& id, const Preset& preset) 
 
 Result<std::string> PresetFolder::rename(const std::string& id, const std::string& name) {
     const auto file = fileOf(id);
-    const auto* entry = find(id);
-    if (entry == nullptr || !file.existsAsFile())
+    if (find(id) == nullptr || !file.existsAsFile())
         return failure("There is no preset '" + id + "' any more.");
-    const auto place = placeFor(name, entry->folder);
+    const auto place = legalName(name, "A preset").map([&](const juce::String& legal) {
+        return file.getSiblingFile(legal + ending); // whatever its folder is called
+    });
     if (!place)
         return tl::unexpected(place.error());
     const bool sameFile = *place == file;

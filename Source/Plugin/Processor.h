@@ -123,6 +123,7 @@ public:
     void unmuteModes(std::size_t object) override;
     void hearAllModes(std::size_t object) override;
     Status takeStatus() override;
+    bool playsPreview() const override;
     void reportError(const std::string& sentence) override;
     PresetCollection& presetShelf() override { return shelf; }
     SoundHistory& editHistory() override { return history; }
@@ -250,6 +251,7 @@ private:
     int importLoads = -1; ///< number of the load that the workshop's job began from or led to
     bool importFailureShown = true;
     std::weak_ptr<const ModalObject> imported; ///< the workshop's last that played
+    bool importedIsPreview = false;
     std::weak_ptr<const ModalObject>
         settingsGivenFor; ///< that played then, and not by the workshop
 

@@ -130,6 +130,14 @@ ImportStatus Processor::importStatus() const {
     return status;
 }
 
+bool Processor::playsPreview() const {
+    const auto object = imported.lock();
+    if (!importedIsPreview || object == nullptr || !plays(loadedInstrument(), *object))
+        return false;
+    const auto stage = workshop.status().stage; // once it is done, the whole object is to follow
+    return stage == ImportStatus::Stage::previewed || stage == ImportStatus::Stage::done;
+}
+
 /// A product plays where nothing else was chosen meanwhile.
 void Processor::followWorkshop() {
     if (importLoads != loads)
@@ -172,6 +180,8 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     preset.name = object.name;
     preset.author.clear();
     preset.description = object.name + ": " + summaryOf(object);
+    if (product.isPreview) // which a project that is saved now keeps
+        preset.description += ". A preview of few elements: analyse it again for all modes.";
     preset.tags = {"imported"};
     preset.unknownParameters.clear();
     preset.mutedModes = {};
@@ -200,6 +210,7 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
         return;
     importLoads = *number;
     imported = product.object;
+    importedIsPreview = product.isPreview;
     if (!product.isFirst && now.sound.instrument != nullptr)
         renewHistory(*now.sound.instrument->slots().front().object, map, *built);
 }

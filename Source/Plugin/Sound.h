@@ -67,6 +67,8 @@ public:
     /// description and tags, its place on the shelf with what its file holds, and its stored
     /// values, and keeps all else.
     virtual void relabel(const Sound& wanted) = 0;
+    /// A mesh is being analysed, of which what plays is only the first impression.
+    virtual bool playsPreview() const = 0;
     /// A sentence for the status line.
     virtual void reportError(const std::string& sentence) = 0;
     /// How many states and programs the host has loaded, on whatever thread; states that are

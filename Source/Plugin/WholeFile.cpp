@@ -1,5 +1,10 @@
 #include "Plugin/WholeFile.h"
 
+#include "Editor/Utf8.h"
+#include "Object/FileBeside.h"
+
+#include <ostream>
+
 namespace idiophone {
 
 Result<void> writeWhole(const juce::File& file, std::span<const std::byte> bytes) {
@@ -9,19 +14,12 @@ Result<void> writeWhole(const juce::File& file, std::span<const std::byte> bytes
     };
     if (const auto made = file.getParentDirectory().createDirectory(); made.failed())
         return refuse(made.getErrorMessage());
-    const juce::TemporaryFile beside(file, juce::TemporaryFile::useHiddenFile);
-    {
-        juce::FileOutputStream stream(beside.getFile());
-        stream.write(bytes.data(), bytes.size());
-        stream.flush();
-        if (const auto status = stream.getStatus(); status.failed())
-            return refuse(status.getErrorMessage());
-    }
-    // The last bytes before a disk is full are written without a fault.
-    if (beside.getFile().getSize() != static_cast<juce::int64>(bytes.size()))
-        return refuse("there is no room for all of it");
-    if (!beside.overwriteTargetFileWithTemporary())
-        return refuse("what is there cannot be replaced");
+    const bool isWritten = replaceFile(pathOf(file), [&](std::ostream& stream) {
+        stream.write(reinterpret_cast<const char*>(bytes.data()),
+                     static_cast<std::streamsize>(bytes.size()));
+    });
+    if (!isWritten)
+        return refuse("what is there cannot be replaced, or the disk is full");
     return {};
 }
 

@@ -9,9 +9,9 @@
 
 namespace idiophone {
 
-/// Through a file beside it, which takes the file's place once all of it is on the disk, and makes
-/// the folder. Where it fails, what was there stays, and the error is a sentence that names the
-/// file and the fault. Not for the audio thread.
+/// As `replaceFile` does (Object/FileBeside.h), and makes the folder. Where it fails, what was
+/// there stays, and the error is a sentence that names the file and the fault. Not for the audio
+/// thread.
 Result<void> writeWhole(const juce::File& file, std::span<const std::byte> bytes);
 
 } // namespace idiophone

@@ -78,15 +78,22 @@ Result<void> SceneCast::addRole(const BodyTemplate& kind,
                                 int group,
                                 int collidesWith) {
     const RigidBodyModel* likeSurface = nullptr;
-    for (const auto& role : allRoles)
-        if (role.kind.model->object == object && role.kind.model->form == BodyForm::surface)
+    std::shared_ptr<const ObjectSurface> surface;
+    for (const auto& role : allRoles) {
+        if (role.kind.model->object != object)
+            continue;
+        surface = role.surface;
+        if (role.kind.model->form == BodyForm::surface)
             likeSurface = role.kind.model.get();
+    }
+    if (surface == nullptr && !kind.ball)
+        surface = std::make_shared<ObjectSurface>(*object);
     return makeRigidBodyModel(kind, object, likeSurface)
         .map([&](const std::shared_ptr<const RigidBodyModel>& model) {
             allRoles.push_back(
                 {.kind = {.model = model, .group = group, .collidesWith = collidesWith},
                  .object = kind.object,
-                 .surface = kind.ball ? nullptr : std::make_shared<ObjectSurface>(*object),
+                 .surface = surface,
                  .sound = kind.surface.value_or(plainSurface(object->material))});
         });
 }

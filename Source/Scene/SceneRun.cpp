@@ -121,7 +121,7 @@ void SceneRun::planNotes() {
     const auto& drop = *scene.noteDrop;
     auto& notes = call.notes;
     std::ranges::stable_sort(notes, {}, &SceneNote::seconds);
-    const auto outer = outerVertices(*cast->roles()[drop.kind].kind.model);
+    const LowestPoint outer(outerVertices(*cast->roles()[drop.kind].kind.model));
     std::uint32_t number = firstNote;
     const auto first = std::ssize(coming);
     for (const auto& note : notes) {
@@ -164,7 +164,7 @@ void SceneRun::shareSlots(std::span<Coming> ofOneRole) {
 /// evenly with the velocity.
 BodyMotion SceneRun::falling(const SceneNote& note,
                              std::uint32_t number,
-                             std::span<const Eigen::Vector3d> outer,
+                             const LowestPoint& outer,
                              double& fallSeconds) {
     const auto& drop = *scene.noteDrop;
     const double gravity = std::max(scene.gravityMetresPerSecond2, 1e-3);
@@ -180,9 +180,7 @@ BodyMotion SceneRun::falling(const SceneNote& note,
         place(axis) += drop.reachMetres(axis) * chance.spread();
     const auto& model = *cast->roles()[drop.kind].kind.model;
     const auto about = posed(model, Eigen::Vector3d::Zero(), turn);
-    double lowest = 0; // of a body whose centre of mass is at 0
-    for (const auto& vertex : outer)
-        lowest = std::min(lowest, (about * vertex).z());
+    const double lowest = std::min(0.0, outer.metres(about)); // below its centre of mass
     place.z() += speed * fallSeconds / 2 - lowest;
     return {.pose = posed(model, place, turn)};
 }

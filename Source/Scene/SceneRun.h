@@ -2,6 +2,7 @@
 // they strike is told for the synthesiser.
 #pragma once
 
+#include "Scene/LowestPoint.h"
 #include "Scene/RecordedHand.h"
 #include "Scene/SceneCast.h"
 #include "Scene/TouchTracker.h"
@@ -111,7 +112,7 @@ private:
     void planNotes();
     BodyMotion falling(const SceneNote& note,
                        std::uint32_t number,
-                       std::span<const Eigen::Vector3d> outer,
+                       const LowestPoint& outer,
                        double& fallSeconds);
     void shareSlots(std::span<Coming> ofOneRole);
     void step();

@@ -19,6 +19,7 @@ constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
 SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
                                double sizeRatio,
+                               ModeWeights modeWeightsOfObject,
                                double radiationWeightScale,
                                std::size_t channels,
                                double sampleRateHz,
@@ -26,7 +27,7 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
       slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
       cellSeconds(cellSamples / sampleRateHz), weightScale(radiationWeightScale),
-      modeWeights(summedSquareShapes(*object)),
+      modeWeights(std::move(modeWeightsOfObject)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();

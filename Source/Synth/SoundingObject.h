@@ -32,12 +32,16 @@ public:
     /// At most this many contacts are under way at a time.
     static constexpr std::size_t contactCapacity = 64;
 
+    using ModeWeights = std::shared_ptr<const std::vector<double>>;
+
     /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
     /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
-    /// `radiationWeightScale` is the object's radiationScale (Listening.h), which takes time.
+    /// `modeWeights` [M] are the object's `summedSquareShapes` and `radiationWeightScale` is its
+    /// radiationScale (Listening.h): what takes time, and is the same for all slots of an object.
     /// `scratch` has room for this object and outlives it; objects on one thread share it.
     SoundingObject(std::shared_ptr<const ModalObject> object,
                    double sizeRatio,
+                   ModeWeights modeWeights,
                    double radiationWeightScale,
                    std::size_t channels,
                    double sampleRateHz,
@@ -266,7 +270,7 @@ private:
 
     // Groups.
     double weightScale;                       ///< of the radiation weights (Listening.h)
-    std::vector<double> modeWeights;          ///< [M] `summedSquareShapes`
+    ModeWeights modeWeights;                  ///< [M] `summedSquareShapes`
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
     double thicknessRatio = 1;                ///< 1 where the object has none live
     std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness

@@ -38,7 +38,7 @@ void SoundingObject::regroup(std::size_t groups) noexcept {
 /// been struck everywhere: where it was is not remembered.
 void SoundingObject::shareGroups(std::size_t groups) noexcept {
     scratch.groupShares.clear();
-    const std::span<const double> weights(modeWeights);
+    const std::span<const double> weights(*modeWeights);
     const auto& newStarts = scratch.groupStarts;
     for (std::size_t from = 0, to = 0; from < bank.size() && to < groups;) {
         const auto start = static_cast<std::size_t>(groupStarts[from]);
@@ -64,11 +64,11 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         referenceEigenvalues[g] = mergedEigenvalue(std::span(modeEigenvalues).subspan(first, count),
-                                                   std::span(modeWeights).subspan(first, count));
+                                                   std::span(*modeWeights).subspan(first, count));
         if (!dampingScales.empty())
             groupDampingScales[g] =
                 mergedDampingScale(std::span<const double>(dampingScales).subspan(first, count),
-                                   std::span<const double>(modeWeights).subspan(first, count));
+                                   std::span<const double>(*modeWeights).subspan(first, count));
     }
 }
 

@@ -98,13 +98,19 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
     all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
     all.objects.reserve(slots.size());
-    std::map<const ModalObject*, double> weightScales; // once for all slots of an object
+    struct OfObject {
+        SoundingObject::ModeWeights modeWeights = std::make_shared<const std::vector<double>>();
+        double radiationScale = 0;
+    };
+    std::map<const ModalObject*, OfObject> known; // once for all slots of an object
     for (SynthesiserSlot& slot : slots) {
-        const auto [scale, isNew] = weightScales.try_emplace(slot.object.get(), 0);
+        const auto [own, isNew] = known.try_emplace(slot.object.get());
         if (isNew && slot.object)
-            scale->second = radiationScale(*slot.object);
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, scale->second, channels,
-                                 sampleRateHz, *all.scratch);
+            own->second = {.modeWeights = std::make_shared<const std::vector<double>>(
+                               summedSquareShapes(*slot.object)),
+                           .radiationScale = radiationScale(*slot.object)};
+        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, own->second.modeWeights,
+                                 own->second.radiationScale, channels, sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());

@@ -432,6 +432,19 @@ class WrittenFiles(ConsoleTest):
         self.refuse("render", "--preset", "Marimba", "--midi", song, "-o", new, "--stats", new,
                     naming=new, saying="would write over what")
 
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "files of POSIX")
+    def test_a_wav_file_is_written_behind_a_link_and_to_no_device(self):
+        pipe, link, file = (self.folder / name for name in ("pipe", "link.wav", "file.wav"))
+        os.mkfifo(pipe)
+        self.refuse("strike", BAR, "-o", pipe, naming="pipe", saying="a device or a pipe")
+        self.assertTrue(pipe.is_fifo())
+        link.symlink_to(file.name)
+        file.write_bytes(b"old")
+        for place in (link, file):
+            self.succeed("strike", BAR, "-o", place, "--seconds", 0.1)
+            self.assertTrue(link.is_symlink())
+            self.assertEqual(file.read_bytes()[:4], b"RIFF")
+
     @unittest.skipIf(sys.platform == "win32", "links need a right there")
     def test_a_link_is_what_it_leads_to(self):
         bar = self.write("bar.modal", BAR.read_bytes())

@@ -220,6 +220,19 @@ class Impulses(ConsoleTest):
         self.assertEqual(code, 1)
         self.assertLess(most - usual, 200e6)  # of 10 MB; 600 where each sentence was kept
 
+    @unittest.skipUnless(hasattr(os, "wait4"), "figures of POSIX")
+    def test_an_object_of_many_names_takes_the_memory_of_one(self):
+        bowl = self.folder / "bowl.modal"
+        bowl.write_bytes((OBJECTS / "glass-bowl.modal").read_bytes())
+        names = ["".join("./" if bit == "0" else ".//" for bit in f"{k:07b}") + "bowl.modal" for k in range(128)]
+
+        def most(count):
+            file = self.lines(*(self.hit(0.001 * k, object=names[k % count]) for k in range(128)), name=f"{count}.jsonl")
+            memory, code = most_memory_bytes("render", "--impulses", file, "-o", self.folder / "out.wav", "--seconds", 0.1)
+            self.assertEqual(code, 0)
+            return memory
+        self.assertLess(most(128) - most(1), 30e6)
+
     def refuse_lines(self, bad):
         """`bad`: lines, and what is said of each."""
         good = json.dumps(self.hit())

@@ -77,6 +77,12 @@ TEST_CASE("A budget that the topology cannot meet is refused with the number it 
     CHECK_THAT(decimate({}, 100).error().message, ContainsSubstring("no faces"));
 }
 
+TEST_CASE("Faces that meet in one vertex are as many as can be decimated in seconds") {
+    CHECK(decimate(fanMesh(500), 400));
+    CHECK_THAT(decimate(fanMesh(2000), 400).error().message,
+               ContainsSubstring("too many of its faces meet in one vertex"));
+}
+
 TEST_CASE("A decimation tells its progress and can be cancelled") {
     const auto ball = scan(5, 0);
     std::vector<double> told;

@@ -180,3 +180,9 @@ TEST_CASE("A dense noisy scan comes out as a closed body of its volume, with tri
     CHECK(std::abs(check.volumeM3 / volumeM3 - 1) < 0.02);
     CHECK(std::abs(meanEdgeLengthMetres(*covered) / 0.2 - 1) < 0.15);
 }
+
+TEST_CASE("Faces that meet in one vertex are as many as can be remeshed in seconds") {
+    CHECK(remesh(fanMesh(1000), {.edgeLengthMetres = 0.05}));
+    CHECK_THAT(remesh(fanMesh(30'000), {.edgeLengthMetres = 0.05}).error().message,
+               ContainsSubstring("too many of its faces meet in one vertex"));
+}

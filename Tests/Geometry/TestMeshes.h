@@ -129,6 +129,18 @@ inline Mesh book(int pages) {
     return mesh;
 }
 
+/// A cone open below, all of whose faces meet at its tip.
+inline Mesh fanMesh(int faces) {
+    Mesh mesh{Eigen::MatrixXd(faces + 1, 3), Eigen::MatrixXi(faces, 3)};
+    mesh.vertices.row(faces) << 0, 0, 0.3;
+    for (int face = 0; face < faces; ++face) {
+        const double angle = 2 * std::numbers::pi * face / faces;
+        mesh.vertices.row(face) << std::cos(angle), std::sin(angle), 0;
+        mesh.faces.row(face) << faces, face, (face + 1) % faces;
+    }
+    return mesh;
+}
+
 /// Half a sphere, open at z = 0.
 inline Mesh openHemisphere(double radiusMetres, int rings) {
     Mesh mesh = discMesh(1, rings);

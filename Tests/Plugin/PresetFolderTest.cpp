@@ -98,10 +98,34 @@ TEST_CASE("A preset is replaced only where that is said, and then whole") {
               .getNumberOfChildFiles(juce::File::findFiles) == 1);
 }
 
+TEST_CASE("A preset stays in its folder, whatever that is called, and is saved in it again") {
+    const auto root = freshFolder();
+    const std::string inFolder = "Marimba, 442 Hz/Bells #2";
+    const auto place = root.getChildFile(fromUtf8(inFolder));
+    place.getChildFile("bell.modal").create();
+    PresetFolder folder(root);
+    REQUIRE(folder.write(named("One"), inFolder, false).value() == inFolder + "/One.json");
+    folder.read();
+    CHECK(folder.rename(inFolder + "/One.json", "Two").value() == inFolder + "/Two.json");
+    folder.read();
+    CHECK(folder.write(named("Two"), inFolder, true).value() == inFolder + "/Two.json");
+    CHECK(place.getNumberOfChildFiles(juce::File::findFiles) == 2);
+    CHECK(root.getNumberOfChildFiles(juce::File::findDirectories) == 1);
+}
+
+TEST_CASE("No name is taken for a path that begins at home") {
+    const Home home;
+    const auto root = freshFolder();
+    PresetFolder folder(root);
+    juce::File("~/mine").createDirectory();
+    CHECK(folder.write(named("~One"), "~", false).has_value() == false);
+    CHECK(folder.write(named("~One"), "~mine", false).value() == "mine/One.json");
+}
+
 TEST_CASE("Names and folders that no file can have are refused, and none leads out of the folder") {
     const auto root = freshFolder();
     PresetFolder folder(root);
-    for (const auto* name : {"", "   ", "///", "..", ".", "\\", "???"}) {
+    for (const auto* name : {"", "   ", "///", "~", "..", ".", "\\", "???"}) {
         INFO(name);
         checkRefused(folder.write(named(name), "", false));
     }

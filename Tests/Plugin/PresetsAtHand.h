@@ -32,6 +32,7 @@ public:
     SoundLabel loadedLabel() const override { return processor.loadedLabel(); }
     bool playSound(const Sound& sound) override { return processor.playSound(sound); }
     void relabel(const Sound& sound) override { processor.relabel(sound); }
+    bool playsPreview() const override { return processor.playsPreview(); }
     void reportError(const std::string& sentence) override { processor.reportError(sentence); }
     int hostLoads() const override { return processor.hostLoads(); }
     std::optional<Sound> takeSoundBeforePrograms() override {

@@ -1,6 +1,7 @@
 // What the user's files are where the disk is full.
 #include "Plugin/WholeFile.h"
 
+#include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Plugin/Favourites.h"
 #include "Plugin/PresetFolder.h"
@@ -14,6 +15,7 @@
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+#include <filesystem>
 #include <vector>
 
 using namespace idiophone;
@@ -57,6 +59,26 @@ TEST_CASE("A file that cannot be written is named with what is wrong, in one sen
 }
 
 #ifndef _WIN32
+
+TEST_CASE(
+    "A protected file stays, and what replaces a file keeps its permissions and the links to it") {
+    const auto folder = freshFolder();
+    const auto file = folder.getChildFile("behind/file"), link = folder.getChildFile("link");
+    const std::vector<std::byte> bytes(10), more(20);
+    REQUIRE(writeWhole(file, bytes));
+    REQUIRE(file.createSymbolicLink(link, false));
+    const auto permissions = [&] { return std::filesystem::status(pathOf(file)).permissions(); };
+    using std::filesystem::perms;
+    std::filesystem::permissions(pathOf(file), perms::owner_read | perms::owner_write);
+    REQUIRE(writeWhole(link, more));
+    CHECK(link.isSymbolicLink());
+    CHECK(file.getSize() == 20);
+    CHECK(permissions() == (perms::owner_read | perms::owner_write));
+    std::filesystem::permissions(pathOf(file), perms::owner_read);
+    checkRefused(writeWhole(link, bytes), link);
+    CHECK(file.getSize() == 20);
+    std::filesystem::permissions(pathOf(file), perms::owner_all);
+}
 
 namespace {
 

@@ -115,6 +115,17 @@ TEST_CASE("A die falls from so high that its blow grows with the velocity") {
     }
 }
 
+TEST_CASE("Kinds of one object share what is known of its surface") {
+    auto scene = *findFactoryScene("Dice on a xylophone");
+    scene.kinds.push_back(scene.kinds.front());
+    const auto cast = SceneCast::make(scene, ObjectLibrary::shared());
+    REQUIRE(cast);
+    const auto& roles = (*cast)->roles();
+    CHECK(roles[0].surface != nullptr);
+    CHECK(roles[0].surface == roles[scene.kinds.size() - 1].surface);
+    CHECK(roles[0].surface != roles.back().surface); // a bar's
+}
+
 TEST_CASE("Notes beyond the keyboard are left out and counted") {
     SceneRun motion(factoryCast("Dice on a xylophone"),
                     {.notes = {{1, 20, 100}, {1, 72, 100}, {2, 126, 9}}});
