@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_probabilistic_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <algorithm>
-#include <boost/optional/optional.hpp>
 #include <cstdint>
 #include <exception>
 #include <new>
@@ -56,7 +55,7 @@ public:
         : placement_(placement), neighboursLeft_(neighboursLeft), control_(control) {}
 
     template <class Profile>
-    boost::optional<typename Profile::Point> operator()(const Profile& profile) const {
+    auto operator()(const Profile& profile) const {
         neighboursLeft_ -= static_cast<std::int64_t>(profile.link().size());
         if (neighboursLeft_ < 0 || control_.isCancelled())
             throw Stopped{};

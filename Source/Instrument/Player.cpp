@@ -120,6 +120,8 @@ void Player::process(const StereoSpan& output,
         const auto striking = follow(due);
         if (cellPosition == cellSamples)
             beginCell(placeAt(position));
+        else if (!performance && (!striking.empty() || !surfaceStrikes.empty()))
+            prepareBlows();
         strikeWaiting();
         for (const auto& event : striking)
             strikeFor(event);
@@ -200,6 +202,12 @@ void Player::beginCell(std::optional<double> beats) {
         playStage();
     updateGain(beats);
     cellPosition = 0;
+}
+
+/// Within a cell: what was played since it began is struck at its pitch, its damper up.
+void Player::prepareBlows() {
+    slotTuning.applyToPlayed(bend, synth);
+    updateDampers();
 }
 
 /// What rings and what is held, over what was in the cells; `mixed` is that of all slots where they

@@ -179,6 +179,7 @@ private:
     void schedule(std::size_t slot, double sample, const Strike& strike);
     void strikePendingBefore(double sampleInCell);
     void beginCell(std::optional<double> beats);
+    void prepareBlows();
     SynthesisSettings settingsNow() const;
     void soundCell(const CellOutput& mixed, std::span<const CellOutput> cellsOfSlots);
     void forgetSilenced();

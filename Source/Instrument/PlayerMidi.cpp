@@ -9,6 +9,16 @@ namespace {
 
 constexpr double softestShare = 0.5; // of the mallet's speed, with the soft pedal all down
 
+/// Among them "reset all controllers".
+bool isChannelMode(const MidiEvent& event) {
+    return (event.bytes[0] & 0xf0) == 0xb0 && (event.bytes[1] & 0x7f) >= midi::allSoundOff;
+}
+
+bool isPressure(const MidiEvent& event) {
+    const int kind = event.bytes[0] & 0xf0;
+    return kind == 0xa0 || kind == 0xd0;
+}
+
 } // namespace
 
 // Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
@@ -17,18 +27,23 @@ constexpr double softestShare = 0.5; // of the mallet's speed, with the soft ped
 /// Returns those whose notes are to strike: what "all sound off" came after is silent.
 std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOneSample) {
     // A wheel that moves as one note of its channel ends and the next one begins is the next one's,
-    // though it may come first: JUCE's VST3 wrapper has wheels and pressure before the notes of
-    // their sample.
+    // and so is pressure, though they may come first: JUCE's VST3 wrapper has them before the notes
+    // of their sample.
     for (const auto& event : eventsOfOneSample)
         if (event.isNoteOff())
             letGo(event.bytes[0] & 0x0f, event.bytes[1] & 0x7f);
-    auto striking = eventsOfOneSample;
+    auto striking = eventsOfOneSample, pressures = eventsOfOneSample;
     for (std::size_t k = 0; k < eventsOfOneSample.size(); ++k) {
         const auto& event = eventsOfOneSample[k];
         follow(event);
         if (midi::isAllSoundOff(event.bytes))
             striking = eventsOfOneSample.subspan(k + 1);
+        if (isChannelMode(event)) // which resets them
+            pressures = eventsOfOneSample.subspan(k + 1);
     }
+    for (const auto& event : pressures)
+        if (isPressure(event))
+            follow(event);
     return striking;
 }
 
@@ -129,6 +144,7 @@ void Player::takeControllersOf(const Player& former) noexcept {
     bend.takeWheelsOf(former.bend);
     sustainPedal = former.sustainPedal;
     sostenutoPedal = former.sostenutoPedal;
+    isSilenced = former.isSilenced; // and so is the room that it fades into
     softness = former.softness;
     held.takeControllersOf(former.held);
     loudness.setSpeedController(former.loudness.speedController());

@@ -45,24 +45,33 @@ void SlotTuning::noteOn(int note) noexcept {
 }
 
 void SlotTuning::apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept {
-    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-        auto& [note, tuned, bent, bendsAtOnce, semitones] = slots[slot];
-        double goal = bend.commonSemitones(note);
-        if (note >= 0) {
-            goal += bend.ownSemitones(note);
-            if (const auto index = static_cast<std::size_t>(note);
-                keysHaveObjects && !tuning.unmapped[index])
-                tuned = tuning.semitonesFromEqual[index];
-        }
-        const double way = goal - bent;
-        const bool isThere = std::exchange(bendsAtOnce, false) || std::abs(way) <= smallestStep;
-        bent = isThere ? goal : bent + glideShare * way;
-        const double wanted = tuned + bent;
-        if (wanted == semitones)
-            continue;
-        semitones = wanted;
-        synthesiser.setFrequencyRatio(slot, std::exp2(wanted / 12));
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+        apply(slot, bend, synthesiser);
+}
+
+void SlotTuning::applyToPlayed(const PitchBend& bend, Synthesiser& synthesiser) noexcept {
+    for (std::size_t slot = 0; slot < slots.size(); ++slot)
+        if (slots[slot].bendsAtOnce)
+            apply(slot, bend, synthesiser);
+}
+
+void SlotTuning::apply(std::size_t slot, const PitchBend& bend, Synthesiser& synthesiser) noexcept {
+    auto& [note, tuned, bent, bendsAtOnce, semitones] = slots[slot];
+    double goal = bend.commonSemitones(note);
+    if (note >= 0) {
+        goal += bend.ownSemitones(note);
+        if (const auto index = static_cast<std::size_t>(note);
+            keysHaveObjects && !tuning.unmapped[index])
+            tuned = tuning.semitonesFromEqual[index];
     }
+    const double way = goal - bent;
+    const bool isThere = std::exchange(bendsAtOnce, false) || std::abs(way) <= smallestStep;
+    bent = isThere ? goal : bent + glideShare * way;
+    const double wanted = tuned + bent;
+    if (wanted == semitones)
+        return;
+    semitones = wanted;
+    synthesiser.setFrequencyRatio(slot, std::exp2(wanted / 12));
 }
 
 void SlotTuning::reset() noexcept {

@@ -6,6 +6,7 @@
 #include "Instrument/PitchBend.h"
 #include "Synth/Synthesiser.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace idiophone {
@@ -30,6 +31,8 @@ public:
     void noteOn(int note) noexcept;
     /// Once a cell, before it begins.
     void apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept;
+    /// Within a cell, before what is played strikes: of that alone.
+    void applyToPlayed(const PitchBend& bend, Synthesiser& synthesiser) noexcept;
     void reset() noexcept; ///< at the next `apply` all bends are as they should be
 
 private:
@@ -40,6 +43,8 @@ private:
         bool bendsAtOnce = true;
         double semitones = 0; ///< as the synthesiser has it
     };
+
+    void apply(std::size_t slot, const PitchBend& bend, Synthesiser& synthesiser) noexcept;
 
     const Instrument& instrument;
     double glideShare;

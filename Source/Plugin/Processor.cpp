@@ -163,11 +163,11 @@ Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
       parameters(*this), awaitingKeys(static_cast<int>(factoryPresets().size())) {
     setCurrentProgram(0);
-    startTimer(lookMilliseconds);
+    looks.emplace(lookMilliseconds, [this] { look(); });
 }
 
 Processor::~Processor() {
-    stopTimer();
+    looks.reset(); // before anything that it looks at
 }
 
 bool Processor::isBusesLayoutSupported(const BusesLayout& layouts) const {
@@ -267,6 +267,8 @@ void Processor::chooseProgram(int index, std::int64_t request) {
         return;
     {
         const std::scoped_lock lock(soundMutex);
+        if (request != noRequest && requestedProgram != request)
+            return; // a state or another request has come since
         const auto loaded = loadProgram(index, request);
         if (!loaded)
             lastError = loaded.error().message;
@@ -370,7 +372,7 @@ Result<std::unique_ptr<Player>> Processor::newPlayer(const std::shared_ptr<const
         preset.name.empty() ? "The sound" : oneLine(preset.name));
 }
 
-void Processor::timerCallback() {
+void Processor::look() {
     lookForCallbacks();
     if (const auto times = notFinite.load(); std::exchange(notFiniteShown, times) != times)
         reportError("The sound was not finite, and begins anew with the next note.");

@@ -8,6 +8,7 @@
 #include "Output/OutputStage.h"
 #include "Plugin/AwaitingKeys.h"
 #include "Plugin/BlockPieces.h"
+#include "Plugin/GuardedTimer.h"
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
 #include "Plugin/HostTransport.h"
@@ -39,10 +40,7 @@ namespace idiophone {
 /// and takes `soundMutex`, which the audio thread never does; it gets finished players through the
 /// handoff. In an offline render the callback itself loads the program that MIDI asks for, between
 /// two blocks; in real time a timer of the message thread does, some 50 ms later.
-class Processor final : public juce::AudioProcessor,
-                        public ProcessorView,
-                        public SoundHolder,
-                        private juce::Timer {
+class Processor final : public juce::AudioProcessor, public ProcessorView, public SoundHolder {
 public:
     Processor();
     ~Processor() override;
@@ -172,7 +170,7 @@ private:
     /// How often the message thread looks after what the audio thread and the workshop have left.
     static constexpr int lookMilliseconds = 50;
 
-    void timerCallback() override;
+    void look();
     void followProgramChange();
     void chooseProgram(int index, std::int64_t request);
     Result<void> loadProgram(int index, std::int64_t request);
@@ -325,6 +323,8 @@ private:
     std::array<int, parameterCount> openGestures{}; ///< by hand, of each parameter; message thread
     SoundHistory history{*this};
     PresetCollection shelf{*this, history, userSettingsFolder()};
+
+    std::optional<GuardedTimer> looks;
 };
 
 } // namespace idiophone

@@ -89,6 +89,9 @@ Result<void> Processor::restore(const State& state) {
     auto player = newPlayer(*built, preset, state.parameters);
     if (!player)
         return tl::unexpected(player.error());
+    // What MIDI asked for before is overtaken, and keys that wait for it are forgotten.
+    if (const auto request = requestedProgram.exchange(noRequest); request != noRequest)
+        refusedRequest = request;
     auto tuning = state.tuning;
     engineVersion = state.engineVersion;
     unknownOfSound = state.unknownOfSound;

@@ -2,6 +2,7 @@
 
 #include "Instrument/Player.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <libMTSClient.h>
@@ -16,6 +17,28 @@ constexpr double farthestSemitones = 128;
 constexpr std::array<juce::uint8, 21> equalTemperament{0xf0, 0x7e, 0x7f, 0x08, 0x08, 0x03, 0x7f,
                                                        0x7f, 64,   64,   64,   64,   64,   64,
                                                        64,   64,   64,   64,   64,   64,   0xf7};
+
+/// Single notes, of which each has its key's number before its pitch, or a dump of all keys.
+bool namesKeys(std::span<const juce::uint8> message) {
+    return message[4] == 0x02 || message[4] == 0x07;
+}
+
+/// Where in a message the keys begin that it gives pitches: behind a program, in some a bank before
+/// it, and a name or a number of keys. Nothing where it gives none, but those of an octave.
+std::optional<std::size_t> firstKeyIn(std::span<const juce::uint8> message) {
+    switch (message[4]) {
+    case 0x01: // of a program: a dump
+        return 22;
+    case 0x04: // of a bank and a program
+        return 23;
+    case 0x02: // of a program: single notes
+        return 7;
+    case 0x07: // of a bank and a program
+        return 8;
+    default:
+        return std::nullopt;
+    }
+}
 
 } // namespace
 
@@ -45,8 +68,27 @@ void Tuner::retune(std::span<const juce::uint8> message) noexcept {
         message.size() > 4 && (message[1] == 0x7e || message[1] == 0x7f) && message[3] == 0x08;
     if (!isTuning)
         return;
-    MTS_ParseMIDIDataU(client.get(), message.data(), static_cast<int>(message.size()));
+    if (const auto first = firstKeyIn(message))
+        retuneKeys(message.subspan(std::min(*first, message.size())), namesKeys(message));
+    else
+        MTS_ParseMIDIDataU(client.get(), message.data(), static_cast<int>(message.size()));
     tunedByMessages = true;
+}
+
+/// One by one, as the client takes "no change" for a pitch.
+void Tuner::retuneKeys(std::span<const juce::uint8> keys, bool areNamed) noexcept {
+    const std::size_t bytesOfKey = areNamed ? 4 : 3;
+    for (std::size_t key = 0; key < KeyTuning::notes && keys.size() > bytesOfKey; ++key) {
+        const auto pitch = keys.subspan(areNamed ? 1 : 0, 3);
+        const auto number = areNamed ? keys.front() : static_cast<juce::uint8>(key);
+        if (std::ranges::any_of(pitch, [](juce::uint8 byte) { return byte != 0x7f; })) {
+            const std::array<juce::uint8, 12> single{0xf0,     0x7f,     0x7f,     0x08,
+                                                     0x02,     0x00,     0x01,     number,
+                                                     pitch[0], pitch[1], pitch[2], 0xf7};
+            MTS_ParseMIDIDataU(client.get(), single.data(), static_cast<int>(single.size()));
+        }
+        keys = keys.subspan(bytesOfKey);
+    }
 }
 
 /// The client has no way to forget but a message: no offset for any of the twelve notes.

@@ -52,6 +52,7 @@ private:
         void operator()(MTSClient* client) const;
     };
 
+    void retuneKeys(std::span<const juce::uint8> keys, bool areNamed) noexcept;
     void followForgetting() noexcept;
     void readSession() noexcept;
 

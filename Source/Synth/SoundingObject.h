@@ -74,6 +74,11 @@ public:
     /// stay, whatever the share: its forced part was summed over them.
     void mix(std::int32_t share, const CellOutput& cell) noexcept;
 
+    /// After `mix`, before a strike: what was set since `beginCell` holds for the strike, and for
+    /// what rings from the next grid point on, at which its states stand. Where a contact is under
+    /// way, all of it waits for the next cell.
+    void catchUp(const SynthesisSettings& settings) noexcept;
+
     /// Adds a strike to the rest of the cell begun last; `allowance` bounds the modes mixed after
     /// it. A contact shorter than a thousandth of a sample is an impulse. False, and nothing done,
     /// where the contacts are used up or the strike is not valid for this object.

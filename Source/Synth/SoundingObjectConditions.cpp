@@ -56,6 +56,15 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
         wakeBlocks();
 }
 
+void SoundingObject::catchUp(const SynthesisSettings& settings) noexcept {
+    if (!controlsChanged || !contacts.empty())
+        return;
+    takeInKicks(cellIndex + 1);
+    ++cellIndex; // to where the states stand
+    applySettings(settings);
+    --cellIndex;
+}
+
 /// Groups follow in movePoles.
 void SoundingObject::takeSilences() noexcept {
     silencesChange = false;

@@ -244,6 +244,7 @@ bool Synthesiser::strike(std::size_t slot,
                          const CellOutput& cell) noexcept {
     auto& all = *implementation;
     return slot < slotCount() && all.on(slot, [&](SoundingObject& object, std::int32_t allowed) {
+        object.catchUp(all.settings);
         return object.strike(strike, sampleInCell, allowed, cell);
     });
 }

@@ -204,3 +204,43 @@ TEST_CASE("All notes off lets keys go, and so does every message that changes th
         CHECK(after(number) < 0.001);
     }
 }
+
+TEST_CASE("A blow is as loud wherever in a cell it comes: at its own pitch, its damper up") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.05);
+    parameters.set(ParameterId::strikeSpread, 0);
+    parameters.set(ParameterId::bendRange, 24);
+    const bool isBent = GENERATE(false, true), isStruckAgain = GENERATE(false, true);
+    CAPTURE(isBent, isStruckAgain);
+    const auto levelAt = [&](int offset) {
+        std::vector<MidiEvent> events;
+        if (isBent)
+            events.push_back(midi(0, 0xe0, 127, 127));
+        if (isStruckAgain) {
+            events.push_back(midi(0, 0x90, 69, 100));
+            events.push_back(midi(4800, 0x80, 69, 0));
+        }
+        if (isBent)
+            events.push_back(midi(6400 + offset, 0xe0, 0, 64));
+        events.push_back(midi(6400 + offset, 0x90, 69, 100));
+        Player player(bars(), sampleRateHz);
+        const auto sound = render(player, events, 19200, 256, parameters);
+        return 20 * std::log10(rms(std::span(sound).subspan(9600, 4800)));
+    };
+    const double atStart = levelAt(0);
+    for (const int offset : {1, 17, 40, 63}) {
+        CAPTURE(offset);
+        CHECK(std::abs(levelAt(offset) - atStart) < 0.2);
+    }
+}
+
+TEST_CASE("Pressure that comes with a key is that key's, whichever is told first") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::contact, scrapeContact);
+    const auto pressure = midi(100, 0xd0, 127, 0), key = midi(100, 0x90, 69, 20);
+    Player first(bars(), sampleRateHz), last(bars(), sampleRateHz), none(bars(), sampleRateHz);
+    const auto before = render(first, {pressure, key}, 9600, 256, parameters);
+    CHECK(before == render(last, {key, pressure}, 9600, 256, parameters));
+    CHECK(rms(before) > 1.5 * rms(render(none, {key}, 9600, 256, parameters)));
+}

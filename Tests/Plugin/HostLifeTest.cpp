@@ -4,11 +4,14 @@
 #include "Support/Sanitizers.h"
 #include "Support/TestSound.h"
 
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <random>
+#include <thread>
 #include <unistd.h>
 
 using namespace idiophone;
@@ -186,4 +189,25 @@ TEST_CASE("Two hundred instances play in one process and share what they can") {
     const auto& first = instances.front()->loadedInstrument()->slots().front().object;
     for (const auto& instance : instances)
         REQUIRE(instance->loadedInstrument()->slots().front().object == first);
+}
+
+TEST_CASE("A plugin goes on a thread of the host's while the message thread looks after it") {
+    std::atomic<bool> isOver{false};
+    std::thread host([&] {
+        std::mt19937 random(4);
+        for (int time = 0; time < 40; ++time) {
+            Processor processor;
+            processor.prepareToPlay(48000, 256);
+            juce::MidiBuffer program;
+            program.addEvent(juce::MidiMessage::programChange(1, 9), 0);
+            render(processor, 256, 256, program); // which the next look loads
+            juce::Thread::sleep(48 + static_cast<int>(random() % 10));
+        }
+        isOver = true;
+    });
+    while (!isOver) {
+        juce::Timer::callPendingTimersSynchronously();
+        std::this_thread::yield();
+    }
+    host.join();
 }

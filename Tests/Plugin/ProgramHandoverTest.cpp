@@ -250,3 +250,33 @@ TEST_CASE("A sound that is loaded with the modulation wheel up begins as loud as
     REQUIRE(std::abs(gain(40000) - 1) > 0.01f);
     CHECK(std::abs(gain(480) / gain(40000) - 1) < 0.001f);
 }
+
+TEST_CASE("A state that is restored after MIDI has asked for a program is what plays") {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    render(processor, blockSize, blockSize, programChange(9));
+    restore(processor, testState());
+    const auto name = processor.loadedSound().preset.name;
+    for (int looks = 0; looks < 30; ++looks)
+        followTimers();
+    CHECK(processor.loadedSound().preset.name == name);
+    render(processor, blockSize, blockSize, programChange(9)); // and a new one is answered
+    waitForProgram(processor, 9);
+}
+
+TEST_CASE("A room that \"all sound off\" has silenced stays so when another sound is restored") {
+    State state = testState();
+    state.parameters.set(ParameterId::room, 100);
+    Processor processor;
+    restore(processor, state);
+    processor.prepareToPlay(rateHz, 64);
+    juce::MidiBuffer chord, off;
+    chord.addEvent(juce::MidiMessage::noteOn(1, 60, juce::uint8{120}), 0);
+    off.addEvent(juce::MidiMessage::allSoundOff(1), 0);
+    REQUIRE(loudest(render(processor, 9600, 64, chord)) > 1e-4f);
+    render(processor, 64, 64, off);
+    state.parameters.set(ParameterId::tune, 3);
+    restore(processor, state);
+    render(processor, 4800, 64, {});
+    CHECK(loudest(render(processor, 4800, 64, {})) < 1e-6f);
+}

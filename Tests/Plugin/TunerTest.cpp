@@ -6,10 +6,12 @@
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <fstream>
 #include <utility>
+#include <vector>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -233,6 +235,38 @@ TEST_CASE("Messages of the MIDI Tuning Standard tune keys, unless the instance h
     CHECK(std::abs(cents(struckHz(processor, 432), 432)) < 0.5);
     processor.forgetTuning();
     CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
+}
+
+TEST_CASE("Keys that a message leaves as they are keep their pitch, among others of a dump too") {
+    Prepared instance;
+    const auto noChange = singleNoteTuning(struckNote, 127, 16383);
+    CHECK(std::abs(struckHz(instance.processor, 440, &noChange) / 440 - 1) < 1e-3);
+    const auto tuned = singleNoteTuning(struckNote, 70, 0);
+    const double higherHz = 440 * std::exp2(1.0 / 12);
+    CHECK(std::abs(struckHz(instance.processor, higherHz, &tuned) / higherHz - 1) < 1e-3);
+    CHECK(std::abs(struckHz(instance.processor, higherHz, &noChange) / higherHz - 1) < 1e-3);
+
+    const bool isOfBank = GENERATE(false, true);
+    std::vector<juce::uint8> dump{0x7e, 0x7f, 0x08, 0x01, 0x00};
+    if (isOfBank)
+        dump = {0x7e, 0x7f, 0x08, 0x04, 0x00, 0x00};
+    dump.insert(dump.end(), 16, 'n');
+    for (juce::uint8 key = 0; key < 128; ++key) {
+        const bool isLeft = key == struckNote;
+        dump.insert(dump.end(), {isLeft ? juce::uint8{127} : key, juce::uint8(isLeft ? 127 : 32),
+                                 juce::uint8(isLeft ? 127 : 0)});
+    }
+    dump.push_back(0); // a checksum, which nobody minds
+    const auto message =
+        juce::MidiMessage::createSysExMessage(dump.data(), static_cast<int>(dump.size()));
+    CHECK(std::abs(struckHz(instance.processor, higherHz, &message) / higherHz - 1) < 1e-3);
+    dump[static_cast<std::size_t>(5 + (isOfBank ? 1 : 0) + 16 + 3 * struckNote)] = 68;
+    dump[static_cast<std::size_t>(6 + (isOfBank ? 1 : 0) + 16 + 3 * struckNote)] = 0;
+    dump[static_cast<std::size_t>(7 + (isOfBank ? 1 : 0) + 16 + 3 * struckNote)] = 0;
+    const auto lower =
+        juce::MidiMessage::createSysExMessage(dump.data(), static_cast<int>(dump.size()));
+    const double lowerHz = 440 * std::exp2(-1.0 / 12);
+    CHECK(std::abs(struckHz(instance.processor, lowerHz, &lower) / lowerHz - 1) < 1e-3);
 }
 
 TEST_CASE("What messages tuned is forgotten when asked, and by a state, of which it is no part") {

@@ -1,0 +1,41 @@
+#include "Plugin/GuardedTimer.h"
+
+#include <juce_events/juce_events.h>
+#include <utility>
+
+namespace idiophone {
+
+class GuardedTimer::Ticker final : public juce::Timer {
+public:
+    explicit Ticker(std::function<void()> calledBack) : callback(std::move(calledBack)) {}
+
+    void end() {
+        stopTimer();
+        const juce::ScopedLock lock(calling);
+        isOver = true;
+    }
+
+private:
+    void timerCallback() override {
+        const juce::ScopedLock lock(calling); // which a thread may take again
+        if (!isOver)
+            callback();
+    }
+
+    const std::function<void()> callback;
+    juce::CriticalSection calling;
+    bool isOver = false;
+};
+
+GuardedTimer::GuardedTimer(int milliseconds, std::function<void()> callback)
+    : ticker(std::make_shared<Ticker>(std::move(callback))) {
+    ticker->startTimer(milliseconds);
+}
+
+GuardedTimer::~GuardedTimer() {
+    ticker->end();
+    // The message thread may be about to call it: it goes there, behind that.
+    juce::MessageManager::callAsync([last = std::move(ticker)] {});
+}
+
+} // namespace idiophone
