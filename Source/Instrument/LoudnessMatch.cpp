@@ -76,7 +76,8 @@ LoudnessMatch::predictedLufs(const ParameterValues& values) const noexcept {
 
 void LoudnessMatch::prepare(const ParameterValues& now, int awaitedWheel) noexcept {
     const int wheelNow = wheel;
-    state = {};
+    state = atSongStart = {};
+    songBegins = isSongStart = false;
     for (const int place : {awaitedWheel, HeldContacts::controllerAtRest, wheelNow}) {
         wheel = place;
         advance(now, std::numeric_limits<std::size_t>::max());
@@ -91,7 +92,7 @@ std::size_t LoudnessMatch::advance(const ParameterValues& now) noexcept {
 
 void LoudnessMatch::reset() noexcept {
     wheel = HeldContacts::controllerAtRest;
-    state.working = false;
+    state.working = songBegins = isSongStart = false;
     state.seen.reset();
     hasPrepared = wasPrepared;
 }
@@ -99,6 +100,8 @@ void LoudnessMatch::reset() noexcept {
 std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes) noexcept {
     if (now[matchLoudness] == 0)
         state.working = false;
+    if (std::exchange(songBegins, false))
+        returnToSongStart(now);
     if (!state.working)
         setGoal(now);
     std::size_t taken = 0;
@@ -110,7 +113,18 @@ std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes
         side.known() = {.valid = true, .goal = side.goal, .lufs = prediction.lufs()};
         beginNext();
     }
+    if (!state.working && std::exchange(isSongStart, false))
+        atSongStart = state;
     return taken;
+}
+
+void LoudnessMatch::returnToSongStart(const ParameterValues& now) noexcept {
+    if (atSongStart.seen && atSongStart.played.goal == goalOf(now) &&
+        atSongStart.reference.goal == goalOf(withOwn(now, ownValues)))
+        state = atSongStart;
+    state.working = false;
+    state.seen.reset();
+    isSongStart = true;
 }
 
 LoudnessMatch::Known& LoudnessMatch::Side::known() noexcept {

@@ -55,6 +55,11 @@ public:
     /// nothing was prepared, the first call prepares, as if constructed anew.
     void reset() noexcept;
 
+    /// A song begins: where it does with the values and the wheel that it began with last, the next
+    /// `advance` has their gain, and all that is known is as it was then, so that the same values
+    /// are followed in the same time again.
+    void beginSong() noexcept { songBegins = true; }
+
     /// Of these values and the wheel, complete; not for the audio thread.
     PhrasePrediction::Loudness predictedLufs(const ParameterValues& values) const noexcept;
 
@@ -91,6 +96,7 @@ private:
     std::size_t advance(const ParameterValues& now, std::size_t modes) noexcept;
     Goal goalOf(const ParameterValues& values) const noexcept;
     void setGoal(const ParameterValues& now) noexcept;
+    void returnToSongStart(const ParameterValues& now) noexcept;
     void beginNext() noexcept;
     double gainOfKnown() noexcept;
 
@@ -98,6 +104,9 @@ private:
     ParameterValues ownValues;
     PhrasePrediction prediction;
     State state;
+    State atSongStart;        ///< complete; of no song where nothing was seen
+    bool songBegins = false;  ///< with the next `advance`
+    bool isSongStart = false; ///< what is worked on; kept when it is complete
     bool wasPrepared = false; ///< by `prepare`
     bool hasPrepared = false; ///< by it, or by the first `advance`
     int wheel = HeldContacts::controllerAtRest;

@@ -22,6 +22,7 @@ bool Player::beginSong() {
     if (beginsAnew)
         forgetSound();
     strikeCount = firstStrikeNumber + strikesBefore(songPlace.value_or(0));
+    loudness.beginSong();
     return beginsAnew;
 }
 

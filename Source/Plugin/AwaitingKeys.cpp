@@ -7,6 +7,10 @@
 
 namespace idiophone {
 
+bool AwaitingKeys::isAwaited(std::span<const std::uint8_t> message) const noexcept {
+    return message.size() >= 2 && (message[0] & 0xf0) == 0xc0 && (message[1] & 0x7f) < programs;
+}
+
 void AwaitingKeys::follow(std::span<const MidiEvent> messages) noexcept {
     for (const auto& event : messages)
         follow(event);
@@ -14,8 +18,8 @@ void AwaitingKeys::follow(std::span<const MidiEvent> messages) noexcept {
 
 void AwaitingKeys::follow(const MidiEvent& event) noexcept {
     const int kind = event.bytes[0] & 0xf0;
-    if (const int asked = event.bytes[1] & 0x7f; kind == 0xc0 && asked < programs) {
-        program = asked;
+    if (isAwaited(event.bytes)) {
+        program = event.bytes[1] & 0x7f;
         isWaiting = true;
         count = 0;
     }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -16,6 +17,9 @@ class AwaitingKeys {
 public:
     /// Programs from 0 up to, and without, this number are waited for; changes to others are none.
     explicit AwaitingKeys(int programCount) : programs(programCount) {}
+
+    /// Whether a MIDI message is a change to a program that is waited for.
+    bool isAwaited(std::span<const std::uint8_t> message) const noexcept;
 
     /// Channel messages in order of time.
     void follow(std::span<const MidiEvent> messages) noexcept;

@@ -37,11 +37,7 @@ void HostParameters::loadChanges(const ParameterValues& before,
 
 ParameterValues HostParameters::valuesAfter(const ParameterValues& before,
                                             const ParameterValues& after) const noexcept {
-    auto result = values();
-    for (const auto& info : parameterTable())
-        if (after[info.parameter] != before[info.parameter])
-            result.set(info.parameter, after[info.parameter]);
-    return result;
+    return withChanges(values(), before, after);
 }
 
 void HostParameters::notifyListeners() const {

@@ -10,10 +10,13 @@ MidiLearn::MidiLearn() {
         choiceNames(info.parameter);
 }
 
-void MidiLearn::follow(const juce::MidiBuffer& midi, const HostParameters& parameters) noexcept {
+void MidiLearn::follow(juce::MidiBufferIterator first,
+                       juce::MidiBufferIterator last,
+                       const HostParameters& parameters) noexcept {
     std::array<std::int8_t, 128> values;
     values.fill(nothing);
-    for (const auto message : midi) {
+    for (; first != last; ++first) {
+        const auto message = *first;
         if (message.numBytes != 3 || (message.data[0] & 0xf0) != 0xb0)
             continue;
         const int number = message.data[1] & 0x7f;

@@ -18,9 +18,11 @@ class MidiLearn final : public MidiLearnView {
 public:
     MidiLearn();
 
-    /// [audio thread] Before the parameters of a callback are read: each controller's last value of
-    /// this block counts. Neither allocates, locks nor throws.
-    void follow(const juce::MidiBuffer& midi, const HostParameters& parameters) noexcept;
+    /// [audio thread] Before the parameters of a callback are read: each controller's last value
+    /// among these messages of its block counts. Neither allocates, locks nor throws.
+    void follow(juce::MidiBufferIterator first,
+                juce::MidiBufferIterator last,
+                const HostParameters& parameters) noexcept;
 
     /// [message thread] Tells the host of what controllers moved since it was told last. Not during
     /// an offline render: a host that echoes late would make the render depend on time.

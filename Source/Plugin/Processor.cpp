@@ -43,7 +43,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     Player* const next = handoff.take();
     // It says itself what it answers: from the callback that takes it on, keys are its own.
     const bool isAnswer = next != nullptr && next->label() == awaitedRequest;
-    controllers.follow(midi, parameters);
+    followControllers(midi);
     const ParameterValues& newest = parameters.snapshot();
     if (next != nullptr || (changesBefore % 2 == 0 && soundChanges == changesBefore))
         playedValues = newest;
@@ -79,7 +79,7 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         }
         awaitingKeys.follow(piece->events);
         if (const auto program = awaitingKeys.takeProgram())
-            requestedProgram = awaitedRequest = programsOfMidi * ++programRequests + *program;
+            requestProgram(*program);
         sound.process(rendered, piece->events, values);
         if (auto* player = sound.player()) {
             followGivenBends(*player);
@@ -105,6 +105,32 @@ void Processor::forgetEvents() noexcept {
     awaitingKeys.forgetKeys();
     editorNotes.clear();
     hand.clear();
+}
+
+/// [audio thread] Those behind the block's last program change move its values, not the former's.
+void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
+    auto behind = midi.begin();
+    for (auto message = midi.begin(); message != midi.end();) {
+        const auto metadata = *message;
+        ++message;
+        if (awaitingKeys.isAwaited(std::span(metadata.data, std::size_t(metadata.numBytes))))
+            behind = message;
+    }
+    controllers.follow(midi.begin(), behind, parameters);
+    if (behind != midi.begin()) {
+        atProgramChange.soundChanges = soundChanges;
+        atProgramChange.values = parameters.values();
+    }
+    controllers.follow(behind, midi.end(), parameters);
+}
+
+/// [audio thread]
+void Processor::requestProgram(int program) noexcept {
+    const auto request = programsOfMidi * ++programRequests + program;
+    atProgramChange.request = awaitedRequest = request;
+    valuesAtRequest.next() = atProgramChange;
+    valuesAtRequest.publish(); // before it is asked for
+    requestedProgram = request;
 }
 
 /// [audio thread] Before anything of the callback is played.
@@ -281,17 +307,37 @@ void Processor::chooseProgram(int index, std::int64_t request) {
         if (!loaded)
             return;
     }
-    parameters.notifyListeners();
-    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    tellOfSound();
 }
 
-/// Under soundMutex.
+/// The host of all values and of the program. On a thread that is not the message thread JUCE's
+/// VST3 keeps the values for the next callback's output, but asks the host on the message thread to
+/// read all values anew: where that comes second, it finds the former ones in the controller, and
+/// Ardour sends them back as changes. There they are told again, on the message thread.
+void Processor::tellOfSound() {
+    parameters.notifyListeners();
+    if (juce::MessageManager::existsAndIsCurrentThread())
+        updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    else
+        soundToTell = true;
+}
+
+/// Under soundMutex. What has moved since MIDI asked for it is the program's: so it is offline,
+/// where it is there at once.
 Result<void> Processor::loadProgram(int index, std::int64_t request) {
     const auto& preset = factoryPresets()[static_cast<std::size_t>(index)];
     auto built = buildInstrument(preset.keyMap, {});
     if (!built)
         return failure(preset.name + " cannot be played: " + built.error().message);
-    const auto wanted = [&] { return withSetupOf(parameters.values(), preset.parameters); };
+    if (const auto* newest = valuesAtRequest.take())
+        atLastRequest = *newest;
+    const bool keepsMoved = request != noRequest && atLastRequest.request == request &&
+                            atLastRequest.soundChanges == soundChanges;
+    const auto wanted = [&] {
+        const auto now = parameters.values();
+        const auto values = withSetupOf(now, preset.parameters);
+        return keepsMoved ? withChanges(values, atLastRequest.values, now) : values;
+    };
     auto player = newPlayer(*built, preset, wanted());
     if (!player)
         return tl::unexpected(player.error());
@@ -380,6 +426,8 @@ void Processor::look() {
     if (!isNonRealtime()) { // or else the callback follows
         followProgramChange();
         controllers.tellHost(parameters);
+        if (soundToTell.exchange(false))
+            tellOfSound();
     }
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock) {

@@ -12,6 +12,7 @@
 #include "Plugin/Handoff.h"
 #include "Plugin/HostParameters.h"
 #include "Plugin/HostTransport.h"
+#include "Plugin/LatestValue.h"
 #include "Plugin/MidiLearn.h"
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/NoteQueue.h"
@@ -174,6 +175,7 @@ private:
     void followProgramChange();
     void chooseProgram(int index, std::int64_t request);
     Result<void> loadProgram(int index, std::int64_t request);
+    void tellOfSound();
     void lookForCallbacks(); ///< for `isProcessing`, to know when they came
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
@@ -227,7 +229,16 @@ private:
                                    const std::shared_ptr<const Instrument>& built,
                                    const ParameterValues& values);
 
+    static constexpr std::int64_t noRequest = -1;
+    /// The values when MIDI asked for a program, before what came after that moved them.
+    struct ValuesAtRequest {
+        std::int64_t request = noRequest;
+        std::uint32_t soundChanges = 0; ///< they are of no other sound than while it is this
+        ParameterValues values;
+    };
     void forgetEvents() noexcept;
+    void followControllers(const juce::MidiBuffer& midi) noexcept;
+    void requestProgram(int program) noexcept;
     void followTransport(Player& player, int blockSamples) noexcept;
     void followGivenBends(Player& player) noexcept;
     bool isVst3() const noexcept { return wrapperType == wrapperType_VST3; }
@@ -271,6 +282,7 @@ private:
     std::string lastError;
     double preparedRateHz = 0;                ///< 0 until prepared
     std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over
+    ValuesAtRequest atLastRequest;
 
     // Between threads.
     Handoff<Player> handoff;
@@ -290,8 +302,9 @@ private:
     /// That MIDI asked for last, until its player is handed over or it is refused: with a number of
     /// its own in the upper bits, as the same may be asked for again. Players carry the last that
     /// was answered when they were handed over, as their label; what is refused has no player.
-    static constexpr std::int64_t noRequest = -1;
     std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
+    LatestValue<ValuesAtRequest> valuesAtRequest{{}}; ///< read under soundMutex
+    std::atomic<bool> soundToTell{false};             ///< to the host, by the message thread
     std::atomic<int> programIndex{-1};
     SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects
     /// By how much any of them may sound below equal temperament: by the instance's own tuning
@@ -313,6 +326,7 @@ private:
     AwaitingKeys awaitingKeys;
     HostTransport transport;
     std::int64_t programRequests = 0;
+    ValuesAtRequest atProgramChange;         ///< the last that there was
     std::int64_t awaitedRequest = noRequest; ///< the last that there was
     ParameterValues playedValues;            ///< of the callback
     OutputStage output;

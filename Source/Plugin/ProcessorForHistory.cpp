@@ -115,8 +115,7 @@ bool Processor::playSound(const Sound& wanted) {
         storedParameters = wanted.stored;
         programIndex = factoryProgram(presetId);
     }
-    parameters.notifyListeners();
-    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    tellOfSound();
     return true;
 }
 
@@ -150,8 +149,7 @@ void Processor::changeParameters(const Sound& of, const ParameterValues& wanted)
         }
         goOn(std::move(*player), [&] { parameters.loadChanges(of.parameters, wanted); });
     }
-    parameters.notifyListeners();
-    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    tellOfSound();
 }
 
 /// Under soundMutex: for the same instrument at other values. Null where its player goes on, as all

@@ -72,8 +72,7 @@ void Processor::setStateInformation(const void* bytes, int byteCount) {
         }
         return;
     }
-    parameters.notifyListeners();
-    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    tellOfSound();
 }
 
 Result<void> Processor::restore(const State& state) {

@@ -288,8 +288,7 @@ std::optional<int> Processor::playInstead(const Loaded& now,
         programIndex = -1;
         number = loads;
     }
-    parameters.notifyListeners();
-    updateHostDisplay(ChangeDetails().withProgramChanged(true));
+    tellOfSound();
     return number;
 }
 

@@ -401,6 +401,49 @@ TEST_CASE("What is prepared for the wheel where it will be is known there, and a
     CHECK(prepared.gainDb() == moved);
 }
 
+TEST_CASE("A song that begins as before has its gain at once, and follows the same values again") {
+    const auto instrument = synthetic(500);
+    ParameterValues own;
+    own.set(matchLoudness, 1);
+    for (const int kind : {strikeContact, scrapeContact}) {
+        own.set(contact, kind);
+        const auto first = with(own, material, firstLibraryMaterial + 5);
+        const auto second = with(own, material, firstLibraryMaterial + 7);
+        LoudnessMatch match(instrument, {}, sampleRateHz, own);
+        match.prepare(first);
+        const auto pass = [&](const std::vector<ParameterValues>& parts) {
+            std::vector<double> gainsDb;
+            match.beginSong();
+            for (const auto& values : parts)
+                for (int cell = 0; cell < 200; ++cell) {
+                    match.advance(values);
+                    gainsDb.push_back(match.gainDb());
+                }
+            return gainsDb;
+        };
+        const auto expected = pass({first, second, own, second});
+        REQUIRE(expected.front() != expected.back());
+        CHECK((pass({first, second, own, second}) == expected));
+        match.advance(first); // under way
+        CHECK((pass({first, second, own, second}) == expected));
+        match.advance(second);
+        auto quieter = first;
+        quieter.set(level, -40); // which changes no gain
+        CHECK((pass({quieter, second, own, second}) == expected));
+
+        // A song of other values is followed, and is the one that is known then.
+        const auto other = pass({second, first});
+        CHECK((pass({second, first}) == other));
+        CHECK(other.back() == expected.front());
+        match.setSpeedController(127);
+        pass({second, first}); // what it begins with takes its time where it was never heard
+        const auto moved = pass({second, first});
+        CHECK((moved == other) == (kind == strikeContact));
+        CHECK((pass({second, first}) == moved));
+        CHECK((pass({with(second, matchLoudness, 0)}) == std::vector<double>(200, 0)));
+    }
+}
+
 TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") {
     const auto& preset = factoryPresets().front();
     Rig rig(preset, strikeContact);

@@ -33,7 +33,8 @@ class Ardour:
     def run(self, *command, **variables):
         result = subprocess.run(list(map(str, command)), env=self.environment | variables,
                                 capture_output=True, text=True, timeout=120)
-        assert result.returncode == 0, result.stdout + result.stderr
+        assert result.returncode == 0, (
+            f"{command} ended with {result.returncode}: {result.stdout}{result.stderr}")
 
     def make_session(self, folder, midi_file, plugin_type, program, parameters=()):
         values = [text for pair in parameters for text in pair]

@@ -3,9 +3,12 @@
 #include "Support/TestSound.h"
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <functional>
 #include <set>
+#include <thread>
+#include <vector>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -367,4 +370,38 @@ TEST_CASE("Where no callbacks come nothing is struck or touched, but keys and ha
         grip(false);
         CHECK_FALSE(ringsOn());
     }
+}
+
+TEST_CASE(
+    "A program that another thread chooses is shown by the message thread, after its values") {
+    struct Host final : juce::AudioProcessorListener {
+        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
+            valuesTold += juce::MessageManager::existsAndIsCurrentThread() ? 1 : 0;
+        }
+        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails& details) override {
+            if (details.programChanged)
+                valuesToldBefore.push_back(valuesTold.load());
+        }
+        std::atomic<int> valuesTold{0};
+        std::vector<int> valuesToldBefore;
+    } host;
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    processor.addListener(&host);
+    const auto elsewhere = [&] {
+        std::thread thread([&] { processor.setCurrentProgram(3); });
+        thread.join();
+        followTimers(120);
+    };
+    processor.setNonRealtime(true);
+    elsewhere();
+    CHECK(host.valuesToldBefore.empty());
+    processor.setNonRealtime(false);
+    followTimers(120);
+    CHECK(host.valuesToldBefore == std::vector<int>{parameterCount});
+    elsewhere();
+    processor.setCurrentProgram(5);
+    processor.removeListener(&host);
+    CHECK(host.valuesToldBefore ==
+          std::vector<int>{parameterCount, 2 * parameterCount, 3 * parameterCount});
 }

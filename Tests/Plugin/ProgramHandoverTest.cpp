@@ -3,6 +3,8 @@
 #include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Plugin/ControllerAssignments.h"
+#include "Plugin/FactoryPrograms.h"
 
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
@@ -279,4 +281,64 @@ TEST_CASE("A room that \"all sound off\" has silenced stays so when another soun
     restore(processor, state);
     render(processor, 4800, 64, {});
     CHECK(loudest(render(processor, 4800, 64, {})) < 1e-6f);
+}
+
+TEST_CASE("What moves after a program change is the new program's, in a bounce and live") {
+    constexpr int volume = 7, program = 3;
+    using enum ParameterId;
+    const auto moved = [](int value, int stamp) {
+        return juce::MidiMessage::controllerEvent(1, volume, value).withTimeStamp(stamp);
+    };
+    const auto change = juce::MidiMessage::programChange(1, program).withTimeStamp(200);
+    struct Case {
+        std::vector<juce::MidiMessage> inBlock, inNext;
+        bool byHost;
+        bool staysMoved;
+    };
+    const Case cases[] = {
+        {{change}, {moved(100, 0)}, false, true},
+        {{change, moved(100, 201)}, {}, false, true},
+        {{change}, {}, true, true},
+        {{moved(100, 199), change}, {}, false, false},
+        {{change, moved(100, 201), change.withTimeStamp(300)}, {}, false, false},
+        {{change}, {}, false, false},
+    };
+    for (const auto& [inBlock, inNext, byHost, staysMoved] : cases) {
+        const auto levelAfter = [&](bool offline) {
+            Processor processor;
+            processor.setNonRealtime(offline);
+            processor.prepareToPlay(rateHz, blockSize);
+            ControllerAssignments assignments;
+            assignments[level] = volume;
+            processor.midiLearn().assign(assignments);
+            const auto block = [&](const std::vector<juce::MidiMessage>& messages) {
+                juce::MidiBuffer midi;
+                for (const auto& message : messages)
+                    midi.addEvent(message, static_cast<int>(message.getTimeStamp()));
+                render(processor, blockSize, blockSize, midi);
+            };
+            block(inBlock);
+            if (byHost)
+                processor.setValue(level, controlledValue(parameterInfo(level), 100));
+            block(inNext);
+            waitForProgram(processor, program);
+            CHECK(processor.parameterValue(malletSpeed) ==
+                  factoryPresets()[program].parameters[malletSpeed]);
+            return processor.parameterValue(level);
+        };
+        const double expected = staysMoved ? controlledValue(parameterInfo(level), 100)
+                                           : factoryPresets()[program].parameters[level];
+        CHECK(levelAfter(true) == expected);
+        CHECK(levelAfter(false) == expected);
+    }
+}
+
+TEST_CASE("What another sound brings while a program is awaited is not the program's") {
+    constexpr int program = 3;
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    render(processor, blockSize, blockSize, programChange(program));
+    processor.setCurrentProgram(vibraphone);
+    waitForProgram(processor, program);
+    CHECK(processor.loadedSound().parameters == factoryPresets()[program].parameters);
 }

@@ -1,0 +1,57 @@
+// What is saved of dropped objects, in presets and in states.
+#include "Plugin/PresetsAtHand.h"
+#include "Support/ImportedFiles.h"
+#include "Support/TestSound.h"
+#include "Support/UserSettings.h"
+
+#include "Instrument/ObjectLibrary.h"
+#include "Object/ModalObjectFile.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_string.hpp>
+#include <string>
+
+using namespace idiophone;
+using namespace idiophone::test;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+constexpr int blockSamples = 512;
+
+} // namespace
+
+TEST_CASE("A preview is not saved in the place of the object that is to follow") {
+    const UserSettings user;
+    Processor processor;
+    processor.prepareToPlay(48000, blockSamples);
+    processor.openFile(meshFile("block.obj", boxMesh({0.3, 0.2, 0.1}, {12, 8, 4})));
+    while (!processor.playsPreview()) {
+        REQUIRE(processor.importStatus().isWorking());
+        juce::Timer::callPendingTimersSynchronously();
+        waitFor();
+    }
+    auto& shelf = processor.presetShelf();
+    const auto refused = shelf.savePreset(called("Block"), false);
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message, ContainsSubstring("preview"));
+    CHECK_FALSE(shelf.presetExists(called("Block")));
+    CHECK_THAT(processor.loadedSound().preset.description, ContainsSubstring("preview"));
+    processor.cancelImport();
+    CHECK(shelf.savePreset(called("Block"), false)); // it is all that there will be
+}
+
+TEST_CASE("An object of a name without end is saved in a state that opens again") {
+    auto object = *ObjectLibrary::shared().find("wok").value();
+    object.name = std::string(5000, 'w');
+    Processor processor;
+    processor.prepareToPlay(48000, blockSamples);
+    const auto file = testFolder() / "long.modal";
+    REQUIRE(writeModalObject(object, file));
+    processor.openFile(file);
+    finish(processor);
+    Processor other;
+    restoreBytes(other, saved(processor));
+    CHECK_FALSE(other.takeStatus().isError);
+    CHECK(other.loadedInstrument()->slots().front().object->name == object.name);
+}
