@@ -23,7 +23,10 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
     if (modes.zeroModes > rigid)
         add("The model has " + std::to_string(modes.zeroModes) + " zero modes where " +
             std::to_string(rigid) +
-            " are rigid motion: flat parts bend freely in it; the two-layer method does not.");
+            (body.kind == ModelKind::twoLayers
+                 ? " are rigid motion: so thin a shell bends at frequencies too low to be told."
+                 : " are rigid motion: flat parts bend freely in it; the two-layer method does "
+                   "not."));
     if (modes.belowBand > 0)
         add(std::to_string(modes.belowBand) + " modes below " +
             std::to_string(std::lround(settings.lowestFrequencyHz)) + " Hz were left out.");

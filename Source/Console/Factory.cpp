@@ -3,6 +3,7 @@
 #include "Console/Interrupt.h"
 #include "Console/OutputCheck.h"
 #include "Console/ProgressLine.h"
+#include "Object/FileBytes.h"
 #include "Object/ModalObjectFile.h"
 
 #include <cmath>
@@ -16,6 +17,7 @@ namespace {
 struct Options {
     std::filesystem::path folder;
     std::string only;
+    bool replaces = false;
 };
 
 void report(const ModalObject& object, const std::filesystem::path& file, double seconds) {
@@ -27,8 +29,11 @@ void report(const ModalObject& object, const std::filesystem::path& file, double
               << seconds << " s" << std::endl;
 }
 
-Result<void> makeOne(const std::string& name, const std::filesystem::path& folder) {
-    const auto file = folder / (name + ".modal");
+Result<void> makeOne(const std::string& name, const Options& options) {
+    const auto file = options.folder / (name + ".modal");
+    std::error_code ignored;
+    if (!options.replaces && std::filesystem::exists(file, ignored)) // nobody has named it
+        return failure(nameOf(file) + ": it is there already; --replace makes it anew");
     if (auto writable = checkWritable(file); !writable)
         return writable;
     auto made = [&] {
@@ -52,9 +57,9 @@ Result<void> makeFactory(const Options& options) {
     if (auto made = makeDirectory(options.folder); !made)
         return made;
     if (!options.only.empty())
-        return makeOne(options.only, options.folder);
+        return makeOne(options.only, options);
     for (const auto& name : factoryObjectNames())
-        if (auto done = makeOne(name, options.folder); !done)
+        if (auto done = makeOne(name, options); !done)
             return done;
     return {};
 }
@@ -69,6 +74,7 @@ void addFactory(CLI::App& program, Action& chosen) {
         ->required();
     command->add_option("--only", options->only, "One of them, such as xylophone-72 or plate")
         ->check(CLI::IsMember(factoryObjectNames()));
+    command->add_flag("--replace", options->replaces, "Also files that are there already");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return makeFactory(*options); }; });
 }

@@ -160,7 +160,7 @@ Result<std::vector<Impulse>> readImpulses(const std::filesystem::path& file) {
         return tl::unexpected(text.error());
     std::vector<Impulse> impulses;
     BadLines faults;
-    std::istringstream lines(*text);
+    std::istringstream lines{std::string(withoutByteOrderMark(*text))};
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         if (isBlankOrComment(line))

@@ -62,7 +62,9 @@ StruckObject struckObject(const std::string& object, Surfaces& surfaces) {
     return struck;
 }
 
-Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::filesystem::path& file) {
+Result<ImpulseScore> arrange(std::span<const Impulse> impulses,
+                             const std::filesystem::path& file,
+                             const std::filesystem::path& output) {
     ImpulseScore score;
     BadLines faults;
     std::map<std::string, StruckObject> objects;
@@ -104,9 +106,14 @@ Result<ImpulseScore> arrange(std::span<const Impulse> impulses, const std::files
                                [](double component) { return static_cast<float>(component); });
         score.contacts.push_back(contact);
     }
+    std::error_code fault;
     for (const auto& [name, struck] : objects)
         if (!struck.object)
             faults.add(struck.firstLine, struck.object.error().message);
+        else if (!factoryObject(name) &&
+                 std::filesystem::equivalent(pathNamed(localName(resolved(name, file))), output,
+                                             fault))
+            faults.add(struck.firstLine, inQuotes(name) + " is what would be written over");
     if (!faults.empty())
         return tl::unexpected(faults.error(file));
     if (auto bounded = boundedSlots(score.slots, file.string(), "bodies"); !bounded)
@@ -175,7 +182,7 @@ Result<RenderTally> renderImpulses(const std::filesystem::path& file,
     const auto impulses = readImpulses(file);
     if (!impulses)
         return tl::unexpected(impulses.error());
-    const auto score = arrange(*impulses, file);
+    const auto score = arrange(*impulses, file, format.file);
     if (!score)
         return tl::unexpected(score.error());
 

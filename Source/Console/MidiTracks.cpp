@@ -75,7 +75,7 @@ std::optional<MidiTracks> readMidiTracks(std::string_view bytes) {
     if (!kind || !count || !format || *kind > 2 || (*kind == 0 && *count != 1))
         return std::nullopt;
     MidiTracks midi{.timeFormat = static_cast<short>(*format), .tracks = {}};
-    for (int track = 0; track < *count; ++track) {
+    while (midi.tracks.size() < *count) { // chunks of other kinds are nobody's
         const auto mark = rest.take(4);
         const auto size = rest.takeLong();
         const auto chunk = size ? rest.take(*size) : std::nullopt;
@@ -84,7 +84,7 @@ std::optional<MidiTracks> readMidiTracks(std::string_view bytes) {
         if (*mark == "MTrk")
             midi.tracks.push_back(readTrack(*chunk));
     }
-    return rest.bytes.empty() ? std::optional(std::move(midi)) : std::nullopt;
+    return midi;
 }
 
 } // namespace idiophone

@@ -24,8 +24,11 @@ std::vector<const CLI::Option*> givenOptions(const CLI::App& command) {
     return given;
 }
 
+/// One place has one, whether there is a file or not.
 std::filesystem::path normal(const std::string& file) {
-    return std::filesystem::path(file).lexically_normal();
+    std::error_code fault;
+    auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file, fault), fault);
+    return fault ? std::filesystem::path(file).lexically_normal() : place;
 }
 
 bool areSame(const std::filesystem::path& one, const std::filesystem::path& other) {

@@ -1,5 +1,6 @@
 #include "Console/Recording.h"
 
+#include "Console/Interrupt.h"
 #include "Console/OptionChecks.h"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ Recording::~Recording() = default;
 
 Result<std::unique_ptr<Recording>> Recording::start(const RecordingFormat& format,
                                                     const ParameterValues& parameters) {
+    interruptRequested(); // from now on is one, and leaves no file that is not whole
     std::unique_ptr<Recording> result(new Recording(format, parameters));
     auto writer = WavWriter::create(format.file, format.sampleRateHz, 2, format.bitDepth);
     if (!writer)

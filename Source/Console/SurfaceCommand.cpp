@@ -20,14 +20,14 @@ struct Options {
 };
 
 /// The recording's speed is the surface's reference speed: at it the profile is what was recorded.
-Result<Surface> surfaceOf(const SurfaceFit& fit, const Options& options) {
+Surface surfaceOf(const SurfaceFit& fit, const Options& options) {
     const auto& named = options.output.empty() ? options.recording : options.output;
-    return validated(Surface{.name = named.stem().string(),
-                             .spectrumExponent = fit.spectrumExponent,
-                             .resonFrequencyHz = fit.resonFrequencyHz,
-                             .resonDampingPerSecond = fit.resonDampingPerSecond,
-                             .referenceSpeedMetresPerSecond = options.speedMetresPerSecond,
-                             .slowestSpeedMetresPerSecond = options.speedMetresPerSecond / 10});
+    return Surface{.name = named.stem().string(),
+                   .spectrumExponent = fit.spectrumExponent,
+                   .resonFrequencyHz = fit.resonFrequencyHz,
+                   .resonDampingPerSecond = fit.resonDampingPerSecond,
+                   .referenceSpeedMetresPerSecond = options.speedMetresPerSecond,
+                   .slowestSpeedMetresPerSecond = options.speedMetresPerSecond / 10};
 }
 
 void report(const Surface& surface, const SurfaceFit& fit, const Options& options) {
@@ -56,9 +56,14 @@ Result<void> fitRecording(const Options& options) {
     const auto fit = fitSurface(recording->samples, recording->sampleRateHz);
     if (!fit)
         return refuse(fit.error());
-    const auto surface = surfaceOf(*fit, options);
+    const auto fitted = surfaceOf(*fit, options);
+    const auto surface = validated(heldToRanges(fitted));
     if (!surface)
         return refuse(surface.error());
+    if (*surface != fitted)
+        std::cerr << "warning: " << options.recording.string()
+                  << ": it is no scrape with a clear resonance: figures beyond what surfaces have "
+                     "are held to their ranges\n";
     if (!options.output.empty())
         if (auto written = writeTextFile(options.output, encodeSurface(*surface)); !written)
             return written;

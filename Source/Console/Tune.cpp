@@ -209,8 +209,7 @@ Result<void> tuneKeyboard(const Options& options) {
     const auto tablePath = inFolder(options, ".csv");
     if (auto writable = checkWritable(tablePath); !writable)
         return writable;
-    std::ofstream table(tablePath);
-    table << tableHead << '\n';
+    std::string table = tableHead + std::string("\n");
     for (int note = from; note <= to; ++note) {
         const auto asked = specification(options, *instrument, note);
         if (!asked)
@@ -226,15 +225,14 @@ Result<void> tuneKeyboard(const Options& options) {
             return tl::unexpected(bar.error());
         if (auto written = writeBar(*bar, options); !written)
             return written;
-        const auto row = tableRow(*asked, *bar, note);
-        table << row << std::endl;
+        table += tableRow(*asked, *bar, note) + "\n";
+        if (auto written = writeTextFile(tablePath, table); !written)
+            return written;
         std::cout << asked->name << ": " << std::fixed << std::setprecision(2) << bar->partialsHz[0]
                   << " Hz, " << std::setprecision(1) << 1000 * bar->shape.lengthMetres
                   << " mm long, " << 1000 * bar->shape.centreHeightMetres
                   << " mm thick in the middle" << std::endl;
     }
-    if (!table)
-        return failure(tablePath.string() + ": it cannot be written");
     return options.meshesOnly ? Result<void>() : writePreset(options, *instrument, from, to);
 }
 

@@ -51,6 +51,11 @@ bool hideMetadata(std::string& file) {
     return true;
 }
 
+bool isWav(std::string_view bytes) {
+    return (bytes.starts_with("RIFF") || bytes.starts_with("RF64")) &&
+           bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WAVE");
+}
+
 /// What is wrong with the header; empty where all is well.
 std::string faultOf(const juce::AudioFormatReader& reader, std::uintmax_t fileBytes) {
     if (reader.numChannels < 1 || reader.numChannels > mostChannels)
@@ -83,7 +88,10 @@ Result<MonoRecording> readWav(const std::filesystem::path& file) {
     const std::unique_ptr<juce::AudioFormatReader> reader(juce::WavAudioFormat().createReaderFor(
         new juce::MemoryInputStream(bytes->data(), bytes->size(), false), true));
     if (reader == nullptr)
-        return refuse("it is not a WAV file");
+        return refuse(isWav({bytes->data(), bytes->size()})
+                          ? "its samples are neither whole numbers of 8 to 32 bits nor "
+                            "floating-point numbers of 32"
+                          : "it is not a WAV file");
     if (const auto sentence = faultOf(*reader, bytes->size()); !sentence.empty())
         return refuse(sentence);
 

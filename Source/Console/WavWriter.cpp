@@ -88,9 +88,7 @@ Result<void> WavWriter::finish() {
     std::error_code error;
     const bool complete = isWritten && std::filesystem::file_size(partial, error) ==
                                            static_cast<std::uintmax_t>(end + end % 2);
-    if (complete)
-        std::filesystem::rename(partial, file, error);
-    if (!complete || error)
+    if (!complete || !putInPlace(partial, file))
         return fault();
     partial.clear();
     return {};

@@ -3,6 +3,7 @@
 #include "Geometry/MeshFile.h"
 #include "Object/FileBytes.h"
 #include "Object/SameName.h"
+#include "Object/TextFile.h"
 
 #include <algorithm>
 #include <array>
@@ -138,7 +139,7 @@ std::string faultOf(const RawMesh& raw, double metresPerUnit) {
 
 Result<RawMesh> readObj(std::string_view bytes) {
     RawMesh mesh;
-    TextScanner lines(bytes);
+    TextScanner lines(withoutByteOrderMark(bytes));
     std::vector<std::string_view> cornerWords;
     std::vector<std::int64_t> corners;
     std::int64_t number = 0;

@@ -119,12 +119,17 @@ std::size_t LoudnessMatch::advance(const ParameterValues& now, std::size_t modes
 }
 
 void LoudnessMatch::returnToSongStart(const ParameterValues& now) noexcept {
-    if (atSongStart.seen && atSongStart.played.goal == goalOf(now) &&
-        atSongStart.reference.goal == goalOf(withOwn(now, ownValues)))
+    const auto beginsWith = [played = goalOf(now),
+                             reference = goalOf(withOwn(now, ownValues))](const State& with) {
+        return with.played.goal == played && with.reference.goal == reference;
+    };
+    isSongStart = true;
+    if (atSongStart.seen && beginsWith(atSongStart))
         state = atSongStart;
+    else if (state.working && beginsWith(state))
+        return; // in a short song it may take several
     state.working = false;
     state.seen.reset();
-    isSongStart = true;
 }
 
 LoudnessMatch::Known& LoudnessMatch::Side::known() noexcept {

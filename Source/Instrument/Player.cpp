@@ -120,7 +120,7 @@ void Player::process(const StereoSpan& output,
         const auto striking = follow(due);
         if (cellPosition == cellSamples)
             beginCell(placeAt(position));
-        else if (!performance && (!striking.empty() || !surfaceStrikes.empty()))
+        else if (!performance && (!striking.empty() || !late.empty() || !surfaceStrikes.empty()))
             prepareBlows();
         strikeWaiting();
         for (const auto& event : striking)

@@ -19,6 +19,10 @@ bool isPressure(const MidiEvent& event) {
     return kind == 0xa0 || kind == 0xd0;
 }
 
+bool isPressing(const MidiEvent& event) {
+    return ((event.bytes[0] & 0xf0) == 0xa0 ? event.bytes[2] : event.bytes[1]) % 128 > 0;
+}
+
 } // namespace
 
 // Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
@@ -28,7 +32,7 @@ bool isPressure(const MidiEvent& event) {
 std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOneSample) {
     // A wheel that moves as one note of its channel ends and the next one begins is the next one's,
     // and so is pressure, though they may come first: JUCE's VST3 wrapper has them before the notes
-    // of their sample.
+    // of their sample. No pressure before a key is none that it has: MPE keyboards begin with it.
     for (const auto& event : eventsOfOneSample)
         if (event.isNoteOff())
             letGo(event.bytes[0] & 0x0f, event.bytes[1] & 0x7f);
@@ -41,9 +45,12 @@ std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOne
         if (isChannelMode(event)) // which resets them
             pressures = eventsOfOneSample.subspan(k + 1);
     }
-    for (const auto& event : pressures)
-        if (isPressure(event))
-            follow(event);
+    const auto lastKey = std::find_if(pressures.rbegin(), pressures.rend(),
+                                      [](const auto& event) { return event.isNoteOn(); });
+    const auto throughKeys = static_cast<std::size_t>(pressures.rend() - lastKey);
+    for (std::size_t k = 0; k < pressures.size(); ++k)
+        if (isPressure(pressures[k]) && (isPressing(pressures[k]) || k >= throughKeys))
+            follow(pressures[k]);
     return striking;
 }
 

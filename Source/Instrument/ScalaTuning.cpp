@@ -2,6 +2,7 @@
 
 #include "Object/NumberText.h"
 #include "Object/OneLine.h"
+#include "Object/TextFile.h"
 
 #include <Tunings.h>
 #include <algorithm>
@@ -31,11 +32,8 @@ struct Line {
 /// The lines of a file that are no comments, whichever way they end.
 class Lines {
 public:
-    explicit Lines(const ScalaFile& source) : file(source), rest(source.text) {
-        constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
-        if (rest.starts_with(byteOrderMark))
-            rest.remove_prefix(byteOrderMark.size());
-    }
+    explicit Lines(const ScalaFile& source)
+        : file(source), rest(withoutByteOrderMark(source.text)) {}
 
     std::optional<Line> next() {
         while (!rest.empty()) {

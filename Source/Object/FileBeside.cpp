@@ -19,10 +19,13 @@ bool makeNewFile(const std::filesystem::path& file) {
     return stream != nullptr && std::fclose(stream) == 0;
 }
 
+/// Or a link to itself.
 bool isProtected(const std::filesystem::path& file) {
     using std::filesystem::perms;
-    std::error_code ignored;
-    const auto there = std::filesystem::status(file, ignored);
+    std::error_code fault;
+    const auto there = std::filesystem::status(file, fault);
+    if (fault == std::errc::too_many_symbolic_link_levels)
+        return true;
     return std::filesystem::is_regular_file(there) &&
            (there.permissions() &
             (perms::owner_write | perms::group_write | perms::others_write)) == perms::none;
@@ -35,6 +38,23 @@ bool fill(const std::filesystem::path& file, const std::function<void(std::ostre
     return !stream.fail();
 }
 
+/// Whether it goes on with a character of UTF-8 or, on Windows, UTF-16.
+constexpr bool continues(std::filesystem::path::value_type unit) {
+    return sizeof unit == 1 ? (unit & 0xc0) == 0x80 : (unit & 0xfc00) == 0xdc00;
+}
+
+/// The name of the file with an ending; cut where disks take none so long.
+std::filesystem::path withEnding(const std::filesystem::path& file, const std::string& ending) {
+    constexpr std::size_t longestName = 255;
+    auto name = file.filename().native();
+    if (auto length = longestName - ending.size(); name.size() > length) {
+        while (length > 0 && continues(name[length]))
+            --length;
+        name.resize(length);
+    }
+    return file.parent_path() / std::filesystem::path(name).concat(ending);
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path& file) {
@@ -42,8 +62,7 @@ std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path&
         return std::nullopt;
     std::error_code ignored;
     for (int number = 1; number <= mostNames; ++number) {
-        auto beside = file;
-        beside += "." + std::to_string(number) + ".part";
+        const auto beside = withEnding(file, "." + std::to_string(number) + ".part");
         if (makeNewFile(beside))
             return beside;
         if (!std::filesystem::exists(std::filesystem::symlink_status(beside, ignored)))
@@ -54,8 +73,26 @@ std::optional<std::filesystem::path> makeFileBeside(const std::filesystem::path&
 
 std::filesystem::path behindLinks(const std::filesystem::path& file) {
     std::error_code fault;
-    auto place = std::filesystem::canonical(file, fault);
-    return fault ? file : place;
+    if (auto place = std::filesystem::canonical(file, fault); !fault)
+        return place;
+    auto place = file;
+    constexpr int mostLinks = 40;
+    for (int links = 0; links < mostLinks; ++links) {
+        const auto target = std::filesystem::read_symlink(place, fault);
+        if (fault)
+            return place;
+        place = place.parent_path() / target;
+    }
+    return file;
+}
+
+bool putInPlace(const std::filesystem::path& beside, const std::filesystem::path& file) {
+    std::error_code fault; // there are disks without permissions
+    if (const auto there = std::filesystem::status(file, fault);
+        std::filesystem::is_regular_file(there))
+        std::filesystem::permissions(beside, there.permissions(), fault);
+    std::filesystem::rename(beside, file, fault);
+    return !fault;
 }
 
 bool replaceFile(const std::filesystem::path& file,
@@ -69,18 +106,10 @@ bool replaceFile(const std::filesystem::path& file,
     const auto beside = makeFileBeside(place);
     if (!beside)
         return false;
-    const bool isComplete = fill(*beside, write);
-    if (kind == std::filesystem::file_type::regular)
-        std::filesystem::permissions(*beside, std::filesystem::status(place, fault).permissions(),
-                                     fault);
-    fault.clear(); // there are disks without permissions
-    if (isComplete)
-        std::filesystem::rename(*beside, place, fault);
-    if (!isComplete || fault) {
-        std::filesystem::remove(*beside, fault);
-        return false;
-    }
-    return true;
+    if (fill(*beside, write) && putInPlace(*beside, place))
+        return true;
+    std::filesystem::remove(*beside, fault);
+    return false;
 }
 
 } // namespace idiophone

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace idiophone {
 
@@ -13,6 +14,9 @@ namespace idiophone {
 /// the limit.
 Result<std::string> readTextFile(const std::filesystem::path& file,
                                  std::uintmax_t limitBytes = std::uintmax_t{1} << 28);
+
+/// The text without a byte order mark of UTF-8, which some editors put before it.
+std::string_view withoutByteOrderMark(std::string_view text);
 
 /// Writes the text, as `replaceFile` does; the error names a file that cannot be written.
 Result<void> writeTextFile(const std::filesystem::path& file, const std::string& text);

@@ -72,12 +72,4 @@ ParameterValues withSetupOf(const ParameterValues& setup, ParameterValues values
     return values;
 }
 
-ParameterValues
-withChanges(ParameterValues values, const ParameterValues& before, const ParameterValues& after) {
-    for (const auto& info : parameterTable())
-        if (after[info.parameter] != before[info.parameter])
-            values.set(info.parameter, after[info.parameter]);
-    return values;
-}
-
 } // namespace idiophone

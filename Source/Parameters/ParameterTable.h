@@ -99,10 +99,6 @@ private:
 /// The values with the setup (ParameterInfo::isSetup) of others.
 ParameterValues withSetupOf(const ParameterValues& setup, ParameterValues values);
 
-/// The values with those of `after` in which it differs from `before`.
-ParameterValues
-withChanges(ParameterValues values, const ParameterValues& before, const ParameterValues& after);
-
 /// Choices of ParameterId::material with a meaning of their own; library materials follow.
 enum MaterialChoice { ownMaterial = 0, customMaterial = 1, firstLibraryMaterial = 2 };
 

@@ -15,13 +15,13 @@ public:
         isOver = true;
     }
 
-private:
     void timerCallback() override {
         const juce::ScopedLock lock(calling); // which a thread may take again
         if (!isOver)
             callback();
     }
 
+private:
     const std::function<void()> callback;
     juce::CriticalSection calling;
     bool isOver = false;
@@ -30,6 +30,10 @@ private:
 GuardedTimer::GuardedTimer(int milliseconds, std::function<void()> callback)
     : ticker(std::make_shared<Ticker>(std::move(callback))) {
     ticker->startTimer(milliseconds);
+}
+
+void GuardedTimer::callSoon() {
+    juce::MessageManager::callAsync([called = ticker] { called->timerCallback(); });
 }
 
 GuardedTimer::~GuardedTimer() {

@@ -15,6 +15,8 @@ public:
     /// Any thread: waits for a call that is under way, unless that is what destroys it; none comes
     /// after.
     ~GuardedTimer();
+    /// [any thread but audio in real time] Calls back once more, as soon as the message thread can.
+    void callSoon();
     GuardedTimer(const GuardedTimer&) = delete;
     GuardedTimer& operator=(const GuardedTimer&) = delete;
 

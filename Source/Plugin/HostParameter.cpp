@@ -29,6 +29,7 @@ float HostParameter::getValue() const {
 void HostParameter::setExactValue(double value) noexcept {
     movedByController = false; // first: where a controller moves it meanwhile, the host is told
     exact = row.clamped(value);
+    ++timesSet;
 }
 
 void HostParameter::moveByController(double value) noexcept {
@@ -39,11 +40,15 @@ void HostParameter::moveByController(double value) noexcept {
 void HostParameter::tellHost() {
     if (!movedByController.exchange(false))
         return;
+    beginChangeGesture();
+    tellListeners();
+    endChangeGesture();
+}
+
+void HostParameter::tellListeners() {
     const float now = getValue();
     told = now;
-    beginChangeGesture();
     sendValueChangedMessageToListeners(now);
-    endChangeGesture();
 }
 
 void HostParameter::setValue(float normalised) {

@@ -6,6 +6,7 @@
 #include "Parameters/ParameterTable.h"
 
 #include <atomic>
+#include <cstdint>
 #include <juce_audio_processors/juce_audio_processors.h>
 
 namespace idiophone {
@@ -18,11 +19,16 @@ public:
     double exactValue() const noexcept { return exact.load(); }
     void setExactValue(double value) noexcept;
 
+    /// [any thread] Grows with every value that is set, also where it stays.
+    std::uint32_t moves() const noexcept { return timesSet; }
+
     /// [audio thread] As a controller has it; `tellHost` tells the host.
     void moveByController(double value) noexcept;
     /// [message thread] Tells the host where it is, if a controller moved it since this was called
     /// last and nothing else did since.
     void tellHost();
+    /// [any thread] Tells the host and other listeners the value.
+    void tellListeners();
     /// [any thread] From now on nothing is an echo of what the host was told before.
     void forgetTold() noexcept { told = -1; }
 
@@ -43,7 +49,8 @@ private:
     const ParameterInfo& row;
     std::atomic<double> exact;
     std::atomic<bool> movedByController{false}; ///< last, and the host is still to be told
-    std::atomic<float> told{-1};                ///< to the host, of a controller; normalised
+    std::atomic<float> told{-1};                ///< to the host last; normalised
+    std::atomic<std::uint32_t> timesSet{0};
     static_assert(std::atomic<bool>::is_always_lock_free);
     static_assert(std::atomic<float>::is_always_lock_free);
     static_assert(std::atomic<double>::is_always_lock_free);

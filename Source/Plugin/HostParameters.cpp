@@ -37,12 +37,31 @@ void HostParameters::loadChanges(const ParameterValues& before,
 
 ParameterValues HostParameters::valuesAfter(const ParameterValues& before,
                                             const ParameterValues& after) const noexcept {
-    return withChanges(values(), before, after);
+    auto result = values();
+    for (const auto& info : parameterTable())
+        if (after[info.parameter] != before[info.parameter])
+            result.set(info.parameter, after[info.parameter]);
+    return result;
+}
+
+HostParameters::Moves HostParameters::moves() const noexcept {
+    Moves result;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = parameters[i]->moves();
+    return result;
+}
+
+ParameterValues HostParameters::withMoved(const Moves& since,
+                                          ParameterValues values) const noexcept {
+    for (std::size_t i = 0; i < since.size(); ++i)
+        if (parameters[i]->moves() != since[i])
+            values.set(parameters[i]->info().parameter, parameters[i]->exactValue());
+    return values;
 }
 
 void HostParameters::notifyListeners() const {
     for (auto* parameter : parameters)
-        parameter->sendValueChangedMessageToListeners(parameter->getValue());
+        parameter->tellListeners();
 }
 
 void HostParameters::forgetTold() const noexcept {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 
 namespace idiophone {
 
@@ -31,6 +32,13 @@ public:
     /// [any thread] What `loadChanges` would leave.
     ParameterValues valuesAfter(const ParameterValues& before,
                                 const ParameterValues& after) const noexcept;
+
+    /// [any thread] How often each was set.
+    using Moves = std::array<std::uint32_t, parameterCount>;
+    Moves moves() const noexcept;
+
+    /// [any thread] The values, but those that were set since are as they are.
+    ParameterValues withMoved(const Moves& since, ParameterValues values) const noexcept;
 
     /// [message side] Tells the host and other listeners of all values, after `load`.
     void notifyListeners() const;

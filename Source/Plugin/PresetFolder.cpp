@@ -17,6 +17,7 @@ namespace idiophone {
 namespace {
 
 constexpr int longestName = 100;
+constexpr std::size_t longestNameBytes = 240; // disks take 255, with the ending
 constexpr const char* ending = ".json";
 
 std::string nameOf(const PresetFolder::Entry& entry) {
@@ -29,9 +30,10 @@ Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
         juce::File::createLegalFileName(fromUtf8(name)).trimCharactersAtStart(".~ ").trim();
     if (legal.isEmpty())
         return failure(std::string(ofWhat) + " needs a name that a file can have.");
-    if (legal.length() > longestName)
+    if (legal.length() > longestName || legal.getNumBytesAsUTF8() > longestNameBytes)
         return failure(std::string(ofWhat) + " needs a name of at most " +
-                       std::to_string(longestName) + " characters.");
+                       std::to_string(longestName) + " characters and " +
+                       std::to_string(longestNameBytes) + " bytes.");
     return legal;
 }
 

@@ -119,7 +119,7 @@ void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
     controllers.follow(midi.begin(), behind, parameters);
     if (behind != midi.begin()) {
         atProgramChange.soundChanges = soundChanges;
-        atProgramChange.values = parameters.values();
+        atProgramChange.moves = parameters.moves();
     }
     controllers.follow(behind, midi.end(), parameters);
 }
@@ -128,8 +128,8 @@ void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
 void Processor::requestProgram(int program) noexcept {
     const auto request = programsOfMidi * ++programRequests + program;
     atProgramChange.request = awaitedRequest = request;
-    valuesAtRequest.next() = atProgramChange;
-    valuesAtRequest.publish(); // before it is asked for
+    movesAtRequest.next() = atProgramChange;
+    movesAtRequest.publish(); // before it is asked for
     requestedProgram = request;
 }
 
@@ -312,14 +312,20 @@ void Processor::chooseProgram(int index, std::int64_t request) {
 
 /// The host of all values and of the program. On a thread that is not the message thread JUCE's
 /// VST3 keeps the values for the next callback's output, but asks the host on the message thread to
-/// read all values anew: where that comes second, it finds the former ones in the controller, and
-/// Ardour sends them back as changes. There they are told again, on the message thread.
+/// read all values anew. Where that comes second, it finds the former ones in the controller, and
+/// Ardour sends them back as changes: so there they are told once more, before the program.
 void Processor::tellOfSound() {
     parameters.notifyListeners();
-    if (juce::MessageManager::existsAndIsCurrentThread())
+    if (juce::MessageManager::existsAndIsCurrentThread()) {
         updateHostDisplay(ChangeDetails().withProgramChanged(true));
-    else
-        soundToTell = true;
+        return;
+    }
+    parameters.forgetTold(); // it may be an offline render, where nothing is an echo
+    if (wrapperType == wrapperType_LV2)
+        return; // which has but one way to its host, and hears of no program
+    soundToTell = true;
+    if (looks)
+        looks->callSoon();
 }
 
 /// Under soundMutex. What has moved since MIDI asked for it is the program's: so it is offline,
@@ -329,14 +335,13 @@ Result<void> Processor::loadProgram(int index, std::int64_t request) {
     auto built = buildInstrument(preset.keyMap, {});
     if (!built)
         return failure(preset.name + " cannot be played: " + built.error().message);
-    if (const auto* newest = valuesAtRequest.take())
+    if (const auto* newest = movesAtRequest.take())
         atLastRequest = *newest;
     const bool keepsMoved = request != noRequest && atLastRequest.request == request &&
                             atLastRequest.soundChanges == soundChanges;
     const auto wanted = [&] {
-        const auto now = parameters.values();
-        const auto values = withSetupOf(now, preset.parameters);
-        return keepsMoved ? withChanges(values, atLastRequest.values, now) : values;
+        const auto values = withSetupOf(parameters.values(), preset.parameters);
+        return keepsMoved ? parameters.withMoved(atLastRequest.moves, values) : values;
     };
     auto player = newPlayer(*built, preset, wanted());
     if (!player)
@@ -426,7 +431,7 @@ void Processor::look() {
     if (!isNonRealtime()) { // or else the callback follows
         followProgramChange();
         controllers.tellHost(parameters);
-        if (soundToTell.exchange(false))
+        if (statesComing == 0 && soundToTell.exchange(false))
             tellOfSound();
     }
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.

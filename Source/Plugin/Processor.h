@@ -230,11 +230,11 @@ private:
                                    const ParameterValues& values);
 
     static constexpr std::int64_t noRequest = -1;
-    /// The values when MIDI asked for a program, before what came after that moved them.
-    struct ValuesAtRequest {
+    /// How often values had been set when MIDI asked for a program: those set later are its own.
+    struct MovesAtRequest {
         std::int64_t request = noRequest;
-        std::uint32_t soundChanges = 0; ///< they are of no other sound than while it is this
-        ParameterValues values;
+        std::uint32_t soundChanges = 0; ///< while it is this, no other sound has come
+        HostParameters::Moves moves{};
     };
     void forgetEvents() noexcept;
     void followControllers(const juce::MidiBuffer& midi) noexcept;
@@ -282,7 +282,7 @@ private:
     std::string lastError;
     double preparedRateHz = 0;                ///< 0 until prepared
     std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over
-    ValuesAtRequest atLastRequest;
+    MovesAtRequest atLastRequest;
 
     // Between threads.
     Handoff<Player> handoff;
@@ -303,8 +303,9 @@ private:
     /// its own in the upper bits, as the same may be asked for again. Players carry the last that
     /// was answered when they were handed over, as their label; what is refused has no player.
     std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
-    LatestValue<ValuesAtRequest> valuesAtRequest{{}}; ///< read under soundMutex
-    std::atomic<bool> soundToTell{false};             ///< to the host, by the message thread
+    LatestValue<MovesAtRequest> movesAtRequest{{}}; ///< read under soundMutex
+    std::atomic<bool> soundToTell{false};           ///< to the host, by the message thread
+    std::atomic<int> statesComing{0};               ///< while which JUCE's VST3 passes nothing on
     std::atomic<int> programIndex{-1};
     SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects
     /// By how much any of them may sound below equal temperament: by the instance's own tuning
@@ -326,7 +327,7 @@ private:
     AwaitingKeys awaitingKeys;
     HostTransport transport;
     std::int64_t programRequests = 0;
-    ValuesAtRequest atProgramChange;         ///< the last that there was
+    MovesAtRequest atProgramChange;          ///< the last that there was
     std::int64_t awaitedRequest = noRequest; ///< the last that there was
     ParameterValues playedValues;            ///< of the callback
     OutputStage output;

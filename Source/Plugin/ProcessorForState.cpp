@@ -46,11 +46,13 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
 void Processor::setStateInformation(const void* bytes, int byteCount) {
     const std::string_view text(static_cast<const char*>(bytes),
                                 static_cast<std::size_t>(std::max(byteCount, 0)));
+    ++statesComing;
     const auto restored = withinMemory(
         [&] {
             return parseState(text).and_then([this](const State& state) { return restore(state); });
         },
         "The saved state");
+    --statesComing;
     if (!restored) {
         const std::scoped_lock lock(soundMutex);
         lastError = restored.error().message;

@@ -1,5 +1,7 @@
 #include "Synth/Surface.h"
 
+#include <algorithm>
+
 namespace idiophone {
 namespace {
 
@@ -19,6 +21,12 @@ constexpr Range ranges[] = {
 };
 
 } // namespace
+
+Surface heldToRanges(Surface surface) {
+    for (const auto& range : ranges)
+        surface.*range.member = std::clamp(surface.*range.member, range.lowest, range.highest);
+    return surface;
+}
 
 Result<Surface> validated(Surface surface) {
     if (surface.name.size() > Surface::longestNameBytes)

@@ -33,6 +33,9 @@ struct Surface {
     bool operator==(const Surface&) const = default;
 };
 
+/// The surface with each figure held to its range.
+Surface heldToRanges(Surface surface);
+
 /// The surface unchanged, or which figure is out of its range, or that its name is too long.
 Result<Surface> validated(Surface surface);
 

@@ -429,8 +429,11 @@ class WrittenFiles(ConsoleTest):
     def test_what_is_written_too(self):
         song = self.write("song.mid", midi_file(note(0, 60)))
         new = self.folder / "new"
-        self.refuse("render", "--preset", "Marimba", "--midi", song, "-o", new, "--stats", new,
-                    naming=new, saying="would write over what")
+        elsewhere = self.folder / "folder"
+        elsewhere.mkdir()
+        for same in (new, elsewhere / ".." / "new", os.path.relpath(new)):
+            self.refuse("render", "--preset", "Marimba", "--midi", song, "-o", new, "--stats", same,
+                        naming=new, saying="would write over what")
 
     @unittest.skipUnless(hasattr(os, "mkfifo"), "files of POSIX")
     def test_a_wav_file_is_written_behind_a_link_and_to_no_device(self):

@@ -29,3 +29,11 @@ class Factory(ConsoleTest):
         result = run("factory", "-o", self.folder, "--only", "trombone")
         self.assertNotEqual(result.returncode, 0)
         self.assertIn("trombone", result.stderr)
+
+    def test_nothing_is_replaced_unasked(self):
+        mine = self.write("xylophone-108.modal", "mine")
+        options = "factory", "-o", self.folder, "--only", "xylophone-108"
+        self.refuse(*options, naming=mine, saying="there already")
+        self.assertEqual(mine.read_text(), "mine")
+        self.succeed(*options, "--replace")
+        self.assertNotEqual(mine.read_bytes(), b"mine")

@@ -121,6 +121,21 @@ class Impulses(ConsoleTest):
                         for i, name in enumerate(("modèles/mine.modal", "plate")))
         self.assertEqual(mine, theirs)
 
+    def test_a_byte_order_mark_is_no_part_of_the_first_line(self):
+        line = json.dumps(self.hit()) + "\n"
+        plain = self.render(self.write("plain.jsonl", line), name="plain.wav")[1]
+        for text in (line, "# a comment\n" + line):
+            marked = self.render(self.write("marked.jsonl", "\ufeff" + text), name="marked.wav")[1]
+            self.assertEqual(marked.read_bytes(), plain.read_bytes())
+
+    def test_no_object_of_the_list_is_written_over(self):
+        content = (OBJECTS / "plate.modal").read_bytes()
+        object = self.write("plate.modal", content)
+        list_ = self.lines(self.hit(object="./plate.modal"), self.hit(0.1))
+        self.refuse("render", "--impulses", list_, "-o", object, naming=list_,
+                    saying="line 1: './plate.modal' is what would be written over")
+        self.assertEqual(object.read_bytes(), content)
+
     def test_comments_and_blank_lines_are_skipped(self):
         file = self.write("list.jsonl", "# contacts\n\n" + json.dumps(self.hit()) + "\r\n\n")
         self.assertEqual(self.render(file, "--seconds", 0.1)[0]["strikes"], 1)

@@ -151,6 +151,23 @@ class Render(ConsoleTest):
         for cut in (b"\xff\x51\x00", b"\xff\x51\x02\x01\x86"):
             self.assert_same_sound(self.song([text, (0, cut)] + notes), plain)
 
+    def test_chunks_that_are_no_tracks_are_nobodys(self):
+        plain = self.song(note(0, 72), note(480, 76), name="plain.mid")
+        song, foreign = plain.read_bytes(), b"XFIH\0\0\0\5words"
+        first, second = song.index(b"MTrk"), song.rindex(b"MTrk")
+        for content in (song[:first] + foreign + song[first:],
+                        song[:second] + foreign + song[second:], song + foreign, song + bytes(7)):
+            self.assert_same_sound(self.write("foreign.mid", content), plain)
+        self.refuse("render", "--preset", XYLOPHONE, "--midi",
+                    self.write("cut.mid", song[:second] + foreign), "-o", self.folder / "cut.wav",
+                    naming="cut.mid")
+
+    def test_a_file_that_is_rendered_again_keeps_its_permissions(self):
+        output = self.render(self.song(note(0, 72)), "--seconds", 0.1)[1]
+        output.chmod(0o640)
+        self.render(self.song(note(0, 84)), "--seconds", 0.1)
+        self.assertEqual(output.stat().st_mode & 0o777, 0o640)
+
     def test_smpte_time_is_followed(self):
         beats = self.song([tempo(0, 500000)] + note(0, 72, length=48) + note(96, 84, length=48),
                           division=480)

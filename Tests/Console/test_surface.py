@@ -80,6 +80,15 @@ class Surfaces(ConsoleTest):
         self.assertAlmostEqual(self.json("surface", recording)["reson_frequency_hz"], 2000,
                                delta=100)
 
+    def test_a_scrape_without_a_resonance_is_fitted_within_the_ranges_and_warned_of(self):
+        random.seed(7)
+        noise = self.write("noise.wav", wav([random.gauss(0, 0.1) for _ in range(RATE)]))
+        result = self.succeed("surface", noise, "--json")
+        self.assertIn("noise.wav: it is no scrape with a clear resonance", result.stderr)
+        told = json.loads(result.stdout)
+        self.assertEqual(told["reson_damping_per_s"], 1e5)
+        self.assertAlmostEqual(told["spectrum_exponent"], 0, delta=0.2)
+
     def test_bad_recordings_get_one_sentence(self):
         sound = scrape(-1, 900, 500, 1 << 14)
         for name, content, saying in (
@@ -90,6 +99,8 @@ class Surfaces(ConsoleTest):
                 ("nan.wav", wav(sound + [math.nan]), "not numbers"),
                 ("promise.wav", wav(sound, frames_promised=10 ** 8), "header says"),
                 ("text.wav", "RIFF, but not really", "not a WAV file"),
+                ("doubles.wav", riff(wav_format(bits=64), (b"data", bytes(8 * RATE))),
+                 "floating-point numbers of 32"),
                 ("nothing.wav", b"", "WAV file")):
             path = self.write(name, content)
             self.refuse("surface", path, "-o", self.folder / "out.json", naming=name,

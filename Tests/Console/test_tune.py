@@ -85,6 +85,20 @@ class Tune(ConsoleTest):
         self.assertEqual(sorted(path.name for path in folder.iterdir()),
                          ["marimba-84.obj", "marimba.csv"])
 
+    def test_a_table_stays_until_there_is_another(self):
+        options = "--from", "84", "--to", "84", "--meshes-only"
+        table = self.tuned(*options) / "marimba.csv"
+        measures = table.read_text()
+        self.assertEqual(measures.count("\n"), 2)
+        self.refuse("tune", "marimba", "-o", table.parent, *options, "--replace", "--material",
+                    "nope", naming="nope")
+        self.assertEqual(table.read_text(), measures)
+        beyond = self.folder / "beyond"
+        beyond.mkdir()
+        self.refuse("tune", "marimba", "-o", beyond, "--from", "0", "--to", "0", "--meshes-only",
+                    naming="marimba")
+        self.assertEqual(list(beyond.iterdir()), [])
+
     def test_another_scale_moves_every_bar(self):
         cents = [0, 90, 204, 294, 408, 498, 588, 702, 792, 906, 996, 1110]
         folder = self.tuned("--from", "76", "--to", "76", "--meshes-only", "--scale",

@@ -235,6 +235,29 @@ TEST_CASE("A blow is as loud wherever in a cell it comes: at its own pitch, its 
     }
 }
 
+TEST_CASE("A note that is handed over with an empty block sounds as it does within the next") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::letRing, 0);
+    parameters.set(ParameterId::releaseTime, 0.005);
+    parameters.set(ParameterId::strikeSpread, 0);
+    constexpr int offset = 17;
+    const auto played = [&](bool ahead) {
+        Player player(bars(), sampleRateHz);
+        auto sound = render(player, {midi(0, 0x90, 69, 100), midi(3200, 0x80, 69, 0)},
+                            6400 + offset, 256, parameters);
+        const std::vector again{midi(0, 0x90, 69, 100)};
+        if (ahead)
+            player.process({}, again, parameters);
+        const auto rest =
+            render(player, ahead ? std::vector<MidiEvent>() : again, 9600, 256, parameters);
+        sound.insert(sound.end(), rest.begin(), rest.end());
+        return sound;
+    };
+    const auto expected = played(false);
+    REQUIRE(rms(std::span(expected).subspan(6400, 4800)) > 1e-4);
+    CHECK(played(true) == expected);
+}
+
 TEST_CASE("Pressure that comes with a key is that key's, whichever is told first") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
@@ -243,4 +266,19 @@ TEST_CASE("Pressure that comes with a key is that key's, whichever is told first
     const auto before = render(first, {pressure, key}, 9600, 256, parameters);
     CHECK(before == render(last, {key, pressure}, 9600, 256, parameters));
     CHECK(rms(before) > 1.5 * rms(render(none, {key}, 9600, 256, parameters)));
+}
+
+TEST_CASE("A key that comes with no pressure has that of its velocity, unless it comes behind it") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::contact, scrapeContact);
+    const auto pressure = midi(100, 0xd0, 0, 0), key = midi(100, 0x90, 69, 100);
+    const auto played = [&](const std::vector<MidiEvent>& events) {
+        Player player(bars(), sampleRateHz);
+        return render(player, events, 9600, 256, parameters);
+    };
+    const auto expected = played({key});
+    REQUIRE(rms(expected) > 0);
+    CHECK(played({pressure, key}) == expected);
+    CHECK(played({midi(99, 0xd0, 0, 0), key}) == expected);
+    CHECK(rms(played({key, pressure})) < 1e-3 * rms(expected));
 }

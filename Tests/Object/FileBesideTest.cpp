@@ -54,6 +54,35 @@ TEST_CASE("A file is replaced as a whole, or stays as it was") {
     CHECK_FALSE(replaceFile(folder, writing("x")));
 }
 
+TEST_CASE("A link to no file yet leads to the file that is made, and one to itself to none") {
+    const auto folder = emptyFolder("dangling");
+    fs::create_directory(folder / "there");
+    fs::create_symlink("second", folder / "first");
+    fs::create_symlink(fs::path("there") / "file", folder / "second");
+    CHECK(behindLinks(folder / "first") == folder / "there" / "file");
+    REQUIRE(replaceFile(folder / "first", writing("text")));
+    CHECK(fs::is_symlink(folder / "first"));
+    CHECK(textOf(folder / "there" / "file") == "text");
+    fs::create_symlink("loop", folder / "loop");
+    CHECK_FALSE(replaceFile(folder / "loop", writing("text")));
+    CHECK(fs::is_symlink(folder / "loop"));
+    CHECK(fileCount(folder) == 4);
+}
+
+TEST_CASE("A file is replaced whose name is as long as names may be") {
+    const auto folder = emptyFolder("long");
+    for (const std::string& letter : {std::string("x"), std::string("\xe9\x9f\xb3")}) {
+        std::string name;
+        while (name.size() + letter.size() <= 255)
+            name += letter;
+        REQUIRE(replaceFile(folder / name, writing("first")));
+        REQUIRE(replaceFile(folder / name, writing("second")));
+        CHECK(textOf(folder / name) == "second");
+        CHECK_FALSE(replaceFile(folder / (name + letter), writing("too long")));
+    }
+    CHECK(fileCount(folder) == 2);
+}
+
 TEST_CASE("A file that is protected from being written is not replaced") {
     const auto folder = emptyFolder("protected");
     const auto file = folder / "file";

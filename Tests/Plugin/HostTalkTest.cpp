@@ -391,13 +391,13 @@ TEST_CASE(
     const auto elsewhere = [&] {
         std::thread thread([&] { processor.setCurrentProgram(3); });
         thread.join();
-        followTimers(120);
+        followTimers(300);
     };
     processor.setNonRealtime(true);
     elsewhere();
     CHECK(host.valuesToldBefore.empty());
     processor.setNonRealtime(false);
-    followTimers(120);
+    followTimers(300);
     CHECK(host.valuesToldBefore == std::vector<int>{parameterCount});
     elsewhere();
     processor.setCurrentProgram(5);

@@ -304,7 +304,7 @@ TEST_CASE("What moves after a program change is the new program's, in a bounce a
         {{change}, {}, false, false},
     };
     for (const auto& [inBlock, inNext, byHost, staysMoved] : cases) {
-        const auto levelAfter = [&](bool offline) {
+        const auto levelAfter = [&](bool offline, bool wasThere) {
             Processor processor;
             processor.setNonRealtime(offline);
             processor.prepareToPlay(rateHz, blockSize);
@@ -317,6 +317,8 @@ TEST_CASE("What moves after a program change is the new program's, in a bounce a
                     midi.addEvent(message, static_cast<int>(message.getTimeStamp()));
                 render(processor, blockSize, blockSize, midi);
             };
+            if (wasThere)
+                block({moved(100, 0)});
             block(inBlock);
             if (byHost)
                 processor.setValue(level, controlledValue(parameterInfo(level), 100));
@@ -328,8 +330,9 @@ TEST_CASE("What moves after a program change is the new program's, in a bounce a
         };
         const double expected = staysMoved ? controlledValue(parameterInfo(level), 100)
                                            : factoryPresets()[program].parameters[level];
-        CHECK(levelAfter(true) == expected);
-        CHECK(levelAfter(false) == expected);
+        for (const bool offline : {false, true})
+            for (const bool wasThere : {false, true})
+                CHECK(levelAfter(offline, wasThere) == expected);
     }
 }
 
