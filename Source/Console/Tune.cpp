@@ -15,7 +15,6 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <optional>

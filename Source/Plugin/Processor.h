@@ -229,7 +229,7 @@ private:
                                    const std::shared_ptr<const Instrument>& built,
                                    const ParameterValues& values);
 
-    static constexpr std::int64_t noRequest = -1;
+    static constexpr std::int64_t noRequest = -1, programsOfMidi = 128;
     /// How often values had been set when MIDI asked for a program: those set later are its own.
     struct MovesAtRequest {
         std::int64_t request = noRequest;

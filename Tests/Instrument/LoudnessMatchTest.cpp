@@ -5,6 +5,7 @@
 #include "Instrument/Player.h"
 #include "Instrument/Scatter.h"
 #include "IntegratedLufs.h"
+#include "MatchedGain.h"
 #include "Support/KeyedPresets.h"
 #include "Support/RenderNotes.h"
 #include "Support/WithParameter.h"
@@ -193,20 +194,6 @@ Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t ta
     return worst;
 }
 
-/// Of these values as they would be struck.
-double gainOf(LoudnessMatch& match, ParameterValues now) {
-    now.set(matchLoudness, 1);
-    match.prepare(now);
-    return match.gainDb();
-}
-
-std::shared_ptr<const Instrument> synthetic(std::size_t modes) {
-    std::vector<double> hz;
-    for (std::size_t i = 0; i < modes; ++i)
-        hz.push_back(100 + 20000.0 * static_cast<double>(i) / static_cast<double>(modes));
-    return keysOn(syntheticObject(hz), KeyMapKind::zones, 36, 96);
-}
-
 } // namespace
 
 TEST_CASE("Strikes of another material are within 2.4 LU of every factory preset's own, gently, at "
@@ -276,188 +263,6 @@ TEST_CASE("Rolls of another material are within 2.3 LU of every factory preset's
         CHECK(worst.matched < 2.3);
         CHECK(worst.beyond <= 1);
     }
-}
-
-TEST_CASE("A cell's work on the gain is at most 16 modes, and all of it two predictions") {
-    for (const std::size_t modes : {200u, 5000u}) {
-        ParameterValues own;
-        own.set(matchLoudness, 1);
-        const auto changed = with(own, mallet, firstRackMallet + 2);
-        LoudnessMatch match(synthetic(modes), {}, sampleRateHz, own);
-        match.prepare(own);
-        std::size_t work = 0, cells = 0;
-        for (; cells < 10000; ++cells) {
-            const auto taken = match.advance(changed);
-            CHECK(taken <= LoudnessMatch::modesPerCell);
-            if (taken == 0)
-                break;
-            work += taken;
-        }
-        CHECK(work == 2 * modes);
-        CHECK(match.gainDb() == gainOf(match, changed));
-        CHECK(match.gainDb() != 0);
-    }
-}
-
-TEST_CASE("Moving what does not enter a prediction costs no work, and another mallet one more") {
-    ParameterValues own;
-    own.set(matchLoudness, 1);
-    LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
-    auto now = with(own, mallet, firstRackMallet + 2);
-    match.prepare(now);
-    for (const auto parameter :
-         {level, width, tau, modeBudget, qualitySlope, compression, strikeSpread, releaseTime,
-          bendRange, contactForce, contactSpeed, roughness, rollCoupling, malletHardness,
-          malletMass, malletRadius, youngsModulus}) {
-        now.set(parameter, parameterInfo(parameter).maximum);
-        INFO(parameterInfo(parameter).id);
-        CHECK(match.advance(now) == 0);
-    }
-    now.set(mallet, firstRackMallet + 3);
-    std::size_t work = 0;
-    while (const auto taken = match.advance(now))
-        work += taken;
-    CHECK(work == 500);
-}
-
-TEST_CASE("The wheel moves the gain of scrapes, and not that of strikes") {
-    ParameterValues own;
-    own.set(matchLoudness, 1);
-    for (const int kind : {strikeContact, scrapeContact}) {
-        own.set(contact, kind);
-        LoudnessMatch match(synthetic(40), {}, sampleRateHz, own);
-        const auto now = with(own, material, firstLibraryMaterial + 5);
-        const double atRest = gainOf(match, now);
-        match.setSpeedController(127);
-        while (match.advance(now) > 0) {
-        }
-        CHECK((match.gainDb() != atRest) == (kind == scrapeContact));
-        match.reset();
-        CHECK(match.advance(with(now, matchLoudness, 1)) == 0);
-        CHECK(match.gainDb() == atRest);
-    }
-}
-
-TEST_CASE("After a reset what is played has its gain in the first cell, whatever was prepared") {
-    const auto instrument = synthetic(500);
-    ParameterValues own;
-    own.set(matchLoudness, 1);
-    const auto complete = [](LoudnessMatch& match, const ParameterValues& values) {
-        while (match.advance(values) > 0) {
-        }
-    };
-    for (const int kind : {strikeContact, scrapeContact, rollContact}) {
-        own.set(contact, kind);
-        const auto now = with(own, material, firstLibraryMaterial + 5);
-        LoudnessMatch fresh(instrument, {}, sampleRateHz, own);
-        const double gain = gainOf(fresh, now);
-        REQUIRE(gain != 0);
-        LoudnessMatch match(instrument, {}, sampleRateHz, own);
-        match.prepare(with(own, matchLoudness, 0));
-        complete(match, now);
-        match.setSpeedController(127);
-        complete(match, now);
-        for (int times = 0; times < 2; ++times) {
-            match.reset();
-            CHECK(match.speedController() == HeldContacts::controllerAtRest);
-            CHECK(match.advance(now) == 0);
-            CHECK(match.gainDb() == gain);
-        }
-
-        // And where it was under way.
-        const auto other = with(own, material, firstLibraryMaterial + 7);
-        match.advance(other);
-        match.reset();
-        complete(match, other);
-        CHECK(match.gainDb() == gainOf(fresh, other));
-        match.advance(now);
-        match.reset();
-        CHECK(match.advance(with(now, matchLoudness, 0)) == 0);
-        CHECK(match.gainDb() == 0);
-    }
-}
-
-TEST_CASE("What is prepared for the wheel where it will be is known there, and at rest") {
-    ParameterValues own;
-    own.set(matchLoudness, 1);
-    own.set(contact, scrapeContact);
-    const auto now = with(own, material, firstLibraryMaterial + 5);
-    LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
-    const double atRest = gainOf(match, now);
-    match.setSpeedController(127);
-    while (match.advance(now) > 0) {
-    }
-    const double moved = match.gainDb();
-    REQUIRE(moved != atRest);
-
-    LoudnessMatch prepared(synthetic(500), {}, sampleRateHz, own);
-    prepared.prepare(now, 127);
-    CHECK(prepared.speedController() == HeldContacts::controllerAtRest);
-    CHECK(prepared.gainDb() == atRest);
-    CHECK(prepared.advance(now) == 0);
-    CHECK(prepared.gainDb() == atRest);
-    prepared.setSpeedController(127);
-    CHECK(prepared.advance(now) == 0);
-    CHECK(prepared.gainDb() == moved);
-}
-
-TEST_CASE("A song that begins as before has its gain at once, and follows the same values again") {
-    const auto instrument = synthetic(500);
-    ParameterValues own;
-    own.set(matchLoudness, 1);
-    for (const int kind : {strikeContact, scrapeContact}) {
-        own.set(contact, kind);
-        const auto first = with(own, material, firstLibraryMaterial + 5);
-        const auto second = with(own, material, firstLibraryMaterial + 7);
-        LoudnessMatch match(instrument, {}, sampleRateHz, own);
-        match.prepare(first);
-        const auto pass = [&](const std::vector<ParameterValues>& parts) {
-            std::vector<double> gainsDb;
-            match.beginSong();
-            for (const auto& values : parts)
-                for (int cell = 0; cell < 200; ++cell) {
-                    match.advance(values);
-                    gainsDb.push_back(match.gainDb());
-                }
-            return gainsDb;
-        };
-        const auto expected = pass({first, second, own, second});
-        REQUIRE(expected.front() != expected.back());
-        CHECK((pass({first, second, own, second}) == expected));
-        match.advance(first); // under way
-        CHECK((pass({first, second, own, second}) == expected));
-        match.advance(second);
-        auto quieter = first;
-        quieter.set(level, -40); // which changes no gain
-        CHECK((pass({quieter, second, own, second}) == expected));
-
-        // A song of other values is followed, and is the one that is known then.
-        const auto other = pass({second, first});
-        CHECK((pass({second, first}) == other));
-        CHECK(other.back() == expected.front());
-        match.setSpeedController(127);
-        pass({second, first}); // what it begins with takes its time where it was never heard
-        const auto moved = pass({second, first});
-        CHECK((moved == other) == (kind == strikeContact));
-        CHECK((pass({second, first}) == moved));
-        CHECK((pass({with(second, matchLoudness, 0)}) == std::vector<double>(200, 0)));
-    }
-}
-
-TEST_CASE("A song too short for a prediction is matched after some passes") {
-    ParameterValues own;
-    own.set(matchLoudness, 1);
-    const auto now = with(own, material, firstLibraryMaterial + 5);
-    LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
-    match.prepare(own);
-    int passes = 0;
-    for (; match.gainDb() == 0 && passes < 10000; ++passes) {
-        match.beginSong();
-        match.advance(now);
-    }
-    CHECK(passes > 10);
-    LoudnessMatch fresh(synthetic(500), {}, sampleRateHz, own);
-    CHECK(match.gainDb() == gainOf(fresh, now));
 }
 
 TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") {
