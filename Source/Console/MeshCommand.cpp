@@ -22,6 +22,7 @@ struct Options {
 };
 
 constexpr double pi = std::numbers::pi;
+constexpr int mostVertices = 1000000; // asked for; proportions may bring twice as many
 
 /// The edge of near-equilateral triangles of which so many vertices cover an area.
 double edgeFor(double areaM2, int vertexCount) {
@@ -87,6 +88,9 @@ Result<void> makeMesh(const Options& options) {
         if (options.sectionRadiusMetres >= options.radiusMetres && options.kind == "ring")
             return failure("--section-radius: it is not smaller than the radius of the ring");
         const auto mesh = kind.make(options);
+        if (mesh.vertexCount() > 2 * mostVertices)
+            return failure("mesh " + options.kind + ": of such proportions it would have " +
+                           std::to_string(mesh.vertexCount()) + " vertices");
         if (auto done = writeMesh(mesh, options.output); !done)
             return done;
         std::cout << options.output.string() << ": " << mesh.vertexCount() << " vertices, "
@@ -118,7 +122,7 @@ void addMesh(CLI::App& program, Action& chosen) {
     size("--radius", options->radiusMetres, "Of a disc, icosphere, ring or hoop");
     size("--section-radius", options->sectionRadiusMetres, "Of a ring's round section");
     command->add_option("--vertices", options->vertexCount, "About so many")
-        ->check(numberBetween(12, 1e6))
+        ->check(numberBetween(12, mostVertices))
         ->capture_default_str();
     command->final_callback(
         [options, &chosen] { chosen = [options] { return makeMesh(*options); }; });

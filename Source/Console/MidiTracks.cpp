@@ -75,7 +75,10 @@ std::optional<MidiTracks> readMidiTracks(std::string_view bytes) {
     if (!kind || !count || !format || *kind > 2 || (*kind == 0 && *count != 1))
         return std::nullopt;
     MidiTracks midi{.timeFormat = static_cast<short>(*format), .tracks = {}};
-    while (midi.tracks.size() < *count) { // chunks of other kinds are nobody's
+    // Chunks of other kinds are nobody's; some programs count them all the same.
+    for (int chunks = 0; midi.tracks.size() < *count; ++chunks) {
+        if (chunks >= *count && rest.bytes.empty())
+            break;
         const auto mark = rest.take(4);
         const auto size = rest.takeLong();
         const auto chunk = size ? rest.take(*size) : std::nullopt;

@@ -6,9 +6,12 @@ namespace idiophone {
 
 Result<void> checkWritable(const std::filesystem::path& file) {
     std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored))
+    const auto there = std::filesystem::status(file, ignored);
+    if (std::filesystem::is_directory(there))
         return failure(file.string() + ": it is a directory");
-    const auto trial = makeFileBeside(file);
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        return {}; // a device or a pipe, which is written as it is
+    const auto trial = makeFileBeside(behindLinks(file));
     if (!trial)
         return failure(file.string() + ": the file cannot be written");
     std::filesystem::remove(*trial, ignored);

@@ -99,8 +99,18 @@ void CaptureButton::save() {
                              juce::FileBrowserComponent::warnAboutOverwriting,
                          [this](const juce::FileChooser& done) {
                              if (const auto file = done.getResult(); file != juce::File())
-                                 view.writeCapture(kind, pathOf(file));
+                                 save(file);
                          });
+}
+
+/// Some systems' choosers give no file an ending, nor ask again whether that one is to be replaced.
+void CaptureButton::save(const juce::File& chosen) {
+    const auto file =
+        chosen.getFileExtension().isEmpty() ? chosen.withFileExtension(ending()) : chosen;
+    if (file != chosen && file.exists())
+        return view.reportError("There is already a file " + file.getFileName().toStdString() +
+                                ".");
+    view.writeCapture(kind, pathOf(file));
 }
 
 } // namespace idiophone

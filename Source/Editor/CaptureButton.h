@@ -30,6 +30,7 @@ public:
 
 private:
     void save();
+    void save(const juce::File& chosen);
     juce::String ending() const;
 
     ProcessorView& view;

@@ -28,6 +28,8 @@ ChoiceList::ChoiceList(const ParameterInfo& row, ProcessorView& processor)
     : info(row), view(processor) {
     setTitle(fromUtf8(info.name));
     setTooltip(fromUtf8(info.description));
+    if (info.parameter == ParameterId::material)
+        view.readUserMaterials();
     fill();
     onChange = [this] { choose(); };
     refresh();
@@ -41,17 +43,17 @@ void ChoiceList::fill() {
     if (info.parameter != ParameterId::material)
         return;
     instrument = -1;
-    const auto own = view.readUserMaterials();
-    if (!own.empty())
+    ownMaterials = view.userMaterialNames();
+    if (!ownMaterials.empty())
         addSeparator();
     item = firstUserItem;
-    for (const auto& name : own)
+    for (const auto& name : ownMaterials)
         addItem(fromUtf8(name), item++);
 }
 
 void ChoiceList::showPopup() {
     if (info.parameter == ParameterId::material) {
-        fill();
+        view.readUserMaterials();
         refresh();
     }
     ComboBox::showPopup();
@@ -74,6 +76,8 @@ void ChoiceList::nameOwnMaterial() {
 }
 
 void ChoiceList::refresh() {
+    if (info.parameter == ParameterId::material && ownMaterials != view.userMaterialNames())
+        fill(); // another list has read them anew
     nameOwnMaterial();
     const int own = info.parameter == ParameterId::material ? view.userMaterialIndex() : -1;
     const int item = own >= 0

@@ -24,7 +24,8 @@ private:
 
     const ParameterInfo& info;
     ProcessorView& view;
-    int instrument = -1; ///< whose material the first choice names
+    int instrument = -1;                   ///< whose material the first choice names
+    std::vector<std::string> ownMaterials; ///< in the list
 };
 
 } // namespace idiophone

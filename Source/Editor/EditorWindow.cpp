@@ -25,6 +25,18 @@ constexpr double deckShare = 0.44;
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 constexpr int tooltipMilliseconds = 600;
 
+/// What the window was last, but no larger than the screen of now.
+juce::Point<int> sizeOnScreen(juce::Point<int> last) {
+    auto most = juce::Rectangle<int>(EditorWindow::mostWidth, EditorWindow::mostHeight);
+    if (const auto* screen = juce::Desktop::getInstance().getDisplays().getPrimaryDisplay())
+        most = screen->userArea;
+    const auto fitting = [](int stored, int first, int least, int screen) {
+        return juce::jlimit(least, std::max(least, screen), stored > 0 ? stored : first);
+    };
+    return {fitting(last.x, firstWidth, EditorWindow::leastWidth, most.getWidth()),
+            fitting(last.y, firstHeight, EditorWindow::leastHeight, most.getHeight())};
+}
+
 juce::String firstReadable(const juce::StringArray& files, const ProcessorView& view) {
     for (const auto& file : files)
         if (view.canOpen(pathOf(file)) || view.isTuningFile(pathOf(file)))
@@ -67,8 +79,8 @@ EditorWindow::EditorWindow(juce::AudioProcessor& audioProcessor, ProcessorView& 
     setLook(look.scheme());
     setResizable(true, true);
     setResizeLimits(leastWidth, leastHeight, mostWidth, mostHeight);
-    const auto size = preferences.windowSize();
-    setSize(size.x > 0 ? size.x : firstWidth, size.y > 0 ? size.y : firstHeight);
+    const auto size = sizeOnScreen(preferences.windowSize());
+    setSize(size.x, size.y);
     startTimer(1000 / busyHz);
 }
 

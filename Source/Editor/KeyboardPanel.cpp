@@ -71,6 +71,8 @@ KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
     keyboard.setScrollButtonsVisible(false);
     keyboard.setOctaveForMiddleC(4);
     keyboard.setTitle("Keyboard");
+    if (!juce::JUCEApplicationBase::isStandaloneApp())
+        keyboard.clearKeyMappings(); // they are the host's
     addAndMakeVisible(keyboard);
     state.addListener(this);
     // It asks 20 times a second whether a key has moved, also when nothing does: the window's own

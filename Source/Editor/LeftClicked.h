@@ -2,6 +2,7 @@
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
+#include <utility>
 
 namespace idiophone {
 
@@ -11,17 +12,22 @@ public:
     using Control::Control;
 
     void mouseDown(const juce::MouseEvent& event) override {
-        if (!event.mods.isPopupMenu())
+        isOwn = !event.mods.isPopupMenu();
+        if (isOwn)
             Control::mouseDown(event);
     }
     void mouseDrag(const juce::MouseEvent& event) override {
-        if (!event.mods.isPopupMenu())
+        if (isOwn)
             Control::mouseDrag(event);
     }
     void mouseUp(const juce::MouseEvent& event) override {
-        if (!event.mods.isPopupMenu())
+        if (std::exchange(isOwn, false))
             Control::mouseUp(event);
     }
+
+private:
+    /// By how it began: it ends with the last button that comes up, whichever that is.
+    bool isOwn = false;
 };
 
 } // namespace idiophone

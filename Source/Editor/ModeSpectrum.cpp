@@ -166,7 +166,9 @@ bool ModeSpectrum::keyPressed(const juce::KeyPress& key) {
     const std::size_t count = frame.modes.size();
     if (count == 0)
         return false;
-    const auto character = juce::CharacterFunctions::toLowerCase(key.getTextCharacter());
+    const bool isCommanded = key.getModifiers().isCommandDown() || key.getModifiers().isCtrlDown();
+    const auto character =
+        isCommanded ? 0 : juce::CharacterFunctions::toLowerCase(key.getTextCharacter());
     if (key == juce::KeyPress::rightKey || key == juce::KeyPress::upKey)
         choose(chosen ? std::min(*chosen + 1, count - 1) : 0);
     else if (key == juce::KeyPress::leftKey || key == juce::KeyPress::downKey)
@@ -184,6 +186,10 @@ bool ModeSpectrum::keyPressed(const juce::KeyPress& key) {
     else
         return false;
     return true;
+}
+
+bool ModeSpectrum::keyStateChanged(bool) {
+    return juce::JUCEApplicationBase::isStandaloneApp(); // or else no key would reach the host
 }
 
 void ModeSpectrum::resized() {

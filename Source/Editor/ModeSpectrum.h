@@ -44,7 +44,7 @@ public:
     void mouseExit(const juce::MouseEvent& event) override;
     void mouseDown(const juce::MouseEvent& event) override;
     bool keyPressed(const juce::KeyPress& key) override;
-    bool keyStateChanged(bool) override { return true; } ///< its letters are no notes
+    bool keyStateChanged(bool) override; ///< its letters are no notes
     void focusGained(FocusChangeType) override { repaint(); }
     void focusLost(FocusChangeType) override { repaint(); }
     std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;

@@ -49,8 +49,10 @@ ObjectView::~ObjectView() {
 // What is shown.
 
 void ObjectView::refresh() {
-    if (!renderer.works() && ticksWithoutContext < ticksToWait && isShowing() &&
-        ++ticksWithoutContext == ticksToWait)
+    if (renderer.works())
+        ticksWithoutContext = 0;
+    else if (ticksWithoutContext < ticksToWait && isShowing() &&
+             ++ticksWithoutContext == ticksToWait)
         repaint();
     if (const int playing = view.instrumentNumber(); playing != shownInstrument) {
         lift();

@@ -25,6 +25,7 @@ LookScheme Preferences::look() const {
 }
 
 void Preferences::setLook(LookScheme scheme) {
+    readAnew();
     if (file != nullptr)
         file->setValue(lookKey, scheme == LookScheme::light ? "light" : "dark");
 }
@@ -35,10 +36,17 @@ juce::Point<int> Preferences::windowSize() const {
 }
 
 void Preferences::setWindowSize(juce::Point<int> size) {
+    readAnew();
     if (file == nullptr)
         return;
     file->setValue(widthKey, size.x);
     file->setValue(heightKey, size.y);
+}
+
+/// What other windows have written stays: the file is written as a whole.
+void Preferences::readAnew() {
+    if (file != nullptr && !file->needsToBeSaved())
+        file->reload();
 }
 
 } // namespace idiophone

@@ -23,6 +23,8 @@ public:
     void setWindowSize(juce::Point<int> size);
 
 private:
+    void readAnew();
+
     std::unique_ptr<juce::PropertiesFile> file; ///< writes itself when it goes
 };
 

@@ -1,5 +1,6 @@
 #include "Editor/PresetBar.h"
 
+#include "Editor/CommandKey.h"
 #include "Editor/Icons.h"
 #include "Editor/Look.h"
 #include "Editor/Utf8.h"
@@ -20,13 +21,6 @@ juce::String commandKey(const char* letter, bool shift = false) {
 #else
     return juce::String(shift ? "Ctrl+Shift+" : "Ctrl+") + letter;
 #endif
-}
-
-bool isCommand(const juce::KeyPress& key, int letter, bool shift) {
-    const auto mods = key.getModifiers();
-    return mods.isCommandDown() && !mods.isAltDown() && mods.isShiftDown() == shift &&
-           juce::CharacterFunctions::toLowerCase(static_cast<juce::juce_wchar>(key.getKeyCode())) ==
-               static_cast<juce::juce_wchar>(letter);
 }
 
 } // namespace
@@ -192,11 +186,11 @@ void PresetBar::refreshHistory() {
 }
 
 bool PresetBar::handleKey(const juce::KeyPress& key) {
-    if (isCommand(key, 'z', false))
+    if (isCommand(key, 'z'))
         view.editHistory().undo();
-    else if (isCommand(key, 'z', true) || isCommand(key, 'y', false))
+    else if (isCommand(key, 'z', true) || isCommand(key, 'y'))
         view.editHistory().redo();
-    else if (isCommand(key, 's', false))
+    else if (isCommand(key, 's'))
         save();
     else
         return false;

@@ -1,5 +1,6 @@
 #include "Editor/PresetBrowser.h"
 
+#include "Editor/CommandKey.h"
 #include "Editor/Look.h"
 #include "Editor/PresetSearch.h"
 #include "Editor/Utf8.h"
@@ -135,6 +136,8 @@ void PresetBrowser::refill() {
 }
 
 void PresetBrowser::audition(const ShelvedPreset& preset) {
+    if (question == Question::rename || question == Question::remove)
+        ask(Question::none); // it was about another one
     const auto played = shelf.auditionPreset(preset.id);
     say(played ? juce::String() : fromUtf8(played.error().message), !played);
     arrangeHint();
@@ -157,6 +160,7 @@ void PresetBrowser::say(const juce::String& sentence, bool isError) {
 void PresetBrowser::ask(Question next) {
     question = next;
     const auto* preset = selected();
+    askedId = preset != nullptr ? preset->id : std::string();
     if (question == Question::save) {
         auto details = shelf.soundDetails();
         if (preset != nullptr && preset->isFactory)
@@ -183,11 +187,9 @@ void PresetBrowser::answer(const PresetDetails& details) {
         return form.objectToName(details);
     if (question == Question::save)
         shelf.keepAudition(); // who saves it wants it
-    const auto* preset = selected();
     const auto done = question == Question::save     ? shelf.savePreset(details, mayReplace)
-                      : preset == nullptr            ? Result<void>()
-                      : question == Question::rename ? shelf.renamePreset(preset->id, details.name)
-                                                     : shelf.deletePreset(preset->id);
+                      : question == Question::rename ? shelf.renamePreset(askedId, details.name)
+                                                     : shelf.deletePreset(askedId);
     if (!done)
         return form.object(fromUtf8(done.error().message));
     const auto said = question == Question::save     ? "Saved."
@@ -217,6 +219,8 @@ bool PresetBrowser::keyPressed(const juce::KeyPress& key) {
         list.step(6);
     else if (key == juce::KeyPress::pageUpKey)
         list.step(-6);
+    else if (question != Question::none && isCommand(key, 's'))
+        form.save(); // or else it would be saved over the preset that plays
     else
         return false;
     return true;

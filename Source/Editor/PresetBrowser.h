@@ -62,6 +62,7 @@ private:
     PresetList list;
     PresetForm form;
     Question question = Question::none;
+    std::string askedId; ///< of the preset that the question is about; empty where there is none
     juce::Label status;
     juce::TextButton saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"}, reveal{"Folder"},
         init{"Init"}, back{"Back"}, keep{"Keep"};

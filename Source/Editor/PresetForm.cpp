@@ -25,7 +25,7 @@ PresetForm::PresetForm() {
         field->setSelectAllWhenFocused(true);
         field->setInputRestrictions(500);
         field->setTextToShowWhenEmpty(hint, juce::Colours::grey);
-        field->onReturnKey = [this] { yes.triggerClick(); };
+        field->onReturnKey = [this] { followReturn(); };
         field->onEscapeKey = [this] { juce::NullCheckedInvocation::invoke(onCancel); };
         field->onTextChange = [this] { followText(); };
         addChildComponent(*field);
@@ -49,6 +49,17 @@ PresetForm::PresetForm() {
 void PresetForm::name(const juce::String& answer, const juce::String& title) {
     yes.setButtonText(answer);
     yes.setTitle(title);
+}
+
+/// Which comes twice where a key is held, and is no answer to what came up in between.
+void PresetForm::followReturn() {
+    if (!offersToReplace)
+        yes.triggerClick();
+}
+
+void PresetForm::save() {
+    if (editor(descriptionField).isVisible())
+        followReturn();
 }
 
 /// What was said of the answer before holds no longer.

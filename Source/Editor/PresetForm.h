@@ -23,9 +23,13 @@ public:
     void askWhether(const juce::String& title, const juce::String& yes);
     /// Says what is the matter with the answer.
     void object(const juce::String& sentence);
-    /// Says that there is such a preset, and offers to replace it: until something is typed.
+    /// Says that there is such a preset, and offers to replace it: by the button alone, and until
+    /// something is typed.
     void objectToName(const PresetDetails& details);
     bool isToReplace() const { return offersToReplace; }
+
+    /// Answers as Return does, if it asks for details.
+    void save();
 
     int neededHeight() const;
     PresetDetails details() const;
@@ -43,6 +47,7 @@ private:
     };
     enum Place { nameField, folderField, tagField, authorField, descriptionField };
 
+    void followReturn();
     void followText();
     void name(const juce::String& answer, const juce::String& title);
     void show(std::initializer_list<Place> fields);

@@ -3,6 +3,7 @@
 #include "Editor/Utf8.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <string>
 
@@ -26,6 +27,9 @@ juce::juce_wchar smallLetter(juce::juce_wchar letter) {
 }
 
 juce::String small(const juce::String& text) {
+    const auto bytes = text.toRawUTF8();
+    if (!juce::CharPointer_UTF8::isValidString(bytes, static_cast<int>(std::strlen(bytes))))
+        return text; // a folder's name, of which JUCE does not see the end
     // A juce::String finds its end anew for each letter that is added.
     std::basic_string<juce::juce_wchar> result;
     for (auto letter = text.getCharPointer(); !letter.isEmpty(); ++letter)

@@ -65,6 +65,8 @@ public:
     /// Reads the user's materials anew and returns their names. What cannot be read is left out,
     /// and is what the status says.
     virtual std::vector<std::string> readUserMaterials() = 0;
+    /// As they were read last.
+    virtual std::vector<std::string> userMaterialNames() const = 0;
     /// Which of those read last has the figures that are played; −1 where none.
     virtual int userMaterialIndex() const = 0;
     /// Plays the figures of that one as the custom material's.

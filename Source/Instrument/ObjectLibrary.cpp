@@ -29,6 +29,8 @@ Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string
         return object;
     if (behind != nullptr)
         return behind->find(name);
+    if (name.empty())
+        return failure("no object is named");
     const auto factory = factoryObject(name);
     const auto key = factory ? name : fileKey(pathNamed(name));
     if (auto object = known(key))

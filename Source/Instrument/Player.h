@@ -159,6 +159,7 @@ public:
 private:
     std::span<const MidiEvent> follow(std::span<const MidiEvent> events);
     void follow(const MidiEvent& event);
+    void pressNewKeys(std::span<const MidiEvent> events);
     void strikeFor(const MidiEvent& event);
     void strikeAt(std::size_t slot,
                   const StrikePoint& point,

@@ -19,8 +19,8 @@ bool isPressure(const MidiEvent& event) {
     return kind == 0xa0 || kind == 0xd0;
 }
 
-bool isPressing(const MidiEvent& event) {
-    return ((event.bytes[0] & 0xf0) == 0xa0 ? event.bytes[2] : event.bytes[1]) % 128 > 0;
+double pressureOf(const MidiEvent& event) {
+    return (event.bytes[(event.bytes[0] & 0xf0) == 0xa0 ? 2 : 1] & 0x7f) / 127.0;
 }
 
 } // namespace
@@ -32,7 +32,7 @@ bool isPressing(const MidiEvent& event) {
 std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOneSample) {
     // A wheel that moves as one note of its channel ends and the next one begins is the next one's,
     // and so is pressure, though they may come first: JUCE's VST3 wrapper has them before the notes
-    // of their sample. No pressure before a key is none that it has: MPE keyboards begin with it.
+    // of their sample.
     for (const auto& event : eventsOfOneSample)
         if (event.isNoteOff())
             letGo(event.bytes[0] & 0x0f, event.bytes[1] & 0x7f);
@@ -45,13 +45,37 @@ std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOne
         if (isChannelMode(event)) // which resets them
             pressures = eventsOfOneSample.subspan(k + 1);
     }
-    const auto lastKey = std::find_if(pressures.rbegin(), pressures.rend(),
-                                      [](const auto& event) { return event.isNoteOn(); });
-    const auto throughKeys = static_cast<std::size_t>(pressures.rend() - lastKey);
-    for (std::size_t k = 0; k < pressures.size(); ++k)
-        if (isPressure(pressures[k]) && (isPressing(pressures[k]) || k >= throughKeys))
-            follow(pressures[k]);
+    pressNewKeys(pressures);
     return striking;
+}
+
+/// After all of a sample's events: a new key has the last pressure there, also where that came
+/// before it; but no pressure before a key is none that it has, as MPE keyboards begin with it.
+void Player::pressNewKeys(std::span<const MidiEvent> events) {
+    std::array<std::bitset<128>, 16> pressedLater, waiting;
+    for (auto event = events.rbegin(); event != events.rend(); ++event) {
+        const int channel = event->bytes[0] & 0x0f;
+        std::bitset<128> reached;
+        reached.set(event->bytes[1] & 0x7f);
+        if (event->isNoteOn())
+            waiting[std::size_t(channel)] |= reached & ~pressedLater[std::size_t(channel)];
+        if (!isPressure(*event))
+            continue;
+        PitchBend::Channels channels{channel, channel};
+        if ((event->bytes[0] & 0xf0) == 0xd0) {
+            channels = bend.reachOf(channel);
+            reached.set();
+        }
+        for (int each = channels.first; each <= channels.last; ++each) {
+            auto& keys = waiting[std::size_t(each)];
+            const auto pressed = keys & reached;
+            for (std::size_t key = 0; pressed.any() && key < pressed.size(); ++key)
+                if (pressed[key] && pressureOf(*event) > 0)
+                    press(each, static_cast<int>(key), pressureOf(*event));
+            keys &= ~reached;
+            pressedLater[std::size_t(each)] |= reached;
+        }
+    }
 }
 
 void Player::follow(const MidiEvent& event) {
@@ -64,11 +88,11 @@ void Player::follow(const MidiEvent& event) {
     else if (event.isNoteOff())
         keyUp(channel, first);
     else if (kind == 0xa0)
-        press(channel, first, second / 127.0);
+        press(channel, first, pressureOf(event));
     else if (kind == 0xb0)
         controller(channel, first, second);
     else if (kind == 0xd0)
-        press(channel, first / 127.0);
+        press(channel, pressureOf(event));
     else if (kind == 0xe0)
         bend.wheel(channel, first, second);
 }

@@ -12,6 +12,24 @@ std::size_t bytesFromLead(unsigned char lead) {
     return lead < 0xc2 || lead > 0xf4 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
 }
 
+/// A control character of Unicode beyond ASCII, or one that ends lines or turns the direction of
+/// writing, with which a name shows as another.
+struct WideControl {
+    unsigned code = 0;
+    std::size_t bytes = 0; ///< 0 where the text begins with none
+};
+
+WideControl wideControl(std::string_view text) {
+    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (text.size() >= 2 && at(0) == 0xc2 && at(1) >= 0x80 && at(1) < 0xa0)
+        return {at(1), 2};
+    if (text.size() < 3 || at(0) != 0xe2 || (at(1) != 0x80 && at(1) != 0x81))
+        return {};
+    const unsigned code = 0x2000u + ((at(1) & 1u) << 6) + (at(2) & 0x3fu);
+    const bool isControl = (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+    return at(2) >= 0x80 && at(2) < 0xc0 && isControl ? WideControl{code, 3} : WideControl{};
+}
+
 /// The bytes of the character at the beginning of the text; 0 where it cannot be shown.
 std::size_t shownBytes(std::string_view text) {
     const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -24,10 +42,10 @@ std::size_t shownBytes(std::string_view text) {
     if (!std::ranges::all_of(text.substr(1, size - 1),
                              [](unsigned char c) { return c >= 0x80 && c < 0xc0; }))
         return 0;
-    // The second byte tells control characters, forms longer than need be, halves of pairs of
-    // UTF-16, and what lies beyond Unicode.
+    // The second byte tells forms longer than need be, halves of pairs of UTF-16, and what lies
+    // beyond Unicode.
     const auto second = at(1);
-    const bool isWrong = (lead == 0xc2 && second < 0xa0) || (lead == 0xe0 && second < 0xa0) ||
+    const bool isWrong = wideControl(text).bytes > 0 || (lead == 0xe0 && second < 0xa0) ||
                          (lead == 0xed && second >= 0xa0) || (lead == 0xf0 && second < 0x90) ||
                          (lead == 0xf4 && second >= 0x90);
     return isWrong ? 0 : size;
@@ -56,19 +74,17 @@ std::string inQuotes(std::string_view text) {
 std::string escaped(std::string_view text) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string result;
-    const auto escape = [&](unsigned char code) {
-        result += "\\u00";
-        result += digits[code >> 4];
-        result += digits[code & 15];
+    const auto escape = [&](unsigned code) {
+        result += "\\u";
+        for (int shift = 12; shift >= 0; shift -= 4)
+            result += digits[(code >> shift) & 15];
     };
     while (!text.empty()) {
         const auto lead = static_cast<unsigned char>(text[0]);
         std::size_t size = std::max<std::size_t>(shownBytes(text), 1);
-        if (lead == 0xc2 && text.size() > 1 && shownBytes(text) == 0 &&
-            static_cast<unsigned char>(text[1]) >= 0x80 &&
-            static_cast<unsigned char>(text[1]) < 0xa0) {
-            size = 2;
-            escape(static_cast<unsigned char>(text[1]));
+        if (const auto control = wideControl(text); control.bytes > 0) {
+            size = control.bytes;
+            escape(control.code);
         } else if ((lead < ' ' && lead != '\n' && lead != '\t') || lead == 127 ||
                    (lead >= 0x80 && lead < 0xa0)) {
             escape(lead);

@@ -7,8 +7,8 @@
 
 namespace idiophone {
 
-/// The text fit for one line: at most so many bytes, then "..."; with '?' for control characters
-/// and for bytes that are no UTF-8.
+/// The text fit for one line: at most so many bytes, then "..."; with '?' for bytes that are no
+/// UTF-8 and for those of control characters, among them what turns the direction of writing.
 std::string oneLine(std::string_view text, std::size_t mostBytes = 100);
 
 /// The same in single quotes.

@@ -37,12 +37,14 @@ void HostParameter::moveByController(double value) noexcept {
     movedByController = true;
 }
 
-void HostParameter::tellHost() {
+void HostParameter::tellHost(bool isInGesture) {
     if (!movedByController.exchange(false))
         return;
-    beginChangeGesture();
+    if (!isInGesture)
+        beginChangeGesture();
     tellListeners();
-    endChangeGesture();
+    if (!isInGesture)
+        endChangeGesture();
 }
 
 void HostParameter::tellListeners() {

@@ -25,8 +25,8 @@ public:
     /// [audio thread] As a controller has it; `tellHost` tells the host.
     void moveByController(double value) noexcept;
     /// [message thread] Tells the host where it is, if a controller moved it since this was called
-    /// last and nothing else did since.
-    void tellHost();
+    /// last and nothing else did since; as a gesture of its own, or within one by hand.
+    void tellHost(bool isInGesture);
     /// [any thread] Tells the host and other listeners the value.
     void tellListeners();
     /// [any thread] From now on nothing is an echo of what the host was told before.

@@ -22,8 +22,10 @@ void MidiLearn::follow(juce::MidiBufferIterator first,
         const int number = message.data[1] & 0x7f;
         values[static_cast<std::size_t>(number)] = static_cast<std::int8_t>(message.data[2] & 0x7f);
         if (int waiting = learning; waiting != nothing && isMeantToBeLearned(number) &&
-                                    learning.compare_exchange_strong(waiting, nothing))
+                                    learning.compare_exchange_strong(waiting, nothing)) {
             numbers[static_cast<std::size_t>(waiting)] = static_cast<std::int8_t>(number);
+            reassigned = true;
+        }
     }
     for (const auto& info : parameterTable()) {
         const int number = numbers[static_cast<std::size_t>(info.parameter)];
@@ -34,9 +36,11 @@ void MidiLearn::follow(juce::MidiBufferIterator first,
     }
 }
 
-void MidiLearn::tellHost(const HostParameters& parameters) {
+void MidiLearn::tellHost(const HostParameters& parameters,
+                         const std::array<int, parameterCount>& openGestures) {
     for (const auto& info : parameterTable())
-        parameters[info.parameter].tellHost();
+        parameters[info.parameter].tellHost(openGestures[static_cast<std::size_t>(info.parameter)] >
+                                            0);
 }
 
 ControllerAssignments MidiLearn::assignments() const noexcept {
@@ -72,6 +76,7 @@ void MidiLearn::stopLearning() {
 
 void MidiLearn::forgetController(ParameterId parameter) {
     numbers[static_cast<std::size_t>(parameter)] = noController;
+    reassigned = true;
 }
 
 } // namespace idiophone

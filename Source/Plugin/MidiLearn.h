@@ -26,7 +26,11 @@ public:
 
     /// [message thread] Tells the host of what controllers moved since it was told last. Not during
     /// an offline render: a host that echoes late would make the render depend on time.
-    void tellHost(const HostParameters& parameters);
+    /// `openGestures` has how many by hand each parameter is in.
+    void tellHost(const HostParameters& parameters,
+                  const std::array<int, parameterCount>& openGestures);
+    /// [message thread] Whether a controller was learned or forgotten since this was asked last.
+    bool takeReassigned() noexcept { return reassigned.exchange(false); }
 
     /// [any thread but audio]
     ControllerAssignments assignments() const noexcept;
@@ -43,6 +47,7 @@ private:
 
     std::array<std::atomic<std::int8_t>, parameterCount> numbers;
     std::atomic<int> learning{nothing}; ///< a ParameterId
+    std::atomic<bool> reassigned{false};
     static_assert(std::atomic<std::int8_t>::is_always_lock_free);
     static_assert(std::atomic<int>::is_always_lock_free);
 };

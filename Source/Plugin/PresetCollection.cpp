@@ -3,6 +3,7 @@
 #include "Instrument/FactoryContent.h"
 #include "Instrument/InitialPreset.h"
 #include "Instrument/LoudnessMatch.h"
+#include "Object/OneLine.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/ObjectEmbedding.h"
 #include "Plugin/PresetObjects.h"
@@ -71,6 +72,11 @@ ShelvedPreset shelved(const Preset& preset, std::string id) {
             .fault = {}};
 }
 
+/// What of a preset's file is done, though what follows from it failed.
+Result<void> butDone(const char* what, const Result<void>& after) {
+    return after ? after : failure(what + after.error().message);
+}
+
 const Preset* factoryPreset(const std::string& id) {
     const int program = factoryProgram(id);
     return program < 0 ? nullptr : &factoryPresets()[static_cast<std::size_t>(program)];
@@ -97,7 +103,8 @@ void PresetCollection::readPresets() {
         last.id = entry.id;
         last.folder = entry.folder;
         if (!entry.preset) {
-            last.name = folder.fileOf(entry.id).getFileNameWithoutExtension().toStdString();
+            const auto file = folder.fileOf(entry.id).getFileNameWithoutExtension().toStdString();
+            last.name = oneLine(file); // which may be no UTF-8
             last.fault = entry.preset.error().message;
         }
     }
@@ -183,7 +190,7 @@ Result<void> PresetCollection::auditionPreset(const std::string& id) {
 }
 
 void PresetCollection::keepAudition() {
-    history.keepAudition(holder.loadedSound().preset.name);
+    history.keepAudition();
 }
 
 void PresetCollection::endAudition() {
@@ -285,7 +292,7 @@ Result<void> PresetCollection::renamePreset(const std::string& id, const std::st
         history.renewSounds(rename);
         const auto renamed = favourites.rename(id, newId);
         readPresets();
-        return renamed;
+        return butDone("It is renamed, but no favourite any more: ", renamed);
     });
 }
 
@@ -301,7 +308,7 @@ Result<void> PresetCollection::deletePreset(const std::string& id) {
         }
         const auto forgotten = favourites.set(id, false);
         readPresets();
-        return forgotten;
+        return butDone("It is in the bin, but still among the favourites: ", forgotten);
     });
 }
 

@@ -99,7 +99,7 @@ void Processor::forgetEvents() noexcept {
     hand.clear();
 }
 
-/// [audio thread] Those behind the block's last program change move its values, not the former's.
+/// [audio thread] Those behind the block's last program change count as set since.
 void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
     auto behind = midi.begin();
     for (auto message = midi.begin(); message != midi.end();) {
@@ -112,6 +112,7 @@ void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
     if (behind != midi.begin()) {
         atProgramChange.soundChanges = soundChanges;
         atProgramChange.moves = parameters.moves();
+        atProgramChange.values = parameters.values();
     }
     controllers.follow(behind, midi.end(), parameters);
 }
@@ -181,6 +182,7 @@ Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
       parameters(*this), awaitingKeys(static_cast<int>(factoryPresets().size())) {
     setCurrentProgram(0);
+    soundToTell = 0; // the host has yet to ask
     looks.emplace(lookMilliseconds, [this] { look(); });
 }
 
@@ -322,9 +324,13 @@ void Processor::look() {
     followWorkshop();
     if (!isNonRealtime()) { // or else the callback follows
         followProgramChange();
-        controllers.tellHost(parameters);
-        if (statesComing == 0 && soundToTell.exchange(false))
+        controllers.tellHost(parameters, openGestures);
+        if (controllers.takeReassigned())
+            updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
+        if (statesComing == 0 && soundToTell > 0) {
+            --soundToTell; // first: another sound may have come
             tellOfSound();
+        }
     }
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock) {

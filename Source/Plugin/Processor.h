@@ -94,6 +94,7 @@ public:
     void changeParameter(ParameterId parameter, double value) override;
     void endParameterChange(ParameterId parameter) override;
     std::vector<std::string> readUserMaterials() override;
+    std::vector<std::string> userMaterialNames() const override;
     int userMaterialIndex() const override;
     void chooseUserMaterial(int index) override;
     void playNote(int midiNote, int velocity) override;
@@ -174,7 +175,7 @@ private:
     void look();
     void followProgramChange();
     void chooseProgram(int index, std::int64_t request);
-    Result<void> loadProgram(int index, std::int64_t request);
+    Result<bool> loadProgram(int index, std::int64_t request);
     void tellOfSound();
     void lookForCallbacks(); ///< for `isProcessing`, to know when they came
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
@@ -230,11 +231,13 @@ private:
                                    const ParameterValues& values);
 
     static constexpr std::int64_t noRequest = -1, programsOfMidi = 128;
-    /// How often values had been set when MIDI asked for a program: those set later are its own.
+    /// What the values were when MIDI asked for a program, and how often they had been set: those
+    /// set later are its own.
     struct MovesAtRequest {
         std::int64_t request = noRequest;
         std::uint32_t soundChanges = 0; ///< while it is this, no other sound has come
         HostParameters::Moves moves{};
+        ParameterValues values;
     };
     void forgetEvents() noexcept;
     void followControllers(const juce::MidiBuffer& midi) noexcept;
@@ -304,8 +307,8 @@ private:
     /// was answered when they were handed over, as their label; what is refused has no player.
     std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
     LatestValue<MovesAtRequest> movesAtRequest{{}}; ///< read under soundMutex
-    std::atomic<bool> soundToTell{false};           ///< to the host, by the message thread
-    std::atomic<int> statesComing{0};               ///< while which JUCE's VST3 passes nothing on
+    std::atomic<int> soundToTell{0};  ///< so many times, to the host, by the message thread
+    std::atomic<int> statesComing{0}; ///< while which JUCE's VST3 passes nothing on
     std::atomic<int> programIndex{-1};
     SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects
     /// By how much any of them may sound below equal temperament: by the instance's own tuning

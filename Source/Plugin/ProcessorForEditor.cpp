@@ -76,7 +76,7 @@ void Processor::changeParameter(ParameterId parameter, double value) {
     changedByHand();
     auto& changed = parameters[parameter];
     changed.setExactValue(value);
-    changed.sendValueChangedMessageToListeners(changed.getValue());
+    changed.tellListeners();
 }
 
 void Processor::endParameterChange(ParameterId parameter) {
@@ -94,6 +94,10 @@ std::vector<std::string> Processor::readUserMaterials() {
         const std::scoped_lock lock(soundMutex);
         lastError = found.faults.front().message;
     }
+    return userMaterialNames();
+}
+
+std::vector<std::string> Processor::userMaterialNames() const {
     std::vector<std::string> names;
     for (const auto& material : userMaterials)
         names.push_back(material.name);

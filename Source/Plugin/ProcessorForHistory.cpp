@@ -92,7 +92,11 @@ bool Processor::playSound(const Sound& wanted) {
             lastError = player.error().message;
             return false;
         }
-        const auto loadValues = [&] { parameters.load(wantedNow()); };
+        const auto loadValues = [&] {
+            parameters.load(wantedNow());
+            if (playsOn)
+                soundChanges += 2; // another sound, though the player may go on
+        };
         if (playsOn) {
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
             loadedPreset = wanted.preset; // whose silences a new player begins with
@@ -179,7 +183,7 @@ void Processor::setValue(ParameterId parameter, double value) {
     if (!isInGesture)
         changed.beginChangeGesture();
     changed.setExactValue(value);
-    changed.sendValueChangedMessageToListeners(changed.getValue());
+    changed.tellListeners();
     if (!isInGesture)
         changed.endChangeGesture();
 }

@@ -52,7 +52,7 @@ void Processor::chooseProgram(int index, std::int64_t request) {
             // Before anybody is told, which may take long; unless another came meanwhile.
             requestedProgram.compare_exchange_strong(request, noRequest);
         }
-        if (!loaded)
+        if (!loaded || !*loaded)
             return;
     }
     tellOfSound();
@@ -61,24 +61,28 @@ void Processor::chooseProgram(int index, std::int64_t request) {
 /// The host of all values and of the program. On a thread that is not the message thread JUCE's
 /// VST3 keeps the values for the next callback's output, but asks the host on the message thread to
 /// read all values anew. Where that comes second, it finds the former ones in the controller, and
-/// Ardour sends them back as changes: so there they are told once more, before the program.
+/// Ardour sends them back as changes: so there they are told again, before the program.
 void Processor::tellOfSound() {
+    const bool isMessageThread = juce::MessageManager::existsAndIsCurrentThread();
     parameters.notifyListeners();
-    if (juce::MessageManager::existsAndIsCurrentThread()) {
+    if (isNonRealtime() || !isMessageThread)
+        parameters.forgetTold(); // in an offline render nothing is an echo
+    if (isMessageThread) {
         updateHostDisplay(ChangeDetails().withProgramChanged(true));
         return;
     }
-    parameters.forgetTold(); // it may be an offline render, where nothing is an echo
     if (wrapperType == wrapperType_LV2)
         return; // which has but one way to its host, and hears of no program
-    soundToTell = true;
+    // Twice: the wrapper passes nothing on until some time after a state is restored.
+    soundToTell = 2;
     if (looks)
         looks->callSoon();
 }
 
 /// Under soundMutex. What has moved since MIDI asked for it is the program's: so it is offline,
-/// where it is there at once.
-Result<void> Processor::loadProgram(int index, std::int64_t request) {
+/// where it is there at once. False where MIDI has asked for another meanwhile, which comes
+/// instead.
+Result<bool> Processor::loadProgram(int index, std::int64_t request) {
     const auto& preset = factoryPresets()[static_cast<std::size_t>(index)];
     auto built = buildInstrument(preset.keyMap, {});
     if (!built)
@@ -94,19 +98,24 @@ Result<void> Processor::loadProgram(int index, std::int64_t request) {
     auto player = newPlayer(*built, preset, wanted());
     if (!player)
         return tl::unexpected(player.error());
+    if (request != noRequest && requestedProgram != request)
+        return false;
     if (request == noRequest) {
         countHostLoad();
     } else {
         answeredRequest = request;
-        if (!soundBeforePrograms)
+        if (!soundBeforePrograms) {
             soundBeforePrograms = soundNow();
+            if (keepsMoved)
+                soundBeforePrograms->parameters = atLastRequest.values;
+        }
     }
     engineVersion = ownEngineVersion();
     unknownOfSound.clear();
     play(preset, std::move(*built), std::move(*player), [&] { parameters.load(wanted()); });
     programIndex = index;
     presetId = factoryPresetId(preset.name);
-    return {};
+    return true;
 }
 
 void Processor::followProgramChange() {

@@ -71,7 +71,7 @@ public:
     /// all, or `endAudition`, which returns to what played before. Without an audition under way
     /// both do nothing.
     void audition(const std::function<void()>& load);
-    void keepAudition(const std::string& name);
+    void keepAudition();
     void endAudition();
 
 private:

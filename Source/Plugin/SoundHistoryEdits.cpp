@@ -70,7 +70,10 @@ bool SoundHistory::playsB() {
     return isB;
 }
 
+// Who compares, copies or mutates what is listened to wants it.
+
 void SoundHistory::compare() {
+    keepAudition();
     record(playsB() ? "Compare with A" : "Compare with B", [this] {
         const auto now = holder.loadedSound();
         const auto next = other.value_or(now);
@@ -79,10 +82,12 @@ void SoundHistory::compare() {
 }
 
 void SoundHistory::copyToOther() {
+    keepAudition();
     record(playsB() ? "Copy B to A" : "Copy A to B", [this] { other = holder.loadedSound(); });
 }
 
 void SoundHistory::mutate(double strength, std::uint32_t seed) {
+    keepAudition();
     record("Mutate", [&] {
         const auto now = holder.loadedSound();
         holder.changeParameters(
@@ -98,11 +103,11 @@ void SoundHistory::audition(const std::function<void()>& load) {
     load();
 }
 
-void SoundHistory::keepAudition(const std::string& name) {
+void SoundHistory::keepAudition() {
     followHolder();
     if (const auto before = std::exchange(beforeAudition, std::nullopt)) {
         closeEdit();
-        pushLoad(name, *before);
+        pushLoad(holder.loadedLabel().name, *before);
     }
 }
 

@@ -38,6 +38,10 @@ Result<Preset> presetNamed(const std::string& nameOrFile) {
     if (const auto* factory = findFactoryPreset(nameOrFile))
         return *factory;
     const auto file = pathNamed(nameOrFile);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        return failure("the keyboard's preset " + oneLine(nameOrFile, nameOrFile.size()) +
+                       " is neither of the factory's nor a file");
     return readPresetFile(file).map([&](Preset preset) {
         preset.keyMap = withObjectsBeside(preset.keyMap, file);
         return preset;

@@ -397,6 +397,8 @@ class BadArguments(ConsoleTest):
         self.refuse("strike", BAR, naming="--output")
         self.refuse("strike", BAR, *self.out, "--loudly", naming="--loudly")
         self.refuse("mesh", "cow", "-o", self.folder / "cow.obj", naming="cow")
+        self.refuse("mesh", "bar", "--length", 100, "--width", 1e-4,
+                    "-o", self.folder / "hair.obj", naming="bar", saying="proportions")
 
 
 class WrittenFiles(ConsoleTest):
@@ -454,6 +456,11 @@ class WrittenFiles(ConsoleTest):
         link = self.folder / "link"
         link.symlink_to(bar)
         self.refuse_to_write_over(bar, "strike", link)
+        grain, lost = self.folder / "grain.obj", self.folder / "lost.modal"
+        self.succeed("mesh", "icosphere", "--radius", 1e-4, "-o", grain)
+        lost.symlink_to(self.folder / "nowhere" / "grain.modal")
+        self.refuse("analyse", grain, "-o", self.folder / "grain.modal", naming=grain, saying="mode")
+        self.refuse("analyse", grain, "-o", lost, naming=lost, saying="written")  # and before that
 
     def test_a_protected_file(self):
         mesh = self.write("mine.obj", "mine")

@@ -155,7 +155,9 @@ class Render(ConsoleTest):
         plain = self.song(note(0, 72), note(480, 76), name="plain.mid")
         song, foreign = plain.read_bytes(), b"XFIH\0\0\0\5words"
         first, second = song.index(b"MTrk"), song.rindex(b"MTrk")
-        for content in (song[:first] + foreign + song[first:],
+        counted = song[:11] + bytes([song[11] + 1]) + song[12:]
+        for content in (counted[:second] + foreign + counted[second:],
+                        song[:first] + foreign + song[first:],
                         song[:second] + foreign + song[second:], song + foreign, song + bytes(7)):
             self.assert_same_sound(self.write("foreign.mid", content), plain)
         self.refuse("render", "--preset", XYLOPHONE, "--midi",

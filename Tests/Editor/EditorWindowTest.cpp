@@ -4,10 +4,12 @@
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
 #include "Editor/OpenWindow.h"
+#include "Editor/Preferences.h"
 #include "Editor/WindowParts.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Support/GestureLog.h"
 #include "Support/TestSound.h"
+#include "Support/UserSettings.h"
 
 #include "Instrument/FactoryContent.h"
 
@@ -282,6 +284,26 @@ TEST_CASE("The window opens and closes 100 times while the same notes sound the 
     audio.join();
     CHECK(rounds > 0);
     CHECK(same);
+}
+
+TEST_CASE("A window is no larger than the screen and no smaller than its least") {
+    const UserSettings user;
+    { Preferences().setWindowSize({100000, 10}); }
+    Processor processor;
+    auto window = open(processor);
+    CHECK(window->getWidth() <= EditorWindow::mostWidth);
+    CHECK(window->getHeight() == EditorWindow::leastHeight);
+    window.reset();
+    const Preferences after;
+    CHECK(after.windowSize().y == EditorWindow::leastHeight);
+}
+
+TEST_CASE("What one window remembers another one does not take back") {
+    const UserSettings user;
+    Preferences first;
+    { Preferences().setLook(LookScheme::light); }
+    first.setWindowSize({1000, 700});
+    CHECK(first.look() == LookScheme::light);
 }
 
 TEST_CASE("A window that closes in the middle of a drag ends its gesture for the host") {

@@ -240,6 +240,15 @@ TEST_CASE("M mutes and S hears alone, and takes back; what is refused changes no
     CHECK(spectrum.modeChosen() == 1);
 }
 
+TEST_CASE("Commands and the host's keys pass by the chosen mode") {
+    Shown shown;
+    shown.spectrum.show(frameOf({440, 1000, 3000}));
+    shown.spectrum.choose(1);
+    CHECK_FALSE(shown.spectrum.keyPressed({'s', juce::ModifierKeys::commandModifier, 's'}));
+    CHECK(shown.view.alone.empty());
+    CHECK_FALSE(shown.spectrum.keyStateChanged(true)); // nothing of this is a program of its own
+}
+
 TEST_CASE("Another object has no chosen mode yet") {
     Shown shown;
     shown.spectrum.show(frameOf({440, 1000, 3000}));

@@ -132,3 +132,27 @@ TEST_CASE("A button with a menu shows it for every key that asks for one") {
     CHECK(shown == 2);
 #endif
 }
+
+TEST_CASE("A drag ends with the last button that comes up, whichever that is") {
+    struct Noting : juce::Component {
+        void mouseDown(const juce::MouseEvent&) override { heard += "("; }
+        void mouseDrag(const juce::MouseEvent&) override { heard += "="; }
+        void mouseUp(const juce::MouseEvent&) override { heard += ")"; }
+        std::string heard;
+    };
+    LeftClicked<Noting> control;
+    const auto event = [&](int buttons) {
+        return juce::MouseEvent(juce::Desktop::getInstance().getMainMouseSource(), {}, buttons, 0,
+                                0, 0, 0, 0, &control, &control, {}, {}, {}, 1, true);
+    };
+    constexpr int left = juce::ModifierKeys::leftButtonModifier,
+                  right = juce::ModifierKeys::rightButtonModifier;
+    control.mouseDown(event(left));
+    control.mouseDrag(event(left | right));
+    control.mouseUp(event(right));
+    CHECK(control.heard == "(=)");
+    control.mouseDown(event(right));
+    control.mouseDrag(event(right));
+    control.mouseUp(event(left));
+    CHECK(control.heard == "(=)");
+}

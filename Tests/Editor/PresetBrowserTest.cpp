@@ -175,6 +175,19 @@ TEST_CASE("Saving under a new name puts it on the shelf; over another one asks f
     CHECK_FALSE(b.shelf.soundIsChanged());
 }
 
+TEST_CASE("The command to save, while a name is asked for, saves nothing under the old one") {
+    Browser b;
+    REQUIRE(b.shelf.savePreset(called("Mine"), false));
+    b.processor.changeParameter(ParameterId::tau, 7);
+    b.click("Save as...");
+    b.fill("Name", "Other");
+    const juce::KeyPress save('s', juce::ModifierKeys::commandModifier, 19);
+    CHECK(b.browser.keyPressed(save));
+    CHECK(b.shelf.soundIsChanged());
+    b.click("Cancel");
+    CHECK_FALSE(b.browser.keyPressed(save)); // it is the window's
+}
+
 TEST_CASE("What no file can be called is refused in the form, which stays open") {
     Browser b;
     b.click("Save as...");
@@ -222,6 +235,37 @@ TEST_CASE("Renaming and deleting are for one's own presets") {
     CHECK(b.shelf.chosenPreset().empty());
 #endif
 }
+
+#if JUCE_LINUX
+TEST_CASE("What was asked of one preset is not done to another") {
+    Browser b;
+    b.user.write("Presets/broken.json", "{");
+    REQUIRE(b.shelf.savePreset(called("Mine"), false));
+    b.browser.open();
+    const auto isAsked = [&] {
+        const auto* yes = find<juce::TextButton>(b.browser, "Delete preset");
+        return yes != nullptr && isOnScreen(*yes, b.browser);
+    };
+    b.click("Delete");
+    CHECK(isAsked());
+    b.press(juce::KeyPress::upKey);
+    CHECK_FALSE(isAsked());
+
+    b.press(juce::KeyPress::escapeKey);
+    b.browser.open();
+    b.type("broken");
+    b.press(juce::KeyPress::downKey);
+    b.click("Delete");
+    b.type("");
+    CHECK(b.list().selected()->name == "Mine");
+    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+    setenv("HOME", (testFolder() / "home").string().c_str(), 1);
+    find<juce::TextButton>(b.browser, "Delete preset")->onClick();
+    setenv("HOME", home.c_str(), 1);
+    CHECK(b.rows() == factoryCount + 1);
+    CHECK(b.shelf.chosenPreset() == "Mine.json");
+}
+#endif
 
 TEST_CASE("A broken preset is shown, says why, and leaves the sound alone") {
     Browser b;

@@ -1,4 +1,5 @@
 // The user's own materials in the window: listed, chosen, shown by name, and faults said.
+#include "Editor/ChoiceList.h"
 #include "Object/MaterialFile.h"
 #include "Support/TestSound.h"
 #include "Support/UserSettings.h"
@@ -85,6 +86,23 @@ TEST_CASE("A chosen user material plays its figures as the custom one and is sho
     processor.chooseUserMaterial(1);
     processor.chooseUserMaterial(-1);
     CHECK(processor.parameterValue(density) == 3301);
+}
+
+TEST_CASE("A list of materials that was not opened follows one that was") {
+    UserFolder folder;
+    folder.write("jade.json", jade);
+    Processor processor;
+    const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
+    auto* list = dynamic_cast<ChoiceList*>(materialList(*window));
+    REQUIRE(list != nullptr);
+    list->setSelectedItemIndex(list->getNumItems() - 1, juce::sendNotificationSync);
+    const int count = list->getNumItems();
+    folder.write("Amber.json", R"({"youngs_modulus_pa": 3e9, "density_kg_per_m3": 1080,
+                                   "poisson_ratio": 0.3, "loss_factor": 0.02})");
+    processor.readUserMaterials();
+    list->refresh();
+    CHECK(list->getNumItems() == count + 1);
+    CHECK(list->getText() == "Jade");
 }
 
 TEST_CASE("A file that is no material is one sentence in the status, and loses nothing") {

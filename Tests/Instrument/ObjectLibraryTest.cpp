@@ -23,6 +23,11 @@ TEST_CASE("Threads that ask for one object at a time share it, and who comes lat
     }
 }
 
+TEST_CASE("An object without a name is not looked for among files") {
+    ObjectLibrary library;
+    CHECK(library.find("").error().message == "no object is named");
+}
+
 TEST_CASE("What is added wins over the factory for as long as somebody holds it") {
     ObjectLibrary library;
     auto own = library.add("plate", syntheticObject({100}));

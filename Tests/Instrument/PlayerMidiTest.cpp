@@ -281,4 +281,25 @@ TEST_CASE("A key that comes with no pressure has that of its velocity, unless it
     CHECK(played({pressure, key}) == expected);
     CHECK(played({midi(99, 0xd0, 0, 0), key}) == expected);
     CHECK(rms(played({key, pressure})) < 1e-3 * rms(expected));
+    CHECK(played({midi(100, 0xd0, 30, 0), pressure, key}) == expected);
+    CHECK(played({midi(100, 0xa0, 69, 30), pressure, key}) == expected);
+}
+
+TEST_CASE("A key that comes leaves others the last pressure of its sample") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::contact, scrapeContact);
+    const auto held = midi(50, 0x90, 69, 100), other = midi(100, 0x90, 71, 100);
+    const auto played = [&](std::vector<MidiEvent> events) {
+        events.insert(events.begin(), held);
+        Player player(bars(), sampleRateHz);
+        return render(player, events, 9600, 256, parameters);
+    };
+    const auto pressed = midi(100, 0xa0, 69, 30), released = midi(100, 0xa0, 69, 0);
+    const auto pressedAll = midi(100, 0xd0, 30, 0), releasedAll = midi(100, 0xd0, 0, 0);
+    const auto expected = played({other, released});
+    CHECK(expected != played({other, pressed}));
+    CHECK(played({pressed, released, other}) == expected);
+    CHECK(played({pressedAll, releasedAll, other}) == expected);
+    CHECK(played({pressed, releasedAll, other}) == expected);
+    CHECK(played({pressed, other, released}) == expected);
 }

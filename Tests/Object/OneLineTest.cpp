@@ -20,6 +20,9 @@ TEST_CASE("Control characters and bytes that are no UTF-8 become question marks"
     CHECK(oneLine("\xed\xa0\x80") == "???");      // half of a pair
     CHECK(oneLine("\xf4\x90\x80\x80") == "????"); // beyond Unicode
     CHECK(oneLine("\xff\xfe") == "??");
+    CHECK(oneLine("wav.\u202egpj") == "wav.???gpj"); // which would show as wav.jpg
+    CHECK(oneLine("\u2028\u2066") == "??????");
+    CHECK(oneLine("\u2027\u202f\u2065\u206a") == "\u2027\u202f\u2065\u206a");
 }
 
 TEST_CASE("A long text is cut between characters") {
@@ -35,6 +38,8 @@ TEST_CASE("A terminal is shown control characters instead of obeying them") {
           "\\u001b[31mRED\\u001b]0;title\\u0007\\u000d");
     CHECK(escaped(std::string_view("\0\x7f", 2)) == "\\u0000\\u007f");
     CHECK(escaped("\xc2\x9b") == "\\u009b");
+    CHECK(escaped("wav.\u202egpj\u2069") == "wav.\\u202egpj\\u2069");
+    CHECK(escaped("\xe2\x80") == "\xe2\\u0080");
     CHECK(escaped("\x9b") == "\\u009b"); // where a terminal takes bytes for characters
     CHECK(escaped("\xe9t\xe9") == "\xe9t\xe9");
     CHECK(escaped("\xc2\xc2\x85") == "\xc2\\u0085");

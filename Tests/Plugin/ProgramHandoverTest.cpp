@@ -340,8 +340,61 @@ TEST_CASE("What another sound brings while a program is awaited is not the progr
     constexpr int program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
-    render(processor, blockSize, blockSize, programChange(program));
-    processor.setCurrentProgram(vibraphone);
+    auto other = processor.loadedSound(); // the same player at other values
+    other.parameters.set(ParameterId::malletSpeed, 4.5);
+    const std::function<void()> loads[] = {[&] { processor.setCurrentProgram(vibraphone); },
+                                           [&] { processor.playSound(other); }};
+    for (const auto& load : loads) {
+        processor.setCurrentProgram(0);
+        render(processor, blockSize, blockSize, programChange(program));
+        load();
+        waitForProgram(processor, program);
+        CHECK(processor.loadedSound().parameters == factoryPresets()[program].parameters);
+    }
+}
+
+TEST_CASE("What is set behind a program change counts though the one before is being built") {
+    if (!realTimeTrapWorks())
+        SKIP("nothing can be done at allocations here");
+    constexpr int volume = 7, program = 3;
+    auto overtaking = programChange(program);
+    overtaking.addEvent(juce::MidiMessage::controllerEvent(1, volume, 100), 1);
+    const auto loaded = [&](int overtakenAt, int last) {
+        Processor processor;
+        processor.prepareToPlay(rateHz, blockSize);
+        ControllerAssignments assignments;
+        assignments[ParameterId::level] = volume;
+        processor.midiLearn().assign(assignments);
+        render(processor, blockSize, blockSize, programChange(vibraphone));
+        int allocations = 0;
+        const AtAllocations look([&] {
+            if (++allocations == overtakenAt)
+                render(processor, blockSize, blockSize, overtaking);
+        });
+        waitForProgram(processor, last);
+        return std::pair(allocations, processor.parameterValue(ParameterId::level));
+    };
+    const auto [allocations, level] = loaded(0, vibraphone);
+    const double moved = controlledValue(parameterInfo(ParameterId::level), 100);
+    REQUIRE(level != moved);
+    for (const int part : {2, 3, 4})
+        CHECK(loaded(allocations / part, program).second == moved);
+}
+
+TEST_CASE("What is set behind a program change is not what leads back to the sound before it") {
+    constexpr int volume = 7, program = 3;
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    ControllerAssignments assignments;
+    assignments[ParameterId::level] = volume;
+    processor.midiLearn().assign(assignments);
+    const auto before = processor.loadedSound().parameters;
+    auto midi = programChange(program);
+    midi.addEvent(juce::MidiMessage::controllerEvent(1, volume, 20), 1);
+    render(processor, blockSize, blockSize, midi);
     waitForProgram(processor, program);
-    CHECK(processor.loadedSound().parameters == factoryPresets()[program].parameters);
+    CHECK(processor.parameterValue(ParameterId::level) != before[ParameterId::level]);
+    REQUIRE(processor.editHistory().canUndo());
+    processor.editHistory().undo();
+    CHECK(processor.loadedSound().parameters == before);
 }

@@ -169,6 +169,31 @@ TEST_CASE("A mutation is one step, of the same seed the same, and keeps the inst
     CHECK(valuesOf(processor) == once);
 }
 
+TEST_CASE("What is compared, copied or mutated while presets are auditioned is kept first") {
+    Processor processor;
+    auto& variants = processor.soundVariants();
+    const auto audition = [&](std::size_t preset) {
+        REQUIRE(
+            processor.presetShelf().auditionPreset(factoryPresetId(factoryPresets()[preset].name)));
+    };
+    audition(3);
+    variants.copyToOther();
+    CHECK(processor.getCurrentProgram() == 3);
+    audition(4);
+    variants.compare();
+    CHECK(processor.getCurrentProgram() == 3);
+    variants.compare();
+    CHECK(processor.getCurrentProgram() == 4);
+    audition(5);
+    const auto instrument = processor.loadedInstrument();
+    variants.mutate(0.5, 9);
+    CHECK(processor.loadedInstrument() == instrument);
+    processor.editHistory().undo(); // the mutation
+    CHECK(processor.getCurrentProgram() == 5);
+    processor.editHistory().undo(); // the audition
+    CHECK(processor.getCurrentProgram() == 4);
+}
+
 TEST_CASE("Auditioned presets are one step when kept and none when not") {
     Processor processor;
     auto& history = processor.editHistory();

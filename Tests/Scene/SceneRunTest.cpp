@@ -199,9 +199,8 @@ TEST_CASE("A scene that names what is not there says so") {
     CHECK(faultOf([](Scene& scene) {
               scene.kinds[0].object = "nothing.modal";
           }).find("nothing.modal") != std::string::npos);
-    CHECK(faultOf([](Scene& scene) {
-              scene.keyboard->preset = "nothing.json";
-          }).find("nothing.json") != std::string::npos);
+    CHECK(faultOf([](Scene& scene) { scene.keyboard->preset = "nothing.json"; }) ==
+          "the keyboard's preset nothing.json is neither of the factory's nor a file");
     CHECK(faultOf([](Scene& scene) { scene.keyboard->preset = "Steel Plate"; }) ==
           "the keyboard's preset 'Steel Plate' has no bars");
 }

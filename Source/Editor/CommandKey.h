@@ -1,0 +1,16 @@
+// Letters with the key for commands: Ctrl, on macOS Cmd.
+#pragma once
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+namespace idiophone {
+
+/// The letter is a small one.
+inline bool isCommand(const juce::KeyPress& key, char letter, bool shift = false) {
+    const auto mods = key.getModifiers();
+    return mods.isCommandDown() && !mods.isAltDown() && mods.isShiftDown() == shift &&
+           juce::CharacterFunctions::toLowerCase(static_cast<juce::juce_wchar>(key.getKeyCode())) ==
+               static_cast<juce::juce_wchar>(letter);
+}
+
+} // namespace idiophone

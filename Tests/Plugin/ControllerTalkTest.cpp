@@ -1,0 +1,152 @@
+// What hosts and MIDI's controllers hear of each other where both move a parameter.
+#include "Plugin/ListeningHost.h"
+#include "Support/GestureLog.h"
+#include "Support/TestSound.h"
+
+#include <catch2/catch_test_macros.hpp>
+#include <functional>
+#include <vector>
+
+using namespace idiophone;
+using namespace idiophone::test;
+
+namespace {
+
+constexpr double rateHz = 48000;
+constexpr int blockSize = 512;
+
+/// Where the controller that moves a parameter puts it.
+float turned(Processor& processor, const juce::AudioProcessorParameter& parameter, int value) {
+    juce::MidiBuffer midi;
+    midi.addEvent(juce::MidiMessage::controllerEvent(1, 21, value), 0);
+    render(processor, blockSize, blockSize, midi);
+    return parameter.getValue();
+}
+
+} // namespace
+
+TEST_CASE("A host's late echo of what a controller did takes nothing back") {
+    ListeningHost host(ParameterId::density);
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    processor.addListener(&host);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    const auto turn = [&](int value) { return turned(processor, parameter, value); };
+    processor.midiLearn().learnController(ParameterId::density);
+    const float first = turn(20);
+    followTimers(150);
+    REQUIRE(host.heard == std::vector{first});
+
+    const float second = turn(90);
+    parameter.setValue(first); // the echo
+    CHECK(parameter.getValue() == second);
+    followTimers(150);
+    CHECK(host.heard == std::vector{first, second});
+    parameter.setValue(second);
+    CHECK(parameter.getValue() == second);
+
+    // With nothing to tell it is no echo; and another value never is.
+    for (const float value : {first, second}) {
+        parameter.setValue(value);
+        CHECK(parameter.getValue() == value);
+    }
+    turn(60);
+    parameter.setValue(0.125f);
+    CHECK(parameter.getValue() == 0.125f);
+    followTimers(150);
+    CHECK(host.heard == std::vector{first, second}); // the host knows best where it is now
+    turn(20);
+    followTimers(150);
+    CHECK(host.heard == std::vector{first, second, first});
+    processor.removeListener(&host);
+}
+
+TEST_CASE("A controller that moves what a hand holds leaves the hand's gesture open") {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    processor.midiLearn().learnController(ParameterId::density);
+    turned(processor, parameter, 20);
+    followTimers(150);
+    GestureLog host;
+    processor.addListener(&host);
+    processor.beginParameterChange(ParameterId::density);
+    processor.changeParameter(ParameterId::density, 1000);
+    turned(processor, parameter, 90);
+    followTimers(150);
+    CHECK(host.text == "(==");
+    processor.endParameterChange(ParameterId::density);
+    CHECK(host.text == "(==)");
+    turned(processor, parameter, 20);
+    followTimers(150);
+    CHECK(host.text == "(==)(=)");
+    processor.removeListener(&host);
+}
+
+TEST_CASE(
+    "The host hears that there is something to save when a controller is learned or forgotten") {
+    struct Host final : juce::AudioProcessorListener {
+        void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {}
+        void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails& details) override {
+            timesChanged += details.nonParameterStateChanged ? 1 : 0;
+        }
+        int timesChanged = 0;
+    } host;
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    processor.addListener(&host);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    processor.midiLearn().learnController(ParameterId::density);
+    followTimers(150);
+    CHECK(host.timesChanged == 0);
+    turned(processor, parameter, 20);
+    followTimers(150);
+    CHECK(host.timesChanged == 1);
+    processor.midiLearn().forgetController(ParameterId::density);
+    followTimers(150);
+    processor.removeListener(&host);
+    CHECK(host.timesChanged == 2);
+}
+
+TEST_CASE("Automation of a bounce is no echo of what a controller did before it") {
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    processor.midiLearn().learnController(ParameterId::density);
+    const float told = turned(processor, parameter, 20);
+    followTimers(150);
+    processor.setNonRealtime(true);
+    const auto isFollowed = [&](float automated) {
+        CHECK(turned(processor, parameter, 90) != automated);
+        parameter.setValue(automated);
+        CHECK(parameter.getValue() == automated);
+    };
+    isFollowed(told);
+    isFollowed(told);
+    processor.setCurrentProgram(3);
+    isFollowed(parameter.getValue());
+}
+
+TEST_CASE("The host is not told of a controller where something else moved the parameter since") {
+    ListeningHost host(ParameterId::density);
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    processor.addListener(&host);
+    auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
+    processor.midiLearn().learnController(ParameterId::density);
+    const float told = turned(processor, parameter, 20);
+    const double exact = processor.parameterValue(ParameterId::density);
+    followTimers(150);
+    const auto state = saved(processor);
+    const std::function<void()> moves[] = {
+        [&] { restoreBytes(processor, state); },
+        [&] { processor.changeParameter(ParameterId::density, exact); }};
+    for (const auto& move : moves) {
+        turned(processor, parameter, 90);
+        move();
+        followTimers(150);
+        CHECK(host.heard.back() == told);
+        CHECK(parameter.getValue() == told);
+    }
+    processor.removeListener(&host);
+}
