@@ -160,9 +160,9 @@ class Render(ConsoleTest):
                         song[:first] + foreign + song[first:],
                         song[:second] + foreign + song[second:], song + foreign, song + bytes(7)):
             self.assert_same_sound(self.write("foreign.mid", content), plain)
-        self.refuse("render", "--preset", XYLOPHONE, "--midi",
-                    self.write("cut.mid", song[:second] + foreign), "-o", self.folder / "cut.wav",
-                    naming="cut.mid")
+        for cut in (song[:second], song[:second] + foreign[:-1], counted[:second] + foreign):
+            self.refuse("render", "--preset", XYLOPHONE, "--midi", self.write("cut.mid", cut),
+                        "-o", self.folder / "cut.wav", naming="cut.mid")
 
     def test_a_file_that_is_rendered_again_keeps_its_permissions(self):
         output = self.render(self.song(note(0, 72)), "--seconds", 0.1)[1]
