@@ -37,6 +37,14 @@ juce::Point<int> sizeOnScreen(juce::Point<int> last) {
             fitting(last.y, firstHeight, EditorWindow::leastHeight, most.getHeight())};
 }
 
+/// Of texts that were typed JUCE keeps the colour of then.
+void recolourTexts(juce::Component& part) {
+    if (auto* editor = dynamic_cast<juce::TextEditor*>(&part))
+        editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
+    for (auto* child : part.getChildren())
+        recolourTexts(*child);
+}
+
 juce::String firstReadable(const juce::StringArray& files, const ProcessorView& view) {
     for (const auto& file : files)
         if (view.canOpen(pathOf(file)) || view.isTuningFile(pathOf(file)))
@@ -119,6 +127,7 @@ void EditorWindow::setLook(LookScheme scheme) {
     lookButton.setTitle(dark ? "Light look" : "Dark look");
     lookButton.setTooltip(dark ? "Change to the light look" : "Change to the dark look");
     sendLookAndFeelChange();
+    recolourTexts(*this);
     repaint();
 }
 

@@ -33,6 +33,7 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", juce::Colours::grey);
     search.setFont(Look::textFont(14.5f));
     search.setIndents(8, 0);
+    search.setSelectAllWhenFocused(true); // the words of last time give way to new ones
     search.setJustification(juce::Justification::centredLeft);
     search.onTextChange = [this] { refill(); };
     search.onReturnKey = [this] { close(true); };

@@ -13,6 +13,7 @@
 
 #include "Instrument/FactoryContent.h"
 
+#include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -139,6 +140,31 @@ TEST_CASE("Text is readable in both looks: WCAG AA") {
                 CHECK(contrast(colourOf(scheme, front), colourOf(scheme, back)) >= 4.5f);
         CHECK(contrast(colourOf(scheme, onAccent), colourOf(scheme, accent)) >= 4.5f);
         CHECK(contrast(colourOf(scheme, text), colourOf(scheme, outline)) >= 4.5f);
+    }
+}
+
+TEST_CASE("What was typed in one look is readable in the other") {
+    Processor processor;
+    auto window = open(processor);
+    auto* search = find<juce::TextEditor>(*window, "Search presets");
+    auto* look = find<juce::TextButton>(*window, "Light look");
+    REQUIRE(search != nullptr);
+    REQUIRE(look != nullptr);
+    search->setSize(300, 28);
+    search->setText("||||||||||||||||");
+    const auto contrast = [&] {
+        const auto picture = search->createComponentSnapshot(search->getLocalBounds());
+        float darkest = 1, brightest = 0;
+        for (int x = 8; x < 60; ++x) {
+            const float here = picture.getPixelAt(x, 14).getPerceivedBrightness();
+            darkest = std::min(darkest, here);
+            brightest = std::max(brightest, here);
+        }
+        return brightest - darkest;
+    };
+    for (int times = 0; times < 3; ++times) {
+        CHECK(contrast() > 0.3f);
+        look->onClick();
     }
 }
 
