@@ -93,7 +93,7 @@ Result<void> measure(const Options& options) {
         return failure(options.preset + ": it plays a scene, which is as loud as what falls");
     const auto instrument = Instrument::build(preset->keyMap, ObjectLibrary::shared());
     if (!instrument)
-        return tl::unexpected(instrument.error());
+        return failure(options.preset + ": " + instrument.error().message);
     const auto phrase = heardPhrase(*preset, *instrument);
     if (!phrase)
         return tl::unexpected(phrase.error());

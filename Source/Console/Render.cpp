@@ -106,7 +106,7 @@ Result<RenderTally> playSong(const Preset& preset,
                              Recording& to) {
     auto instrument = buildInstrument(preset.keyMap, ObjectLibrary::shared());
     if (!instrument)
-        return tl::unexpected(instrument.error());
+        return failure(options.preset + ": " + instrument.error().message);
     const auto tuning = readTuning(options);
     if (!tuning)
         return tl::unexpected(tuning.error());

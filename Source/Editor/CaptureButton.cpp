@@ -103,7 +103,6 @@ void CaptureButton::save() {
                          });
 }
 
-/// Some systems' choosers give no file an ending, nor ask again whether that one is to be replaced.
 void CaptureButton::save(const juce::File& chosen) {
     const auto file =
         chosen.getFileExtension().isEmpty() ? chosen.withFileExtension(ending()) : chosen;

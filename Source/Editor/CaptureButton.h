@@ -25,12 +25,14 @@ public:
     /// A new file of the system's temporary folder, as it is dragged; none where it was not
     /// written.
     juce::File writeForDrag();
+    /// As a chooser names it: some systems' give it no ending. A file that the chooser has not
+    /// asked about, as it did not know its ending, is not replaced.
+    void save(const juce::File& chosen);
     /// Whether it is such a file, of any window's.
     static bool isForDrag(const std::filesystem::path& file);
 
 private:
     void save();
-    void save(const juce::File& chosen);
     juce::String ending() const;
 
     ProcessorView& view;

@@ -133,7 +133,7 @@ public:
     /// on from there in its tempo. A motor in that tempo keeps to it.
     void setSongPlace(std::optional<double> beats) { songPlace = beats; }
     /// The song begins to play at its place, or goes back to it: strikes are counted anew from a
-    /// number of that place's, and where nothing sounds, and there is no stage, all but keys and
+    /// number of that place's, and where nothing sounds or moves all but keys and
     /// controllers is as at the start. So the same events there sound the same to the last bit.
     /// Returns whether it is.
     bool beginSong();

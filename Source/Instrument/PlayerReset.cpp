@@ -18,10 +18,16 @@ std::uint32_t strikesBefore(double beats) {
 } // namespace
 
 bool Player::beginSong() {
-    const bool beginsAnew = !performance && silent();
+    const bool beginsAnew = silent();
+    const auto before = strikesBefore(songPlace.value_or(0));
     if (beginsAnew)
         forgetSound();
-    strikeCount = firstStrikeNumber + strikesBefore(songPlace.value_or(0));
+    strikeCount = firstStrikeNumber + before;
+    if (performance) {
+        if (beginsAnew)
+            performance->reset();
+        performance->countCuesFrom(before);
+    }
     loudness.beginSong();
     return beginsAnew;
 }

@@ -32,6 +32,9 @@ public:
     virtual void
     cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept = 0;
 
+    /// The next cue is the one of that number, from 0 on: what its bodies do by chance is its own.
+    virtual void countCuesFrom(std::uint32_t number) noexcept = 0;
+
     /// What the bodies do in the cell begun last, each slot's into its own output; after
     /// `Synthesiser::beginCell`, once a cell.
     virtual void sound(std::int64_t cell,

@@ -10,21 +10,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
+#if defined(_WIN32)
+
+fs::path settingsFolder() {
+    const wchar_t* value = _wgetenv(L"APPDATA"); // narrow it has no names beyond the code page
+    return value != nullptr ? fs::path(value) : fs::path();
+}
+
+#else
+
 fs::path fromEnvironment(const char* variable, const char* below = "") {
     const char* value = std::getenv(variable);
     return value != nullptr && *value != '\0' ? fs::path(value) / below : fs::path();
 }
 
 fs::path settingsFolder() {
-#if defined(_WIN32)
-    return fromEnvironment("APPDATA");
-#elif defined(__APPLE__)
+#if defined(__APPLE__)
     return fromEnvironment("HOME", "Library/Application Support");
 #else
     const auto configured = fromEnvironment("XDG_CONFIG_HOME");
     return configured.is_absolute() ? configured : fromEnvironment("HOME", ".config");
 #endif
 }
+
+#endif
 
 std::vector<fs::path> filesOf(const fs::path& folder) {
     std::vector<fs::path> files;

@@ -110,6 +110,9 @@ Result<void> Processor::restore(const State& state) {
         lastError = state.preset.name.empty() ? "" : oneLine(state.preset.name) + ": ";
         lastError +=
             missing->first + " is missing; until it is back a steel ring plays in its place.";
+    } else if (isNewerThanOwnEngine(state.engineVersion)) {
+        lastError = "This sound was made by Idiophone " + oneLine(state.engineVersion) +
+                    ", which is newer than this one, and may sound otherwise here.";
     }
     const auto presets = factoryPresets();
     const auto factory = std::ranges::find_if(presets, [&](const Preset& own) {

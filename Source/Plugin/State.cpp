@@ -3,8 +3,10 @@
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
 
+#include <charconv>
 #include <juce_core/juce_core.h>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace idiophone {
 namespace {
@@ -206,6 +208,22 @@ void addUnknown(const json& unknown, const json& known, ordered_json& object) {
     }
 }
 
+/// Of a version, up to what is none.
+std::vector<int> numbersOf(std::string_view version) {
+    std::vector<int> numbers;
+    const char *next = version.data(), *const end = next + version.size();
+    for (int number = 0; next != end; ++next) {
+        const auto read = std::from_chars(next, end, number);
+        if (read.ec != std::errc())
+            break;
+        numbers.push_back(number);
+        next = read.ptr;
+        if (next == end || *next != '.')
+            break;
+    }
+    return numbers;
+}
+
 State parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
         throw Fault{"is not one of Idiophone's"};
@@ -235,6 +253,10 @@ State parse(const json& root) {
 
 std::string ownEngineVersion() {
     return IDIOPHONE_VERSION;
+}
+
+bool isNewerThanOwnEngine(std::string_view version) {
+    return numbersOf(version) > numbersOf(IDIOPHONE_VERSION);
 }
 
 std::string packedModal(std::span<const std::byte> modal) {

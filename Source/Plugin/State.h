@@ -39,6 +39,8 @@ std::string packedModal(std::span<const std::byte> modal);
 
 /// Of this Idiophone.
 std::string ownEngineVersion();
+/// Numbers between dots, compared one by one; false for what is no version.
+bool isNewerThanOwnEngine(std::string_view version);
 
 struct State {
     std::string engineVersion; ///< as in Sound

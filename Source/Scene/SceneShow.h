@@ -20,6 +20,7 @@ public:
     SceneShow(const SceneStage& stage, double sampleRateHz, std::uint64_t seed);
 
     void cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
+    void countCuesFrom(std::uint32_t number) noexcept override { cueCount = number; }
     void sound(std::int64_t cell,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept override;

@@ -202,7 +202,9 @@ class BadPresetsAndSongs(ConsoleTest):
 
     def test_a_preset_without_its_object(self):
         key_map = {"kind": "zones", "lowestNote": 60, "highestNote": 72, "object": "gone.modal"}
-        self.refuse_preset(self.preset(keyMap=key_map), naming="gone.modal")
+        self.refuse_preset(self.preset(keyMap=key_map), saying="gone.modal")
+        key_map["object"] = ""
+        self.refuse_preset(self.preset(keyMap=key_map), saying="no object is named")
 
     def test_presets_that_are_not_there(self):
         for name in ("No Such Preset", self.folder):

@@ -61,3 +61,19 @@ TEST_CASE("Every drag of a capture has a file of its own, which stays as it is")
     CHECK(third.getParentDirectory() != folder);
     third.getParentDirectory().deleteRecursively();
 }
+
+TEST_CASE("A capture saved under a name without an ending gets one, and replaces nothing unasked") {
+    Thrown thrown;
+    CaptureButton midi(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
+    const auto bare = fileOf(testFolder() / "throw"), with = bare.withFileExtension("mid");
+    midi.save(bare);
+    CHECK_FALSE(bare.exists());
+    REQUIRE(with.getSize() > 0);
+
+    with.replaceWithText("another's");
+    midi.save(bare);
+    CHECK(with.loadFileAsString() == "another's");
+    CHECK(thrown.processor.takeStatus().sentence == "There is already a file throw.mid.");
+    midi.save(with); // of which the chooser has asked
+    CHECK(with.loadFileAsString() != "another's");
+}

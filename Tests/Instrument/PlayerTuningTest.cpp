@@ -216,3 +216,25 @@ TEST_CASE("CC74 moves where a key is struck, from one end of its path to the oth
     Player end(plate(), sampleRateHz);
     CHECK(struck(127, 0) == render(end, {midi(0, 0x90, 96, 100)}, 4800, 256, values));
 }
+
+TEST_CASE("CC74 moves where bars and scaled objects are struck, with MPE those of its channel") {
+    const auto [kind, object] = GENERATE(std::pair(KeyMapKind::bars, "xylophone-{note}"),
+                                         std::pair(KeyMapKind::scaled, "plate"));
+    const bool isMpe = GENERATE(false, true);
+    CAPTURE(object, isMpe);
+    auto values = isMpe ? withMpe() : ParameterValues();
+    values.set(ParameterId::strikeSpread, 0);
+    const auto struck = [&](double strikeAt, std::vector<MidiEvent> events) {
+        KeyMap map{.kind = kind, .lowestNote = 65, .highestNote = 72, .object = object};
+        map.strikeAt = strikeAt;
+        Player player(Instrument::build(map, ObjectLibrary::shared()).value(), sampleRateHz);
+        events.push_back(midi(1, 0x93, 68, 100));
+        return render(player, events, 4800, 256, values);
+    };
+    const auto atRest = struck(0.4, {});
+    CHECK(struck(0.4, {midi(0, 0xb3, 74, 64)}) == atRest);
+    CHECK(struck(0.4, {midi(0, 0xb3, 74, 0)}) == struck(0, {}));
+    CHECK(struck(0.4, {midi(0, 0xb3, 74, 127)}) == struck(1, {}));
+    CHECK(struck(0.4, {midi(0, 0xb3, 74, 127)}) != atRest);
+    CHECK(struck(0.4, {midi(0, 0xb5, 74, 127)}) == atRest);
+}

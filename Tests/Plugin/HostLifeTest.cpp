@@ -86,6 +86,36 @@ TEST_CASE("The motor opens once in every note of the host's tempo, and without o
     }
 }
 
+TEST_CASE("A parameter that moves within a callback acts from the next one on") {
+    struct Moving final : juce::AudioPlayHead { // asked behind the values, in the callback
+        juce::Optional<PositionInfo> getPosition() const override {
+            if (moves)
+                processor.changeParameter(ParameterId::level, -60);
+            return {};
+        }
+        explicit Moving(Processor& moved) : processor(moved) {}
+        Processor& processor;
+        bool moves = false;
+    };
+    constexpr int longBlock = 8192; // of many pieces
+    const auto played = [&](bool moves) {
+        Processor processor;
+        Moving host(processor);
+        restore(processor, testState());
+        processor.setPlayHead(&host);
+        processor.prepareToPlay(rateHz, longBlock);
+        const auto music = testMusic(longBlock);
+        render(processor, longBlock, longBlock, music);
+        host.moves = moves;
+        const auto first = render(processor, longBlock, longBlock, music);
+        return std::pair(first, render(processor, longBlock, longBlock, music).left.back());
+    };
+    const auto still = played(false), moved = played(true);
+    CHECK((moved.first == still.first));
+    REQUIRE(still.second != 0);
+    CHECK(std::abs(moved.second) < 0.01f * std::abs(still.second));
+}
+
 TEST_CASE("Two hundred notes a second for half a minute: bounded, and silent when it is over") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);

@@ -1,4 +1,5 @@
 // What the processor renders: the same whatever the host's blocks, rates and layouts are.
+#include "Instrument/FactoryContent.h"
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -30,6 +31,25 @@ TEST_CASE("Renders are bit-identical for block sizes 1, 7, 64, 480 and 4096") {
 
 TEST_CASE("Renders are bit-identical in real time and offline") {
     CHECK(renderedSong(480, true) == renderedSong(480, false));
+}
+
+TEST_CASE("A bounce of every factory preset but scenes is what is heard in real time") {
+    const auto presets = factoryPresets(); // whose scenes are StageInProcessorTest's
+    for (std::size_t program = 0; program < presets.size(); ++program) {
+        INFO(presets[program].name);
+        const auto sound = [&](bool offline) {
+            Processor processor;
+            processor.setCurrentProgram(static_cast<int>(program));
+            processor.setNonRealtime(offline);
+            processor.prepareToPlay(48000, 480);
+            return render(processor, 14400, 480, testMusic(14400, 701, processor.keyRange()));
+        };
+        if (presets[program].keyMap.kind == KeyMapKind::scene)
+            continue;
+        const auto heard = sound(false);
+        CHECK(loudest(heard) > 0.001f);
+        CHECK((heard == sound(true)));
+    }
 }
 
 TEST_CASE("Every sample rate from 8 to 384 kHz sounds and stays finite") {

@@ -4,6 +4,7 @@
 
 #include "Instrument/FactoryContent.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -187,6 +188,28 @@ TEST_CASE("No parameter at either end does so in any factory preset") {
             moveAllWhileStageIsHeard(host);
         else
             host.checkHeard(leastStruck);
+    }
+}
+
+TEST_CASE("No prediction of a factory preset's loudness does so while its material moves") {
+    if (!realTimeTrapWorks())
+        SKIP("the trap needs Linux with glibc and no sanitizer");
+    const auto materials = choiceNames(ParameterId::material);
+    WatchedHost host(256);
+    for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
+        host.choose(program);
+        if (host.processor.hasStage())
+            continue; // whose loudness is not matched
+        host.processor.changeParameter(ParameterId::matchLoudness, 1);
+        const auto music = testMusic(256, 100, host.processor.keyRange());
+        for (const char* material : {"Glass", "Plastic"}) {
+            const auto choice = std::ranges::find(materials, material) - materials.begin();
+            host.processor.changeParameter(ParameterId::material, static_cast<double>(choice));
+            host.what = host.processor.getProgramName(program).toStdString() + " of " + material;
+            for (int block = 0; block < 100; ++block) // 400 cells
+                host.block(block % 10 == 0 ? music : juce::MidiBuffer(), 256);
+            host.checkHeard(leastStruck);
+        }
     }
 }
 

@@ -184,6 +184,16 @@ TEST_CASE("A state of a newer format is refused with one sentence that says so")
     CHECK_THAT(state.error().message, ContainsSubstring("newer Idiophone (7.5)"));
 }
 
+TEST_CASE(
+    "Of two versions the one with the greater number at the first place that differs is newer") {
+    const auto own = ownEngineVersion();
+    for (const auto& newer : {own + ".1", "9" + own, std::string("1000")})
+        CHECK(isNewerThanOwnEngine(newer));
+    for (const auto& older : {own, own + "-beta", std::string("0.0.99"), std::string("0"),
+                              std::string(), std::string("newest"), std::string(".9")})
+        CHECK_FALSE(isNewerThanOwnEngine(older));
+}
+
 TEST_CASE("Damaged states are refused with one sentence each") {
     const auto good = encodeState(testState());
     checkRefused("");

@@ -87,7 +87,7 @@ private:
     }
 
     void beginLife(int day) {
-        oneLife.load(day);
+        oneLife.load(4 + 5 * day); // from rings over bars to bowls
         life.emplace();
         life->afterReset = oneLife.phraseAfterReset();
         oneLife.settle();
