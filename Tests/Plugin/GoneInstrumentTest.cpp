@@ -59,6 +59,7 @@ private:
     struct Performance final : StagePerformance {
         explicit Performance(const PlacedBlow& blow) : struck(blow) {}
         void cue(int, int, std::int64_t, double) noexcept override {}
+        void countCuesFrom(std::uint32_t) noexcept override {}
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput&) noexcept override {}

@@ -195,7 +195,8 @@ TEST_CASE("Wherever a song begins its motor opens at the same places of it") {
 TEST_CASE("The callback in a song that starts, jumps and stops stays real-time safe") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
-    PlayedSong played;
+    PlayedSong played(GENERATE(Playing::syncedMotor, Playing::onStage));
+    played.processor.setNonRealtime(false);
     juce::AudioBuffer<float> buffer(2, blockSize);
     const auto music = chords(4800);
     for (int block = 0; block < 400; ++block) {

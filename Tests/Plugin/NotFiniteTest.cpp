@@ -30,6 +30,7 @@ private:
         void cue(int midiNote, int, std::int64_t, double) noexcept override {
             sample = midiNote == badNote ? std::numeric_limits<float>::quiet_NaN() : sample + 0.1f;
         }
+        void countCuesFrom(std::uint32_t) noexcept override {}
         void sound(std::int64_t, Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void release(Synthesiser&, std::span<const CellOutput>) noexcept override {}
         void hear(std::span<const CellOutput>, const CellOutput& ears) noexcept override {

@@ -89,8 +89,8 @@ void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSeco
             notesPerSecond * length / rateHz);
         render(midi, length);
         midi.clear();
-        if (changes == Changes::parameters)
-            juce::Timer::callPendingTimersSynchronously(); // as the message thread does beside it
+        if (changes == Changes::parameters && juce::MessageManager::existsAndIsCurrentThread())
+            juce::Timer::callPendingTimersSynchronously(); // the plugin's own looks beside it
     }
 }
 
