@@ -143,3 +143,17 @@ def test_a_state_holds_where_random_automation_ended_and_comes_back_byte_for_byt
     assert second.state(tmp_path / "again") == saved
     reached = {name: second.plugin.get_parameter(second.index(name)) for name in last}
     assert {name for name in last if abs(reached[name] - last[name]) > 1e-4} <= second.stepped()
+
+
+def test_a_state_comes_back_where_every_value_moved_at_random_and_the_program_too(host, tmp_path):
+    same, random = host(), numpy.random.default_rng(3)
+    before, saved = same.values(), same.state(tmp_path / "saved")
+    for _ in range(3):
+        for index, name in same.parameters():
+            if name != "Bypass":
+                same.plugin.set_parameter(index, random.uniform())
+        assert numpy.isfinite(same.render(Performance.scale(), SAMPLE_RATE)).all()
+        assert same.values() != before
+        same.plugin.load_state(str(tmp_path / "saved"))
+        assert same.state(tmp_path / "again") == saved
+        assert same.values() == before
