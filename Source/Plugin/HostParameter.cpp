@@ -53,6 +53,11 @@ void HostParameter::tellListeners() {
     sendValueChangedMessageToListeners(now);
 }
 
+void HostParameter::tellListenersIfMoved() {
+    if (told != getValue())
+        tellListeners();
+}
+
 void HostParameter::setValue(float normalised) {
     if (movedByController && normalised == told)
         return;

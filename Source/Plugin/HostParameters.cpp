@@ -64,6 +64,11 @@ void HostParameters::notifyListeners() const {
         parameter->tellListeners();
 }
 
+void HostParameters::notifyListenersOfMoved() const {
+    for (auto* parameter : parameters)
+        parameter->tellListenersIfMoved();
+}
+
 void HostParameters::forgetTold() const noexcept {
     for (auto* parameter : parameters)
         parameter->forgetTold();

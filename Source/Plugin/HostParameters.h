@@ -42,6 +42,8 @@ public:
 
     /// [message side] Tells the host and other listeners of all values, after `load`.
     void notifyListeners() const;
+    /// [message thread] Of those that have moved since they were told.
+    void notifyListenersOfMoved() const;
 
     /// [any thread] As each parameter does.
     void forgetTold() const noexcept;

@@ -330,6 +330,9 @@ void Processor::look() {
         if (statesComing == 0 && soundToTell > 0) {
             --soundToTell; // first: another sound may have come
             tellOfSound();
+        } else if (statesComing == 0 && movedToTell > 0) {
+            --movedToTell;
+            parameters.notifyListenersOfMoved();
         }
     }
     // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.

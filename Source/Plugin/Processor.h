@@ -308,6 +308,7 @@ private:
     std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
     LatestValue<MovesAtRequest> movesAtRequest{{}}; ///< read under soundMutex
     std::atomic<int> soundToTell{0};  ///< so many times, to the host, by the message thread
+    int movedToTell = 0;              ///< likewise, of what moves while a sound is told
     std::atomic<int> statesComing{0}; ///< while which JUCE's VST3 passes nothing on
     std::atomic<int> programIndex{-1};
     SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects

@@ -61,7 +61,9 @@ void Processor::chooseProgram(int index, std::int64_t request) {
 /// The host of all values and of the program. On a thread that is not the message thread JUCE's
 /// VST3 keeps the values for the next callback's output, but asks the host on the message thread to
 /// read all values anew. Where that comes second, it finds the former ones in the controller, and
-/// Ardour sends them back as changes: so there they are told again, before the program.
+/// Ardour sends them back as changes: so there they are told again, before the program. And a host
+/// that reads them anew while another of its threads moves them may keep what it read, as JUCE's
+/// does: so what has moved by one of the next looks is told.
 void Processor::tellOfSound() {
     const bool isMessageThread = juce::MessageManager::existsAndIsCurrentThread();
     parameters.notifyListeners();
@@ -69,6 +71,7 @@ void Processor::tellOfSound() {
         parameters.forgetTold(); // in an offline render nothing is an echo
     if (isMessageThread) {
         updateHostDisplay(ChangeDetails().withProgramChanged(true));
+        movedToTell = isNonRealtime() ? 0 : 2; // looks, the first of which may come at once
         return;
     }
     if (wrapperType == wrapperType_LV2)

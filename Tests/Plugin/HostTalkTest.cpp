@@ -319,3 +319,22 @@ TEST_CASE("A plugin that another thread makes tells nothing of the values that i
     processor->removeListener(&host);
     CHECK(host.heard.empty());
 }
+
+TEST_CASE(
+    "What a host moves while it is told of another program it is told again, and then no more") {
+    ListeningHost host(ParameterId::tau);
+    Processor processor;
+    processor.prepareToPlay(rateHz, blockSize);
+    processor.addListener(&host);
+    processor.setCurrentProgram(3);
+    CHECK(host.heard.size() == 1);
+    host.heard.clear();
+    auto* tau = processor.getParameters()[static_cast<int>(ParameterId::tau)];
+    tau->setValue(0.9f); // as a host does, which then reads values from before
+    followTimers(300);
+    CHECK(host.heard == std::vector{tau->getValue()});
+    tau->setValue(0.8f);
+    followTimers(300);
+    CHECK(host.heard.size() == 1);
+    processor.removeListener(&host);
+}
