@@ -54,7 +54,7 @@ void HostParameter::tellListeners() {
 }
 
 void HostParameter::tellListenersIfMoved() {
-    if (told != getValue())
+    if (const float last = told; last >= 0 && last != getValue())
         tellListeners();
 }
 

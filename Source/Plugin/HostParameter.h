@@ -29,7 +29,7 @@ public:
     void tellHost(bool isInGesture);
     /// [any thread] Tells the host and other listeners the value.
     void tellListeners();
-    /// [message thread] The same where it is not what was told last.
+    /// [message thread] The same where it is not what was told last, if that is not forgotten.
     void tellListenersIfMoved();
     /// [any thread] From now on nothing is an echo of what the host was told before.
     void forgetTold() noexcept { told = -1; }

@@ -182,7 +182,7 @@ Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
       parameters(*this), awaitingKeys(static_cast<int>(factoryPresets().size())) {
     setCurrentProgram(0);
-    soundToTell = 0; // the host has yet to ask
+    soundToTell = movedToTell = 0; // the host has yet to ask
     looks.emplace(lookMilliseconds, [this] { look(); });
 }
 
