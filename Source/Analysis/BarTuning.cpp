@@ -119,7 +119,7 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
     for (const auto mode : result.bendingModes)
         result.partialsHz.push_back(object->dampedFrequencyHz(static_cast<std::size_t>(mode)));
     if (bar.resonator)
-        addResonator(*object, *bar.resonator, faceAreas(solid.surface).sum());
+        addResonator(*object, *bar.resonator);
     auto light = withOutline(std::move(*object), solid.outline);
     if (!light)
         return failure(light.error().message);

@@ -63,26 +63,29 @@ double Resonator::flowGain(double soundHz) const {
     return drive(soundHz) / std::abs(relativeImpedance(soundHz));
 }
 
-void addResonator(ModalObject& object, const Resonator& resonator, double surfaceAreaM2) {
+void addResonator(ModalObject& object, const Resonator& resonator) {
     const double mouthM2 = std::numbers::pi * resonator.radiusMetres * resonator.radiusMetres;
     const auto shapes = upwardShapesAt(object, resonator.offsetMetres);
     const std::size_t modes = object.modeCount();
-    object.decaysPerSecond.resize(modes);
+    object.extraDecaysPerSecond.resize(modes);
     for (std::size_t mode = 0; mode < modes; ++mode) {
         const double lambda = object.eigenvalues[mode];
         const double frequencyHz = std::sqrt(lambda) / (2 * std::numbers::pi);
         const double push = resonator.drive(frequencyHz) * shapes[mode];
         const double conductance = (1.0 / resonator.relativeImpedance(frequencyHz)).real();
-        object.decaysPerSecond[mode] = object.material.damping.perSecond(lambda) / 2 +
-                                       airDensityKgPerM3 * speedOfSoundMetresPerSecond * mouthM2 *
-                                           push * push * conductance / 2;
-        const double tube =
-            -mouthM2 * resonator.flowGain(frequencyHz) * shapes[mode] / surfaceAreaM2;
-        for (std::size_t place = mode; place < object.radiation.weights.size(); place += modes) {
-            float& weight = object.radiation.weights[place];
-            const double bar = weight;
-            weight = static_cast<float>(
-                std::copysign(std::hypot(bar, tube), std::abs(tube) > std::abs(bar) ? tube : bar));
+        object.extraDecaysPerSecond[mode] += airDensityKgPerM3 * speedOfSoundMetresPerSecond *
+                                             mouthM2 * push * push * conductance / 2;
+        // The flow into the tube is that of a bar that moves down: what leaves the mouth, upwards.
+        const std::complex<double> flow =
+            -mouthM2 * push / resonator.relativeImpedance(frequencyHz);
+        for (std::size_t place = 0; place < object.radiation.weights.size() / modes; ++place) {
+            const double omega =
+                object.radiation
+                    .frequencyRatios[place % object.radiation.frequencyRatios.size()] *
+                std::sqrt(lambda);
+            object.radiation.weights[place * modes + mode] +=
+                std::complex<float>(std::complex<double>(0, omega * airDensityKgPerM3) /
+                                    (4 * std::numbers::pi) * flow);
         }
     }
 }

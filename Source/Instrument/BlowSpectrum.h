@@ -16,15 +16,16 @@ std::complex<double>
 ringingVelocity(const ContactTrain& train, double decay, double omega) noexcept;
 
 /// The motion while a long contact lasts, which is all there is where the pulse has a null at the
-/// lowest mode: stiff modes follow its force, in v = Σ r (I/T) Ω/(λ − Ω²) · sin Ωt.
+/// lowest mode: stiff modes follow its force, in v = Σ r (I/T) Ω/(λ − Ω²) · sin Ωt, and in
+/// acceleration over frequency ω as Ω/ω of that a quarter of a turn later.
 class PressedMotion {
 public:
     PressedMotion() = default;
     explicit PressedMotion(const Strike& strike) noexcept;
 
-    /// The amplitude for a residue of 1 of a mode of that λ [rad²/s²]; 0 of what is less stiff,
-    /// which rings on, and louder.
-    double velocity(double stiffness) const noexcept;
+    /// The amplitudes for a residue of 1 (real part) and of i (imaginary part) of a mode of that λ
+    /// [rad²/s²] and ω [rad/s]; 0 of what is less stiff, which rings on, and louder.
+    std::complex<double> velocity(double stiffness, double modeOmega) const noexcept;
     /// The K-weighted energy, power times seconds, of that amplitude.
     double energy(double amplitude) const noexcept;
 

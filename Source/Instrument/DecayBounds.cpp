@@ -49,9 +49,10 @@ DecayBounds decayBounds(const Instrument& instrument) {
         bounds.least = each(bounds.least, material.damping, lesser);
         bounds.most = each(bounds.most, material.damping, greater);
         for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
-            const double scale = object.dampingScale(mode);
-            bounds.leastScale = std::min(bounds.leastScale, scale);
-            bounds.mostScale = std::max(bounds.mostScale, scale);
+            const ModeDamping damping = object.damping(mode);
+            bounds.leastScale = std::min(bounds.leastScale, damping.scale);
+            bounds.mostScale = std::max(bounds.mostScale, damping.scale);
+            bounds.mostExtra = std::max(bounds.mostExtra, damping.extraPerSecond);
             if (object.hasLiveThickness())
                 bounds.mostBending =
                     std::max(bounds.mostBending, object.bending[mode] / object.eigenvalues[mode]);
@@ -79,7 +80,8 @@ double slowestDecay(const DecayBounds& bounds,
     const double least =
         bounds.leastScale * (live ? live->damping : bounds.least).perSecond(eigenvalue);
     const double most =
-        bounds.mostScale * (live ? live->damping : bounds.most).perSecond(eigenvalue);
+        bounds.mostScale * (live ? live->damping : bounds.most).perSecond(eigenvalue) +
+        2 * bounds.mostExtra * std::sqrt(eigenvalue / bounds.lowestEigenvalue);
     // All laws damp higher modes more: a mode that oscillates has at least d/2. The slower root of
     // one that is over-damped is above λ/d, and that grows with λ too.
     return std::min(least / 2, eigenvalue / most);

@@ -17,7 +17,8 @@ struct DecayBounds {
     double lowestOfUnitMaterial = 0;
     double mostBending = 0;               ///< what the thickness acts on, to λ: 0 to 1
     DampingLaw least, most;               ///< of the objects' own materials
-    double leastScale = 1, mostScale = 1; ///< ModalObject::dampingScale
+    double leastScale = 1, mostScale = 1; ///< ModeDamping::scale
+    double mostExtra = 0;                 ///< ModeDamping::extraPerSecond
 };
 
 /// Without slots nothing rings: the fastest decay there is. Takes time with the number of modes.

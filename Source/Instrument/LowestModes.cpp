@@ -16,7 +16,7 @@ LowestModes::LowestModes(const ModalObject& object, double sizeRatio) {
         frequenciesHz[count] = hz;
         if (object.hasLiveThickness())
             bendingShares[count] = object.bending[mode] / object.eigenvalues[mode];
-        dampingScales[count++] = object.dampingScale(mode);
+        dampings[count++] = object.damping(mode);
     }
 }
 

@@ -17,7 +17,7 @@ struct LowestModes {
     static constexpr std::size_t capacity = 8;
 
     std::array<double, capacity> frequenciesHz{};
-    std::array<double, capacity> dampingScales{}; ///< ModalObject::dampingScale
+    std::array<ModeDamping, capacity> dampings{};
     /// Of each λ the share that grows with the square of a shell's thickness, 0 to 1.
     std::array<double, capacity> bendingShares{};
     std::size_t count = 0;

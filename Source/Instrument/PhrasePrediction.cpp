@@ -45,17 +45,7 @@ Phrase::Phrase(std::shared_ptr<const Instrument> played,
             continue;
         const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
         notes[i].lowestModes = LowestModes(*slot.object, slot.sizeRatio);
-        const auto* known = noteOf(slot.object.get(), i);
-        notes[i].weightScale = known != nullptr ? known->weightScale : radiationScale(*slot.object);
     }
-}
-
-const Phrase::Note* Phrase::noteOf(const ModalObject* object, std::size_t before) const {
-    for (std::size_t i = 0; i < before; ++i)
-        if (const int slot = notes[i].key.slot;
-            slot >= 0 && instrument->slots()[static_cast<std::size_t>(slot)].object.get() == object)
-            return &notes[i];
-    return nullptr;
 }
 
 PhrasePrediction::Loudness
@@ -121,6 +111,7 @@ void PhrasePrediction::beginObject() noexcept {
     conditions = liveConditions(slot().object->material, settings, slot().sizeRatio);
     thicknessRatio = slot().object->hasLiveThickness() ? settings.thicknessRatio : 1;
     conditions.gainRatio /= thicknessRatio;
+    conditions.radiationGainRatio /= thicknessRatio;
     listening = slot().object->radiation.empty() ? 0 : settings.radiation;
     // The next key holds an object that all keys share.
     const bool rings = parameters[letRing] != 0 || endNote - firstNote > 1;
@@ -189,9 +180,9 @@ void PhrasePrediction::endObject() noexcept {
         return;
     }
     for (std::size_t level = 0; level < levels; ++level) {
-        auto energies = pressedVelocities[level];
-        for (double& figure : energies)
-            figure = pressed[level].energy(figure);
+        PhraseMeter::NoteFigures energies;
+        for (std::size_t note = 0; note < energies.size(); ++note)
+            energies[note] = pressed[level].energy(std::abs(pressedVelocities[level][note]));
         meters[level].addTransients(energies);
     }
 }
@@ -204,26 +195,27 @@ void PhrasePrediction::addModes(std::size_t count) noexcept {
         projectShapes(pointShapes(object, points[note], nextMode), pushes[note],
                       listeningDirection(points[note]), count, struck[note].data(),
                       heard[note].data());
-    std::array<std::array<float, chunk>, 2> radiated{};
+    std::array<std::array<std::complex<float>, chunk>, 2> radiated{};
     if (listening > 0)
         for (std::size_t channel = 0; channel < radiated.size(); ++channel)
             object.radiation.weightsAt(std::min(channel, object.radiation.directions.size() - 1),
                                        conditions.radiationRatio, nextMode,
                                        std::span(radiated[channel]).first(count));
-    const double near = conditions.gainRatio * (1 - listening);
-    const double far = conditions.gainRatio * listening * phrase->notes[firstNote].weightScale;
+    const auto near = static_cast<float>(contactMicrophonePascals * conditions.gainRatio);
+    const auto far = static_cast<float>(conditions.radiationGainRatio);
     for (std::size_t i = 0; i < count; ++i) {
         const auto pole = conditions.law.pole(object.eigenvalueAt(nextMode + i, thicknessRatio),
-                                              object.dampingScale(nextMode + i));
+                                              object.damping(nextMode + i));
         if (!soundsAt(pole, phrase->sampleRateHz))
             continue;
         RingingMode<levels> mode{.omega = dampedFrequency(pole),
                                  .decay = std::max(pole.damping / 2, slowestDecay)};
         for (std::size_t note = firstNote; note < endNote; ++note)
             for (std::size_t channel = 0; channel < radiated.size(); ++channel)
-                mode.residues[note][channel] = static_cast<double>(struck[note][i]) *
-                                               (near * static_cast<double>(heard[note][i]) +
-                                                far * static_cast<double>(radiated[channel][i]));
+                mode.residues[note][channel] = phasorBetween(
+                    near * struck[note][i] * heard[note][i] *
+                        (object.gains.empty() ? 1.0f : object.gains[nextMode + i]),
+                    far * struck[note][i] * radiated[channel][i], static_cast<float>(listening));
         addMode(mode, pole);
     }
     nextMode += count;
@@ -239,10 +231,13 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
         for (std::size_t level = 0; level < levels; ++level) {
             mode.velocities[level] =
                 std::sqrt(weighting) * ringingVelocity(trains[level], mode.decay, mode.omega);
-            const double velocity = pressed[level].velocity(pole.stiffness);
-            for (std::size_t note = firstNote; note < endNote; ++note)
+            const std::complex<double> velocity =
+                pressed[level].velocity(pole.stiffness, mode.omega);
+            for (std::size_t note = firstNote; note < endNote; ++note) {
+                const auto mean = (mode.residues[note][0] + mode.residues[note][1]) / 2.0;
                 pressedVelocities[level][note] +=
-                    velocity * (mode.residues[note][0] + mode.residues[note][1]) / 2;
+                    velocity.real() * mean.real() + std::complex(0.0, velocity.imag()) * mean.imag();
+            }
         }
     }
     const auto powers = nearModes.add(mode, firstNote, endNote);

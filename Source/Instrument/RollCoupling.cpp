@@ -15,7 +15,7 @@ CoupledModes coupledModes(const LowestModes& lowestModes,
     CoupledModes result;
     for (std::size_t mode = 0; mode < modes.count; ++mode) {
         const double omega = 2 * std::numbers::pi * modes.frequenciesHz[mode];
-        const auto pole = law.pole(omega * omega, modes.dampingScales[mode]);
+        const auto pole = law.pole(omega * omega, modes.dampings[mode]);
         if (naturalFrequencyHz(pole) >= lowestSoundingHz && isOscillating(pole))
             result.add({.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
                         .dampingPerSecond = pole.damping / 2});

@@ -33,6 +33,8 @@ LiveConditions liveConditions(const Material& reference,
     result.law = {.eigenvalueRatio = stiffness / density * tuning * tuning,
                   .damping = material.damping};
     result.gainRatio = 1 / (density * size * size * size);
+    // At equal frequency times size the radiated pressure goes as frequency · shape · area.
+    result.radiationGainRatio = result.gainRatio * size;
     result.radiationRatio = result.frequencyRatio() * size;
     return result;
 }

@@ -17,7 +17,8 @@ bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept;
 
 struct LiveConditions {
     PoleLaw law;
-    double gainRatio = 1; ///< of residues: 1/mass ratio
+    double gainRatio = 1;          ///< of residues near: 1/mass ratio
+    double radiationGainRatio = 1; ///< of residues from afar, beside what the table tells
     /// What RadiationTable::weightsAt looks up: frequencies times size, relative to the reference.
     /// A live thickness moves each mode by a ratio of its own; the weights stay those of the shapes
     /// at the thickness that was analysed.

@@ -44,10 +44,13 @@ Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
 
 } // namespace
 
-ModalPole PoleLaw::pole(double referenceEigenvalue, double dampingScale) const noexcept {
+ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) const noexcept {
     // The limits, far outside hearing, keep extreme settings from overflowing.
     const double stiffness = std::clamp(eigenvalueRatio * referenceEigenvalue, 1e-6, 1e18);
-    return {stiffness, std::clamp(dampingScale * damping.perSecond(stiffness), 0.0, 1e12)};
+    const double ofMaterial = mode.scale * damping.perSecond(stiffness);
+    const double extra =
+        mode.extraPerSecond > 0 ? 2 * mode.extraPerSecond * std::sqrt(eigenvalueRatio) : 0;
+    return {stiffness, std::clamp(ofMaterial + extra, 0.0, 1e12)};
 }
 
 bool isOscillating(const ModalPole& pole) noexcept {

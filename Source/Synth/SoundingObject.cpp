@@ -20,23 +20,19 @@ constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
                                double sizeRatio,
                                ModeWeights modeWeightsOfObject,
-                               double radiationWeightScale,
                                std::size_t channels,
                                double sampleRateHz,
                                SynthesisScratch& sharedScratch)
     : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
       slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
-      cellSeconds(cellSamples / sampleRateHz), weightScale(radiationWeightScale),
-      modeWeights(std::move(modeWeightsOfObject)),
+      cellSeconds(cellSamples / sampleRateHz), modeWeights(std::move(modeWeightsOfObject)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();
     groupStarts.resize(modes + 1);
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
     modeEigenvalues = referenceEigenvalues = object->eigenvalues;
-    for (std::size_t mode = 0; mode < object->decaysPerSecond.size(); ++mode)
-        dampingScales.push_back(object->dampingScale(mode));
-    groupDampingScales = dampingScales;
+    groupDampings = dampings = object->dampings();
     lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)

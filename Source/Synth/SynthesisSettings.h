@@ -11,9 +11,9 @@ namespace idiophone {
 /// Every object renders in cells of this many samples, counted on the stream from its start.
 inline constexpr int cellSamples = 64;
 
-/// The surface velocity, in m/s, that one unit of τ stands for: τ counts 16-bit steps of a full
-/// scale of 65536 (Raghuvanshi & Lin 2006, section 4.2), and full scale is 1 m/s.
-inline constexpr double metresPerSecondPerTau = 1.0 / 65536.0;
+/// The pressure that one unit of τ stands for: τ counts 16-bit steps of a full scale of 65536
+/// (Raghuvanshi & Lin 2006, section 4.2), and full scale is 1 Pa.
+inline constexpr double pascalsPerTau = 1.0 / 65536.0;
 
 /// A material that replaces each object's own while it is played.
 struct LiveMaterial {
@@ -43,9 +43,8 @@ struct SynthesisSettings {
     /// 0.1 to 10: every shell that can so many times as thick as it was analysed.
     double thicknessRatio = 1;
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
-    /// 0 to 1: from what is heard at the point struck to what the whole surface radiates to
-    /// the listener, where the object knows; for strikes from now on. What is radiated is scaled
-    /// for each object to be about as loud as near: not to be compared between objects.
+    /// 0 to 1: from a contact microphone at the struck point (Listening.h) to the pressure that the
+    /// whole surface radiates at 1 m, where the object knows it. For strikes from now on.
     double radiation = 0;
     /// Of every slot that has none of its own (Synthesiser::setMaterial); nothing: its object's.
     std::optional<LiveMaterial> material = {};

@@ -1,6 +1,5 @@
 #include "Synth/Synthesiser.h"
 
-#include "Synth/Listening.h"
 #include "Synth/QualityScaling.h"
 #include "Synth/SoundingObject.h"
 
@@ -98,19 +97,13 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
     all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
     all.objects.reserve(slots.size());
-    struct OfObject {
-        SoundingObject::ModeWeights modeWeights = std::make_shared<const std::vector<double>>();
-        double radiationScale = 0;
-    };
-    std::map<const ModalObject*, OfObject> known; // once for all slots of an object
+    std::map<const ModalObject*, SoundingObject::ModeWeights> known; // once for all its slots
     for (SynthesiserSlot& slot : slots) {
-        const auto [own, isNew] = known.try_emplace(slot.object.get());
-        if (isNew && slot.object)
-            own->second = {.modeWeights = std::make_shared<const std::vector<double>>(
-                               summedSquareShapes(*slot.object)),
-                           .radiationScale = radiationScale(*slot.object)};
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, own->second.modeWeights,
-                                 own->second.radiationScale, channels, sampleRateHz, *all.scratch);
+        auto& modeWeights = known[slot.object.get()];
+        if (!modeWeights)
+            modeWeights = std::make_shared<const std::vector<double>>(
+                slot.object ? summedSquareShapes(*slot.object) : std::vector<double>());
+        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, modeWeights, channels, sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());

@@ -230,16 +230,17 @@ TEST_CASE("A hostile radiation table is refused with its fault") {
         {rename("radiation"), "lacks the tensor 'radiation'"},
         {rename("radiation_directions"), "lacks the tensor 'radiation_directions'"},
         {rename("radiation_ratios"), "lacks the tensor 'radiation_ratios'"},
-        {[](json& h) { h["radiation"]["dtype"] = "I32"; }, "not of type F32"},
+        {[](json& h) { h["radiation"]["dtype"] = "I32"; }, "of type F32"},
         {[](json& h) { h["radiation_directions"]["dtype"] = "I32"; }, "not of type F32"},
         {[](json& h) { h["radiation_ratios"]["dtype"] = "I64"; }, "not of type F64"},
         {reshape("radiation", {12}), "right shape"},
         {reshape("radiation_directions", {3, 2}), "right shape"},
         {reshape("radiation_ratios", {1, 2}), "right shape"},
-        {reshape("radiation", {2, 3, 2}), "directions x ratios x modes"},
-        {reshape("radiation", {1, 4, 3}), "directions x ratios x modes"},
-        {reshape("radiation", {4, 1, 3}), "directions x ratios x modes"},
-        {reshape("radiation", {2, 2, 1ull << 62}), "more data than"},
+        {reshape("radiation", {2, 3, 2, 2}), "directions x ratios x modes"},
+        {reshape("radiation", {1, 4, 3, 2}), "directions x ratios x modes"},
+        {reshape("radiation", {4, 1, 3, 2}), "directions x ratios x modes"},
+        {reshape("radiation", {2, 2, 6, 1}), "real and imaginary parts"},
+        {reshape("radiation", {2, 2, 1ull << 62, 2}), "more data than"},
     }));
     checkRefused(changed(change, radiatingObject()), sentence);
 
@@ -256,7 +257,7 @@ TEST_CASE("A hostile radiation table is refused with its fault") {
 
 TEST_CASE("A radiation table of no size is refused") {
     const auto file = changed([](json& h) {
-        h["radiation"] = {{"dtype", "F32"}, {"shape", {0, 0, 3}}, {"data_offsets", {0, 0}}};
+        h["radiation"] = {{"dtype", "F32"}, {"shape", {0, 0, 3, 2}}, {"data_offsets", {0, 0}}};
         h["radiation_directions"] = {{"dtype", "F32"}, {"shape", {0, 3}}, {"data_offsets", {0, 0}}};
         h["radiation_ratios"] = {{"dtype", "F64"}, {"shape", {0}}, {"data_offsets", {0, 0}}};
     });

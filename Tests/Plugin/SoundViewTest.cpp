@@ -64,8 +64,8 @@ TEST_CASE("A frame shows every mode of the object that was struck, as it is now"
     CHECK(frame->peakLeft > 0);
     CHECK(frame->load >= 0);
 
-    const auto tauStep = processor.parameterValue(ParameterId::tau) * metresPerSecondPerTau;
-    CHECK(std::abs(frame->tauMetresPerSecond - tauStep) < 1e-12);
+    const auto tauStep = processor.parameterValue(ParameterId::tau) * pascalsPerTau;
+    CHECK(std::abs(frame->tauPascals - tauStep) < 1e-12);
     for (const auto& mode : frame->modes)
         if (mode.standing == ModeStanding::belowTau)
             CHECK(double(mode.amplitude) <= tauStep);
