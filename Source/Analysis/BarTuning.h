@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Analysis/Pitch.h"
-#include "Analysis/Resonator.h"
+#include "Analysis/Tube.h"
 #include "Analysis/SolidBar.h"
 #include "Analysis/UndercutBar.h"
 #include "Object/ModalObject.h"
@@ -22,7 +22,7 @@ struct BarSpecification {
     Material material = {};      ///< of wood, the grain runs along the bar, the rings face up
     BarGrid grid = {};
     double maxFrequencyHz = 20000;
-    std::optional<Resonator> resonator = {};
+    std::optional<Tube> tube = {};
 };
 
 struct TunedBar {
@@ -43,7 +43,8 @@ inline constexpr double fundamentalToleranceCents = 0.5, partialToleranceCents =
 /// `validated`, named after the bar; a band that does not hold the targets; `cancelledMessage`.
 Result<TunedBar> tuneBar(const BarSpecification& bar, const WorkControl& control = {});
 
-/// Which modes of a tuned bar's object bend up and down, ascending.
+/// Which modes of a tuned bar's object bend up and down, ascending. Of two that share a shape with a
+/// tube, the one of the larger gain.
 std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar);
 
 /// What the beam needs to know of a material whose grain runs along it.

@@ -51,8 +51,8 @@ BarSpecification xylophoneBar(const char* material, double frequencyHz, double s
         .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
         .material = *findMaterial(material),
         .maxFrequencyHz = 16000,
-        .resonator =
-            Resonator{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.009, share)}};
+        .tube =
+            Tube{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.009, share)}};
 }
 
 BarSpecification rosewoodBar(double frequencyHz, double share) {
@@ -81,7 +81,7 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
                         .thirdRatio = note < lastOfThreePartials + 0.5 ? 10.0 : 0.0},
             .material = *findMaterial("Padauk"),
             .maxFrequencyHz = 14000,
-            .resonator = Resonator{.frequencyHz = frequencyHz,
+            .tube = Tube{.frequencyHz = frequencyHz,
                                    .radiusMetres = std::lerp(0.029, 0.015, share)}};
 }
 
@@ -97,7 +97,7 @@ BarSpecification vibraphoneBar(double frequencyHz, double share) {
                         .secondRatio = 4 - 0.5 * std::clamp((note - 77) / 12, 0.0, 1.0)},
             .material = *findMaterial("Aluminium"),
             .maxFrequencyHz = 18000,
-            .resonator = Resonator{.frequencyHz = frequencyHz,
+            .tube = Tube{.frequencyHz = frequencyHz,
                                    .radiusMetres = std::lerp(0.019, 0.013, share)}};
 }
 

@@ -131,9 +131,9 @@ std::string tableRow(const BarSpecification& asked, const TunedBar& bar, int not
         if (nodes.size() == 2)
             row << 1000 * nodes[k];
     }
-    if (asked.resonator)
-        row << ',' << 1000 * tubeLengthMetres(*asked.resonator) << ','
-            << 1000 * asked.resonator->radiusMetres;
+    if (asked.tube)
+        row << ',' << 1000 * tubeLengthMetres(*asked.tube) << ','
+            << 1000 * asked.tube->radiusMetres;
     else
         row << ",,";
     return row.str();
