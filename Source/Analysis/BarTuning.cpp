@@ -118,6 +118,8 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
     result.bendingModes = verticalBendingModes(*object);
     for (const auto mode : result.bendingModes)
         result.partialsHz.push_back(object->dampedFrequencyHz(static_cast<std::size_t>(mode)));
+    if (bar.cords)
+        addCordLoss(*object, *bar.cords);
     if (bar.resonator)
         addResonator(*object, *bar.resonator, faceAreas(solid.surface).sum());
     auto light = withOutline(std::move(*object), solid.outline);

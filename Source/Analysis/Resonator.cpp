@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace idiophone {
@@ -67,15 +68,14 @@ void addResonator(ModalObject& object, const Resonator& resonator, double surfac
     const double mouthM2 = std::numbers::pi * resonator.radiusMetres * resonator.radiusMetres;
     const auto shapes = upwardShapesAt(object, resonator.offsetMetres);
     const std::size_t modes = object.modeCount();
-    object.decaysPerSecond.resize(modes);
+    std::vector<double> decays;
     for (std::size_t mode = 0; mode < modes; ++mode) {
-        const double lambda = object.eigenvalues[mode];
-        const double frequencyHz = std::sqrt(lambda) / (2 * std::numbers::pi);
+        const double frequencyHz = std::sqrt(object.eigenvalues[mode]) / (2 * std::numbers::pi);
         const double push = resonator.drive(frequencyHz) * shapes[mode];
         const double conductance = (1.0 / resonator.relativeImpedance(frequencyHz)).real();
-        object.decaysPerSecond[mode] = object.material.damping.perSecond(lambda) / 2 +
-                                       airDensityKgPerM3 * speedOfSoundMetresPerSecond * mouthM2 *
-                                           push * push * conductance / 2;
+        decays.push_back(object.decayPerSecond(mode) + airDensityKgPerM3 *
+                                                           speedOfSoundMetresPerSecond * mouthM2 *
+                                                           push * push * conductance / 2);
         const double tube =
             -mouthM2 * resonator.flowGain(frequencyHz) * shapes[mode] / surfaceAreaM2;
         for (std::size_t place = mode; place < object.radiation.weights.size(); place += modes) {
@@ -85,6 +85,7 @@ void addResonator(ModalObject& object, const Resonator& resonator, double surfac
                 std::copysign(std::hypot(bar, tube), std::abs(tube) > std::abs(bar) ? tube : bar));
         }
     }
+    object.decaysPerSecond = std::move(decays);
 }
 
 double tubeLengthMetres(const Resonator& resonator) {
