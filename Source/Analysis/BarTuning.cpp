@@ -172,6 +172,8 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
     TunedBar result{.shape = shape, .surface = solid.surface};
     for (const auto mode : verticalBendingModes(*object))
         result.partialsHz.push_back(object->dampedFrequencyHz(static_cast<std::size_t>(mode)));
+    if (bar.cords)
+        addCordLoss(*object, *bar.cords);
     if (bar.tube)
         addTube(*object, *bar.tube, mouthKgPerM2(*object, bar), mouthMetres(*object, bar));
     result.bendingModes = verticalBendingModes(*object);

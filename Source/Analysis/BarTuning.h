@@ -2,6 +2,7 @@
 // know. From a specification to the object that is played and the mesh that could be cut.
 #pragma once
 
+#include "Analysis/CordSupport.h"
 #include "Analysis/Pitch.h"
 #include "Analysis/Tube.h"
 #include "Analysis/SolidBar.h"
@@ -22,6 +23,8 @@ struct BarSpecification {
     Material material = {};      ///< of wood, the grain runs along the bar, the rings face up
     BarGrid grid = {};
     double maxFrequencyHz = 20000;
+    /// Empty: the material's loss was measured on an instrument, cords and all.
+    std::optional<CordSupport> cords = {};
     std::optional<Tube> tube = {};
 };
 

@@ -38,12 +38,12 @@ TEST_CASE("The contact times of the rack are those of the Hertz table at 0.3, 1 
         double milliseconds[3];
     };
     const Row table[] = {
-        {"Yarn", "Rosewood", {6.44, 5.06, 4.06}},
-        {"Soft rubber", "Rosewood", {6.44, 5.06, 4.06}},
-        {"Medium rubber", "Rosewood", {2.47, 1.94, 1.56}},
-        {"Hard rubber", "Rosewood", {1.27, 0.99, 0.80}},
-        {"Wood", "Rosewood", {0.46, 0.36, 0.29}},
-        {"Hard plastic", "Rosewood", {0.46, 0.36, 0.29}},
+        {"Yarn", "Padauk", {6.44, 5.06, 4.06}},
+        {"Soft rubber", "Padauk", {6.44, 5.06, 4.06}},
+        {"Medium rubber", "Padauk", {2.47, 1.94, 1.56}},
+        {"Hard rubber", "Padauk", {1.27, 0.99, 0.80}},
+        {"Wood", "Padauk", {0.46, 0.36, 0.29}},
+        {"Hard plastic", "Padauk", {0.46, 0.36, 0.29}},
         {"Brass", "Steel", {0.11, 0.09, 0.07}},
     };
     const double speeds[] = {0.3, 1, 3};
