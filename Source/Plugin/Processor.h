@@ -274,14 +274,13 @@ private:
     ScalaTuning scala; ///< of files
     KeyTuning ownKeys; ///< by them
     std::shared_ptr<const Instrument> instrument;
-    std::string engineVersion = ownEngineVersion(); ///< of the sound
-    std::string unknownOfSound, unknownOfInstance;  ///< as in State
-    std::shared_ptr<const MissingObjects> missing;  ///< for which a stand-in plays, or null
-    std::shared_ptr<const RefusedState> refused;    ///< or null
-    std::string presetId;                           ///< of the shelf, or empty
-    std::uint64_t presetContent = 0;                ///< as in Sound
-    ParameterValues storedParameters;               ///< of that preset
-    std::optional<Sound> soundBeforePrograms; ///< that MIDI asked for, and nobody has heard of
+    std::string unknownOfSound, unknownOfInstance; ///< as in State
+    std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
+    std::shared_ptr<const RefusedState> refused;   ///< or null
+    std::string presetId;                          ///< of the shelf, or empty
+    std::uint64_t presetContent = 0;               ///< as in Sound
+    ParameterValues storedParameters;              ///< of that preset
+    std::optional<Sound> soundBeforePrograms;      ///< that MIDI asked for, and nobody has heard of
     std::string lastError;
     double preparedRateHz = 0;                ///< 0 until prepared
     std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over

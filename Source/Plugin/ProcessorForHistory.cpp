@@ -42,7 +42,6 @@ Sound Processor::soundNow() const {
     return {.preset = loadedPreset,
             .instrument = instrument,
             .parameters = parameters.values(),
-            .engineVersion = engineVersion,
             .unknownMembers = unknownOfSound,
             .missing = missing,
             .refused = refused,
@@ -82,9 +81,8 @@ bool Processor::playSound(const Sound& wanted) {
         // preset of the same object does not.
         const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
                               sharesObject(wanted.instrument, instrument);
-        const bool playsOn = wanted.instrument == instrument &&
-                             wanted.engineVersion == engineVersion &&
-                             playsAlike(wanted.preset, loadedPreset);
+        const bool playsOn =
+            wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset);
         const auto wantedNow = [&] { return withSetupOf(parameters.values(), wanted.parameters); };
         auto player = playsOn ? playerForLevel(wanted.preset, wantedNow())
                               : newPlayer(wanted.instrument, wanted.preset, wantedNow());
@@ -108,7 +106,6 @@ bool Processor::playSound(const Sound& wanted) {
         }
         if (isImport)
             importLoads = loads;
-        engineVersion = wanted.engineVersion;
         unknownOfSound = wanted.unknownMembers;
         missing = wanted.missing;
         refused = wanted.refused;

@@ -20,8 +20,7 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
         const std::scoped_lock lock(soundMutex);
         if (refused && refused->controllers == controllers.assignments())
             return destination.replaceAll(refused->bytes.data(), refused->bytes.size());
-        state = {.engineVersion = engineVersion,
-                 .parameters = parameters.values(),
+        state = {.parameters = parameters.values(),
                  .preset = loadedPreset,
                  .objects = {},
                  .controllers = controllers.assignments(),
@@ -94,7 +93,6 @@ Result<void> Processor::restore(const State& state) {
     if (const auto request = requestedProgram.exchange(noRequest); request != noRequest)
         refusedRequest = request;
     auto tuning = state.tuning;
-    engineVersion = state.engineVersion;
     unknownOfSound = state.unknownOfSound;
     unknownOfInstance = state.unknownOfInstance;
     play(std::move(preset), std::move(*built), std::move(*player), [&] {
@@ -110,9 +108,6 @@ Result<void> Processor::restore(const State& state) {
         lastError = state.preset.name.empty() ? "" : oneLine(state.preset.name) + ": ";
         lastError +=
             missing->first + " is missing; until it is back a steel ring plays in its place.";
-    } else if (isNewerThanOwnEngine(state.engineVersion)) {
-        lastError = "This sound was made by Idiophone " + oneLine(state.engineVersion) +
-                    ", which is newer than this one, and may sound otherwise here.";
     }
     const auto presets = factoryPresets();
     const auto factory = std::ranges::find_if(presets, [&](const Preset& own) {

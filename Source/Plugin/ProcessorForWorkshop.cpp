@@ -169,10 +169,8 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     auto preset = now.sound.preset;
     auto& map = preset.keyMap;
     const bool isNew = product.isFirst && product.isNewFile;
-    if (isNew) {
-        now.sound.engineVersion = ownEngineVersion();
+    if (isNew)
         now.sound.unknownMembers.clear();
-    }
     if (isNew || map.kind == KeyMapKind::bars)
         map = singleObjectMap(object, product.objectName, KeyMapKind::scaled);
     map.object = product.objectName;
@@ -264,7 +262,7 @@ ParameterValues Processor::asLoudAs(const Sound& before,
 }
 
 /// Plays it instead of what was loaded, of whose parameters it changes those in which `values`
-/// differ, and whose engine version and unknown members it keeps. Returns the number of its load;
+/// differ, and whose unknown members it keeps. Returns the number of its load;
 /// nothing where that does not play any more, or the memory does not suffice, which it reports.
 std::optional<int> Processor::playInstead(const Loaded& now,
                                           const Preset& preset,
@@ -281,7 +279,6 @@ std::optional<int> Processor::playInstead(const Loaded& now,
             lastError = player.error().message;
             return std::nullopt;
         }
-        engineVersion = now.sound.engineVersion;
         unknownOfSound = now.sound.unknownMembers;
         play(preset, built, std::move(*player),
              [&] { parameters.loadChanges(now.sound.parameters, values); });

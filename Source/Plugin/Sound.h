@@ -23,9 +23,7 @@ struct RefusedState {
 struct Sound {
     Preset preset; ///< as loaded: its values are what "match loudness" keeps to
     std::shared_ptr<const Instrument> instrument;
-    ParameterValues parameters; ///< as they are now
-    /// Of the Idiophone that it was made with, maybe a newer one: whose engine it is to sound like.
-    std::string engineVersion = ownEngineVersion();
+    ParameterValues parameters;                    ///< as they are now
     std::string unknownMembers;                    ///< State::unknownOfSound
     std::shared_ptr<const MissingObjects> missing; ///< or null
     std::shared_ptr<const RefusedState> refused;   ///< in whose place this is played, or null

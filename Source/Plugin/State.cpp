@@ -3,7 +3,6 @@
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
 
-#include <charconv>
 #include <juce_core/juce_core.h>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -138,7 +137,6 @@ ordered_json encodeKnown(const State& state) {
             controllers[info.id] = number;
     return {{"format", formatName},
             {"version", stateFormatVersion},
-            {"engine", state.engineVersion},
             {"parameters", parameters},
             {"preset", ordered_json::parse(encodePreset(state.preset))},
             {"objects", objects},
@@ -208,22 +206,6 @@ void addUnknown(const json& unknown, const json& known, ordered_json& object) {
     }
 }
 
-/// Of a version, up to what is none.
-std::vector<int> numbersOf(std::string_view version) {
-    std::vector<int> numbers;
-    const char *next = version.data(), *const end = next + version.size();
-    for (int number = 0; next != end; ++next) {
-        const auto read = std::from_chars(next, end, number);
-        if (read.ec != std::errc())
-            break;
-        numbers.push_back(number);
-        next = read.ptr;
-        if (next == end || *next != '.')
-            break;
-    }
-    return numbers;
-}
-
 State parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
         throw Fault{"is not one of Idiophone's"};
@@ -231,9 +213,8 @@ State parse(const json& root) {
     if (!version.is_number_integer() || version.get<double>() < 1)
         throw Fault{"has a 'version' that is not a whole number from 1 on"};
     if (version.get<double>() > stateFormatVersion)
-        throw Fault{"was made by a newer Idiophone (" + oneLine(text(root, "engine")) + ")"};
+        throw Fault{"was made by a newer Idiophone (state version " + version.dump() + ")"};
     State state;
-    state.engineVersion = text(root, "engine");
     parseParameters(member(root, "parameters"), state);
     auto preset = parseSavedPreset(member(root, "preset").dump(), "its preset");
     if (!preset)
@@ -250,14 +231,6 @@ State parse(const json& root) {
 }
 
 } // namespace
-
-std::string ownEngineVersion() {
-    return IDIOPHONE_VERSION;
-}
-
-bool isNewerThanOwnEngine(std::string_view version) {
-    return numbersOf(version) > numbersOf(IDIOPHONE_VERSION);
-}
 
 std::string packedModal(std::span<const std::byte> modal) {
     juce::MemoryOutputStream compressed;

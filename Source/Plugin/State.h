@@ -1,6 +1,5 @@
-// What a host saves with its project, as bytes: versioned JSON (docs: "format", "version",
-// "engine", "parameters", "preset", "objects", "controllers", "tuning"). Plain data; applying it is
-// the processor's.
+// What a host saves with its project, as bytes: versioned JSON ("format", "version", "parameters",
+// "preset", "objects", "controllers", "tuning"). Plain data; applying it is the processor's.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -37,13 +36,7 @@ struct EmbeddedObject {
 /// A .modal file as states have it: as text. Takes some tenths of a second for a large one.
 std::string packedModal(std::span<const std::byte> modal);
 
-/// Of this Idiophone.
-std::string ownEngineVersion();
-/// Numbers between dots, compared one by one; false for what is no version.
-bool isNewerThanOwnEngine(std::string_view version);
-
 struct State {
-    std::string engineVersion; ///< as in Sound
     ParameterValues parameters;
     Preset preset; ///< its `unknownParameters` are in `unknownOfSound`
     std::vector<EmbeddedObject> objects;
