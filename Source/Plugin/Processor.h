@@ -274,7 +274,6 @@ private:
     ScalaTuning scala; ///< of files
     KeyTuning ownKeys; ///< by them
     std::shared_ptr<const Instrument> instrument;
-    std::string unknownOfSound, unknownOfInstance; ///< as in State
     std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
     std::shared_ptr<const RefusedState> refused;   ///< or null
     std::string presetId;                          ///< of the shelf, or empty

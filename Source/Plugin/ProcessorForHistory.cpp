@@ -42,7 +42,6 @@ Sound Processor::soundNow() const {
     return {.preset = loadedPreset,
             .instrument = instrument,
             .parameters = parameters.values(),
-            .unknownMembers = unknownOfSound,
             .missing = missing,
             .refused = refused,
             .presetId = presetId,
@@ -106,7 +105,6 @@ bool Processor::playSound(const Sound& wanted) {
         }
         if (isImport)
             importLoads = loads;
-        unknownOfSound = wanted.unknownMembers;
         missing = wanted.missing;
         refused = wanted.refused;
         if (refused)

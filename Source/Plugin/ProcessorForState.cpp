@@ -24,9 +24,7 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
                  .preset = loadedPreset,
                  .objects = {},
                  .controllers = controllers.assignments(),
-                 .tuning = scala,
-                 .unknownOfSound = unknownOfSound,
-                 .unknownOfInstance = unknownOfInstance};
+                 .tuning = scala};
         playing = instrument;
         absent = missing;
     }
@@ -93,8 +91,6 @@ Result<void> Processor::restore(const State& state) {
     if (const auto request = requestedProgram.exchange(noRequest); request != noRequest)
         refusedRequest = request;
     auto tuning = state.tuning;
-    unknownOfSound = state.unknownOfSound;
-    unknownOfInstance = state.unknownOfInstance;
     play(std::move(preset), std::move(*built), std::move(*player), [&] {
         tuneTo(std::move(tuning), *keys);
         tuner.forgetMessages(); // the state knows of none

@@ -24,7 +24,6 @@ struct Sound {
     Preset preset; ///< as loaded: its values are what "match loudness" keeps to
     std::shared_ptr<const Instrument> instrument;
     ParameterValues parameters;                    ///< as they are now
-    std::string unknownMembers;                    ///< State::unknownOfSound
     std::shared_ptr<const MissingObjects> missing; ///< or null
     std::shared_ptr<const RefusedState> refused;   ///< in whose place this is played, or null
     std::string presetId; ///< of the preset on the shelf (PresetShelf.h), or empty

@@ -139,7 +139,6 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
             return Sound{.preset = state.preset,
                          .instrument = *built,
                          .parameters = state.parameters,
-                         .unknownMembers = {},
                          .missing = nullptr,
                          .refused = nullptr,
                          .presetId = {},
