@@ -28,7 +28,6 @@ Sound soundWith(Preset preset,
             .instrument = std::move(instrument),
             .parameters = values,
             .missing = nullptr,
-            .refused = nullptr,
             .presetId = std::move(id),
             .presetContent = content,
             .stored = values};

@@ -43,7 +43,6 @@ Sound Processor::soundNow() const {
             .instrument = instrument,
             .parameters = parameters.values(),
             .missing = missing,
-            .refused = refused,
             .presetId = presetId,
             .presetContent = presetContent,
             .stored = storedParameters};
@@ -106,9 +105,6 @@ bool Processor::playSound(const Sound& wanted) {
         if (isImport)
             importLoads = loads;
         missing = wanted.missing;
-        refused = wanted.refused;
-        if (refused)
-            lastError = refused->notice;
         presetId = wanted.presetId;
         presetContent = wanted.presetContent;
         storedParameters = wanted.stored;
@@ -168,11 +164,9 @@ void Processor::goOn(std::unique_ptr<Player> player, const std::function<void()>
         handOver(std::move(player), loadValues);
     else
         loadValues();
-    giveUpRefused();
 }
 
 void Processor::setValue(ParameterId parameter, double value) {
-    changedByHand();
     auto& changed = parameters[parameter];
     const bool isInGesture = openGestures[static_cast<std::size_t>(parameter)] > 0;
     if (!isInGesture)

@@ -140,7 +140,6 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
                          .instrument = *built,
                          .parameters = state.parameters,
                          .missing = nullptr,
-                         .refused = nullptr,
                          .presetId = {},
                          .stored = state.parameters};
         };
