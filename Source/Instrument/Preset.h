@@ -74,8 +74,8 @@ struct Preset {
 inline constexpr int presetFormatVersion = 1;
 inline constexpr std::size_t largestPresetBytes = 1 << 20;
 inline constexpr std::size_t mostTags = 1000;
-/// What is longer is cut, as the browser draws these texts and searches them all: an old state has
-/// to open whatever its preset is called.
+/// Longer texts are cut, as the browser draws and searches them all: a state has to open whatever
+/// its preset is called.
 inline constexpr std::size_t longestNameBytes = 500; ///< of a name, an author and each tag
 inline constexpr std::size_t longestDescriptionBytes = 4000;
 inline constexpr std::size_t longestTagsBytes = 4000; ///< together; those beyond are left out

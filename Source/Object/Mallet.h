@@ -16,8 +16,8 @@ struct Mallet {
     std::uint32_t colour = 0;  ///< of the head in the window, 0xRRGGBB
 };
 
-/// The mallets of Resources/Mallets/mallets.json, in its order: parameters and presets count on it,
-/// so that file is appended to only. For the life of the program; any thread.
+/// The mallets of Resources/Mallets/mallets.json, in the order in which the parameter has them. For
+/// the life of the program; any thread.
 std::span<const Mallet> malletRack();
 
 } // namespace idiophone

@@ -123,9 +123,7 @@ private:
         material.name = word(m, "name");
         for (const auto group : materialFigureGroups)
             for (const auto& figure : group)
-                // Files from before there was a loss factor have none.
-                if (m.contains(figure.key) || &figure.of(material) != &material.damping.lossFactor)
-                    figure.of(material) = number(m, figure.key);
+                figure.of(material) = number(m, figure.key);
         material.source = word(m, "source");
         material.grain = grain(m);
         return material;

@@ -270,7 +270,6 @@ void Processor::play(Preset preset,
     presetId.clear();
     presetContent = 0;
     missing.reset();
-    refused.reset();
     instrument = std::move(built);
     ++loads;
     lastError.clear();

@@ -78,9 +78,8 @@ public:
     void changeProgramName(int, const juce::String&) override {} // factory presets keep theirs
 
     void getStateInformation(juce::MemoryBlock& destination) override;
-    /// Returns with the instrument ready: the next block plays it. What cannot be restored leaves
-    /// what plays as it was, with one sentence for the status line, and is what
-    /// `getStateInformation` gives back until somebody chooses another sound or changes this one.
+    /// Returns with the instrument ready: the next block plays it. A state that cannot be restored
+    /// changes nothing and shows one sentence in the status line.
     void setStateInformation(const void* bytes, int byteCount) override;
 
     bool hasEditor() const override { return true; }
@@ -180,8 +179,6 @@ private:
     void lookForCallbacks(); ///< for `isProcessing`, to know when they came
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
-    void giveUpRefused();
-    void changedByHand();
     void play(Preset preset,
               std::shared_ptr<const Instrument> instrument,
               std::unique_ptr<Player> player,
@@ -274,14 +271,11 @@ private:
     ScalaTuning scala; ///< of files
     KeyTuning ownKeys; ///< by them
     std::shared_ptr<const Instrument> instrument;
-    std::string engineVersion = ownEngineVersion(); ///< of the sound
-    std::string unknownOfSound, unknownOfInstance;  ///< as in State
-    std::shared_ptr<const MissingObjects> missing;  ///< for which a stand-in plays, or null
-    std::shared_ptr<const RefusedState> refused;    ///< or null
-    std::string presetId;                           ///< of the shelf, or empty
-    std::uint64_t presetContent = 0;                ///< as in Sound
-    ParameterValues storedParameters;               ///< of that preset
-    std::optional<Sound> soundBeforePrograms; ///< that MIDI asked for, and nobody has heard of
+    std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
+    std::string presetId;                          ///< of the shelf, or empty
+    std::uint64_t presetContent = 0;               ///< as in Sound
+    ParameterValues storedParameters;              ///< of that preset
+    std::optional<Sound> soundBeforePrograms;      ///< that MIDI asked for, and nobody has heard of
     std::string lastError;
     double preparedRateHz = 0;                ///< 0 until prepared
     std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over

@@ -73,7 +73,6 @@ void Processor::beginParameterChange(ParameterId parameter) {
 
 void Processor::changeParameter(ParameterId parameter, double value) {
     history.willChange(parameter);
-    changedByHand();
     auto& changed = parameters[parameter];
     changed.setExactValue(value);
     changed.tellListeners();

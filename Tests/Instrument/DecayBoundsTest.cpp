@@ -27,7 +27,7 @@ double slowestOfAll(const Instrument& instrument,
                                                std::exp2(-semitonesBelow / 12));
         for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
             const auto pole = conditions.law.pole(
-                object.eigenvalueAt(mode, settings.thicknessRatio), object.dampingScale(mode));
+                object.eigenvalueAt(mode, settings.thicknessRatio), object.damping(mode));
             if (naturalFrequencyHz(pole) >= lowestSoundingHz)
                 slowest = std::min(slowest, decayBound(pole));
         }

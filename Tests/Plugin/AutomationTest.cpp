@@ -66,7 +66,7 @@ State ringingState(bool inOneMode) {
         object.bending = object.eigenvalues;
         object.radiation = {.directions = {{0.8f, -0.6f, 0}, {0.8f, 0.6f, 0}},
                             .frequencyRatios = {1},
-                            .weights = std::vector<float>(2 * modes, -0.1f)};
+                            .weights = std::vector<std::complex<float>>(2 * modes, -0.1f)};
         std::fill_n(object.radiation.weights.begin(), modes, -0.3f);
         object.name = std::to_string(note);
         state.objects.push_back(

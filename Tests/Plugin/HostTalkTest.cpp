@@ -167,8 +167,7 @@ TEST_CASE(
     CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
 }
 
-TEST_CASE(
-    "A VST3's programs are as many for ever, the last the sound that is none of the factory's") {
+TEST_CASE("A VST3 has 128 programs, and the last is the sound that is none of the factory's") {
     juce::AudioProcessor::setTypeOfNextNewPlugin(juce::AudioProcessor::wrapperType_VST3);
     Processor processor;
     juce::AudioProcessor::setTypeOfNextNewPlugin(juce::AudioProcessor::wrapperType_Undefined);

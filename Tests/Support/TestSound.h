@@ -20,7 +20,6 @@ constexpr int lowestTestNote = 60, highestTestNote = 72;
 /// Twelve modes a key, struck over MIDI notes 60 to 72. `folder` tells sounds apart.
 inline State testState(const std::string& folder = "test", double transpose = 1) {
     State state;
-    state.engineVersion = ownEngineVersion();
     state.preset.name = "Test keyboard";
     state.preset.keyMap = {.kind = KeyMapKind::bars,
                            .lowestNote = lowestTestNote,
