@@ -105,6 +105,7 @@ SynthesisSettings synthesisSettings(const ParameterValues& values) {
             .compression = values[compression],
             .sizeRatio = values[size],
             .thicknessRatio = values[thickness] / 100,
+            .imperfection = values[imperfection] / 100,
             .frequencyRatio = values[concertPitch] / parameterInfo(concertPitch).defaultValue *
                               std::exp2(values[tune] / 100 / 12),
             .radiation = values[radiation] / 100,

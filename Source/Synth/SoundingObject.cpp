@@ -20,6 +20,7 @@ constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
                                double sizeRatio,
                                ModeWeights modeWeightsOfObject,
+                               std::uint32_t seed,
                                std::size_t channels,
                                double sampleRateHz,
                                SynthesisScratch& sharedScratch)
@@ -33,6 +34,7 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
     modeEigenvalues = referenceEigenvalues = object->eigenvalues;
     groupDampings = dampings = object->dampings();
+    pairs = modePairs(*object, seed);
     lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)

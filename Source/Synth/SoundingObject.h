@@ -5,6 +5,7 @@
 #include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
+#include "Synth/Imperfection.h"
 #include "Synth/ModalBank.h"
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
@@ -37,10 +38,11 @@ public:
     /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
     /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
     /// `modeWeights` [M] are the object's `summedSquareShapes`, which all its slots share.
-    /// `scratch` has room for this object and outlives it; objects on one thread share it.
+    /// `seed` draws its imperfection. `scratch` has room for this object and outlives it; objects on one thread share it.
     SoundingObject(std::shared_ptr<const ModalObject> object,
                    double sizeRatio,
                    ModeWeights modeWeights,
+                   std::uint32_t seed,
                    std::size_t channels,
                    double sampleRateHz,
                    SynthesisScratch& scratch);
@@ -276,7 +278,9 @@ private:
     double thicknessRatio = 1;                ///< 1 where the object has none live
     std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness
     std::vector<double> referenceEigenvalues; ///< [G] of the groups
-    bool eigenvaluesAreBehind = false;        ///< both are not yet those of the thickness
+    bool eigenvaluesAreBehind = false;        ///< both are not yet those of these two:
+    double imperfection = 0;
+    std::vector<ModePair> pairs;
     std::vector<ModeDamping> dampings;        ///< [M], or empty: the law's
     std::vector<ModeDamping> groupDampings;   ///< [G], or empty: the law's
     std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)

@@ -24,7 +24,8 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
                .farShare = object->radiation.empty() ? 0 : settings.radiation};
 
     const bool polesMove = live.law != law || settings.compression != compression ||
-                           thickness != thicknessRatio || silencesChange;
+                           thickness != thicknessRatio || silencesChange ||
+                           settings.imperfection != imperfection;
     const bool dampingMoves = requestedDamping != damping;
     const bool weightsMove = live.radiationRatio != wantedRadiationRatio;
     const bool contactsMove = polesMove || dampingMoves || weightsMove;
@@ -43,8 +44,12 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     damping = requestedDamping;
     tauPascals = newTau;
     law = live.law;
-    eigenvaluesAreBehind = eigenvaluesAreBehind || thickness != thicknessRatio;
+    eigenvaluesAreBehind = eigenvaluesAreBehind || thickness != thicknessRatio ||
+                           settings.imperfection != imperfection;
     thicknessRatio = thickness;
+    if ((settings.imperfection > 0) != (imperfection > 0))
+        radiationRatio = 0; // its weights are to be turned, or not
+    imperfection = settings.imperfection;
     compression = settings.compression;
     if (silencesChange)
         takeSilences();
@@ -77,9 +82,11 @@ void SoundingObject::movePoles() noexcept {
     ++responseVersion;
     // Resting states move with the poles they had up to here.
     bringRestingUpToDate(cellIndex);
-    if (eigenvaluesAreBehind)
+    if (eigenvaluesAreBehind) {
         for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
             modeEigenvalues[mode] = object->eigenvalueAt(mode, thicknessRatio);
+        partPairs(pairs, imperfection, modeEigenvalues);
+    }
     const std::size_t groups = groupModes(modeEigenvalues, law, compression, scratch.groupStarts,
                                           dampings, silencedModes);
     if (groups == bank.size() &&

@@ -16,6 +16,9 @@ bool SoundingObject::computeResidues(const Contact& contact) noexcept {
     projectShapes(pointShapes(*object, struck), contact.strike.impulseNewtonSeconds,
                   listeningDirection(struck), object->modeCount(), scratch.struckGains.data(),
                   scratch.heardGains.data());
+    if (imperfection > 0)
+        for (auto* gains : {&scratch.struckGains, &scratch.heardGains})
+            turnPairs(pairs, std::span(*gains));
     const double farShare = contact.heard.farShare;
     const auto near = static_cast<float>(contact.heard.nearGain);
     const auto far = static_cast<float>(contact.heard.farGain);
@@ -112,8 +115,8 @@ void SoundingObject::findLost() noexcept {
     }
 }
 
-/// Reads the table where frequencies, size or the direction changed. One channel hears the mean of
-/// both directions.
+/// Reads the table where frequencies, size, the direction or the imperfection changed. One channel
+/// hears the mean of both directions.
 void SoundingObject::findRadiation(std::int32_t heardFrom) noexcept {
     if (radiationRatio == wantedRadiationRatio && radiationHeardFrom == heardFrom)
         return;
@@ -123,14 +126,16 @@ void SoundingObject::findRadiation(std::int32_t heardFrom) noexcept {
     auto& [first, second] = radiationWeights;
     if (heardFrom >= 0) {
         table.weightsAt(static_cast<std::size_t>(heardFrom), radiationRatio, first);
-        if (outputChannels > 1)
-            std::ranges::copy(first, second.begin());
-        return;
+        second = first;
+    } else {
+        table.weightsAt(0, radiationRatio, first);
+        table.weightsAt(std::min<std::size_t>(table.directions.size(), mostChannels) - 1,
+                        radiationRatio, second);
     }
-    table.weightsAt(0, radiationRatio, first);
-    table.weightsAt(std::min<std::size_t>(table.directions.size(), mostChannels) - 1,
-                    radiationRatio, second);
-    if (outputChannels == 1)
+    if (imperfection > 0)
+        for (auto* weights : {&first, &second})
+            turnPairs(pairs, std::span(*weights));
+    if (outputChannels == 1 && heardFrom < 0)
         std::ranges::transform(
             first, second, first.begin(),
             [](std::complex<float> l, std::complex<float> r) { return (l + r) / 2.0f; });

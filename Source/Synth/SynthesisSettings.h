@@ -42,6 +42,8 @@ struct SynthesisSettings {
     double sizeRatio = 1;     ///< 1e-6 to 1e6: every object scaled by this
     /// 0.1 to 10: every shell that can so many times as thick as it was analysed.
     double thicknessRatio = 1;
+    /// 0 to 0.01: how far pairs of modes part in frequency (Imperfection.h).
+    double imperfection = 0;
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
     /// 0 to 1: from a contact microphone at the struck point (Listening.h) to the pressure that the
     /// whole surface radiates at 1 m, where the object knows it. For strikes from now on.

@@ -50,6 +50,8 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
     keepUnless(validSize(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
     keepUnless(wanted.thicknessRatio >= 0.1 && wanted.thicknessRatio <= 10, wanted.thicknessRatio,
                previous.thicknessRatio);
+    keepUnless(wanted.imperfection >= 0 && wanted.imperfection <= 0.01, wanted.imperfection,
+               previous.imperfection);
     keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
                previous.radiation);
     keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
@@ -103,7 +105,8 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         if (!modeWeights)
             modeWeights = std::make_shared<const std::vector<double>>(
                 slot.object ? summedSquareShapes(*slot.object) : std::vector<double>());
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, modeWeights, channels, sampleRateHz, *all.scratch);
+        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, modeWeights,
+                                 static_cast<std::uint32_t>(all.objects.size()), channels, sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());
