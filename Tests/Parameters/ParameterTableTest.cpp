@@ -152,7 +152,6 @@ TEST_CASE("What the first version did not have changes nothing until it is set")
     CHECK(values[ParameterId::chatter] == 0);
     CHECK(values[ParameterId::modalPulse] == 0);
     CHECK(values[ParameterId::rollCoupling] == 0);
-    CHECK(values[ParameterId::lossFactor] == 0);
     CHECK(formatParameter(parameterInfo(ParameterId::mallet), customMallet) == "Custom");
     CHECK(parseParameter(parameterInfo(ParameterId::mallet), "hard plastic") == 6.0);
 }
