@@ -274,8 +274,9 @@ class Render(ConsoleTest):
         def custom(name, **changes):
             m = next(m for m in self.json("materials") if m["name"] == name)
             figures = {"young": m["youngs_modulus_pa"] / 1e9, "density": m["density_kg_per_m3"],
-                       "gamma": m["fluid_damping_per_s"], "loss_factor": m["loss_factor"],
-                       "eta": m["viscoelastic_damping_s"] * 1e6, **changes}
+                       "gamma": max(0.01, m["fluid_damping_per_s"]),
+                       "loss_factor": m["loss_factor"],
+                       "eta": max(1e-4, m["viscoelastic_damping_s"] * 1e6), **changes}
             return sound("material=Custom", *(f"{id}={value}" for id, value in figures.items()))
 
         for settings, expected in ((["young=50"], custom("Rosewood", young=50)),

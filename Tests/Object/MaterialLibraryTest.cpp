@@ -98,8 +98,7 @@ TEST_CASE("Rosewood has the elasticity and density of one measured bar") {
     CHECK(rosewood.youngsModulusPa == 23.9e9);
     CHECK(rosewood.densityKgPerM3 == 1082);
     REQUIRE(rosewood.grain);
-    CHECK(rosewood.grain->shearModulusLR * rosewood.youngsModulusPa ==
-          Approx(4.0e9).epsilon(0.01));
+    CHECK(rosewood.grain->shearModulusLR * rosewood.youngsModulusPa == Approx(4.0e9).epsilon(0.01));
     CHECK(rosewood.grain->shearModulusLT == rosewood.grain->shearModulusLR);
 }
 

@@ -77,6 +77,7 @@ State ringingState(bool inOneMode) {
     state.preset.parameters.set(density, 1000);
     state.preset.parameters.set(fluidDamping, 5);
     state.preset.parameters.set(viscoelasticDamping, 0.0001);
+    state.preset.parameters.set(lossFactor, 0);
     state.preset.parameters.set(radiation, 100);
     state.preset.parameters.set(tau, parameterInfo(tau).minimum);
     return state;
@@ -252,7 +253,7 @@ const std::vector<Jump> switchesWhileRinging{
      customMaterial,
      firstLibraryMaterial,
      asLevel,
-     {{youngsModulus, 11}, {fluidDamping, 50}, {viscoelasticDamping, 2.5e-7}}},
+     {{youngsModulus, 21}, {lossFactor, 0.0043}}},
     {letRing, 1, 0, asLevel},
     {bendRange, 2, 3, asLevel, {}, wheelUp},
     {mpe, 0, 1, asLevel, {{mpeBendRange, 3}}, bentOfItsOwn},

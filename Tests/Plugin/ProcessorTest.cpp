@@ -215,6 +215,7 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     state.parameters.set(density, 1000);
     state.parameters.set(fluidDamping, 10);
     state.parameters.set(viscoelasticDamping, 2);
+    state.parameters.set(lossFactor, 0);
     state.parameters.set(bendRange, 12);
     const auto tail = [&] {
         restore(processor, state);
