@@ -15,6 +15,9 @@ struct DecayBounds {
     double lowestEigenvalue = 0; ///< λ/size²
     /// The same, times the density over Young's modulus of the object's own material.
     double lowestOfUnitMaterial = 0;
+    /// λ of the lowest mode where every slot keeps its pitch, at the thickness that was analysed
+    /// and at any thickness of the parameter; 0 where slots have no pitch.
+    double lowestKept = 0, lowestKeptAtAnyThickness = 0;
     double mostBending = 0;               ///< what the thickness acts on, to λ: 0 to 1
     DampingLaw least, most;               ///< of the objects' own materials
     double leastScale = 1, mostScale = 1; ///< ModalObject::dampingScale

@@ -50,6 +50,10 @@ KeyMap parseKeyMap(const JsonPlace& place) {
     map.kind = parseKind(place.at("kind"));
     map.lowestNote = place.at("lowestNote").integer(0, 127);
     map.highestNote = place.at("highestNote").integer(map.lowestNote, 127);
+    if (place.has("resizedFrom"))
+        map.resizedFrom = place.at("resizedFrom").integer(0, 127);
+    if (place.has("resizedTo"))
+        map.resizedTo = place.at("resizedTo").integer(0, 127);
     map.object = place.at("object").textOrEmpty();
     if (place.has("strikePath"))
         map.strikePath = parsePath(place.at("strikePath"));
@@ -173,6 +177,10 @@ std::string encodePreset(const Preset& preset) {
                         {"strikeWidth", map.strikeWidth}};
     if (map.referenceNote >= 0)
         keyMap["referenceNote"] = map.referenceNote;
+    if (map.resizedFrom != KeyMap{}.resizedFrom)
+        keyMap["resizedFrom"] = map.resizedFrom;
+    if (map.resizedTo != KeyMap{}.resizedTo)
+        keyMap["resizedTo"] = map.resizedTo;
     ordered_json parameters = ordered_json::object();
     for (const auto& info : parameterTable())
         parameters[info.id] = preset.parameters[info.parameter];

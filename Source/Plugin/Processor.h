@@ -99,6 +99,7 @@ public:
     void chooseUserMaterial(int index) override;
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
+    std::array<KeySound, 128> keySounds() const override;
     std::vector<PlayedObject> playedObjects() const override;
     bool hasStage() const override;
     std::vector<BodyNow> stageBodies() const override;
