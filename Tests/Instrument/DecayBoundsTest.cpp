@@ -126,8 +126,12 @@ TEST_CASE("Keys with objects of their own lie as far below equal temperament as 
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note)
         kept.push_back(library.add("own/" + std::to_string(note), syntheticObject({300})));
-    KeyMap map{
-        .kind = KeyMapKind::bars, .lowestNote = 60, .highestNote = 63, .object = "own/{note}"};
+    KeyMap map{.kind = KeyMapKind::bars,
+               .lowestNote = 60,
+               .highestNote = 63,
+               .resizedFrom = 1,
+               .resizedTo = 0,
+               .object = "own/{note}"};
     const auto bars = Instrument::build(map, library).value();
     map.kind = KeyMapKind::zones;
     map.object = "own/60";
