@@ -90,9 +90,8 @@ void MaterialPage::resized() {
     auto top = left.removeFromTop(lineHeight);
     former.setBounds(top.removeFromRight(46).reduced(0, 1));
     list.setBounds(top.withTrimmedRight(6));
-    auto switches = left.removeFromBottom(lineHeight);
-    match.setBounds(switches.removeFromLeft((switches.getWidth() - gap) / 2));
-    keep.setBounds(switches.withTrimmedLeft(gap));
+    match.setBounds(left.removeFromBottom(lineHeight));
+    keep.setBounds(left.removeFromBottom(lineHeight));
     left.removeFromTop(6);
     pad.setBounds(left.withTrimmedBottom(4));
     const int row =
