@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace idiophone {
 namespace {
@@ -66,7 +67,7 @@ double lowestOfMaterial(const DecayBounds& bounds, const SynthesisSettings& sett
 
 } // namespace
 
-DecayBounds decayBounds(const Instrument& instrument) {
+DecayBounds decayBounds(const Instrument& instrument, RingingKeys keys) {
     DecayBounds bounds{.lowestEigenvalue = infinity,
                        .lowestOfUnitMaterial = infinity,
                        .lowestKept = infinity,
@@ -75,7 +76,15 @@ DecayBounds decayBounds(const Instrument& instrument) {
                        .most = {},
                        .leastScale = infinity,
                        .mostScale = 0};
-    for (const auto& slot : instrument.slots()) {
+    const auto slots = instrument.slots();
+    std::vector<bool> isResized(slots.size(), false);
+    for (int note = 0; note < 128; ++note)
+        if (const auto& key = instrument.key(note); key.slot >= 0 && !key.isOwn)
+            isResized[static_cast<std::size_t>(key.slot)] = true;
+    for (std::size_t index = 0; index < slots.size(); ++index) {
+        if (keys == RingingKeys::own && isResized[index])
+            continue;
+        const auto& slot = slots[index];
         const auto& object = *slot.object;
         const auto& material = object.material;
         if (object.modeCount() == 0)

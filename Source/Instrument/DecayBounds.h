@@ -23,8 +23,12 @@ struct DecayBounds {
     double leastScale = 1, mostScale = 1; ///< ModalObject::dampingScale
 };
 
-/// Without slots nothing rings: the fastest decay there is. Takes time with the number of modes.
-DecayBounds decayBounds(const Instrument& instrument);
+enum class RingingKeys { own, all };
+
+/// Returns the bounds of all slots, or of all but those of keys that play a neighbour's object
+/// (Key::isOwn): these may be so large that they ring for minutes. Without slots nothing rings: the
+/// fastest decay there is. Takes time with the number of modes.
+DecayBounds decayBounds(const Instrument& instrument, RingingKeys keys = RingingKeys::all);
 
 /// α > 0 [1/s] of which no mode that sounds is slower under these settings, while no slot is lower
 /// than its key in equal temperament by more than so many semitones. Any thread, and at once.

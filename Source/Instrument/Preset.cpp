@@ -172,15 +172,12 @@ Result<Preset> parseSavedPreset(std::string_view text, std::string_view name) {
 std::string encodePreset(const Preset& preset) {
     const auto& map = preset.keyMap;
     ordered_json keyMap{{"kind", kindName(map.kind)},     {"lowestNote", map.lowestNote},
-                        {"highestNote", map.highestNote}, {"object", map.object},
+                        {"highestNote", map.highestNote}, {"resizedFrom", map.resizedFrom},
+                        {"resizedTo", map.resizedTo},     {"object", map.object},
                         {"strikePath", map.strikePath},   {"strikeAt", map.strikeAt},
                         {"strikeWidth", map.strikeWidth}};
     if (map.referenceNote >= 0)
         keyMap["referenceNote"] = map.referenceNote;
-    if (map.resizedFrom != KeyMap{}.resizedFrom)
-        keyMap["resizedFrom"] = map.resizedFrom;
-    if (map.resizedTo != KeyMap{}.resizedTo)
-        keyMap["resizedTo"] = map.resizedTo;
     ordered_json parameters = ordered_json::object();
     for (const auto& info : parameterTable())
         parameters[info.id] = preset.parameters[info.parameter];

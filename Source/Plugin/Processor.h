@@ -312,7 +312,8 @@ private:
     int movedToTell = 0;              ///< likewise, of what moves while a sound is told
     std::atomic<int> statesComing{0}; ///< while which JUCE's VST3 passes nothing on
     std::atomic<int> programIndex{-1};
-    SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects
+    SharedFigures<DecayBounds> ownDecays, allDecays; ///< of the loaded keys' (RingingKeys)
+    std::atomic<bool> playedResizedKeys{false};      ///< by the player that plays
     /// By how much any of them may sound below equal temperament: by the instance's own tuning
     /// alone, and by tunings and wheels as the player has them.
     std::atomic<double> semitonesBelowTuned{0}, semitonesBelowPlayed{0};
