@@ -2,7 +2,6 @@
 // and which of them are mixed. It renders cells and takes strikes; the budget comes from outside.
 #pragma once
 
-#include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
 #include "Synth/Imperfection.h"
@@ -13,6 +12,7 @@
 #include "Synth/Strike.h"
 #include "Synth/SynthesisScratch.h"
 #include "Synth/SynthesisSettings.h"
+#include "Synth/SynthesiserSlot.h"
 
 #include <array>
 #include <bit>
@@ -37,10 +37,10 @@ public:
 
     /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
     /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
-    /// `modeWeights` [M] are the object's `summedSquareShapes`, which all its slots share.
-    /// `seed` draws its imperfection. `scratch` has room for this object and outlives it; objects on one thread share it.
-    SoundingObject(std::shared_ptr<const ModalObject> object,
-                   double sizeRatio,
+    /// `modeWeights` [M] are the object's `summedSquareShapes`, which all its slots share. `seed` draws
+    /// its imperfection. `scratch` has room for this object and outlives it; objects on one thread
+    /// share it.
+    SoundingObject(SynthesiserSlot slot,
                    ModeWeights modeWeights,
                    std::uint32_t seed,
                    std::size_t channels,
@@ -240,6 +240,7 @@ private:
 
     std::shared_ptr<const ModalObject> object;
     double slotSizeRatio;
+    std::optional<PitchMode> pitch;
     std::size_t outputChannels;
     double sampleRate;
     double cellSeconds;

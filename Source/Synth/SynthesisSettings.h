@@ -31,7 +31,8 @@ inline LiveMaterial liveMaterial(const Material& material) noexcept {
 }
 
 /// A figure out of its range is ignored and keeps what it was. Frequency, size and material all act
-/// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio², and the damping
+/// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio² (where a pitch is kept,
+/// frequencyRatio alone), and the damping
 /// d = γ + χ √λ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³. The
 /// thickness acts on objects that have it live (ModalObject::eigenvalueAt), and on their mass.
 struct SynthesisSettings {
@@ -45,6 +46,8 @@ struct SynthesisSettings {
     /// 0 to 0.01: how far pairs of modes part in frequency (Imperfection.h).
     double imperfection = 0;
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
+    /// Slots with a pitch (SynthesiserSlot) keep it under any material, size and thickness.
+    bool keepPitch = false;
     /// 0 to 1: from a contact microphone at the struck point (Listening.h) to the pressure that the
     /// whole surface radiates at 1 m, where the object knows it. For strikes from now on.
     double radiation = 0;

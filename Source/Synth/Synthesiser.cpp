@@ -105,8 +105,9 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         if (!modeWeights)
             modeWeights = std::make_shared<const std::vector<double>>(
                 slot.object ? summedSquareShapes(*slot.object) : std::vector<double>());
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, modeWeights,
-                                 static_cast<std::uint32_t>(all.objects.size()), channels, sampleRateHz, *all.scratch);
+        all.objects.emplace_back(std::move(slot), modeWeights,
+                                 static_cast<std::uint32_t>(all.objects.size()), channels,
+                                 sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());
