@@ -70,6 +70,9 @@ constexpr Condition conditions[]{
     {malletHardness, isStruck, whileStruck},
     {malletMass, isStruck, whileStruck},
     {malletRadius, isStruck, whileStruck},
+    {malletExponent, isStruck, whileStruck},
+    {malletRestitution, isStruck, whileStruck},
+    {malletFollow, isStruck, whileStruck},
     {malletSpeed, isStruck, whileStruck},
     {velocityCurve, isStruck, whileStruck},
     {mallet, isStruck, whileStruck},
@@ -93,11 +96,11 @@ constexpr Condition conditions[]{
     {width, isStereo, "both channels are the same; it acts with radiation or room above 0"}};
 
 /// Where no mallets play.
-constexpr std::array ofMallets{strikeAlong,   strikeAcross, strikeSpread, malletHardness,
-                               malletMass,    malletRadius, malletSpeed,  mallet,
-                               velocityCurve, chatter,      modalPulse,   matchLoudness,
-                               contact,       contactForce, contactSpeed, roughness,
-                               rollCoupling,  letRing,      releaseTime};
+constexpr std::array ofMallets{
+    strikeAlong,    strikeAcross,      strikeSpread,  malletHardness, malletMass,   malletRadius,
+    malletExponent, malletRestitution, malletFollow,  malletSpeed,    mallet,       velocityCurve,
+    chatter,        modalPulse,        matchLoudness, contact,        contactForce, contactSpeed,
+    roughness,      rollCoupling,      letRing,       releaseTime};
 /// Nor keys.
 constexpr std::array ofKeys{bendRange, mpe, mpeBendRange, motorSpeed, motorDepth, motorSync};
 

@@ -193,8 +193,8 @@ Result<void> strikeObject(const Options& options) {
     if (!tally)
         return tl::unexpected(tally.error());
     const auto& point = (*instrument)->strip((*instrument)->key(struckKey)).points.front();
-    const auto strike = malletStrike(point, options.velocity, 1, values,
-                                     surfaceCompliancePerPa(known->material, values));
+    const auto strike =
+        malletStrike(point, options.velocity, {}, values, (*instrument)->slots().front());
     report(*known, *row,
            loudestModes(*known, strike, values, options.format.sampleRateHz, modesNamed),
            **recording, options);

@@ -6,14 +6,11 @@
 #include <numbers>
 
 namespace idiophone {
-namespace {
 
 double impulseOf(const Strike& strike) noexcept {
     const auto& impulse = strike.impulseNewtonSeconds;
     return std::hypot(impulse[0], impulse[1], impulse[2]);
 }
-
-} // namespace
 
 std::complex<double>
 ringingVelocity(const ContactTrain& train, double decay, double omega) noexcept {

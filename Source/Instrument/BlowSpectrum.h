@@ -8,6 +8,9 @@
 
 namespace idiophone {
 
+/// The length of a strike's impulse [Ns].
+double impulseOf(const Strike& strike) noexcept;
+
 /// The velocity, for a residue of 1, with which a mode that falls as e^(−αt) (`decay` α [1/s],
 /// `omega` its damped frequency [rad/s]) rings after the blow, as its complex amplitude at the
 /// start of it. A raised cosine (I/T)(1 − cos Ωt) leaves, at its end, I (e^x − 1) 4π²/(x (x² +

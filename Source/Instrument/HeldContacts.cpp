@@ -188,7 +188,7 @@ void HeldContacts::soundOne(Contact& contact,
     move(contact, key, parameters);
     // What touches a scaled object is scaled with it, as mallets are: an area, s² of the force. The
     // signal is the normal part of the force.
-    contact.gain = parameters[roughness] * key.malletScale * key.malletScale;
+    contact.gain = parameters[roughness] * key.mallet.scale * key.mallet.scale;
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses = contact.force.render(

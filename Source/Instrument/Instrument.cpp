@@ -135,8 +135,7 @@ std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
                             instrument->map));
         instrument->keys[note] = {.slot = slot,
                                   .strip = strip->second,
-                                  .along = instrument->map.strikeAt,
-                                  .malletScale = 1};
+                                  .along = instrument->map.strikeAt};
     }
     return instrument;
 }
@@ -151,7 +150,9 @@ bool Instrument::keysHaveObjects() const {
 
 Result<void> Instrument::buildBars(ObjectLibrary& library) {
     std::map<const ModalObject*, int> stripOfObject; // one may be on many keys, and is large
+    const double middleHz = midiNoteHz((map.lowestNote + map.highestNote) / 2.0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
+        const double pitchRatio = midiNoteHz(note) / middleHz;
         const auto name = map.objectFor(note);
         if (note > map.lowestNote && !library.has(name))
             continue;
@@ -165,7 +166,7 @@ Result<void> Instrument::buildBars(ObjectLibrary& library) {
         keys[static_cast<std::size_t>(note)] = {.slot = static_cast<int>(synthesiserSlots.size()),
                                                 .strip = strip->second,
                                                 .along = map.strikeAt,
-                                                .malletScale = 1};
+                                                .mallet = {.pitchRatio = pitchRatio}};
         const auto pitch = pitchMode(**object, pitchModeOfBar(**object, note), 1);
         synthesiserSlots.push_back({.object = std::move(*object), .sizeRatio = 1, .pitch = pitch});
     }
@@ -217,8 +218,7 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
             key = {.slot = 0,
                    .strip = 0,
                    .along = range > 0 ? static_cast<double>(note - map.lowestNote) / range
-                                      : map.strikeAt,
-                   .malletScale = 1};
+                                      : map.strikeAt};
             continue;
         }
         // The mallet is scaled with the object: every key is the same event at another size, where
@@ -227,7 +227,7 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
         key = {.slot = static_cast<int>(synthesiserSlots.size()),
                .strip = 0,
                .along = map.strikeAt,
-               .malletScale = sizeRatio};
+               .mallet = {.scale = sizeRatio}};
         synthesiserSlots.push_back({.object = *object,
                                     .sizeRatio = sizeRatio,
                                     .pitch = pitchMode(**object, 0, sizeRatio)});

@@ -2,6 +2,7 @@
 // to strike and where. Immutable, so any number of players share it.
 #pragma once
 
+#include "Instrument/KeyMallet.h"
 #include "Instrument/ObjectLibrary.h"
 #include "Instrument/Preset.h"
 #include "Instrument/Stage.h"
@@ -18,10 +19,10 @@ namespace idiophone {
 
 /// What a MIDI note plays.
 struct Key {
-    int slot = -1;          ///< −1: the note is silent
-    int strip = 0;          ///< index into Instrument::strips
-    double along = 0.5;     ///< its own place on the strip
-    double malletScale = 1; ///< size of its mallet: time × this, impulse × this³
+    int slot = -1;         ///< −1: the note is silent
+    int strip = 0;         ///< index into Instrument::strips
+    double along = 0.5;    ///< its own place on the strip
+    KeyMallet mallet = {}; ///< how its mallet differs from the chosen one
     /// False where it plays a neighbour's object: the preset has none for it.
     bool isOwn = true;
 };

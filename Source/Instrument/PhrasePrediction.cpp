@@ -125,28 +125,36 @@ void PhrasePrediction::beginObject() noexcept {
 }
 
 void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
-    const auto& key = phrase->notes[firstNote].key;
-    const auto& own = slot().object->material;
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
         const auto place = aimedPlace(noteKey.along, values);
         points[note] = phrase->instrument->strip(noteKey).between(place.along, place.across).point;
         pushes[note] = listeningDirection(points[note]);
     }
+    const auto modes = phrase->notes[firstNote]
+                           .lowestModes.atThickness(thicknessRatio)
+                           .moved(conditions.frequencyRatio());
+    const auto strikeOf = [&](std::size_t note, int velocity) {
+        return malletStrike(points[note], velocity, phrase->notes[note].key.mallet, values, slot());
+    };
+    const auto trainOf = [&](const Strike& strike, std::size_t note) {
+        const auto train =
+            contactTrain(strike, phrase->notes[note].key.mallet.scale, values[chatter],
+                         static_cast<std::uint32_t>(firstNote));
+        return values[modalPulse] != 0 ? withModalPulses(train, modes.span())
+                                       : withFilledNulls(train);
+    };
+    middleNote = (firstNote + endNote) / 2;
     for (std::size_t level = 0; level < levels; ++level) {
-        const auto strike = malletStrike(points[firstNote], velocities[level], key.malletScale,
-                                         values, surfaceCompliancePerPa(own, values));
-        trains[level] = contactTrain(strike, key.malletScale, values[chatter],
-                                     static_cast<std::uint32_t>(firstNote));
-        if (values[modalPulse] != 0)
-            trains[level] =
-                withModalPulses(trains[level], phrase->notes[firstNote]
-                                                   .lowestModes.atThickness(thicknessRatio)
-                                                   .moved(conditions.frequencyRatio())
-                                                   .span());
+        const auto strike = strikeOf(middleNote, velocities[level]);
+        trains[level] = trainOf(strike, middleNote);
         pressed[level] = PressedMotion(strike);
         pressedVelocities[level] = {};
     }
+    for (std::size_t note = firstNote; note < endNote; ++note)
+        noteTrains[note] = note == middleNote
+                               ? trains[middleVelocity]
+                               : trainOf(strikeOf(note, velocities[middleVelocity]), note);
 }
 
 void PhrasePrediction::beginForce(const ParameterValues& values,
@@ -161,7 +169,7 @@ void PhrasePrediction::beginForce(const ParameterValues& values,
         points[note] = place.point;
         pushes[note] = draggedForce(place.point, place.direction, friction).direction;
         for (float& component : pushes[note])
-            component *= static_cast<float>(noteKey.malletScale * noteKey.malletScale);
+            component *= static_cast<float>(noteKey.mallet.scale * noteKey.mallet.scale);
     }
     const bool rolls = static_cast<int>(values[contact]) == rollContact;
     const ContactForceSettings kind{.kind = rolls ? ContactKind::roll : ContactKind::scrape,
@@ -227,6 +235,12 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
             std::sqrt(weighting * force.powerTakenBy(mode.omega, mode.decay, release) / 2));
         stiff.add(std::sqrt(pole.stiffness), mode.residues);
     } else {
+        for (std::size_t note = firstNote; note < endNote; ++note)
+            if (note != middleNote)
+                for (double& residue : mode.residues[note])
+                    residue *= std::abs(ringingVelocity(noteTrains[note], mode.decay, mode.omega)) /
+                               std::abs(ringingVelocity(trains[middleVelocity], mode.decay,
+                                                        mode.omega));
         for (std::size_t level = 0; level < levels; ++level) {
             mode.velocities[level] =
                 std::sqrt(weighting) * ringingVelocity(trains[level], mode.decay, mode.omega);

@@ -93,7 +93,11 @@ private:
     bool held = false;    ///< scraped or rolled
     std::array<StrikePoint, PhraseMeter::notes> points;
     std::array<std::array<float, 3>, PhraseMeter::notes> pushes; ///< what a blow of 1 Ns does
+    // Keys that share an object strike it where it yields more or less. The prediction takes the
+    // middle one's blow for all velocities, and how the others differ from it at the middle one.
+    std::size_t middleNote = 0;
     std::array<ContactTrain, levels> trains;
+    std::array<ContactTrain, PhraseMeter::notes> noteTrains;
     std::array<PressedMotion, levels> pressed;
     /// Complex, mean of the channels.
     std::array<std::array<std::complex<double>, PhraseMeter::notes>, levels> pressedVelocities{};

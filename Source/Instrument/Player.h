@@ -167,7 +167,7 @@ private:
     void strikeAt(std::size_t slot,
                   const StrikePoint& point,
                   int velocity,
-                  double malletScale,
+                  const KeyMallet& mallet,
                   std::uint32_t number);
     void strikeWaiting();
     void keyDown(int channel, int note, int velocity);
@@ -215,7 +215,7 @@ private:
     std::vector<MidiEvent> late;               ///< note-ons for the start of the next block
     std::vector<SurfaceStrike> surfaceStrikes; ///< for the start of the next block
     std::vector<LowestModes> lowestModes;      ///< of each slot
-    std::vector<double> malletScales;          ///< of each slot, as its keys have it
+    std::vector<KeyMallet> mallets;            ///< of each slot, as its keys have it
     HeldContacts held;
     HandScrape handScrape;
     std::optional<std::size_t> playedLast;

@@ -1,6 +1,6 @@
 #include "Instrument/SettingsOfParameters.h"
 
-#include "Instrument/HertzContact.h"
+#include "Instrument/ContactLaw.h"
 #include "Instrument/MalletStrike.h"
 
 #include <algorithm>
@@ -46,6 +46,8 @@ ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, d
     values.set(malletHardness, contactPa / pascalsPerMegapascal);
     values.set(malletMass, played.massKg * 1e3);
     values.set(malletRadius, played.headRadiusMetres * 1e3);
+    values.set(malletExponent, played.forceExponent);
+    values.set(malletRestitution, played.restitution * 100);
     return values;
 }
 

@@ -20,7 +20,8 @@ inline constexpr std::array materialFigures{
 
 /// What the custom mallet has.
 inline constexpr std::array malletFigures{ParameterId::malletHardness, ParameterId::malletMass,
-                                          ParameterId::malletRadius};
+                                          ParameterId::malletRadius, ParameterId::malletExponent,
+                                          ParameterId::malletRestitution};
 
 /// A choice of whose custom entry there are figures.
 struct FigureChoice {

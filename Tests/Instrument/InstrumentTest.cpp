@@ -140,7 +140,7 @@ TEST_CASE("Scaled keys resize the object so that its lowest mode sounds the key"
     CHECK(sizeOf(69) == Approx(1).epsilon(1e-5));
     CHECK(sizeOf(57) == Approx(2).epsilon(1e-5));
     CHECK(sizeOf(81) == Approx(0.5).epsilon(1e-5));
-    CHECK(instrument.key(81).malletScale == sizeOf(81));
+    CHECK(instrument.key(81).mallet.scale == sizeOf(81));
 }
 
 TEST_CASE("Strike position across reaches the edges beside the path") {
