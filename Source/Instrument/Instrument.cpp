@@ -193,7 +193,7 @@ void Instrument::addResizedKeys() {
         if (slot.pitch)
             slot.pitch->hz /= ratio;
         key.slot = static_cast<int>(resized.size());
-        key.malletScale *= ratio;
+        key.mallet.scale *= ratio;
         key.isOwn = false;
         resized.push_back(std::move(slot));
     }

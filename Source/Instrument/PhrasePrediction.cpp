@@ -237,7 +237,7 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
     } else {
         for (std::size_t note = firstNote; note < endNote; ++note)
             if (note != middleNote)
-                for (double& residue : mode.residues[note])
+                for (auto& residue : mode.residues[note])
                     residue *= std::abs(ringingVelocity(noteTrains[note], mode.decay, mode.omega)) /
                                std::abs(ringingVelocity(trains[middleVelocity], mode.decay,
                                                         mode.omega));

@@ -75,7 +75,7 @@ TEST_CASE("Keys beside and between a preset's bars play the nearest one, resized
         CHECK(slot.sizeRatio == Approx(ratio));
         REQUIRE(slot.pitch);
         CHECK(slot.pitch->hz == Approx(440 * std::exp2((note - 69) / 12.0)).epsilon(1e-4));
-        CHECK(instrument->key(note).malletScale == Approx(ratio));
+        CHECK(instrument->key(note).mallet.scale == Approx(ratio));
         CHECK(instrument->key(note).strip == instrument->key(nearest).strip);
         CHECK(instrument->hasOwn(note) == (note == nearest));
     };
