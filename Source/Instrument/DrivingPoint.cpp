@@ -80,6 +80,9 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
                   heard.data());
     for (std::size_t i = 0; i < modes; ++i) {
         squaredShapes[i] = perMass * std::pow(static_cast<double>(along[i]), 2);
+        // A bar's mode that is shared with a tube stands twice, with gains that sum to about 1.
+        if (!object.gains.empty())
+            squaredShapes[i] *= static_cast<double>(object.gains[i].real());
         eigenvalues[i] = live.law.eigenvalueRatio * object.eigenvalueAt(i, thickness);
     }
 }
