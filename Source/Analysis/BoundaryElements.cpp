@@ -106,6 +106,12 @@ Unknowns unknownsOf(const std::vector<BoundaryPanel>& panels,
     return {std::move(owners), std::move(targets)};
 }
 
+/// The edge of equilateral triangles that are as many. Much more would let the errors of N, which
+/// converge slowest, outweigh what K knows of low frequencies.
+double couplingMetresOf(const Mesh& surface) {
+    return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
+}
+
 std::vector<int> chosen(const std::vector<int>& values, const std::vector<int>& places) {
     std::vector<int> result;
     for (const int place : places)
@@ -136,7 +142,7 @@ BoundaryElements::BoundaryElements(const Mesh& surface,
           targets_ = std::move(unknowns.targets);
           return BoundaryRows(std::move(panels), chosen(orbits_.firsts, targets_));
       }()),
-      largestCouplingMetres_(boundingDiagonalMetres(surface) / 2) {}
+      largestCouplingMetres_(couplingMetresOf(surface)) {}
 
 Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(orbitCount(), symmetryOrder());

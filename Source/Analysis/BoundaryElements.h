@@ -18,10 +18,10 @@ namespace idiophone {
 /// 1971 (Proc. R. Soc. A 323): the Helmholtz integral equation plus β times its normal derivative,
 /// so that no resonance of the space inside disturbs it.
 ///
-///     p/2 − K p − β N p = −S q − β (q/2 + K' q),   q = ∂p/∂n = −jωρ v_n,   β = −j min(1/k, d/2)
+///     p/2 − K p − β N p = −S q − β (q/2 + K' q),   q = ∂p/∂n = −jωρ v_n,   β = −j min(1/k, h)
 ///
 /// S, K, K' and N are the single layer, the double layer, its adjoint and the hypersingular
-/// operator of e^{−jkr}/(4πr); d is the surface's bounding diagonal. Of near triangles the parts
+/// operator of e^{−jkr}/(4πr); h is the mean edge of its triangles. Of near triangles the parts
 /// that grow as r → 0 are integrated in closed form (PanelPotentials), the rest by Gauss' rules: so
 /// the two faces of a sheet may be much closer than its triangles are wide.
 ///

@@ -22,7 +22,7 @@ using Eigen::Index;
 constexpr double lowestHz = 20, highestHz = 22000;
 /// Edges of the triangles, or of what shares an unknown, that a wave must span: a sphere is then
 /// within 0.2 dB (BoundaryElementsTest).
-constexpr double edgesPerWavelength = 3.5;
+constexpr double edgesPerWavelength = 2.5;
 /// A surface is made finer only where it serves less of the band than this.
 constexpr double enoughOfBand = 0.6;
 constexpr double mostMatrixBytes = 1e9;
@@ -214,9 +214,8 @@ Result<SolvedRadiation> solveRadiation(const RadiatingBody& body,
         return failure(surface.error().message);
     auto symmetry = surfaceSymmetry(surface->mesh);
     const Index order = symmetry.order();
-    const Index share =
-        std::max<Index>(effort.maximumUnknowns / 4, effort.maximumUnknowns * 4 / (4 * order));
-    const BoundaryElements elements(surface->mesh, std::move(symmetry), share);
+    const BoundaryElements elements(surface->mesh, std::move(symmetry),
+                                    std::max<Index>(effort.unknowns / order, effort.unknowns / 4));
 
     SolvedRadiation result{.directions = {},
                            .frequencyRatios = settings.frequencyRatios,

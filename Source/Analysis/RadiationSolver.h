@@ -16,13 +16,14 @@ namespace idiophone {
 /// How finely the surface pressure is resolved. Time grows with the square of the unknowns, then
 /// with their cube.
 struct RadiationEffort {
-    int maximumUnknowns = 0; ///< of one system; a symmetry of G elements needs a Gth of them
-    int maximumFaces = 0;    ///< of a finer surface the triangles are made larger
+    /// A symmetry of G elements divides them between G systems, down to a quarter.
+    int unknowns = 0;
+    int maximumFaces = 0; ///< of a finer surface the triangles are made larger
     /// Modes whose frequencies differ by less than this share, 0 to 0.1, are solved at one.
     double sameFrequency = 0;
 };
-inline constexpr RadiationEffort exactRadiation{1500, 24000, 0.001};
-inline constexpr RadiationEffort quickRadiation{400, 12000, 0.03};
+inline constexpr RadiationEffort exactRadiation{1800, 24000, 0.002};
+inline constexpr RadiationEffort quickRadiation{500, 12000, 0.03};
 
 /// D directions, K ratios, M modes.
 struct SolvedRadiation {
