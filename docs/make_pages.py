@@ -25,7 +25,8 @@ GROUP = """
 """
 PRESETS = """# Presets
 
-The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle.
+The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle. Where
+each key has an object of its own, other keys from 21 to 108 play the nearest one, [resized](../presets.md#keys-without-an-object).
 [Here](../presets.md) is what a preset file holds. This page is made by `./dev pages`.
 
 | program | preset | keys | what it is |
@@ -36,8 +37,8 @@ MALLETS = """# Mallets
 The rack, as the parameter `mallet` has it after *Custom*. [How contact times follow](../presets.md#mallets). This page is made by
 `./dev pages`.
 
-| mallet | mass, g | radius, mm | E* of the head, MPa | where the figures come from |
-|---|---|---|---|---|
+| mallet | mass, g | radius, mm | E* of the head, MPa | force exponent | restitution | where the figures come from |
+|---|---|---|---|---|---|---|
 """
 
 
@@ -69,7 +70,8 @@ def presets_page(presets):
 
 def mallet_row(mallet):
     return (f"| {mallet['name']} | {mallet['mass_kg'] * 1e3:g} | {mallet['head_radius_m'] * 1e3:g} | "
-            f"{mallet['effective_modulus_pa'] * 1e-6:g} | {mallet['source']} |\n")
+            f"{mallet['effective_modulus_pa'] * 1e-6:g} | {mallet['force_exponent']:g} | "
+            f"{mallet['restitution']:g} | {mallet['source']} |\n")
 
 
 def mallets_page(mallets):

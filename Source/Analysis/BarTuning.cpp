@@ -1,5 +1,6 @@
 #include "Analysis/BarTuning.h"
 
+#include "Analysis/Air.h"
 #include "Analysis/BodyModel.h"
 #include "Analysis/Eigensolver.h"
 #include "Analysis/QuadraticTetrahedra.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace idiophone {
 namespace {
@@ -44,6 +46,14 @@ bool bendsVertically(int topCount, const MotionAt& motionAt) {
         together += mean * mean;
     }
     return together > 0.5 * all;
+}
+
+bool haveSameShape(const ModalObject& object, std::size_t a, std::size_t b) {
+    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row)
+        if (!std::ranges::equal(object.shapesAt(row).subspan(3 * a, 3),
+                                object.shapesAt(row).subspan(3 * b, 3)))
+            return false;
+    return true;
 }
 
 int targetCount(const PartialTargets& targets) {
@@ -102,6 +112,51 @@ Result<ModalObject> withOutline(ModalObject object, const BarOutline& outline) {
     return validated(std::move(object));
 }
 
+/// Of the tube, from the centre of mass.
+std::array<double, 3> mouthMetres(const ModalObject& object, const BarSpecification& bar) {
+    const double top = object.vertices[3 * static_cast<std::size_t>(object.shapeVertices[0]) + 2];
+    const auto& centre = object.mass.centreMetres;
+    return {bar.tube->offsetMetres - centre[0], -centre[1],
+            top - bar.shape.centreHeightMetres - bar.tube->gapMetres - centre[2]};
+}
+
+/// [M] upward, on the middle line of the top at x: linear between its vertices.
+std::vector<double> upwardShapesAt(const ModalObject& bar, double xMetres) {
+    std::size_t left = 0, right = 0;
+    double leftX = -std::numeric_limits<double>::infinity(), rightX = -leftX;
+    for (std::size_t row = 0; row < bar.shapeVertexCount(); ++row) {
+        const auto* place =
+            bar.vertices.data() + 3 * static_cast<std::size_t>(bar.shapeVertices[row]);
+        const double x = place[0];
+        if (std::abs(place[1]) > 1e-6f)
+            continue;
+        if (x <= xMetres && x > leftX) {
+            leftX = x;
+            left = row;
+        }
+        if (x > xMetres && x < rightX) {
+            rightX = x;
+            right = row;
+        }
+    }
+    const double share = (xMetres - leftX) / (rightX - leftX);
+    std::vector<double> shapes;
+    for (std::size_t mode = 0; mode < bar.modeCount(); ++mode)
+        shapes.push_back(std::lerp(static_cast<double>(bar.shapesAt(left)[3 * mode + 2]),
+                                   static_cast<double>(bar.shapesAt(right)[3 * mode + 2]), share));
+    return shapes;
+}
+
+/// What each mode presses the mouth with, as a piston of the bar's width above it:
+/// ρ0 (√(a² + g²) − g) of the acceleration there, where both are small against the wavelength.
+std::vector<double> mouthKgPerM2(const ModalObject& object, const BarSpecification& bar) {
+    const double radius = bar.shape.widthMetres / 2, gap = bar.tube->gapMetres;
+    auto pressures = upwardShapesAt(object, bar.tube->offsetMetres);
+    for (double& pressure : pressures)
+        pressure *= -airDensityKgPerM3 * (std::hypot(radius, gap) - gap);
+    return pressures;
+}
+
 Result<TunedBar>
 analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkControl& control) {
     const SolidBar solid = solidBar(shape, bar.grid);
@@ -115,11 +170,13 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
     if (!object)
         return failure(object.error().message);
     TunedBar result{.shape = shape, .surface = solid.surface};
-    result.bendingModes = verticalBendingModes(*object);
-    for (const auto mode : result.bendingModes)
+    for (const auto mode : verticalBendingModes(*object))
         result.partialsHz.push_back(object->dampedFrequencyHz(static_cast<std::size_t>(mode)));
-    if (bar.resonator)
-        addResonator(*object, *bar.resonator, faceAreas(solid.surface).sum());
+    if (bar.cords)
+        addCordLoss(*object, *bar.cords);
+    if (bar.tube)
+        addTube(*object, *bar.tube, mouthKgPerM2(*object, bar), mouthMetres(*object, bar));
+    result.bendingModes = verticalBendingModes(*object);
     auto light = withOutline(std::move(*object), solid.outline);
     if (!light)
         return failure(light.error().message);
@@ -165,12 +222,20 @@ Result<TunedBar> tune(const BarSpecification& bar, const WorkControl& control) {
 
 std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar) {
     std::vector<Eigen::Index> bending;
-    for (std::size_t mode = 0; mode < bar.modeCount(); ++mode)
-        if (bendsVertically(static_cast<int>(bar.shapeVertexCount()), [&](std::size_t row) {
+    const auto gain = [&](std::size_t mode) {
+        return bar.gains.empty() ? 1.0f : std::abs(bar.gains[mode]);
+    };
+    for (std::size_t mode = 0; mode < bar.modeCount(); ++mode) {
+        if (!bendsVertically(static_cast<int>(bar.shapeVertexCount()), [&](std::size_t row) {
                 const auto shape = bar.shapesAt(row).subspan(3 * mode, 3);
                 return Eigen::Vector3d(shape[0], shape[1], shape[2]);
             }))
+            continue;
+        if (bending.empty() || !haveSameShape(bar, static_cast<std::size_t>(bending.back()), mode))
             bending.push_back(static_cast<Eigen::Index>(mode));
+        else if (gain(mode) > gain(static_cast<std::size_t>(bending.back())))
+            bending.back() = static_cast<Eigen::Index>(mode);
+    }
     return bending;
 }
 

@@ -2,8 +2,9 @@
 // know. From a specification to the object that is played and the mesh that could be cut.
 #pragma once
 
+#include "Analysis/CordSupport.h"
 #include "Analysis/Pitch.h"
-#include "Analysis/Resonator.h"
+#include "Analysis/Tube.h"
 #include "Analysis/SolidBar.h"
 #include "Analysis/UndercutBar.h"
 #include "Object/ModalObject.h"
@@ -22,7 +23,9 @@ struct BarSpecification {
     Material material = {};      ///< of wood, the grain runs along the bar, the rings face up
     BarGrid grid = {};
     double maxFrequencyHz = 20000;
-    std::optional<Resonator> resonator = {};
+    /// Empty: the material's loss was measured on an instrument, cords and all.
+    std::optional<CordSupport> cords = {};
+    std::optional<Tube> tube = {};
 };
 
 struct TunedBar {
@@ -43,7 +46,8 @@ inline constexpr double fundamentalToleranceCents = 0.5, partialToleranceCents =
 /// `validated`, named after the bar; a band that does not hold the targets; `cancelledMessage`.
 Result<TunedBar> tuneBar(const BarSpecification& bar, const WorkControl& control = {});
 
-/// Which modes of a tuned bar's object bend up and down, ascending.
+/// Which modes of a tuned bar's object bend up and down, ascending. Of two that share a shape with a
+/// tube, the one of the larger gain.
 std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar);
 
 /// What the beam needs to know of a material whose grain runs along it.

@@ -51,8 +51,8 @@ BarSpecification xylophoneBar(const char* material, double frequencyHz, double s
         .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
         .material = *findMaterial(material),
         .maxFrequencyHz = 16000,
-        .resonator =
-            Resonator{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.009, share)}};
+        .tube =
+            Tube{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.009, share)}};
 }
 
 BarSpecification rosewoodBar(double frequencyHz, double share) {
@@ -79,9 +79,9 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
             .targets = {.fundamentalHz = frequencyHz,
                         .secondRatio = isTuned ? 4.0 : 0.0,
                         .thirdRatio = note < lastOfThreePartials + 0.5 ? 10.0 : 0.0},
-            .material = *findMaterial("Padauk"),
+            .material = *findMaterial("Rosewood"),
             .maxFrequencyHz = 14000,
-            .resonator = Resonator{.frequencyHz = frequencyHz,
+            .tube = Tube{.frequencyHz = frequencyHz,
                                    .radiusMetres = std::lerp(0.029, 0.015, share)}};
 }
 
@@ -97,7 +97,9 @@ BarSpecification vibraphoneBar(double frequencyHz, double share) {
                         .secondRatio = 4 - 0.5 * std::clamp((note - 77) / 12, 0.0, 1.0)},
             .material = *findMaterial("Aluminium"),
             .maxFrequencyHz = 18000,
-            .resonator = Resonator{.frequencyHz = frequencyHz,
+            // Drilled at the nodes. An estimate: no vibraphone was measured.
+            .cords = CordSupport{.spreadOverLength = 0.02},
+            .tube = Tube{.frequencyHz = frequencyHz,
                                    .radiusMetres = std::lerp(0.019, 0.013, share)}};
 }
 
@@ -106,7 +108,8 @@ BarSpecification glockenspielBar(double frequencyHz, double share) {
             .shape =
                 start({.widthMetres = {0.030, 0.025}, .heightMetres = {0.007, 0.009}}, share, 1),
             .targets = {.fundamentalHz = frequencyHz},
-            .material = *findMaterial("Mild steel")};
+            .material = *findMaterial("Mild steel"),
+            .cords = CordSupport{}};
 }
 
 BarSpecification stoneBar(double frequencyHz, double share) {

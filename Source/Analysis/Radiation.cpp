@@ -11,12 +11,7 @@
 namespace idiophone {
 namespace {
 
-using Complex = std::complex<double>;
-
 constexpr double lowestAudibleHz = 20, highestAudibleHz = 22000;
-constexpr double samePole = 1e-9;
-/// Rounding leaves this much of the mean |A n·φ| in a sum that ought to vanish.
-constexpr double roundingShare = 1e-13;
 
 /// P points with the area and the normal of their share of the surface.
 struct RadiatingSurface {
@@ -84,30 +79,21 @@ RadiatingSurface radiatingSurface(const RadiatingBody& body) {
     return surface;
 }
 
-/// A n·φ of each point [P×n] as a share of the whole area, for `count` modes from `first`.
-Eigen::MatrixXd normalFlows(const RadiatingBody& body,
-                            const RadiatingSurface& surface,
-                            Eigen::Index first,
-                            Eigen::Index count) {
-    Eigen::MatrixXd flows(surface.vectorAreasM2.rows(), count);
-    for (Eigen::Index point = 0; point < flows.rows(); ++point)
-        flows.row(point) = surface.vectorAreasM2.row(point) / surface.areaM2 *
-                           body.shapes.block(3 * surface.vertices[static_cast<std::size_t>(point)],
-                                             first, 3, count);
+/// A n·φ of each point [P] for one mode.
+Eigen::VectorXd
+normalFlows(const RadiatingBody& body, const RadiatingSurface& surface, Eigen::Index mode) {
+    Eigen::VectorXd flows(surface.vectorAreasM2.rows());
+    for (Eigen::Index point = 0; point < flows.size(); ++point)
+        flows(point) = surface.vectorAreasM2.row(point) *
+                       body.shapes.block<3, 1>(
+                           3 * surface.vertices[static_cast<std::size_t>(point)], mode);
     return flows;
 }
-
-/// What the modes of one pole [n] send in one direction at one wave number.
-struct FarField {
-    double waveNumber = 0;    ///< k in rad/m
-    Eigen::VectorXcd weights; ///< w
-    Eigen::VectorXcd slopes;  ///< dw/dk
-};
 
 /// A plane wave from one direction at the surface's points.
 struct PlaneWave {
     double waveNumber = 0;   ///< k in rad/m
-    Eigen::ArrayXcd phasors; ///< [P] e^{−ik d·x}
+    Eigen::ArrayXcd phasors; ///< [P] e^{jk d·x}
 };
 
 /// By squaring the wave an octave below where `lower` holds it: sines take most of the time.
@@ -124,107 +110,32 @@ PlaneWave planeWave(double waveNumber,
     }
     const Eigen::ArrayXd phases = waveNumber * distancesMetres.array();
     wave.phasors.real() = phases.cos();
-    wave.phasors.imag() = -phases.sin();
+    wave.phasors.imag() = phases.sin();
     return wave;
 }
 
-/// `distancesMetres` [P] is d·x.
-FarField farField(const Eigen::MatrixXd& flows,
-                  const Eigen::VectorXd& distancesMetres,
-                  const PlaneWave& wave) {
-    const Eigen::VectorXd real = wave.phasors.real(), imaginary = wave.phasors.imag();
-    FarField field{wave.waveNumber, Eigen::VectorXcd(flows.cols()), Eigen::VectorXcd(flows.cols())};
-    field.weights.real() = flows.transpose() * real;
-    field.weights.imag() = flows.transpose() * imaginary;
-    field.slopes.real() = flows.transpose() * imaginary.cwiseProduct(distancesMetres);
-    field.slopes.imag() = -flows.transpose() * real.cwiseProduct(distancesMetres);
-    return field;
-}
-
-/// One for each ratio.
-std::vector<FarField> farFields(const Eigen::MatrixXd& flows,
-                                const Eigen::VectorXd& distancesMetres,
-                                double eigenvalue,
-                                const std::vector<double>& ratios) {
-    std::vector<FarField> fields;
-    std::vector<PlaneWave> waves;
-    for (const double ratio : ratios) {
-        const double waveNumber =
-            std::clamp(ratio * std::sqrt(eigenvalue), 2 * std::numbers::pi * lowestAudibleHz,
-                       2 * std::numbers::pi * highestAudibleHz) /
-            speedOfSoundMetresPerSecond;
-        if (!fields.empty() && fields.back().waveNumber == waveNumber) {
-            fields.push_back(fields.back());
-            continue;
-        }
-        waves.push_back(planeWave(waveNumber, distancesMetres, waves));
-        fields.push_back(farField(flows, distancesMetres, waves.back()));
-    }
-    return fields;
-}
-
-/// The axis e^{iψ} along which the weights of one pole lie, and how fast it turns.
-struct Axis {
-    double waveNumber = 0;
-    Complex direction = std::polar(1.0, std::numbers::pi / 4);
-    double radiansPerWaveNumber = 0; ///< dψ/dk
-};
-
-/// Of the two axes ±e^{iψ} the one nearer to where `previous` has turned to; `previous` itself
-/// where the weights are nothing but rounding.
-Axis followed(const FarField& field, const Axis& previous, double rounding) {
-    // Not Eigen's dot(), which conjugates: Σ w² is what a change of basis leaves alone.
-    const Complex squares = field.weights.cwiseProduct(field.weights).sum();
-    if (std::abs(squares) <= rounding * rounding)
-        return {field.waveNumber, previous.direction, previous.radiansPerWaveNumber};
-    Axis axis{field.waveNumber, std::sqrt(squares / std::abs(squares)),
-              (field.weights.cwiseProduct(field.slopes).sum() / squares).imag()};
-    const double turn = (axis.radiansPerWaveNumber + previous.radiansPerWaveNumber) / 2 *
-                        (axis.waveNumber - previous.waveNumber);
-    if (std::real(axis.direction * std::conj(previous.direction * std::polar(1.0, turn))) < 0)
-        axis.direction = -axis.direction;
-    return axis;
-}
-
-/// The axes at all ratios, followed both ways from the one at `start`, which is nearest `towards`.
-std::vector<Axis> followedAxes(const std::vector<FarField>& fields,
-                               std::size_t start,
-                               const Complex& towards,
-                               double rounding) {
-    std::vector<Axis> axes(fields.size());
-    axes[start] = followed(fields[start], {fields[start].waveNumber, towards}, rounding);
-    for (std::size_t ratio = start + 1; ratio < fields.size(); ++ratio)
-        axes[ratio] = followed(fields[ratio], axes[ratio - 1], rounding);
-    for (std::size_t ratio = start; ratio-- > 0;)
-        axes[ratio] = followed(fields[ratio], axes[ratio + 1], rounding);
-    return axes;
-}
-
-std::size_t nearestToOne(const std::vector<double>& ratios) {
-    const auto octaves = [](double ratio) { return std::abs(std::log2(ratio)); };
-    return static_cast<std::size_t>(std::ranges::min_element(ratios, {}, octaves) - ratios.begin());
-}
-
-/// Fills the table's weights of the modes of one pole; `distancesMetres` [P×D].
-void addPole(const Eigen::MatrixXd& flows,
+/// Fills the table's weights of one mode with those flows [P]; `distancesMetres` [P×D].
+void addMode(const Eigen::VectorXd& flows,
              const Eigen::MatrixXd& distancesMetres,
              double eigenvalue,
-             Eigen::Index firstMode,
+             Eigen::Index mode,
              Eigen::Index modeCount,
              RadiationTable& table) {
-    const double rounding = roundingShare * flows.cwiseAbs().sum();
-    const std::size_t start = nearestToOne(table.frequencyRatios);
-    Complex towards = Axis{}.direction;
-    float* row = table.weights.data() + firstMode;
+    auto* row = table.weights.data() + mode;
     for (Eigen::Index direction = 0; direction < distancesMetres.cols(); ++direction) {
-        const auto fields =
-            farFields(flows, distancesMetres.col(direction), eigenvalue, table.frequencyRatios);
-        const auto axes = followedAxes(fields, start, towards, rounding);
-        if (direction == 0)
-            towards = axes[start].direction;
-        for (std::size_t ratio = 0; ratio < fields.size(); ++ratio, row += modeCount)
-            Eigen::Map<Eigen::VectorXf>(row, flows.cols()) =
-                (fields[ratio].weights * std::conj(axes[ratio].direction)).real().cast<float>();
+        std::vector<PlaneWave> waves;
+        for (const double ratio : table.frequencyRatios) {
+            const double omega = ratio * std::sqrt(eigenvalue);
+            const double waveNumber = std::clamp(omega, 2 * std::numbers::pi * lowestAudibleHz,
+                                                 2 * std::numbers::pi * highestAudibleHz) /
+                                      speedOfSoundMetresPerSecond;
+            if (waves.empty() || waves.back().waveNumber != waveNumber)
+                waves.push_back(planeWave(waveNumber, distancesMetres.col(direction), waves));
+            const std::complex<double> sum = (waves.back().phasors * flows.array()).sum();
+            *row = std::complex<float>(std::complex<double>(0, omega * airDensityKgPerM3) /
+                                       (4 * std::numbers::pi) * sum);
+            row += modeCount;
+        }
     }
 }
 
@@ -263,7 +174,7 @@ std::vector<Eigen::Vector3d> directionsAllAround() {
 
 std::vector<double> halfOctaveRatios() {
     std::vector<double> ratios;
-    for (int step = -8; step <= 8; ++step)
+    for (int step = -4; step <= 4; ++step)
         ratios.push_back(std::exp2(step / 2.0));
     return ratios;
 }
@@ -288,13 +199,10 @@ Result<RadiationTable> radiationOf(const RadiatingBody& body,
     const Eigen::Index modeCount = body.eigenvalues.size();
     table.weights.resize(settings.directions.size() * settings.frequencyRatios.size() *
                          static_cast<std::size_t>(modeCount));
-    for (Eigen::Index first = 0, next = 0; first < modeCount; first = next) {
+    for (Eigen::Index mode = 0; mode < modeCount; ++mode) {
         if (control.isCancelled())
             return cancellation();
-        const double eigenvalue = body.eigenvalues(first);
-        while (next < modeCount && body.eigenvalues(next) <= eigenvalue * (1 + samePole))
-            ++next;
-        addPole(normalFlows(body, surface, first, next - first), distancesMetres, eigenvalue, first,
+        addMode(normalFlows(body, surface, mode), distancesMetres, body.eigenvalues(mode), mode,
                 modeCount, table);
     }
     return table;

@@ -1,5 +1,5 @@
-// What of each mode is heard from afar: the far-field sum over the whole surface, tabulated over
-// direction and frequency. The air neither loads the modes nor bends around the object.
+// The pressure that each mode radiates into the far field, quickly: the surface's points as free
+// sources, which neither load each other nor bend the sound around the object.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -28,7 +28,7 @@ std::vector<Eigen::Vector3d> stereoDirections();
 /// Those, then 26 all around: along the axes and halfway between two and three of them.
 std::vector<Eigen::Vector3d> directionsAllAround();
 
-/// 1/16 to 16 in steps of half an octave.
+/// 1/4 to 4 in steps of half an octave.
 std::vector<double> halfOctaveRatios();
 
 struct RadiationSettings {
@@ -38,22 +38,14 @@ struct RadiationSettings {
 
 /// For every direction d, ratio r and mode φ
 ///
-///     w = (1/ΣA_j) Σ_j A_j (n_j · φ_j) e^{−ik d·x_j},   k = r √λ / c,   c = 343 m/s,
+///     w = jω ρ0/(4π) Σ_j A_j (n_j · φ_j) e^{jk d·x_j},   ω = r √λ, k = ω/c,
 ///
-/// over the radiating surface, with x from the centre of mass: a mean of the normal shape, in 1/√kg
-/// (the pressure at distance R is ρ_air/(4πR) ΣA_j times d/dt of Σ_i w_i q̇_i). Components of the
-/// mesh that are closed, and solids, radiate from their outside; sheets from both faces, which lie
-/// at ± thickness/2 along the normal and push in opposite directions. Where r √λ/2π leaves the
+/// over the radiating surface, with x from the centre of mass: the surface velocity's half of the
+/// Kirchhoff-Helmholtz integral, without the pressure on the surface. Components of the mesh that
+/// are closed, and solids, radiate from their outside; sheets from both faces, which lie at
+/// ± thickness/2 along the normal and push in opposite directions. The sum over equal poles of w
+/// times the shape depends neither on the signs of shapes nor on their basis. Where ω leaves the
 /// audible band, k stays at 20 Hz or 22 kHz.
-///
-/// The weights are real: the complex w of modes with one pole (λ within 1e-9 of the first) is
-/// turned by e^{−iψ}, ψ = arg(Σ w_i²)/2, and its real part kept, so that Σ w_i g_i(v) depends
-/// neither on the signs of shapes nor on the basis of equal poles. That fixes ψ up to π, hence one
-/// sign for each pole, direction and ratio. At the ratio nearest 1 the first direction's axis
-/// e^{iψ} is taken within 90° of e^{iπ/4} (symmetric objects have real or imaginary w: no near tie)
-/// and the other directions' within 90° of it, which is the sign of Re Σ w_i conj(w_i'); from there
-/// it follows the rotation that dψ/dk predicts. What is lost: each pole's absolute phase, and of
-/// equal poles whose w is elliptic (Σ w_i² smaller than Σ |w_i|²) the minor axis.
 ///
 /// Errors: sizes that disagree, a surface without area, `cancelledMessage`.
 Result<RadiationTable> radiationOf(const RadiatingBody& body,

@@ -28,10 +28,10 @@ void addBlow(const SongEvent& event,
     const StrikePlace place = strikePlace(key.along, parameters, number);
     const Strike strike =
         malletStrike(instrument.strip(key).between(place.along, place.across).point, event.bytes[2],
-                     key.malletScale, parameters,
-                     surfaceCompliancePerPa(instrument.slots()[slot].object->material, parameters));
-    for (const auto& contact :
-         contactTrain(strike, key.malletScale, parameters[ParameterId::chatter], number))
+                     key.mallet, parameters, instrument.slots()[slot]);
+    const auto train =
+        contactTrain(strike, key.mallet.scale, parameters[ParameterId::chatter], number);
+    for (const auto& contact : withFilledNulls(train))
         strikes.push_back({event.seconds + contact.delaySeconds, slot, contact.strike});
 }
 

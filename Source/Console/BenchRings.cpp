@@ -167,7 +167,7 @@ BenchSection sectionOf(const RingScene& scene,
                 std::to_string(everyModes) + " (3N), " + std::to_string(audibleModes) +
                     " audible, " + figure(curves[cutStep].modesMixed) +
                     " mixed on average after compression and truncation; the mix peaks at " +
-                    figure(quality.mixPeak / metresPerSecondPerTau) +
+                    figure(quality.mixPeak / pascalsPerTau) +
                     " 16-bit steps, tau = " + figure(tau, 1));
     section.row("fixed quality", "a budget of " + figure(quality.modeBudget) +
                                      " modes leaves the ten loudest objects within " +
@@ -175,7 +175,7 @@ BenchSection sectionOf(const RingScene& scene,
     section.figures["modes_3n"] = everyModes;
     section.figures["modes_audible"] = audibleModes;
     section.figures["strikes"] = scene.strikes.size();
-    section.figures["peak_steps"] = quality.mixPeak / metresPerSecondPerTau;
+    section.figures["peak_steps"] = quality.mixPeak / pascalsPerTau;
     section.figures["tau"] = tau;
     section.figures["mode_budget"] = quality.modeBudget;
     section.figures["worst_error_db"] = quality.worstErrorDb;

@@ -86,6 +86,8 @@ longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz) {
     object.bending.clear();
     object.radiation = {};
     object.decaysPerSecond.clear();
+    object.extraDecaysPerSecond.clear();
+    object.gains.clear();
     object.eigenvalues.clear();
     object.shapes.clear();
     for (std::size_t i = 1; i <= modes; ++i) {

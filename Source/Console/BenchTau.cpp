@@ -47,6 +47,9 @@ std::shared_ptr<const ModalObject> onlyMode(const ModalObject& bar, std::size_t 
         object.bending = {bar.bending[mode]};
     if (!bar.decaysPerSecond.empty())
         object.decaysPerSecond = {bar.decaysPerSecond[mode]};
+    if (!bar.extraDecaysPerSecond.empty())
+        object.extraDecaysPerSecond = {bar.extraDecaysPerSecond[mode]};
+    object.gains = {};
     object.shapes.clear();
     for (std::size_t row = 0; row < bar.shapeVertexCount(); ++row) {
         const auto shape = bar.shapesAt(row).subspan(3 * mode, 3);
@@ -66,8 +69,8 @@ double latestCutoffSeconds(const ModalObject& bar, const Strike& strike, double 
         scene.nextCell();
         const double amplitude = scene.synthesiser().status()[0].amplitude;
         const double decay = decayBound(PoleLaw{.damping = bar.material.damping}.pole(
-            bar.eigenvalues[mode], bar.dampingScale(mode)));
-        const double threshold = tau * metresPerSecondPerTau;
+            bar.eigenvalues[mode], bar.damping(mode)));
+        const double threshold = tau * pascalsPerTau;
         if (amplitude > 0)
             latest = std::max(latest, cellSeconds + std::log(amplitude / threshold) / decay);
     }
@@ -91,7 +94,7 @@ Result<BenchSection> benchTau(const BenchContent& content) {
     const ModalObject& bar = *bars.front();
     const Strike strike = strikeInto(strikePointAt(bar, {0, 0, 1}), impulseNewtonSeconds, 0);
     constexpr double cellSeconds = cellSamples / benchSampleRateHz;
-    const double peakSteps = peakOf({bars.front()}, strike) / metresPerSecondPerTau;
+    const double peakSteps = peakOf({bars.front()}, strike) / pascalsPerTau;
 
     BenchSection section{.name = "tau",
                          .title = "the lowest rosewood bar struck in the middle by an impulse of "

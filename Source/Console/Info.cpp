@@ -33,17 +33,14 @@ PoleLaw lawOf(const ModalObject& object) {
 }
 
 ModeFigures figuresOf(const ModalObject& object, std::size_t mode) {
-    const auto pole = lawOf(object).pole(object.eigenvalues[mode], object.dampingScale(mode));
+    const auto pole = lawOf(object).pole(object.eigenvalues[mode], object.damping(mode));
     return {.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
             .decaySeconds = std::log(1000.0) / decayBound(pole)};
 }
 
 std::size_t countGroups(const ModalObject& object) {
     std::vector<std::int32_t> starts(object.modeCount() + 1);
-    std::vector<double> dampingScales(object.modeCount());
-    for (std::size_t mode = 0; mode < dampingScales.size(); ++mode)
-        dampingScales[mode] = object.dampingScale(mode);
-    return groupModes(object.eigenvalues, lawOf(object), 1, starts, dampingScales);
+    return groupModes(object.eigenvalues, lawOf(object), 1, starts, object.dampings());
 }
 
 /// JSON has no infinity, which is the T60 of a material without damping.

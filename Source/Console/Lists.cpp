@@ -36,7 +36,6 @@ ordered_json describe(const ParameterInfo& info) {
                         {"default", info.defaultValue},
                         {"range_text", rangeOf(info)},
                         {"default_text", formatParameter(info, info.defaultValue)},
-                        {"version_added", info.versionAdded},
                         {"description", info.description}};
     if (const auto names = choiceNames(info.parameter); !names.empty())
         result["choices"] = names;

@@ -94,10 +94,12 @@ ModalObject withMaterial(ModalObject object, const Material& material) {
     const double eigenvalueRatio = material.youngsModulusPa / before.youngsModulusPa / densityRatio;
     for (std::size_t mode = 0; mode < object.decaysPerSecond.size(); ++mode)
         object.decaysPerSecond[mode] =
-            object.dampingScale(mode) / 2 *
+            object.damping(mode).scale / 2 *
             material.damping.perSecond(eigenvalueRatio * object.eigenvalues[mode]);
     if (material.damping == DampingLaw{})
         object.decaysPerSecond.clear();
+    for (double& decay : object.extraDecaysPerSecond)
+        decay *= std::sqrt(eigenvalueRatio);
     for (auto* parts : {&object.eigenvalues, &object.bending})
         for (double& eigenvalue : *parts)
             eigenvalue *= eigenvalueRatio;
@@ -191,8 +193,8 @@ Result<void> strikeObject(const Options& options) {
     if (!tally)
         return tl::unexpected(tally.error());
     const auto& point = (*instrument)->strip((*instrument)->key(struckKey)).points.front();
-    const auto strike = malletStrike(point, options.velocity, 1, values,
-                                     surfaceCompliancePerPa(known->material, values));
+    const auto strike =
+        malletStrike(point, options.velocity, {}, values, (*instrument)->slots().front());
     report(*known, *row,
            loudestModes(*known, strike, values, options.format.sampleRateHz, modesNamed),
            **recording, options);

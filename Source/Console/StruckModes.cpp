@@ -26,7 +26,7 @@ StruckModes loudestModes(const ModalObject& object,
     StruckModes modes;
     for (std::size_t i = 0; i < object.modeCount(); ++i) {
         const double frequencyHz =
-            dampedFrequency(law.pole(object.eigenvalues[i], object.dampingScale(i))) /
+            dampedFrequency(law.pole(object.eigenvalues[i], object.damping(i))) /
             (2 * std::numbers::pi);
         const double residue =
             std::abs(static_cast<double>(struck[i]) * static_cast<double>(heard[i]));

@@ -81,27 +81,6 @@ specification(const Options& options, const BarInstrument& instrument, int note)
     return bar;
 }
 
-/// Where the fundamental does not move along the middle of the top, in metres from the left end:
-/// where cords go through.
-std::vector<double> nodesMetres(const TunedBar& bar) {
-    const auto& object = bar.object;
-    const auto mode = static_cast<std::size_t>(bar.bendingModes.front());
-    const std::size_t lines = object.shapeVertexCount() / BarOutline::topAcross;
-    std::vector<double> nodes;
-    const auto at = [&](std::size_t line) {
-        const std::size_t row = lines + line; // the middle of the width
-        return std::pair{static_cast<double>(object.vertices[3 * row]) + bar.shape.lengthMetres / 2,
-                         static_cast<double>(object.shapesAt(row)[3 * mode + 2])};
-    };
-    for (std::size_t line = 0; line + 1 < lines; ++line) {
-        const auto [x0, z0] = at(line);
-        const auto [x1, z1] = at(line + 1);
-        if ((z0 < 0) != (z1 < 0))
-            nodes.push_back(std::lerp(x0, x1, z0 / (z0 - z1)));
-    }
-    return nodes;
-}
-
 constexpr const char* tableHead =
     "note,frequency_hz,miss_cents,second_ratio,third_ratio,length_mm,width_mm,height_mm,"
     "centre_height_mm,end_height_mm,arch_length_mm,arch_exponent,left_cord_mm,right_cord_mm,"
@@ -112,7 +91,7 @@ std::string tableRow(const BarSpecification& asked, const TunedBar& bar, int not
     row.imbue(std::locale::classic());
     const auto& shape = bar.shape;
     const auto& partials = bar.partialsHz;
-    const auto nodes = nodesMetres(bar);
+    const auto cords = cordPlacesMetres(bar.object);
     const bool isArched = shape.centreHeightMetres < shape.heightMetres;
     row << note << std::fixed << std::setprecision(3) << ',' << partials[0] << ','
         << cents(partials[0], asked.targets.fundamentalHz);
@@ -128,12 +107,12 @@ std::string tableRow(const BarSpecification& asked, const TunedBar& bar, int not
     row << ',' << shape.archExponent;
     for (std::size_t k = 0; k < 2; ++k) {
         row << ',';
-        if (nodes.size() == 2)
-            row << 1000 * nodes[k];
+        if (cords.size() == 2)
+            row << 1000 * (cords[k] + shape.lengthMetres / 2);
     }
-    if (asked.resonator)
-        row << ',' << 1000 * tubeLengthMetres(*asked.resonator) << ','
-            << 1000 * asked.resonator->radiusMetres;
+    if (asked.tube)
+        row << ',' << 1000 * tubeLengthMetres(*asked.tube) << ','
+            << 1000 * asked.tube->radiusMetres;
     else
         row << ",,";
     return row.str();

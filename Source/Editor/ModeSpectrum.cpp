@@ -70,7 +70,7 @@ void ModeSpectrum::show(const SoundFrame& next) {
         hovered = chosen = std::nullopt;
     scale = scaleOf(frame);
     auto nextLines = linesOf(frame);
-    const int nextTau = juce::roundToInt(scale.levelY(decibelsOf(frame.tauMetresPerSecond)));
+    const int nextTau = juce::roundToInt(scale.levelY(decibelsOf(frame.tauPascals)));
     const bool looksOther = isOther || nextTau != tauY || nextLines != lines;
     lines = std::move(nextLines);
     tauY = nextTau;
@@ -195,7 +195,7 @@ bool ModeSpectrum::keyStateChanged(bool) {
 void ModeSpectrum::resized() {
     scale = scaleOf(frame);
     lines = linesOf(frame);
-    tauY = juce::roundToInt(scale.levelY(decibelsOf(frame.tauMetresPerSecond)));
+    tauY = juce::roundToInt(scale.levelY(decibelsOf(frame.tauPascals)));
 }
 
 juce::String ModeSpectrum::description() const {

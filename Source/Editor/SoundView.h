@@ -63,7 +63,7 @@ struct SoundFrame {
 
     std::vector<BodyNow> bodies; ///< of an instrument on a stage
 
-    double tauMetresPerSecond = 0; ///< modes below are dropped
+    double tauPascals = 0; ///< modes below are dropped
     double slope = 1;              ///< S
     double budgetModes = 0;        ///< Q
 

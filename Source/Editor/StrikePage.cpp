@@ -9,7 +9,10 @@ constexpr int rackHeight = 62;
 
 std::vector<ParameterGroup> groups() {
     using enum ParameterId;
-    return {{"Mallet", 0, {malletHardness, malletMass, malletRadius}}, {"Place", 1}};
+    return {{"Mallet",
+             0,
+             {malletHardness, malletMass, malletRadius, malletExponent, malletRestitution}},
+            {"Place", 1}};
 }
 
 } // namespace

@@ -6,14 +6,11 @@
 #include <numbers>
 
 namespace idiophone {
-namespace {
 
 double impulseOf(const Strike& strike) noexcept {
     const auto& impulse = strike.impulseNewtonSeconds;
     return std::hypot(impulse[0], impulse[1], impulse[2]);
 }
-
-} // namespace
 
 std::complex<double>
 ringingVelocity(const ContactTrain& train, double decay, double omega) noexcept {
@@ -33,10 +30,12 @@ PressedMotion::PressedMotion(const Strike& strike) noexcept
     : seconds(strike.durationSeconds), omega(2 * std::numbers::pi / strike.durationSeconds),
       forceRate(impulseOf(strike) / seconds * omega) {}
 
-double PressedMotion::velocity(double stiffness) const noexcept {
+std::complex<double> PressedMotion::velocity(double stiffness, double modeOmega) const noexcept {
     constexpr double stiffEnough = 1.7; // from 1.3/T on; by comparison with renders
     const double square = omega * omega;
-    return stiffness > stiffEnough * square ? forceRate / (stiffness - square) : 0;
+    if (!(stiffness > stiffEnough * square) || !(modeOmega > 0))
+        return 0;
+    return forceRate / (stiffness - square) * std::complex(1.0, omega / modeOmega);
 }
 
 double PressedMotion::energy(double amplitude) const noexcept {

@@ -13,6 +13,13 @@ constexpr double trainSeconds = 0.015; // FoleyAutomatic, impacts
 constexpr double softContactSeconds = 0.001;
 constexpr double largestLateShare = 0.5;
 
+/// A part of a pulse: of its impulse, and in units of its contact time.
+struct PulsePart {
+    double share, length, delay;
+};
+constexpr std::array pulseParts{PulsePart{0.9048, 1.0, 0}, PulsePart{0.0917, 0.4256, 0.132},
+                                PulsePart{0.0035, 0.1138, 0.5715}};
+
 /// Draws one after the other for one strike.
 class Draws {
 public:
@@ -74,6 +81,18 @@ ContactTrain contactTrain(const Strike& strike,
             {.delaySeconds = lastDelay * times[k] / time,
              .strike = scaled(strike, lateShare * speeds[k] / speedSum, durationAt(speeds[k]))});
     return train;
+}
+
+ContactTrain withFilledNulls(const ContactTrain& train) {
+    const auto& first = *train.begin();
+    const double seconds = first.strike.durationSeconds;
+    ContactTrain result;
+    for (const auto& part : pulseParts)
+        result.add({.delaySeconds = first.delaySeconds + part.delay * seconds,
+                    .strike = scaled(first.strike, part.share, part.length * seconds)});
+    for (const auto* further = train.begin() + 1; further != train.end(); ++further)
+        result.add(*further);
+    return result;
 }
 
 ContactTrain withModalPulses(const ContactTrain& train, std::span<const double> frequenciesHz) {

@@ -67,12 +67,12 @@ void HandScrape::lift() noexcept {
 }
 
 void HandScrape::sound(const ParameterValues& parameters,
-                       const std::vector<double>& malletScales,
+                       const std::vector<KeyMallet>& mallets,
                        Synthesiser& synthesiser,
                        std::span<const CellOutput> cellsOfSlots) noexcept {
     for (Contact& contact : contacts)
         if (contact.isActive)
-            soundOne(contact, parameters, malletScales[contact.slot], synthesiser,
+            soundOne(contact, parameters, mallets[contact.slot].scale, synthesiser,
                      cellsOfSlots[contact.slot]);
 }
 

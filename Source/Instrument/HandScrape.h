@@ -48,9 +48,9 @@ public:
     void lift() noexcept;
 
     /// Applies a cell of its force to the cell begun last. What touches an object is scaled as
-    /// `malletScales` says [slots], as mallets are.
+    /// `mallets` says [slots].
     void sound(const ParameterValues& parameters,
-               const std::vector<double>& malletScales,
+               const std::vector<KeyMallet>& mallets,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept;
 

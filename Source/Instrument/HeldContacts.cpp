@@ -163,7 +163,7 @@ void HeldContacts::chooseKind(Contact& contact,
     if (coupling > 0) {
         const auto slot = static_cast<std::size_t>(instrument.key(contact.note).slot);
         settings.frequencyRatio *= synthesiser.frequencyRatio(slot);
-        const auto modes = coupledModes(lowestModes[slot], ownMaterial(contact), settings);
+        const auto modes = coupledModes(lowestModes[slot], instrument.slots()[slot], settings);
         contact.force.setCoupledModes(modes.span());
     }
     contact.force.setSettings(
@@ -188,7 +188,7 @@ void HeldContacts::soundOne(Contact& contact,
     move(contact, key, parameters);
     // What touches a scaled object is scaled with it, as mallets are: an area, s² of the force. The
     // signal is the normal part of the force.
-    contact.gain = parameters[roughness] * key.malletScale * key.malletScale;
+    contact.gain = parameters[roughness] * key.mallet.scale * key.mallet.scale;
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses = contact.force.render(

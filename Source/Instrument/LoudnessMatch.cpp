@@ -45,8 +45,8 @@ ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcep
 ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     ParameterValues result;
     copyInto(result, values,
-             {material, size, thickness, tune, concertPitch, strikeAlong, strikeAcross, radiation,
-              letRing, contact});
+             {material, size, thickness, keepPitch, tune, concertPitch, strikeAlong, strikeAcross,
+              radiation, letRing, contact});
     if (static_cast<int>(values[material]) == customMaterial)
         copyInto(result, values, materialFigures);
     if (values[letRing] == 0)
@@ -57,7 +57,7 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
             copyInto(result, values, {rollCoupling});
         return result;
     }
-    copyInto(result, values, {mallet, malletSpeed, velocityCurve, chatter, modalPulse});
+    copyInto(result, values, {mallet, malletSpeed, malletFollow, velocityCurve, chatter, modalPulse});
     if (static_cast<int>(values[mallet]) == customMallet)
         copyInto(result, values, malletFigures);
     return result;

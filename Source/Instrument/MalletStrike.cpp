@@ -1,6 +1,5 @@
 #include "Instrument/MalletStrike.h"
 
-#include "Instrument/HertzContact.h"
 #include "Instrument/Scatter.h"
 #include "Instrument/SettingsOfParameters.h"
 
@@ -39,25 +38,48 @@ double surfaceCompliancePerPa(const Material& own, const ParameterValues& parame
     return elasticCompliancePerPa(own.youngsModulusPa, own.poissonRatio);
 }
 
-Strike malletStrike(const StrikePoint& point,
-                    int velocity,
-                    double malletScale,
-                    const ParameterValues& parameters,
-                    double surfaceCompliance) {
-    const double speed =
-        parameters[malletSpeed] * std::pow(velocity / 127.0, parameters[velocityCurve]);
+Striker striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance) {
     const auto* racked = chosenMallet(parameters);
-    const double massKg = racked != nullptr ? racked->massKg : parameters[malletMass] * 1e-3;
-    const double radiusMetres =
-        racked != nullptr ? racked->headRadiusMetres : parameters[malletRadius] * 1e-3;
-    const double modulusPa = racked != nullptr ? contactModulusPa(*racked, surfaceCompliance)
-                                               : parameters[malletHardness] * 1e6;
-    const double contactSeconds = hertzContactSeconds(massKg, radiusMetres, modulusPa, speed);
-    const auto impulse = static_cast<float>(massKg * speed * std::pow(malletScale, 3));
+    const Mallet custom{.massKg = parameters[malletMass] * 1e-3,
+                        .headRadiusMetres = parameters[malletRadius] * 1e-3,
+                        .effectiveModulusPa = parameters[malletHardness] * 1e6,
+                        .forceExponent = parameters[malletExponent],
+                        .restitution = parameters[malletRestitution] / 100};
+    Mallet head = racked != nullptr ? *racked : custom;
+    head.effectiveModulusPa *=
+        std::pow(key.pitchRatio, parameters[malletFollow] / 100 * (head.forceExponent + 1));
+    const double modulusPa = contactModulusPa(head, racked != nullptr ? surfaceCompliance : 0);
+    return {.massKg = head.massKg * std::pow(key.scale, 3),
+            .restitution = head.restitution,
+            .law = contactLaw(head.headRadiusMetres * key.scale, modulusPa, head.forceExponent)};
+}
+
+double malletSpeedAt(int velocity, const ParameterValues& parameters) {
+    return parameters[malletSpeed] * std::pow(velocity / 127.0, parameters[velocityCurve]);
+}
+
+Strike malletStrike(const StrikePoint& point,
+                    const Striker& mallet,
+                    double speedMetresPerSecond,
+                    const DrivingPoint& driven) {
+    const auto collision = driven.struckBy(mallet, speedMetresPerSecond);
+    const auto impulse = static_cast<float>(collision.impulseNewtonSeconds);
     return {.point = point,
             .impulseNewtonSeconds = {-impulse * point.normal[0], -impulse * point.normal[1],
                                      -impulse * point.normal[2]},
-            .durationSeconds = contactSeconds * malletScale};
+            .durationSeconds = collision.contactSeconds};
+}
+
+Strike malletStrike(const StrikePoint& point,
+                    int velocity,
+                    const KeyMallet& key,
+                    const ParameterValues& parameters,
+                    const SynthesiserSlot& struck) {
+    const auto& object = *struck.object;
+    const DrivingPoint driven(object, point, synthesisSettings(parameters), struck.sizeRatio);
+    return malletStrike(
+        point, striker(key, parameters, surfaceCompliancePerPa(object.material, parameters)),
+        malletSpeedAt(velocity, parameters), driven);
 }
 
 } // namespace idiophone

@@ -1,10 +1,13 @@
 // From a key's velocity and the mallet's parameters to a contact: where, how hard, how long.
 #pragma once
 
+#include "Instrument/DrivingPoint.h"
+#include "Instrument/KeyMallet.h"
 #include "Instrument/StrikePlace.h"
 #include "Object/Material.h"
 #include "Parameters/ParameterTable.h"
 #include "Synth/Strike.h"
+#include "Synth/Synthesiser.h"
 
 #include <cstdint>
 
@@ -22,14 +25,29 @@ strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t st
 /// object's own. The custom material has the object's Poisson ratio. Any thread.
 double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters);
 
-/// The strike of the chosen mallet at MIDI velocity 1 to 127: impulse m v, contact time after Hertz
-/// (Mallet.h). A mallet of the rack meets a surface of that compliance, 0 being rigid; the custom
-/// mallet's hardness is the modulus of the whole contact, whatever it meets. A mallet scaled by s
-/// has s³ its mass and s times its contact time at the same speed. Any thread.
+/// The chosen mallet as a key has it, on a surface of that compliance [1/Pa]; 0 is rigid. The
+/// custom mallet's hardness is the modulus of the whole contact, whatever it meets. A head that
+/// follows the keys by a share q has pitchRatio^(q (p+1)) times the modulus, so its contact time on
+/// something rigid falls as pitchRatio^q. Any thread.
+Striker
+striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance = 0);
+
+/// The speed [m/s] of a mallet at MIDI velocity 1 to 127. Any thread.
+double malletSpeedAt(int velocity, const ParameterValues& parameters);
+
+/// The strike of a mallet at a speed > 0 on what yields as `driven` does, into the surface. Any
+/// thread.
+Strike malletStrike(const StrikePoint& point,
+                    const Striker& mallet,
+                    double speedMetresPerSecond,
+                    const DrivingPoint& driven);
+
+/// The same of the chosen mallet on an object of an instrument, under the parameters' material,
+/// size and thickness. Any thread.
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
-                    double malletScale,
+                    const KeyMallet& key,
                     const ParameterValues& parameters,
-                    double surfaceCompliance = 0);
+                    const SynthesiserSlot& struck);
 
 } // namespace idiophone

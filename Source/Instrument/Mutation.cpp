@@ -1,6 +1,6 @@
 #include "Instrument/Mutation.h"
 
-#include "Instrument/HertzContact.h"
+#include "Instrument/ContactLaw.h"
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/SettingsOfParameters.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Instrument/PhraseMeter.h"
+#include "Synth/ComplexProduct.h"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +18,10 @@ struct RingingMode {
     double decay = 0;                                      ///< [1/s]
     std::array<std::complex<double>, levels> velocities{}; ///< for a residue of 1
     /// For the strike of each note, left and right.
-    std::array<std::array<double, 2>, PhraseMeter::notes> residues{};
+    std::array<std::array<std::complex<double>, 2>, PhraseMeter::notes> residues{};
 };
 
-/// The last few modes, with which the next one interferes: ∫ v_i v_j dt = A_i A_j a/(a² + Δ²)/2,
+/// The last few modes, with which the next one interferes: ∫ v_i v_j dt = Re(A_i A_j*) a/(a² + Δ²)/2,
 /// a = α_i + α_j, Δ = ω_i − ω_j, counts where they are close to one another, as the pairs of round
 /// objects and all modes of soft ones are. Modes come in ascending order. Does not allocate.
 template <std::size_t levels>
@@ -32,15 +33,16 @@ public:
     add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {
         std::array<PhraseMeter::NoteFigures, levels> powers{};
         const auto interfere = [&](const RingingMode<levels>& other, double share) {
-            std::array<double, levels> both;
+            std::array<std::complex<double>, levels> both;
             for (std::size_t level = 0; level < levels; ++level)
-                both[level] = share / 4 *
-                              (mode.velocities[level] * std::conj(other.velocities[level])).real();
+                both[level] =
+                    share / 4 * product(mode.velocities[level], std::conj(other.velocities[level]));
             for (std::size_t note = firstNote; note < endNote; ++note) {
-                const double product = mode.residues[note][0] * other.residues[note][0] +
-                                       mode.residues[note][1] * other.residues[note][1];
+                const auto residues =
+                    product(mode.residues[note][0], std::conj(other.residues[note][0])) +
+                    product(mode.residues[note][1], std::conj(other.residues[note][1]));
                 for (std::size_t level = 0; level < levels; ++level)
-                    powers[level][note] += both[level] * product;
+                    powers[level][note] += product(both[level], residues).real();
             }
         };
         interfere(mode, 1);

@@ -44,18 +44,8 @@ Phrase::Phrase(std::shared_ptr<const Instrument> played,
         if (notes[i].key.slot < 0)
             continue;
         const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
-        notes[i].lowestModes = LowestModes(*slot.object, slot.sizeRatio);
-        const auto* known = noteOf(slot.object.get(), i);
-        notes[i].weightScale = known != nullptr ? known->weightScale : radiationScale(*slot.object);
+        notes[i].lowestModes = LowestModes(*slot.object);
     }
-}
-
-const Phrase::Note* Phrase::noteOf(const ModalObject* object, std::size_t before) const {
-    for (std::size_t i = 0; i < before; ++i)
-        if (const int slot = notes[i].key.slot;
-            slot >= 0 && instrument->slots()[static_cast<std::size_t>(slot)].object.get() == object)
-            return &notes[i];
-    return nullptr;
 }
 
 PhrasePrediction::Loudness
@@ -118,9 +108,10 @@ void PhrasePrediction::beginObject() noexcept {
         ++endNote;
     nextMode = 0;
     const auto settings = synthesisSettings(parameters);
-    conditions = liveConditions(slot().object->material, settings, slot().sizeRatio);
+    conditions = liveConditions(slot(), settings);
     thicknessRatio = slot().object->hasLiveThickness() ? settings.thicknessRatio : 1;
     conditions.gainRatio /= thicknessRatio;
+    conditions.radiationGainRatio /= thicknessRatio;
     listening = slot().object->radiation.empty() ? 0 : settings.radiation;
     // The next key holds an object that all keys share.
     const bool rings = parameters[letRing] != 0 || endNote - firstNote > 1;
@@ -130,33 +121,40 @@ void PhrasePrediction::beginObject() noexcept {
     if (held)
         beginForce(parameters, settings);
     else
-        beginBlows(parameters, settings);
+        beginBlows(parameters);
 }
 
-void PhrasePrediction::beginBlows(const ParameterValues& values,
-                                  const SynthesisSettings& settings) noexcept {
-    const auto& key = phrase->notes[firstNote].key;
-    const auto& own = slot().object->material;
+void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto& noteKey = phrase->notes[note].key;
         const auto place = aimedPlace(noteKey.along, values);
         points[note] = phrase->instrument->strip(noteKey).between(place.along, place.across).point;
         pushes[note] = listeningDirection(points[note]);
     }
+    const auto modes = phrase->notes[firstNote]
+                           .lowestModes.atThickness(thicknessRatio)
+                           .moved(conditions.frequencyRatio());
+    const auto strikeOf = [&](std::size_t note, int velocity) {
+        return malletStrike(points[note], velocity, phrase->notes[note].key.mallet, values, slot());
+    };
+    const auto trainOf = [&](const Strike& strike, std::size_t note) {
+        const auto train =
+            contactTrain(strike, phrase->notes[note].key.mallet.scale, values[chatter],
+                         static_cast<std::uint32_t>(firstNote));
+        return values[modalPulse] != 0 ? withModalPulses(train, modes.span())
+                                       : withFilledNulls(train);
+    };
+    middleNote = (firstNote + endNote) / 2;
     for (std::size_t level = 0; level < levels; ++level) {
-        const auto strike = malletStrike(points[firstNote], velocities[level], key.malletScale,
-                                         values, surfaceCompliancePerPa(own, values));
-        trains[level] = contactTrain(strike, key.malletScale, values[chatter],
-                                     static_cast<std::uint32_t>(firstNote));
-        if (values[modalPulse] != 0)
-            trains[level] =
-                withModalPulses(trains[level], phrase->notes[firstNote]
-                                                   .lowestModes.atThickness(thicknessRatio)
-                                                   .moved(liveFrequencyRatio(own, settings))
-                                                   .span());
+        const auto strike = strikeOf(middleNote, velocities[level]);
+        trains[level] = trainOf(strike, middleNote);
         pressed[level] = PressedMotion(strike);
         pressedVelocities[level] = {};
     }
+    for (std::size_t note = firstNote; note < endNote; ++note)
+        noteTrains[note] = note == middleNote
+                               ? trains[middleVelocity]
+                               : trainOf(strikeOf(note, velocities[middleVelocity]), note);
 }
 
 void PhrasePrediction::beginForce(const ParameterValues& values,
@@ -171,13 +169,13 @@ void PhrasePrediction::beginForce(const ParameterValues& values,
         points[note] = place.point;
         pushes[note] = draggedForce(place.point, place.direction, friction).direction;
         for (float& component : pushes[note])
-            component *= static_cast<float>(noteKey.malletScale * noteKey.malletScale);
+            component *= static_cast<float>(noteKey.mallet.scale * noteKey.mallet.scale);
     }
     const bool rolls = static_cast<int>(values[contact]) == rollContact;
     const ContactForceSettings kind{.kind = rolls ? ContactKind::roll : ContactKind::scrape,
                                     .rollModalCoupling = rolls ? values[rollCoupling] / 100 : 0};
     const double speed = values[contactSpeed] * wheel / 127.0;
-    const auto coupled = coupledModes(phrase->notes[firstNote].lowestModes, own, settings);
+    const auto coupled = coupledModes(phrase->notes[firstNote].lowestModes, slot(), settings);
     force = HeldForceSpectrum(phrase->surface, speed, kind, coupled.span(), phrase->sampleRateHz);
     stiff = StiffMotion(phrase->sampleRateHz);
 }
@@ -189,9 +187,9 @@ void PhrasePrediction::endObject() noexcept {
         return;
     }
     for (std::size_t level = 0; level < levels; ++level) {
-        auto energies = pressedVelocities[level];
-        for (double& figure : energies)
-            figure = pressed[level].energy(figure);
+        PhraseMeter::NoteFigures energies;
+        for (std::size_t note = 0; note < energies.size(); ++note)
+            energies[note] = pressed[level].energy(std::abs(pressedVelocities[level][note]));
         meters[level].addTransients(energies);
     }
 }
@@ -204,26 +202,27 @@ void PhrasePrediction::addModes(std::size_t count) noexcept {
         projectShapes(pointShapes(object, points[note], nextMode), pushes[note],
                       listeningDirection(points[note]), count, struck[note].data(),
                       heard[note].data());
-    std::array<std::array<float, chunk>, 2> radiated{};
+    std::array<std::array<std::complex<float>, chunk>, 2> radiated{};
     if (listening > 0)
         for (std::size_t channel = 0; channel < radiated.size(); ++channel)
             object.radiation.weightsAt(std::min(channel, object.radiation.directions.size() - 1),
                                        conditions.radiationRatio, nextMode,
                                        std::span(radiated[channel]).first(count));
-    const double near = conditions.gainRatio * (1 - listening);
-    const double far = conditions.gainRatio * listening * phrase->notes[firstNote].weightScale;
+    const auto near = static_cast<float>(contactMicrophonePascals * conditions.gainRatio);
+    const auto far = static_cast<float>(conditions.radiationGainRatio);
     for (std::size_t i = 0; i < count; ++i) {
         const auto pole = conditions.law.pole(object.eigenvalueAt(nextMode + i, thicknessRatio),
-                                              object.dampingScale(nextMode + i));
+                                              object.damping(nextMode + i));
         if (!soundsAt(pole, phrase->sampleRateHz))
             continue;
         RingingMode<levels> mode{.omega = dampedFrequency(pole),
                                  .decay = std::max(pole.damping / 2, slowestDecay)};
         for (std::size_t note = firstNote; note < endNote; ++note)
             for (std::size_t channel = 0; channel < radiated.size(); ++channel)
-                mode.residues[note][channel] = static_cast<double>(struck[note][i]) *
-                                               (near * static_cast<double>(heard[note][i]) +
-                                                far * static_cast<double>(radiated[channel][i]));
+                mode.residues[note][channel] = phasorBetween(
+                    near * struck[note][i] * heard[note][i] *
+                        (object.gains.empty() ? 1.0f : object.gains[nextMode + i]),
+                    far * struck[note][i] * radiated[channel][i], static_cast<float>(listening));
         addMode(mode, pole);
     }
     nextMode += count;
@@ -236,13 +235,22 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
             std::sqrt(weighting * force.powerTakenBy(mode.omega, mode.decay, release) / 2));
         stiff.add(std::sqrt(pole.stiffness), mode.residues);
     } else {
+        for (std::size_t note = firstNote; note < endNote; ++note)
+            if (note != middleNote)
+                for (auto& residue : mode.residues[note])
+                    residue *= std::abs(ringingVelocity(noteTrains[note], mode.decay, mode.omega)) /
+                               std::abs(ringingVelocity(trains[middleVelocity], mode.decay,
+                                                        mode.omega));
         for (std::size_t level = 0; level < levels; ++level) {
             mode.velocities[level] =
                 std::sqrt(weighting) * ringingVelocity(trains[level], mode.decay, mode.omega);
-            const double velocity = pressed[level].velocity(pole.stiffness);
-            for (std::size_t note = firstNote; note < endNote; ++note)
+            const std::complex<double> velocity =
+                pressed[level].velocity(pole.stiffness, mode.omega);
+            for (std::size_t note = firstNote; note < endNote; ++note) {
+                const auto mean = (mode.residues[note][0] + mode.residues[note][1]) / 2.0;
                 pressedVelocities[level][note] +=
-                    velocity * (mode.residues[note][0] + mode.residues[note][1]) / 2;
+                    velocity.real() * mean.real() + std::complex(0.0, velocity.imag()) * mean.imag();
+            }
         }
     }
     const auto powers = nearModes.add(mode, firstNote, endNote);

@@ -15,6 +15,7 @@
 #include "Synth/Surface.h"
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <memory>
 
@@ -26,7 +27,6 @@ struct Phrase {
     struct Note {
         Key key;
         LowestModes lowestModes; ///< of its object
-        double weightScale = 0;  ///< of its radiation weights (Listening.h)
     };
 
     /// The surface, which is valid, is what keys that scrape or roll sound like.
@@ -42,10 +42,6 @@ struct Phrase {
     Surface surface;
     double sampleRateHz;
     std::array<Note, PhraseMeter::notes> notes;
-
-private:
-    /// The first of the notes up to there that plays an object, or nullptr.
-    const Note* noteOf(const ModalObject* object, std::size_t before) const;
 };
 
 /// Nothing allocates, locks or throws, and all depends on the arguments alone.
@@ -75,7 +71,7 @@ private:
     static constexpr std::size_t levels = velocities.size();
 
     void beginObject() noexcept;
-    void beginBlows(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
+    void beginBlows(const ParameterValues& parameters) noexcept;
     void beginForce(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
     void endObject() noexcept;
     void addModes(std::size_t count) noexcept;
@@ -97,9 +93,14 @@ private:
     bool held = false;    ///< scraped or rolled
     std::array<StrikePoint, PhraseMeter::notes> points;
     std::array<std::array<float, 3>, PhraseMeter::notes> pushes; ///< what a blow of 1 Ns does
+    // Keys that share an object strike it where it yields more or less. The prediction takes the
+    // middle one's blow for all velocities, and how the others differ from it at the middle one.
+    std::size_t middleNote = 0;
     std::array<ContactTrain, levels> trains;
+    std::array<ContactTrain, PhraseMeter::notes> noteTrains;
     std::array<PressedMotion, levels> pressed;
-    std::array<PhraseMeter::NoteFigures, levels> pressedVelocities{};
+    /// Complex, mean of the channels.
+    std::array<std::array<std::complex<double>, PhraseMeter::notes>, levels> pressedVelocities{};
     HeldForceSpectrum force;
     StiffMotion stiff;
     NearModes<levels> nearModes;

@@ -28,16 +28,16 @@ std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
 std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
     std::vector<LowestModes> modes;
     for (const auto& slot : instrument.slots())
-        modes.emplace_back(*slot.object, slot.sizeRatio);
+        modes.emplace_back(*slot.object);
     return modes;
 }
 
-std::vector<double> malletScalesOf(const Instrument& instrument) {
-    std::vector<double> scales(instrument.slots().size(), 1);
+std::vector<KeyMallet> malletsOf(const Instrument& instrument) {
+    std::vector<KeyMallet> mallets(instrument.slots().size());
     for (int note = 0; note < 128; ++note)
         if (const auto& key = instrument.key(note); key.slot >= 0)
-            scales[static_cast<std::size_t>(key.slot)] = key.malletScale;
-    return scales;
+            mallets[static_cast<std::size_t>(key.slot)] = key.mallet;
+    return mallets;
 }
 
 bool has(const Instrument& instrument, std::size_t slot, const StrikePoint& point) {
@@ -72,8 +72,7 @@ Player::Player(std::shared_ptr<const Instrument> instrument,
       synth(copySlots(*playedInstrument), sampleRateHz, playedInstrument->stage() ? 1 : 2),
       glide(cellSamples / sampleRateHz), firstStrikeNumber(firstStrike(seed)),
       strikeCount(firstStrikeNumber), pending(pendingCapacity),
-      lowestModes(lowestModesOf(*playedInstrument)),
-      malletScales(malletScalesOf(*playedInstrument)),
+      lowestModes(lowestModesOf(*playedInstrument)), mallets(malletsOf(*playedInstrument)),
       held(*playedInstrument, lowestModes, sharedSurfaceProfile(surface, sampleRateHz), seed),
       handScrape(*playedInstrument,
                  sharedSurfaceProfile(surface, sampleRateHz),
@@ -218,7 +217,7 @@ void Player::soundCell(const CellOutput& mixed, std::span<const CellOutput> cell
     else
         synth.beginCell(mixed);
     held.sound(current, settingsNow(), synth, cellsOfSlots);
-    handScrape.sound(current, malletScales, synth, cellsOfSlots);
+    handScrape.sound(current, mallets, synth, cellsOfSlots);
 }
 
 /// Before the first blow after "all sound off": a damper that is lifted for the blow would let

@@ -29,7 +29,7 @@ void Player::strikeFor(const MidiEvent& event) {
     place.along = held.placeMoved(event.bytes[0] & 0x0f, place.along);
     strikeAt(static_cast<std::size_t>(key.slot),
              playedInstrument->strip(key).between(place.along, place.across).point, velocity,
-             key.malletScale, number);
+             key.mallet, number);
 }
 
 /// What came between two blocks of sound.
@@ -38,28 +38,29 @@ void Player::strikeWaiting() {
         strikeFor(event);
     late.clear();
     for (const auto& strike : surfaceStrikes)
-        strikeAt(strike.slot, strike.point, strike.velocity, malletScales[strike.slot],
-                 strikeCount++);
+        strikeAt(strike.slot, strike.point, strike.velocity, mallets[strike.slot], strikeCount++);
     surfaceStrikes.clear();
 }
 
 void Player::strikeAt(std::size_t slot,
                       const StrikePoint& point,
                       int velocity,
-                      double malletScale,
+                      const KeyMallet& mallet,
                       std::uint32_t number) {
-    const auto& own = playedInstrument->slots()[slot].object->material;
+    const auto& struck = playedInstrument->slots()[slot];
     auto softened = current;
     softened.set(malletSpeed, softness * current[malletSpeed]);
-    const auto strike =
-        malletStrike(point, velocity, malletScale, softened, surfaceCompliancePerPa(own, current));
-    auto train = contactTrain(strike, malletScale, current[chatter], number);
+    const auto strike = malletStrike(point, velocity, mallet, softened, struck);
+    auto train = contactTrain(strike, mallet.scale, current[chatter], number);
     if (current[modalPulse] != 0) {
         const auto settings = settingsNow();
-        const double ratio = synth.frequencyRatio(slot) * liveFrequencyRatio(own, settings);
+        const double ratio =
+            liveConditions(playedInstrument->slots()[slot], settings, synth.frequencyRatio(slot))
+                .frequencyRatio();
         const auto modes = lowestModes[slot].atThickness(settings.thicknessRatio).moved(ratio);
         train = withModalPulses(train, modes.span());
-    }
+    } else
+        train = withFilledNulls(train);
     if (train.size() > pending.room()) {
         pending.strike(slot, strike, cellPosition, begunCell());
         return;

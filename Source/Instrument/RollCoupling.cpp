@@ -1,21 +1,19 @@
 #include "Instrument/RollCoupling.h"
 
-#include "Synth/LiveConditions.h"
-
 #include <numbers>
 
 namespace idiophone {
 
 CoupledModes coupledModes(const LowestModes& lowestModes,
-                          const Material& own,
+                          const SynthesiserSlot& slot,
                           const SynthesisSettings& settings) {
-    const auto law = liveConditions(own, settings).law;
+    const auto law = liveConditions(slot, settings).law;
     static_assert(LowestModes::capacity <= ContactForce::maxCoupledModes);
     const auto modes = lowestModes.atThickness(settings.thicknessRatio);
     CoupledModes result;
     for (std::size_t mode = 0; mode < modes.count; ++mode) {
         const double omega = 2 * std::numbers::pi * modes.frequenciesHz[mode];
-        const auto pole = law.pole(omega * omega, modes.dampingScales[mode]);
+        const auto pole = law.pole(omega * omega, modes.dampings[mode]);
         if (naturalFrequencyHz(pole) >= lowestSoundingHz && isOscillating(pole))
             result.add({.frequencyHz = dampedFrequency(pole) / (2 * std::numbers::pi),
                         .dampingPerSecond = pole.damping / 2});

@@ -1,6 +1,6 @@
 #include "Instrument/SettingsOfParameters.h"
 
-#include "Instrument/HertzContact.h"
+#include "Instrument/ContactLaw.h"
 #include "Instrument/MalletStrike.h"
 
 #include <algorithm>
@@ -46,6 +46,8 @@ ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, d
     values.set(malletHardness, contactPa / pascalsPerMegapascal);
     values.set(malletMass, played.massKg * 1e3);
     values.set(malletRadius, played.headRadiusMetres * 1e3);
+    values.set(malletExponent, played.forceExponent);
+    values.set(malletRestitution, played.restitution * 100);
     return values;
 }
 
@@ -85,6 +87,10 @@ bool hasLiveThickness(std::span<const SynthesiserSlot> slots) {
                                [](const auto& slot) { return slot.object->hasLiveThickness(); });
 }
 
+bool hasPitch(std::span<const SynthesiserSlot> slots) {
+    return std::ranges::any_of(slots, [](const auto& slot) { return slot.pitch.has_value(); });
+}
+
 double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute) {
     const double beats = motorSyncBeats(static_cast<int>(values[motorSync]));
     if (beats == 0 || !(beatsPerMinute > 0))
@@ -105,8 +111,10 @@ SynthesisSettings synthesisSettings(const ParameterValues& values) {
             .compression = values[compression],
             .sizeRatio = values[size],
             .thicknessRatio = values[thickness] / 100,
+            .imperfection = values[imperfection] / 100,
             .frequencyRatio = values[concertPitch] / parameterInfo(concertPitch).defaultValue *
                               std::exp2(values[tune] / 100 / 12),
+            .keepPitch = values[keepPitch] != 0,
             .radiation = values[radiation] / 100,
             .material = liveMaterial(values)};
 }

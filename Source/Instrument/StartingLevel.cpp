@@ -1,5 +1,6 @@
 #include "Instrument/StartingLevel.h"
 
+#include "Instrument/ContactLaw.h"
 #include "Instrument/LoudestBlow.h"
 #include "Instrument/LoudnessPhrase.h"
 #include "Instrument/PhrasePrediction.h"
@@ -19,14 +20,15 @@ double lufsOf(const Phrase& phrase, const ParameterValues& values) {
     return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
 }
 
-/// Choices of ParameterId::mallet in the rack, those first that touch the longest (Hertz).
+/// Choices of ParameterId::mallet in the rack, those first that touch the longest.
 std::vector<std::size_t> rackFromSoftToHard() {
     const auto rack = malletRack();
     std::vector<std::size_t> order(rack.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t k) {
-        return rack[k].massKg * rack[k].massKg /
-               (rack[k].headRadiusMetres * rack[k].effectiveModulusPa * rack[k].effectiveModulusPa);
+        const auto law = contactLaw(rack[k].headRadiusMetres, rack[k].effectiveModulusPa,
+                                    rack[k].forceExponent);
+        return contactSeconds(law, rack[k].massKg, 1);
     });
     for (auto& k : order)
         k += firstRackMallet;

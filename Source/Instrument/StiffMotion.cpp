@@ -10,12 +10,14 @@ StiffMotion::StiffMotion(double sampleRateHz) noexcept : rateHz(sampleRateHz) {
     for (std::size_t k = 0; k < frequencies; ++k) {
         omegas[k] = 2 * std::numbers::pi * lowestHz * std::pow(ratio, static_cast<double>(k));
         cosines[k] = std::cos(omegas[k] / rateHz);
+        sines[k] = std::sin(omegas[k] / rateHz);
     }
 }
 
 void StiffMotion::add(double omega, const NoteResidues& residues) noexcept {
     constexpr double far = 0.6; // of λ, from resonance; nearer is the resonance's own
     const double cosine = std::cos(omega / rateHz), square = omega * omega;
+    const double cotangent = 1 / std::tan(omega / rateHz / 2);
     std::array<double, frequencies> compliances;
     for (std::size_t k = 0; k < frequencies; ++k) {
         const double other = omegas[k] * omegas[k];
@@ -24,11 +26,12 @@ void StiffMotion::add(double omega, const NoteResidues& residues) noexcept {
     }
     for (std::size_t note = 0; note < residues.size(); ++note)
         for (std::size_t channel = 0; channel < 2; ++channel) {
-            const double residue = residues[note][channel];
-            directs[note][channel] += residue;
-            if (residue != 0)
+            const std::complex<double> residue = residues[note][channel];
+            if (residue != 0.0)
                 for (std::size_t k = 0; k < frequencies; ++k)
-                    responses[note][channel][k] += residue * compliances[k];
+                    responses[note][channel][k] +=
+                        compliances[k] * std::complex(residue.imag() * cotangent * (cosines[k] - 1),
+                                                      residue.real() * sines[k]);
         }
 }
 
@@ -36,16 +39,12 @@ void StiffMotion::add(double omega, const NoteResidues& residues) noexcept {
 PhraseMeter::NoteFigures StiffMotion::powers(const HeldForceSpectrum& force) const noexcept {
     PhraseMeter::NoteFigures result{};
     for (std::size_t k = 0; k < frequencies && omegas[k] < std::numbers::pi * rateHz; ++k) {
-        const double sine = std::sin(omegas[k] / rateHz);
         const double weight = force.smoothPower(omegas[k]) *
                               kWeightingPower(omegas[k] / (2 * std::numbers::pi)) * omegas[k] *
                               std::log(ratio) / std::numbers::pi / (4 * rateHz * rateHz);
         for (std::size_t note = 0; note < result.size(); ++note)
-            for (std::size_t channel = 0; channel < 2; ++channel) {
-                const double stiff = sine * responses[note][channel][k];
-                const double direct = directs[note][channel];
-                result[note] += weight * (stiff * stiff + direct * direct) / 2;
-            }
+            for (std::size_t channel = 0; channel < 2; ++channel)
+                result[note] += weight * std::norm(responses[note][channel][k]) / 2;
     }
     return result;
 }

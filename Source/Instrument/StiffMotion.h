@@ -6,6 +6,7 @@
 #include "Instrument/PhraseMeter.h"
 
 #include <array>
+#include <complex>
 #include <cstddef>
 
 namespace idiophone {
@@ -13,12 +14,13 @@ namespace idiophone {
 /// v(ω) = iω Σ r/(λ − ω²) F(ω) at a few frequencies, of all modes that are far from them. Where
 /// the force is strong below the lowest mode, as a roll's is, and modes are damped, it is what is
 /// heard. As the engine samples force and response, with θ = ω over the sample rate f_s, it is
-/// Σ r (1 + i sin θ/(cos θ − cos θ_i))/(2 f_s): each mode also passes half a sample of the force.
+/// Σ (Re r i sin θ − Im r (1 − cos θ) cot θ_i/2)/(cos θ − cos θ_i)/(2 f_s): the imaginary part of a
+/// residue hears the acceleration over ω_i.
 /// Does not allocate.
 class StiffMotion {
 public:
-    /// Left and right, of each note.
-    using NoteResidues = std::array<std::array<double, 2>, PhraseMeter::notes>;
+    /// Complex residues left and right, of each note.
+    using NoteResidues = std::array<std::array<std::complex<double>, 2>, PhraseMeter::notes>;
 
     StiffMotion() = default;
     explicit StiffMotion(double sampleRateHz) noexcept;
@@ -33,9 +35,9 @@ private:
     static constexpr double lowestHz = 25, ratio = 1.3; // up to 18 kHz
 
     double rateHz = 1;
-    std::array<double, frequencies> omegas{}, cosines{};
-    std::array<std::array<std::array<double, frequencies>, 2>, PhraseMeter::notes> responses{};
-    NoteResidues directs{};
+    std::array<double, frequencies> omegas{}, cosines{}, sines{};
+    std::array<std::array<std::array<std::complex<double>, frequencies>, 2>, PhraseMeter::notes>
+        responses{};
 };
 
 } // namespace idiophone

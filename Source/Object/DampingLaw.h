@@ -1,4 +1,4 @@
-// How fast a vibration dies away, by its frequency: the one place that knows the law. It says
+// How fast a vibration dies away, by its frequency: the one place that knows the law. It knows
 // nothing of radiation or of a body's thickness (docs/materials.md).
 #pragma once
 
@@ -28,6 +28,14 @@ struct DampingLaw {
     }
 
     bool operator==(const DampingLaw&) const = default;
+};
+
+/// How a mode's damping differs from what its material's law makes of it (`PoleLaw::pole`).
+struct ModeDamping {
+    double scale = 1;          ///< ≥ 0 of the law
+    double extraPerSecond = 0; ///< ≥ 0 more decay α at the reference frequency, whatever the material
+
+    bool operator==(const ModeDamping&) const = default;
 };
 
 /// The frequency in Hz at which a mode sounds that loses amplitude at α: √(λ − α²)/2π; 0 where it

@@ -25,6 +25,8 @@ struct Rack {
                                .massKg = mallet.at("mass_kg"),
                                .headRadiusMetres = mallet.at("head_radius_m"),
                                .effectiveModulusPa = mallet.at("effective_modulus_pa"),
+                               .forceExponent = mallet.at("force_exponent"),
+                               .restitution = mallet.at("restitution"),
                                .colour = parseColour(text(mallet.at("colour"))).value()});
     }
 };

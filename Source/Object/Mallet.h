@@ -8,16 +8,18 @@
 namespace idiophone {
 
 struct Mallet {
-    std::string_view name;
-    std::string_view source; ///< where the figures come from
-    double massKg;
-    double headRadiusMetres;
-    double effectiveModulusPa; ///< E/(1 − ν²) of the head by itself
-    std::uint32_t colour = 0;  ///< of the head in the window, 0xRRGGBB
+    std::string_view name = {};
+    std::string_view source = {};  ///< where the figures come from
+    double massKg = 0;
+    double headRadiusMetres = 0;
+    double effectiveModulusPa = 0; ///< E/(1 − ν²) of the head by itself
+    double forceExponent = 0;      ///< p of F ∝ d^p: 1.5 is Hertz, wound heads have more
+    double restitution = 0;        ///< 0 to 1: rebound over approach on something rigid and heavy
+    std::uint32_t colour = 0;      ///< of the head in the window, 0xRRGGBB
 };
 
-/// The mallets of Resources/Mallets/mallets.json, in its order: parameters and presets count on it,
-/// so that file is appended to only. For the life of the program; any thread.
+/// The mallets of Resources/Mallets/mallets.json, in the order in which the parameter has them. For
+/// the life of the program; any thread.
 std::span<const Mallet> malletRack();
 
 } // namespace idiophone

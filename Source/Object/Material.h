@@ -35,8 +35,8 @@ struct Material {
 /// The material unchanged, or which figure is out of its range, or which text too long.
 Result<Material> validated(Material material);
 
-/// The named materials of Resources/Materials/materials.json, in its order: parameters and presets
-/// count on it, so append only. Any thread; read when the program starts.
+/// The named materials of Resources/Materials/materials.json, in the order in which the parameter
+/// has them. Any thread; read when the program starts.
 std::span<const Material> materialLibrary();
 
 /// The library's material of that name (case-insensitive), or nullptr.

@@ -38,6 +38,11 @@ std::string sizesFault(const ModalObject& object) {
         return "the bending parts are not one for each mode";
     if (!object.decaysPerSecond.empty() && object.decaysPerSecond.size() != object.modeCount())
         return "the decays are not one for each mode";
+    if (!object.extraDecaysPerSecond.empty() &&
+        object.extraDecaysPerSecond.size() != object.modeCount())
+        return "the extra decays are not one for each mode";
+    if (!object.gains.empty() && object.gains.size() != object.modeCount())
+        return "the gains are not one for each mode";
     return {};
 }
 
@@ -71,9 +76,12 @@ std::string decaysFault(const ModalObject& object) {
             return "a decay is not between 0 and 1e9 per second";
         if (!(object.material.damping.perSecond(object.eigenvalues[mode]) > 0))
             return "its modes have decays, but its material has no damping that they could keep to";
-        if (object.dampingScale(mode) > largestScale)
+        if (object.damping(mode).scale > largestScale)
             return "a decay is more than 1e12 times what its material's damping makes it";
     }
+    for (const double decay : object.extraDecaysPerSecond)
+        if (!(decay >= 0 && decay <= fastestPerSecond))
+            return "an extra decay is not between 0 and 1e9 per second";
     return {};
 }
 
@@ -97,9 +105,11 @@ std::string geometryFault(const ModalObject& object) {
 std::string radiationFault(const ModalObject& object) {
     if (auto fault = faultOf(object.radiation, object.modeCount()); !fault.empty())
         return fault;
-    // They are means of shapes.
-    if (!allWithin(object.radiation.weights, largestShape))
-        return "a weight of the radiation is not between -1e8 and 1e8 per √kg";
+    // A mountain that moves at 1 m/s radiates less, and in single precision all stays finite.
+    if (!allWithin(object.radiation.weights, 1e8f))
+        return "a weight of the radiation is beyond 1e8 Pa·m";
+    if (!allWithin(object.gains, 1e3f))
+        return "a gain is beyond 1000";
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include "Object/RadiationTable.h"
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,7 @@
 
 namespace idiophone {
 
-/// 1/√kg, of mode shapes and radiation weights. A shape is nowhere larger than 1/√(the mass at that
+/// 1/√kg. A shape is nowhere larger than 1/√(the mass at that
 /// vertex), and is hardly beyond 10/√(the whole mass): this is that of a hundredth of a nanogram.
 /// In single precision all that a mallet can do to such shapes stays finite.
 inline constexpr float largestShape = 1e8f;
@@ -58,9 +59,15 @@ struct ModalObject {
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
     /// Empty, or [M] the part of λ that grows with the square of a shell's thickness (0 ≤ b ≤ λ).
     std::vector<double> bending;
-    /// Empty: modes decay by the material's law. Or [M] the α > 0 measured of each at the reference
-    /// material, whose law then damps every mode.
+    /// Empty: modes decay by the material's law. Or [M] the α > 0 of each at the reference material,
+    /// as measured; another material changes it as the law says.
     std::vector<double> decaysPerSecond;
+    /// Empty, or [M] the α ≥ 0 that comes on top and does not follow the material: what cords and a
+    /// tube take.
+    std::vector<double> extraDecaysPerSecond;
+    /// Empty: all 1. Or [M] what the velocity of the struck point is multiplied by: complex where a
+    /// bar and its tube share a mode (Analysis/Tube.h). The radiation has its own.
+    std::vector<std::complex<float>> gains;
     RadiationTable radiation; ///< of the whole surface, or empty
 
     MassProperties mass;
@@ -85,8 +92,9 @@ struct ModalObject {
 
     /// α [1/s] of a mode at the reference material. Any thread.
     double decayPerSecond(std::size_t mode) const noexcept {
-        return decaysPerSecond.empty() ? material.damping.perSecond(eigenvalues[mode]) / 2
-                                       : decaysPerSecond[mode];
+        return (decaysPerSecond.empty() ? material.damping.perSecond(eigenvalues[mode]) / 2
+                                        : decaysPerSecond[mode]) +
+               damping(mode).extraPerSecond;
     }
 
     /// The frequency in Hz at which a mode sounds at the reference material. Any thread.
@@ -94,12 +102,23 @@ struct ModalObject {
         return idiophone::dampedFrequencyHz(eigenvalues[mode], decayPerSecond(mode));
     }
 
-    /// How many times the damping of a mode is what the material's law says, 2α/d(λ); it stays so
-    /// when the material changes. 1 where no decays were measured. Any thread.
-    double dampingScale(std::size_t mode) const noexcept {
-        return decaysPerSecond.empty()
-                   ? 1
-                   : 2 * decaysPerSecond[mode] / material.damping.perSecond(eigenvalues[mode]);
+    /// How a mode's damping differs from the material's law, whatever the material. Any thread.
+    ModeDamping damping(std::size_t mode) const noexcept {
+        return {.scale = decaysPerSecond.empty()
+                             ? 1
+                             : 2 * decaysPerSecond[mode] /
+                                   material.damping.perSecond(eigenvalues[mode]),
+                .extraPerSecond =
+                    extraDecaysPerSecond.empty() ? 0 : extraDecaysPerSecond[mode]};
+    }
+
+    /// [M], or empty where all modes keep to the law. Any thread; allocates.
+    std::vector<ModeDamping> dampings() const {
+        std::vector<ModeDamping> result;
+        if (!decaysPerSecond.empty() || !extraDecaysPerSecond.empty())
+            for (std::size_t mode = 0; mode < modeCount(); ++mode)
+                result.push_back(damping(mode));
+        return result;
     }
 
     /// [M,3] shapes of all modes at row `shapeRow` of `shapeVertices`.

@@ -54,6 +54,10 @@ public:
             object.bending = values<double>("bending", "F64", 1);
         if (container.tensors.contains("decay_per_s"))
             object.decaysPerSecond = values<double>("decay_per_s", "F64", 1);
+        if (container.tensors.contains("extra_decay_per_s"))
+            object.extraDecaysPerSecond = values<double>("extra_decay_per_s", "F64", 1);
+        if (container.tensors.contains("gains"))
+            object.gains = complexValues("gains", 2);
         object.radiation = radiation();
         return object;
     }
@@ -119,9 +123,7 @@ private:
         material.name = word(m, "name");
         for (const auto group : materialFigureGroups)
             for (const auto& figure : group)
-                // Files from before there was a loss factor have none.
-                if (m.contains(figure.key) || &figure.of(material) != &material.damping.lossFactor)
-                    figure.of(material) = number(m, figure.key);
+                figure.of(material) = number(m, figure.key);
         material.source = word(m, "source");
         material.grain = grain(m);
         return material;
@@ -194,17 +196,30 @@ private:
         return result;
     }
 
+    /// Of a tensor of that many dimensions, the last of which is real and imaginary part.
+    std::vector<std::complex<float>> complexValues(const char* name, std::size_t rank) const {
+        const auto& found = tensor(name, rank);
+        if (found.type != "F32" || found.shape.back() != 2)
+            throw Fault{std::string("tensor '") + name +
+                        "' is not of real and imaginary parts of type F32"};
+        const auto parts = found.copy<float>();
+        std::vector<std::complex<float>> result;
+        for (std::size_t k = 0; k + 1 < parts.size(); k += 2)
+            result.emplace_back(parts[k], parts[k + 1]);
+        return result;
+    }
+
     RadiationTable radiation() const {
         const auto has = [&](const char* name) { return container.tensors.contains(name); };
         if (!has("radiation") && !has("radiation_directions") && !has("radiation_ratios"))
             return {};
         RadiationTable table;
-        table.weights = values<float>("radiation", "F32", 3);
+        table.weights = complexValues("radiation", 4);
         const auto directions = values<float>("radiation_directions", "F32", 2);
         table.frequencyRatios = values<double>("radiation_ratios", "F64", 1);
         for (std::size_t d = 0; d < directions.size(); d += 3)
             table.directions.push_back({directions[d], directions[d + 1], directions[d + 2]});
-        const auto& shape = tensor("radiation", 3).shape;
+        const auto& shape = tensor("radiation", 4).shape;
         if (table.weights.empty() || shape[0] != table.directions.size() ||
             shape[1] != table.frequencyRatios.size() ||
             shape[2] != tensor("eigenvalues", 1).shape[0])
@@ -281,6 +296,8 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
         writer.add("bending", "F64", {modes}, object.bending);
     if (!object.decaysPerSecond.empty())
         writer.add("decay_per_s", "F64", {modes}, object.decaysPerSecond);
+    if (!object.extraDecaysPerSecond.empty())
+        writer.add("extra_decay_per_s", "F64", {modes}, object.extraDecaysPerSecond);
     const auto& radiation = object.radiation;
     const auto directions = radiation.directions.size(), ratios = radiation.frequencyRatios.size();
     if (!radiation.empty())
@@ -288,8 +305,10 @@ std::vector<std::byte> encodeModalObject(const ModalObject& object, ShapePrecisi
     writer.add("vertices", "F32", {object.vertexCount(), 3}, object.vertices);
     if (!radiation.empty()) {
         writer.add("radiation_directions", "F32", {directions, 3}, radiation.directions);
-        writer.add("radiation", "F32", {directions, ratios, modes}, radiation.weights);
+        writer.add("radiation", "F32", {directions, ratios, modes, 2}, radiation.weights);
     }
+    if (!object.gains.empty())
+        writer.add("gains", "F32", {modes, 2}, object.gains);
     writer.add("faces", "I32", {object.faceCount(), 3}, object.faces);
     writer.add("shape_vertices", "I32", {shapeVertices}, object.shapeVertices);
     const bool fitsHalf = std::ranges::all_of(

@@ -14,36 +14,52 @@ bool isUnit(const std::array<float, 3>& direction) {
 
 } // namespace
 
+std::complex<float>
+phasorBetween(std::complex<float> from, std::complex<float> to, float share) noexcept {
+    const float fromSize = std::sqrt(std::norm(from)), toSize = std::sqrt(std::norm(to));
+    const float size = fromSize + share * (toSize - fromSize);
+    if (!(fromSize > 0) || !(toSize > 0))
+        return from + share * (to - from);
+    const std::complex<float> between =
+        (1 - share) / fromSize * from + share / toSize * to;
+    const float length = std::sqrt(std::norm(between));
+    // Opposite phases have no short way.
+    return length > 1e-6f ? size / length * between : size / toSize * to;
+}
+
 void RadiationTable::weightsAt(std::size_t direction,
                                double frequencyRatio,
-                               std::span<float> modeWeights) const noexcept {
+                               std::span<std::complex<float>> modeWeights) const noexcept {
     weightsAt(direction, frequencyRatio, 0, modeWeights);
 }
 
 void RadiationTable::weightsAt(std::size_t direction,
                                double frequencyRatio,
                                std::size_t firstMode,
-                               std::span<float> modeWeights) const noexcept {
+                               std::span<std::complex<float>> modeWeights) const noexcept {
     const std::size_t ratios = frequencyRatios.size();
     const std::size_t modes = weights.size() / directions.size() / ratios;
-    const float* const rows = weights.data() + direction * ratios * modes + firstMode;
-    const auto row = [&](std::size_t ratio) { return rows + ratio * modes; };
+    const auto* const rows = weights.data() + direction * ratios * modes + firstMode;
+    const auto scaled = [&](std::size_t ratio, float factor) {
+        for (std::size_t mode = 0; mode < modeWeights.size(); ++mode)
+            modeWeights[mode] = factor * rows[ratio * modes + mode];
+    };
     if (!(frequencyRatio > frequencyRatios.front())) {
-        std::copy_n(row(0), modeWeights.size(), modeWeights.begin());
-        return;
+        const double below = frequencyRatio > 0 ? frequencyRatio / frequencyRatios.front() : 1;
+        return scaled(0, static_cast<float>(below * below));
     }
-    const auto above = std::ranges::upper_bound(frequencyRatios, frequencyRatio);
-    if (above == frequencyRatios.end()) {
-        std::copy_n(row(ratios - 1), modeWeights.size(), modeWeights.begin());
-        return;
-    }
+    const auto above = std::ranges::lower_bound(frequencyRatios, frequencyRatio);
+    if (above == frequencyRatios.end())
+        return scaled(ratios - 1, 1);
     const auto upper = static_cast<std::size_t>(above - frequencyRatios.begin());
+    if (*above == frequencyRatio)
+        return scaled(upper, 1);
     const double below = frequencyRatios[upper - 1];
     const auto share =
         static_cast<float>(std::log(frequencyRatio / below) / std::log(*above / below));
-    const float *const from = row(upper - 1), *const to = row(upper);
+    const auto *const from = rows + (upper - 1) * modes, *const to = rows + upper * modes;
     for (std::size_t mode = 0; mode < modeWeights.size(); ++mode)
-        modeWeights[mode] = from[mode] + share * (to[mode] - from[mode]);
+        modeWeights[mode] = phasorBetween(from[mode], to[mode], share);
 }
 
 std::optional<std::size_t>
@@ -74,7 +90,7 @@ std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
     if (std::ranges::adjacent_find(table.frequencyRatios, std::greater_equal{}) !=
         table.frequencyRatios.end())
         return "the frequency ratios of the radiation are not in ascending order";
-    if (!std::ranges::all_of(table.weights, [](float w) { return std::isfinite(w); }))
+    if (!std::ranges::all_of(table.weights, [](std::complex<float> w) { return std::isfinite(w.real()) && std::isfinite(w.imag()); }))
         return "a weight of the radiation is not a finite number";
     return {};
 }

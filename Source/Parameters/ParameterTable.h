@@ -37,8 +37,8 @@ struct MutationRange {
 /// whole numbers only.
 struct ParameterInfo {
     ParameterId parameter;
-    const char* id = nullptr;   ///< stable for ever: stored in states, presets and host automation
-    const char* name = nullptr; ///< for people
+    const char* id = nullptr;        ///< what states, presets and host automation store
+    const char* name = nullptr;      ///< for people
     const char* shortName = nullptr; ///< where there is little room and its kind is beside it
     const char* group = nullptr;     ///< the heading of those that it stands with in the window
     const char* unit = "";           ///< empty where the number has none
@@ -47,7 +47,7 @@ struct ParameterInfo {
     double maximum = 1;
     double defaultValue = 0;
     int decimals = 0;     ///< shown behind the point; significant digits where logarithmic or cubic
-    int versionAdded = 1; ///< JUCE's version hint
+    int versionAdded = 1; ///< JUCE's version hint; rises with each release that adds parameters
     bool glides = false;  ///< heard while it moves, and so smoothed (Instrument/ParameterGlide.h)
     /// Belongs to the player's place in a session and not to a sound: presets, comparisons and
     /// loads that are undone leave it as it is.
@@ -76,8 +76,7 @@ std::string formatParameter(const ParameterInfo& info, double value);
 std::optional<double> parseParameter(const ParameterInfo& info, std::string_view text);
 
 /// The names of a choice; empty for other parameters. A choice's range may be longer than its
-/// names: the rest is kept free, so that automation recorded today still means the same when names
-/// come.
+/// names: hosts automate places from 0 to 1, which must not move when a name is added.
 std::span<const std::string_view> choiceNames(ParameterId parameter);
 
 /// A value for every parameter, in its unit: plain data that crosses threads by copy.

@@ -1,11 +1,11 @@
 #include "Plugin/PresetFolder.h"
 
 #include "Editor/Utf8.h"
+#include "Instrument/PresetFile.h"
 #include "Object/FileBytes.h"
 #include "Object/TextFile.h"
 #include "Plugin/ContentHash.h"
 #include "Plugin/PresetObjects.h"
-#include "Plugin/PresetText.h"
 #include "Plugin/WholeFile.h"
 
 #include <algorithm>
@@ -93,15 +93,11 @@ std::uint64_t hashOf(const std::string& text) {
     return contentHash(std::as_bytes(std::span(text)));
 }
 
-Result<std::string> renamedText(const juce::File& file, const std::string& name) {
-    return renamedPreset(file.loadFileAsString().toStdString(), name)
-        .map_error([&](const Error& fault) {
-            return Error{file.getFileName().toStdString() + ": " + fault.message};
-        });
-}
-
-std::string textInPlaceOf(const juce::File& file, const Preset& preset) {
-    return presetInPlaceOf(file.loadFileAsString().toStdString(), preset);
+Result<void> writePreset(const Preset& preset, const juce::File& file) {
+    const auto text = encodePreset(preset);
+    if (text.size() > largestPresetBytes)
+        return failure(file.getFileName().toStdString() + ": the preset is too large for a file.");
+    return writeWhole(file, std::as_bytes(std::span(text)));
 }
 
 } // namespace
@@ -201,8 +197,7 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
     if (place->exists() && !replace)
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
-    const auto text = encodePreset(preset);
-    return writeWhole(*place, std::as_bytes(std::span(text))).map([&] {
+    return writePreset(preset, *place).map([&] {
         known.erase(idOf(*place)); // times are coarse
         return idOf(*place);
     });
@@ -229,9 +224,7 @@ Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t con
 Result<void> PresetFolder::replace(const std::string& id, const Preset& preset) {
     if (find(id) == nullptr)
         return failure("There is no preset '" + id + "' any more.");
-    const auto file = fileOf(id);
-    const auto text = textInPlaceOf(file, preset);
-    return writeWhole(file, std::as_bytes(std::span(text))).map([&] { known.erase(id); });
+    return writePreset(preset, fileOf(id)).map([&] { known.erase(id); });
 }
 
 Result<std::string> PresetFolder::rename(const std::string& id, const std::string& name) {
@@ -247,9 +240,10 @@ Result<std::string> PresetFolder::rename(const std::string& id, const std::strin
     if (place->exists() && !sameFile)
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
-    return renamedText(file, name)
-        .and_then([&](const std::string& text) {
-            return writeWhole(*place, std::as_bytes(std::span(text)));
+    return readPresetFile(pathOf(file))
+        .and_then([&](Preset preset) {
+            preset.name = name;
+            return writePreset(preset, *place);
         })
         .and_then([&]() -> Result<std::string> {
             if (!sameFile && !file.deleteFile()) {

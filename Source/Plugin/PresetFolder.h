@@ -43,10 +43,9 @@ public:
 
     /// Through a file beside it, so that what is there is never half overwritten. Returns the id.
     Result<std::string> write(const Preset& preset, const std::string& folder, bool replace);
-    /// Writes over the preset's file, whatever it is called; what this version does not know stays
-    /// in it.
+    /// Writes over the preset's file, whatever it is called.
     Result<void> replace(const std::string& id, const Preset& preset);
-    /// Changes the name in the file and of it; all else in the file stays. Returns the new id.
+    /// Writes the file's preset under another name, in the file and of it. Returns the new id.
     Result<std::string> rename(const std::string& id, const std::string& name);
     Result<void> moveToBin(const std::string& id);
 

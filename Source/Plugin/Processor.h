@@ -78,9 +78,8 @@ public:
     void changeProgramName(int, const juce::String&) override {} // factory presets keep theirs
 
     void getStateInformation(juce::MemoryBlock& destination) override;
-    /// Returns with the instrument ready: the next block plays it. What cannot be restored leaves
-    /// what plays as it was, with one sentence for the status line, and is what
-    /// `getStateInformation` gives back until somebody chooses another sound or changes this one.
+    /// Returns with the instrument ready: the next block plays it. A state that cannot be restored
+    /// changes nothing and shows one sentence in the status line.
     void setStateInformation(const void* bytes, int byteCount) override;
 
     bool hasEditor() const override { return true; }
@@ -99,6 +98,7 @@ public:
     void chooseUserMaterial(int index) override;
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
+    std::array<KeySound, 128> keySounds() const override;
     std::vector<PlayedObject> playedObjects() const override;
     bool hasStage() const override;
     std::vector<BodyNow> stageBodies() const override;
@@ -180,8 +180,6 @@ private:
     void lookForCallbacks(); ///< for `isProcessing`, to know when they came
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
-    void giveUpRefused();
-    void changedByHand();
     void play(Preset preset,
               std::shared_ptr<const Instrument> instrument,
               std::unique_ptr<Player> player,
@@ -274,14 +272,11 @@ private:
     ScalaTuning scala; ///< of files
     KeyTuning ownKeys; ///< by them
     std::shared_ptr<const Instrument> instrument;
-    std::string engineVersion = ownEngineVersion(); ///< of the sound
-    std::string unknownOfSound, unknownOfInstance;  ///< as in State
-    std::shared_ptr<const MissingObjects> missing;  ///< for which a stand-in plays, or null
-    std::shared_ptr<const RefusedState> refused;    ///< or null
-    std::string presetId;                           ///< of the shelf, or empty
-    std::uint64_t presetContent = 0;                ///< as in Sound
-    ParameterValues storedParameters;               ///< of that preset
-    std::optional<Sound> soundBeforePrograms; ///< that MIDI asked for, and nobody has heard of
+    std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
+    std::string presetId;                          ///< of the shelf, or empty
+    std::uint64_t presetContent = 0;               ///< as in Sound
+    ParameterValues storedParameters;              ///< of that preset
+    std::optional<Sound> soundBeforePrograms;      ///< that MIDI asked for, and nobody has heard of
     std::string lastError;
     double preparedRateHz = 0;                ///< 0 until prepared
     std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over
@@ -311,7 +306,8 @@ private:
     int movedToTell = 0;              ///< likewise, of what moves while a sound is told
     std::atomic<int> statesComing{0}; ///< while which JUCE's VST3 passes nothing on
     std::atomic<int> programIndex{-1};
-    SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects
+    SharedFigures<DecayBounds> ownDecays, allDecays; ///< of the loaded keys' (RingingKeys)
+    std::atomic<bool> playedResizedKeys{false};      ///< by the player that plays
     /// By how much any of them may sound below equal temperament: by the instance's own tuning
     /// alone, and by tunings and wheels as the player has them.
     std::atomic<double> semitonesBelowTuned{0}, semitonesBelowPlayed{0};

@@ -42,10 +42,7 @@ Sound Processor::soundNow() const {
     return {.preset = loadedPreset,
             .instrument = instrument,
             .parameters = parameters.values(),
-            .engineVersion = engineVersion,
-            .unknownMembers = unknownOfSound,
             .missing = missing,
-            .refused = refused,
             .presetId = presetId,
             .presetContent = presetContent,
             .stored = storedParameters};
@@ -82,9 +79,8 @@ bool Processor::playSound(const Sound& wanted) {
         // preset of the same object does not.
         const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
                               sharesObject(wanted.instrument, instrument);
-        const bool playsOn = wanted.instrument == instrument &&
-                             wanted.engineVersion == engineVersion &&
-                             playsAlike(wanted.preset, loadedPreset);
+        const bool playsOn =
+            wanted.instrument == instrument && playsAlike(wanted.preset, loadedPreset);
         const auto wantedNow = [&] { return withSetupOf(parameters.values(), wanted.parameters); };
         auto player = playsOn ? playerForLevel(wanted.preset, wantedNow())
                               : newPlayer(wanted.instrument, wanted.preset, wantedNow());
@@ -108,12 +104,7 @@ bool Processor::playSound(const Sound& wanted) {
         }
         if (isImport)
             importLoads = loads;
-        engineVersion = wanted.engineVersion;
-        unknownOfSound = wanted.unknownMembers;
         missing = wanted.missing;
-        refused = wanted.refused;
-        if (refused)
-            lastError = refused->notice;
         presetId = wanted.presetId;
         presetContent = wanted.presetContent;
         storedParameters = wanted.stored;
@@ -173,11 +164,9 @@ void Processor::goOn(std::unique_ptr<Player> player, const std::function<void()>
         handOver(std::move(player), loadValues);
     else
         loadValues();
-    giveUpRefused();
 }
 
 void Processor::setValue(ParameterId parameter, double value) {
-    changedByHand();
     auto& changed = parameters[parameter];
     const bool isInGesture = openGestures[static_cast<std::size_t>(parameter)] > 0;
     if (!isInGesture)

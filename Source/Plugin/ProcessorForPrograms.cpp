@@ -113,8 +113,6 @@ Result<bool> Processor::loadProgram(int index, std::int64_t request) {
                 soundBeforePrograms->parameters = atLastRequest.values;
         }
     }
-    engineVersion = ownEngineVersion();
-    unknownOfSound.clear();
     play(preset, std::move(*built), std::move(*player), [&] { parameters.load(wanted()); });
     programIndex = index;
     presetId = factoryPresetId(preset.name);

@@ -60,8 +60,6 @@ bool Processor::muteMode(std::size_t object, std::int32_t mode, bool isMuted) {
             return mode >= 0 && static_cast<std::size_t>(mode) < modeCount &&
                    loadedPreset.mutedModes.set(key, mode, isMuted);
         });
-        if (done)
-            changedByHand();
     });
     if (done)
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
@@ -82,8 +80,6 @@ void Processor::unmuteModes(std::size_t object) {
             loadedPreset.mutedModes.clear(key);
             return true;
         });
-        if (done)
-            changedByHand();
     });
     if (done)
         updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));

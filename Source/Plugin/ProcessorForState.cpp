@@ -1,4 +1,4 @@
-// How the processor is saved and restored, and what becomes of a state that it cannot restore.
+// How the processor is saved and restored.
 #include "Plugin/Processor.h"
 
 #include "Instrument/FactoryContent.h"
@@ -18,16 +18,11 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
     std::shared_ptr<const MissingObjects> absent;
     {
         const std::scoped_lock lock(soundMutex);
-        if (refused && refused->controllers == controllers.assignments())
-            return destination.replaceAll(refused->bytes.data(), refused->bytes.size());
-        state = {.engineVersion = engineVersion,
-                 .parameters = parameters.values(),
+        state = {.parameters = parameters.values(),
                  .preset = loadedPreset,
                  .objects = {},
                  .controllers = controllers.assignments(),
-                 .tuning = scala,
-                 .unknownOfSound = unknownOfSound,
-                 .unknownOfInstance = unknownOfInstance};
+                 .tuning = scala};
         playing = instrument;
         absent = missing;
     }
@@ -53,28 +48,10 @@ void Processor::setStateInformation(const void* bytes, int byteCount) {
         },
         "The saved state");
     --statesComing;
-    if (!restored) {
-        const std::scoped_lock lock(soundMutex);
-        lastError = restored.error().message;
-        if (!text.empty()) {
-            auto kept = withinMemory([&]() -> Result<RefusedState> {
-                return RefusedState{
-                    .bytes = std::string(text),
-                    .notice = lastError + (lastError.ends_with('.') ? " " : ". ") +
-                              "The project keeps it until another sound is chosen or this one "
-                              "changed.",
-                    .controllers = controllers.assignments()};
-            });
-            refused = kept ? std::make_shared<const RefusedState>(std::move(*kept)) : nullptr;
-            if (refused)
-                lastError = refused->notice;
-            // What is under way, an analysis or an audition, is another project's.
-            ++loads;
-            countHostLoad();
-        }
-        return;
-    }
-    tellOfSound();
+    if (restored)
+        tellOfSound();
+    else
+        reportError(restored.error().message);
 }
 
 Result<void> Processor::restore(const State& state) {
@@ -94,9 +71,6 @@ Result<void> Processor::restore(const State& state) {
     if (const auto request = requestedProgram.exchange(noRequest); request != noRequest)
         refusedRequest = request;
     auto tuning = state.tuning;
-    engineVersion = state.engineVersion;
-    unknownOfSound = state.unknownOfSound;
-    unknownOfInstance = state.unknownOfInstance;
     play(std::move(preset), std::move(*built), std::move(*player), [&] {
         tuneTo(std::move(tuning), *keys);
         tuner.forgetMessages(); // the state knows of none
@@ -110,9 +84,6 @@ Result<void> Processor::restore(const State& state) {
         lastError = state.preset.name.empty() ? "" : oneLine(state.preset.name) + ": ";
         lastError +=
             missing->first + " is missing; until it is back a steel ring plays in its place.";
-    } else if (isNewerThanOwnEngine(state.engineVersion)) {
-        lastError = "This sound was made by Idiophone " + oneLine(state.engineVersion) +
-                    ", which is newer than this one, and may sound otherwise here.";
     }
     const auto presets = factoryPresets();
     const auto factory = std::ranges::find_if(presets, [&](const Preset& own) {
@@ -123,18 +94,6 @@ Result<void> Processor::restore(const State& state) {
     if (factory != presets.end())
         presetId = factoryPresetId(factory->name);
     return {};
-}
-
-/// Under soundMutex, where somebody changes the sound: now it is what plays that is saved.
-void Processor::giveUpRefused() {
-    if (refused && lastError == refused->notice)
-        lastError.clear();
-    refused.reset();
-}
-
-void Processor::changedByHand() {
-    const std::scoped_lock lock(soundMutex);
-    giveUpRefused();
 }
 
 } // namespace idiophone

@@ -66,7 +66,6 @@ void Processor::recordTuning(const std::string& step,
 
 /// Under soundMutex. Makes no copy of the texts: where it is a part of a hand-over, nothing fails.
 void Processor::tuneTo(ScalaTuning wanted, const KeyTuning& keys) {
-    giveUpRefused();
     scala = std::move(wanted);
     ownKeys = keys;
     if (instrument != nullptr)

@@ -161,7 +161,7 @@ void Processor::followWorkshop() {
 void Processor::playProduct(const ObjectWorkshop::Product& product) {
     if (product.isFirst)
         shelf.keepAudition(); // recording would end it, and so load
-    auto now = loaded();
+    const auto now = loaded();
     if (now.number != importLoads)
         return;
     const auto& object = *product.object;
@@ -169,10 +169,6 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     auto preset = now.sound.preset;
     auto& map = preset.keyMap;
     const bool isNew = product.isFirst && product.isNewFile;
-    if (isNew) {
-        now.sound.engineVersion = ownEngineVersion();
-        now.sound.unknownMembers.clear();
-    }
     if (isNew || map.kind == KeyMapKind::bars)
         map = singleObjectMap(object, product.objectName, KeyMapKind::scaled);
     map.object = product.objectName;
@@ -183,7 +179,6 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     if (product.isPreview) // which a project that is saved now keeps
         preset.description += ". A preview of few elements: analyse it again for all modes.";
     preset.tags = {"imported"};
-    preset.unknownParameters.clear();
     preset.mutedModes = {};
     const auto built = buildSingleObject(map, product.object);
     if (!built)
@@ -264,7 +259,7 @@ ParameterValues Processor::asLoudAs(const Sound& before,
 }
 
 /// Plays it instead of what was loaded, of whose parameters it changes those in which `values`
-/// differ, and whose engine version and unknown members it keeps. Returns the number of its load;
+/// differ. Returns the number of its load;
 /// nothing where that does not play any more, or the memory does not suffice, which it reports.
 std::optional<int> Processor::playInstead(const Loaded& now,
                                           const Preset& preset,
@@ -281,8 +276,6 @@ std::optional<int> Processor::playInstead(const Loaded& now,
             lastError = player.error().message;
             return std::nullopt;
         }
-        engineVersion = now.sound.engineVersion;
-        unknownOfSound = now.sound.unknownMembers;
         play(preset, built, std::move(*player),
              [&] { parameters.loadChanges(now.sound.parameters, values); });
         programIndex = -1;

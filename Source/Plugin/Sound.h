@@ -13,22 +13,11 @@
 
 namespace idiophone {
 
-/// A state that could not be restored, while what was there plays on: saved again until somebody
-/// decides otherwise.
-struct RefusedState {
-    std::string bytes, notice;
-    ControllerAssignments controllers; ///< learned then
-};
-
 struct Sound {
     Preset preset; ///< as loaded: its values are what "match loudness" keeps to
     std::shared_ptr<const Instrument> instrument;
-    ParameterValues parameters; ///< as they are now
-    /// Of the Idiophone that it was made with, maybe a newer one: whose engine it is to sound like.
-    std::string engineVersion = ownEngineVersion();
-    std::string unknownMembers;                    ///< State::unknownOfSound
+    ParameterValues parameters;                    ///< as they are now
     std::shared_ptr<const MissingObjects> missing; ///< or null
-    std::shared_ptr<const RefusedState> refused;   ///< in whose place this is played, or null
     std::string presetId; ///< of the preset on the shelf (PresetShelf.h), or empty
     /// Hash of what that preset's file held when this was read from it or written to it; 0 for the
     /// factory's and where there is no preset.
@@ -71,8 +60,8 @@ public:
     virtual bool playsPreview() const = 0;
     /// A sentence for the status line.
     virtual void reportError(const std::string& sentence) = 0;
-    /// How many states and programs the host has loaded, on whatever thread; states that are
-    /// refused too, but not the programs that MIDI asks for.
+    /// How many states and programs the host has loaded, on whatever thread; without states that
+    /// were refused, and without programs that MIDI asks for.
     virtual int hostLoads() const = 0;
     /// What played before the programs that MIDI has asked for since this was called last, or since
     /// the host has loaded something; nothing where there were none.

@@ -21,7 +21,7 @@ int unitsOfObjects(const Sound& sound) {
     std::set<const ModalObject*> objects;
     for (const auto& slot : sound.instrument->slots())
         objects.insert(slot.object.get());
-    std::size_t bytes = sound.refused ? sound.refused->bytes.size() : 0;
+    std::size_t bytes = 0;
     for (const auto* object : objects)
         bytes += sizeof(float) * (object->shapes.size() + object->vertices.size() +
                                   object->radiation.weights.size());

@@ -74,7 +74,7 @@ void SoundPicture::look(std::size_t slot) {
 const SoundFrame& SoundPicture::of(const MonitoredSound& sound) {
     frame = {};
     look(sound.slot);
-    frame.tauMetresPerSecond = sound.groups.tauMetresPerSecond;
+    frame.tauPascals = sound.groups.tauPascals;
     frame.slope = sound.qualitySlope;
     frame.budgetModes = sound.modeBudget;
     frame.load = sound.load;
@@ -94,9 +94,9 @@ SoundPicture::ofSilence(std::size_t slot, const ParameterValues& values, double 
     MonitoredSound sound;
     sound.sampleRateHz = rateHz;
     sound.slot = slot;
-    sound.groups.law = liveConditions(played.object->material, settings, played.sizeRatio).law;
+    sound.groups.law = liveConditions(played, settings).law;
     sound.groups.thicknessRatio = played.object->hasLiveThickness() ? settings.thicknessRatio : 1;
-    sound.groups.tauMetresPerSecond = settings.tau * metresPerSecondPerTau;
+    sound.groups.tauPascals = settings.tau * pascalsPerTau;
     sound.groups.compression = settings.compression;
     sound.groups.groupsAreBehind = true;
     sound.qualitySlope = settings.qualitySlope;
@@ -123,14 +123,12 @@ void SoundPicture::groupModesOf(const MonitoredSound& sound) {
                            groups.starts.begin() + static_cast<std::ptrdiff_t>(groups.count) + 1);
         return;
     }
-    std::vector<double> eigenvalues, dampingScales;
-    for (std::size_t mode = 0; mode < object->modeCount(); ++mode) {
+    std::vector<double> eigenvalues;
+    for (std::size_t mode = 0; mode < object->modeCount(); ++mode)
         eigenvalues.push_back(object->eigenvalueAt(mode, groups.thicknessRatio));
-        dampingScales.push_back(object->dampingScale(mode));
-    }
     groupStarts.resize(object->modeCount() + 1);
     groupStarts.resize(groupModes(eigenvalues, groups.law, groups.compression, groupStarts,
-                                  dampingScales, isSilenced) +
+                                  object->dampings(), isSilenced) +
                        1);
 }
 
@@ -161,7 +159,7 @@ void SoundPicture::addModes(const MonitoredSound& sound) {
 /// Of one that is silent.
 ModeNow SoundPicture::modeNow(const MonitoredSound& sound, std::size_t mode) const {
     const ModalPole pole = sound.groups.law.pole(
-        object->eigenvalueAt(mode, sound.groups.thicknessRatio), object->dampingScale(mode));
+        object->eigenvalueAt(mode, sound.groups.thicknessRatio), object->damping(mode));
     const auto number = static_cast<std::int32_t>(mode);
     ModeNow now;
     now.frequencyHz =

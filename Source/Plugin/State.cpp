@@ -3,7 +3,6 @@
 #include "Object/OneLine.h"
 #include "Object/UntrustedJson.h"
 
-#include <charconv>
 #include <juce_core/juce_core.h>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -78,7 +77,7 @@ std::vector<EmbeddedObject> parseObjects(const json& list) {
     return objects;
 }
 
-// Numbers that cannot be learned are refused; parameters of a newer version stay without.
+// Refuses numbers that cannot be learned.
 ControllerAssignments parseControllers(const json& object) {
     if (!object.is_object())
         throw Fault{"has 'controllers' that are not a JSON object"};
@@ -122,108 +121,6 @@ ordered_json encodeTuning(const ScalaTuning& tuning) {
     return object;
 }
 
-/// All that this version knows of a state.
-ordered_json encodeKnown(const State& state) {
-    ordered_json parameters = ordered_json::object();
-    for (const auto& info : parameterTable())
-        parameters[info.id] = state.parameters[info.parameter];
-    ordered_json objects = ordered_json::array();
-    for (const auto& object : state.objects)
-        objects.push_back(
-            {{"name", object.name},
-             {"modal", object.packed != nullptr ? *object.packed : packedModal(object.modal)}});
-    ordered_json controllers = ordered_json::object();
-    for (const auto& info : parameterTable())
-        if (const int number = state.controllers[info.parameter]; number != noController)
-            controllers[info.id] = number;
-    return {{"format", formatName},
-            {"version", stateFormatVersion},
-            {"engine", state.engineVersion},
-            {"parameters", parameters},
-            {"preset", ordered_json::parse(encodePreset(state.preset))},
-            {"objects", objects},
-            {"controllers", controllers},
-            {"tuning", encodeTuning(state.tuning)}};
-}
-
-/// The members that this version knows, where they stand: a state that has all of them. Below what
-/// is no object here everything is known.
-const json& knownMembers() {
-    static const json known = [] {
-        State full;
-        full.preset.keyMap.referenceNote = 0;
-        full.controllers.numbers.fill(1);
-        full.tuning = {.scale = {.name = "a", .text = "a"}, .mapping = {.name = "a", .text = "a"}};
-        json members = encodeKnown(full);
-        members["preset"]["surface"] = members["preset"]["mutedModes"] = nullptr;
-        return members;
-    }();
-    return known;
-}
-
-json unknownIn(const json& object, const json& known) {
-    json unknown = json::object();
-    for (const auto& [key, value] : object.items()) {
-        const auto place = known.find(key);
-        if (place == known.end())
-            unknown[key] = value;
-        else if (place->is_object() && value.is_object())
-            if (auto inner = unknownIn(value, *place); !inner.empty())
-                unknown[key] = std::move(inner);
-    }
-    return unknown;
-}
-
-void keepUnknown(const json& root, State& state) {
-    auto ofSound = unknownIn(root, knownMembers());
-    if (const auto tuning = ofSound.find("tuning"); tuning != ofSound.end()) {
-        // Of a file that is not given nothing is written.
-        if (!state.tuning.scale.isGiven())
-            tuning->erase("scale");
-        if (!state.tuning.mapping.isGiven())
-            tuning->erase("mapping");
-        if (tuning->empty())
-            ofSound.erase(tuning);
-    }
-    json ofInstance = json::object();
-    for (const auto* key : {"controllers", "tuning"})
-        if (const auto found = ofSound.find(key); found != ofSound.end()) {
-            ofInstance[key] = std::move(*found);
-            ofSound.erase(found);
-        }
-    if (!ofSound.empty())
-        state.unknownOfSound = ofSound.dump();
-    if (!ofInstance.empty())
-        state.unknownOfInstance = ofInstance.dump();
-}
-
-/// Behind what is known; what belongs to something that is not there any more is left out.
-void addUnknown(const json& unknown, const json& known, ordered_json& object) {
-    for (const auto& [key, value] : unknown.items()) {
-        if (const auto place = known.find(key); place == known.end())
-            // No look for the same key: it takes quadratic time.
-            object.get_ref<ordered_json::object_t&>().emplace_back(key, value);
-        else if (object.contains(key))
-            addUnknown(value, *place, object[key]);
-    }
-}
-
-/// Of a version, up to what is none.
-std::vector<int> numbersOf(std::string_view version) {
-    std::vector<int> numbers;
-    const char *next = version.data(), *const end = next + version.size();
-    for (int number = 0; next != end; ++next) {
-        const auto read = std::from_chars(next, end, number);
-        if (read.ec != std::errc())
-            break;
-        numbers.push_back(number);
-        next = read.ptr;
-        if (next == end || *next != '.')
-            break;
-    }
-    return numbers;
-}
-
 State parse(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
         throw Fault{"is not one of Idiophone's"};
@@ -231,9 +128,8 @@ State parse(const json& root) {
     if (!version.is_number_integer() || version.get<double>() < 1)
         throw Fault{"has a 'version' that is not a whole number from 1 on"};
     if (version.get<double>() > stateFormatVersion)
-        throw Fault{"was made by a newer Idiophone (" + oneLine(text(root, "engine")) + ")"};
+        throw Fault{"was made by a newer Idiophone (state version " + version.dump() + ")"};
     State state;
-    state.engineVersion = text(root, "engine");
     parseParameters(member(root, "parameters"), state);
     auto preset = parseSavedPreset(member(root, "preset").dump(), "its preset");
     if (!preset)
@@ -245,19 +141,10 @@ State parse(const json& root) {
         state.controllers = parseControllers(root["controllers"]);
     if (root.contains("tuning"))
         state.tuning = parseTuning(root["tuning"]);
-    keepUnknown(root, state);
     return state;
 }
 
 } // namespace
-
-std::string ownEngineVersion() {
-    return IDIOPHONE_VERSION;
-}
-
-bool isNewerThanOwnEngine(std::string_view version) {
-    return numbersOf(version) > numbersOf(IDIOPHONE_VERSION);
-}
 
 std::string packedModal(std::span<const std::byte> modal) {
     juce::MemoryOutputStream compressed;
@@ -269,13 +156,26 @@ std::string packedModal(std::span<const std::byte> modal) {
 }
 
 std::string encodeState(const State& state) {
-    auto root = encodeKnown(state);
-    for (const auto* unknown : {&state.unknownOfSound, &state.unknownOfInstance})
-        if (!unknown->empty())
-            addUnknown(json::parse(*unknown), knownMembers(), root);
-    for (const auto* key : {"controllers", "tuning"})
-        if (root[key].empty())
-            root.erase(key);
+    ordered_json parameters = ordered_json::object(), controllers = ordered_json::object();
+    for (const auto& info : parameterTable()) {
+        parameters[info.id] = state.parameters[info.parameter];
+        if (const int number = state.controllers[info.parameter]; number != noController)
+            controllers[info.id] = number;
+    }
+    ordered_json objects = ordered_json::array();
+    for (const auto& object : state.objects)
+        objects.push_back(
+            {{"name", object.name},
+             {"modal", object.packed != nullptr ? *object.packed : packedModal(object.modal)}});
+    ordered_json root{{"format", formatName},
+                      {"version", stateFormatVersion},
+                      {"parameters", parameters},
+                      {"preset", ordered_json::parse(encodePreset(state.preset))},
+                      {"objects", objects}};
+    if (!controllers.empty())
+        root["controllers"] = controllers;
+    if (state.tuning.isGiven())
+        root["tuning"] = encodeTuning(state.tuning);
     // Names come from people and files: replace what is not UTF-8 rather than throw.
     return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

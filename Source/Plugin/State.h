@@ -1,6 +1,5 @@
-// What a host saves with its project, as bytes: versioned JSON (docs: "format", "version",
-// "engine", "parameters", "preset", "objects", "controllers", "tuning"). Plain data; applying it is
-// the processor's.
+// What a host saves with its project, as bytes: versioned JSON ("format", "version", "parameters",
+// "preset", "objects", "controllers", "tuning"). Plain data; applying it is the processor's.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -37,22 +36,12 @@ struct EmbeddedObject {
 /// A .modal file as states have it: as text. Takes some tenths of a second for a large one.
 std::string packedModal(std::span<const std::byte> modal);
 
-/// Of this Idiophone.
-std::string ownEngineVersion();
-/// Numbers between dots, compared one by one; false for what is no version.
-bool isNewerThanOwnEngine(std::string_view version);
-
 struct State {
-    std::string engineVersion; ///< as in Sound
     ParameterValues parameters;
-    Preset preset; ///< its `unknownParameters` are in `unknownOfSound`
+    Preset preset;
     std::vector<EmbeddedObject> objects;
     ControllerAssignments controllers; ///< none in states that say none
     ScalaTuning tuning;                ///< none in states that say none; the files' text as it is
-    /// The members that this version does not know, as JSON: kept, and saved again, so that a
-    /// project from a newer version loses nothing here. Empty where there are none.
-    std::string unknownOfSound;
-    std::string unknownOfInstance; ///< those of "controllers" and "tuning"
 
     bool operator==(const State&) const = default;
 };
@@ -60,7 +49,9 @@ struct State {
 /// The same state always gives the same bytes; values are exact to the last bit.
 std::string encodeState(const State& state);
 
-/// Trusts nothing. The error is one sentence that begins "The saved state".
+/// Trusts nothing, and ignores members and parameters that it does not know. The error is one
+/// sentence that begins "The saved state". States of older formats are migrated here, and nowhere
+/// else; there are none yet.
 Result<State> parseState(std::string_view bytes);
 
 } // namespace idiophone

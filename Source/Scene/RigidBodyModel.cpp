@@ -3,7 +3,7 @@
 #include "Geometry/MeshCleaning.h"
 #include "Geometry/ObjectMesh.h"
 #include "Geometry/Subdivision.h"
-#include "Instrument/HertzContact.h"
+#include "Instrument/ContactLaw.h"
 #include "Object/OneLine.h"
 
 #include <Eigen/Eigenvalues>
@@ -144,8 +144,8 @@ double contactSeconds(const RigidBodyModel& first,
                       double effectiveMassKg,
                       double metresPerSecond) {
     const double modulusPa = 1 / (first.compliancePerPa + second.compliancePerPa);
-    return hertzContactSeconds(effectiveMassKg, relativeRadiusMetres(first, second), modulusPa,
-                               metresPerSecond);
+    const auto law = contactLaw(relativeRadiusMetres(first, second), modulusPa);
+    return contactSeconds(law, effectiveMassKg, metresPerSecond);
 }
 
 Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points) {

@@ -94,19 +94,23 @@ HWY_INLINE void findIncrements(const ForcedModes& modes,
             common = product(joined(sums, subBlock), power[1]);
 #pragma GCC unroll 2
         for (std::size_t c = 0; c < Channels; ++c) {
-            const auto start = hn::Load(f, channels[c].startResidues + g);
+            const Complex start{hn::Load(f, channels[c].startRe + g),
+                                hn::Load(f, channels[c].startIm + g)};
             Complex all;
             if (Moves) {
-                const auto way = hn::Sub(hn::Load(f, channels[c].endResidues + g), start);
+                const Complex way{hn::Sub(hn::Load(f, channels[c].endRe + g), start.re),
+                                  hn::Sub(hn::Load(f, channels[c].endIm + g), start.im)};
                 Complex heard[subBlocks];
 #pragma GCC unroll 4
                 for (std::size_t b = 0; b < subBlocks; ++b) {
-                    const auto residue = hn::MulAdd(way, hn::Set(f, shareOfWay(b)), start);
-                    heard[b] = {hn::Mul(residue, sums[b].re), hn::Mul(residue, sums[b].im)};
+                    const auto share = hn::Set(f, shareOfWay(b));
+                    heard[b] = product(Complex{hn::MulAdd(way.re, share, start.re),
+                                               hn::MulAdd(way.im, share, start.im)},
+                                       sums[b]);
                 }
                 all = product(joined(heard, subBlock), power[1]);
             } else {
-                all = {hn::Mul(start, common.re), hn::Mul(start, common.im)};
+                all = product(start, common);
             }
             hn::Store(all.re, f, found.x[c] + place);
             hn::Store(all.im, f, found.y[c] + place);
@@ -161,7 +165,7 @@ void force(const ForcedModes& modes,
            std::size_t count,
            std::span<const ForcedChannel> channels,
            float* energies) {
-    const bool moves = channels[0].startResidues != channels[0].endResidues;
+    const bool moves = channels[0].startRe != channels[0].endRe;
     if (channels.size() == 1)
         (moves ? forceOn<1, true> : forceOn<1, false>)(modes, impulses, count, channels, energies);
     else

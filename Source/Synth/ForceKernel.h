@@ -18,11 +18,13 @@ struct ForcedModes {
     const double* velocityShare; ///< α/ω_d
 };
 
-/// One channel: residues for the point and direction at the start and at the end of the cell, and
-/// states.
+/// One channel: complex residues for the point and direction at the start and at the end of the
+/// cell, and states.
 struct ForcedChannel {
-    const float* startResidues;
-    const float* endResidues;
+    const float* startRe;
+    const float* startIm;
+    const float* endRe;
+    const float* endIm;
     double* x;
     double* y;
 };

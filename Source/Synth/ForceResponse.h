@@ -10,11 +10,12 @@
 
 namespace idiophone {
 
-/// How the object is heard: what its residues are multiplied by, and from where, 0 at the point
-/// itself to 1 from afar.
+/// How the object is heard: what the residues near and from afar are multiplied by, and the share
+/// of the latter, 0 to 1.
 struct Hearing {
-    double gainRatio = 1;
-    double radiation = 0;
+    double nearGain = 1; ///< [Pa per m/s]
+    double farGain = 1;
+    double farShare = 0;
 
     bool operator==(const Hearing&) const = default;
 };

@@ -122,6 +122,16 @@ HWY_INLINE Complex unitKick(const KickModes& modes, const UnitKicks& unit, std::
     return {hn::Mul(factor, kick.re), hn::Mul(factor, kick.im)};
 }
 
+/// Stores the residues times the kick, and returns the residues.
+HWY_INLINE Complex storeHeard(const KickChannel& channel, Complex kick, std::size_t g) {
+    const Floats f;
+    const Complex residue = load(channel.residuesRe, channel.residuesIm, g);
+    const Complex heard = product(residue, kick);
+    hn::Store(heard.re, f, channel.x + g);
+    hn::Store(heard.im, f, channel.y + g);
+    return residue;
+}
+
 void start(const KickModes& modes,
            const UnitKicks& unit,
            std::size_t count,
@@ -133,28 +143,27 @@ void start(const KickModes& modes,
         const auto energy = hn::MulAdd(kick.re, kick.re, hn::Mul(kick.im, kick.im));
         auto loudest = hn::Zero(f);
         for (const KickChannel& channel : channels) {
-            const auto residue = hn::Load(f, channel.residues + g);
-            hn::Store(hn::Mul(residue, kick.re), f, channel.x + g);
-            hn::Store(hn::Mul(residue, kick.im), f, channel.y + g);
-            loudest = hn::Max(loudest, hn::Mul(residue, residue));
+            const Complex residue = storeHeard(channel, kick, g);
+            loudest = hn::Max(loudest, hn::MulAdd(residue.re, residue.re,
+                                                  hn::Mul(residue.im, residue.im)));
         }
         hn::Store(hn::Mul(loudest, energy), f, energies + g);
     }
 }
 
-void gather(const float* HWY_RESTRICT unitX,
-            const float* HWY_RESTRICT unitY,
-            double factor,
-            std::size_t count,
-            KickChannels channels) {
+void gather(const ForcedKicks& forced, std::size_t count, KickChannels channels) {
     const Floats f;
-    const auto scale = hn::Set(f, static_cast<float>(factor));
+    const auto scale = hn::Set(f, static_cast<float>(forced.factor));
+    const auto force = hn::Set(f, static_cast<float>(forced.force));
     for (std::size_t g = 0; g < count; g += lanes) {
-        const Complex unit = load(unitX, unitY, g);
+        const Complex unit = load(forced.x, forced.y, g);
+        const auto direct = hn::Mul(force, hn::Load(f, forced.perFrequency + g));
         for (const KickChannel& channel : channels) {
-            const auto residue = hn::Mul(scale, hn::Load(f, channel.residues + g));
-            hn::Store(hn::MulAdd(residue, unit.re, hn::Load(f, channel.x + g)), f, channel.x + g);
-            hn::Store(hn::MulAdd(residue, unit.im, hn::Load(f, channel.y + g)), f, channel.y + g);
+            const Complex residue = load(channel.residuesRe, channel.residuesIm, g);
+            const Complex heard = product(residue, unit);
+            const auto x = hn::MulAdd(residue.im, direct, heard.re);
+            hn::Store(hn::MulAdd(scale, x, hn::Load(f, channel.x + g)), f, channel.x + g);
+            hn::Store(hn::MulAdd(scale, heard.im, hn::Load(f, channel.y + g)), f, channel.y + g);
         }
     }
 }
@@ -164,14 +173,10 @@ void finish(const KickModes& modes,
             const KickMove& contact,
             std::size_t count,
             KickChannels channels) {
-    const Floats f;
     for (std::size_t g = 0; g < count; g += lanes) {
         const Complex kick = product(change(motion(modes, contact, g)), unitKick(modes, end, g));
-        for (const KickChannel& channel : channels) {
-            const auto residue = hn::Load(f, channel.residues + g);
-            hn::Store(hn::Mul(residue, kick.re), f, channel.x + g);
-            hn::Store(hn::Mul(residue, kick.im), f, channel.y + g);
-        }
+        for (const KickChannel& channel : channels)
+            storeHeard(channel, kick, g);
     }
 }
 
@@ -215,12 +220,8 @@ void startKicks(const KickModes& modes,
     HWY_DYNAMIC_DISPATCH(start)(modes, unit, count, channels, energies);
 }
 
-void gatherKicks(const float* unitX,
-                 const float* unitY,
-                 double factor,
-                 std::size_t count,
-                 KickChannels channels) noexcept {
-    HWY_DYNAMIC_DISPATCH(gather)(unitX, unitY, factor, count, channels);
+void gatherKicks(const ForcedKicks& forced, std::size_t count, KickChannels channels) noexcept {
+    HWY_DYNAMIC_DISPATCH(gather)(forced, count, channels);
 }
 
 void finishKicks(const KickModes& modes,

@@ -15,9 +15,10 @@ namespace idiophone {
 /// heard in other proportions.
 inline constexpr std::size_t mostChannels = 2;
 
-/// One channel: what of each mode is heard there, and its kicks.
+/// One channel: the complex residues of the modes there, and their kicks.
 struct KickChannel {
-    const float* residues;
+    const float* residuesRe;
+    const float* residuesIm;
     float* x;
     float* y;
 };
@@ -41,19 +42,26 @@ struct UnitKicks {
     double factor = 1;
 };
 
-/// Kicks become those of a contact that starts, and `energies` their |s|² in the louder channel.
+/// Kicks become residue times unit kick at the start of a contact, and `energies` their |s|² in the
+/// louder channel.
 void startKicks(const KickModes& modes,
                 const UnitKicks& unit,
                 std::size_t count,
                 KickChannels channels,
                 float* energies) noexcept;
 
-/// Kicks grow by those for residues of 1 times the residues and `factor`.
-void gatherKicks(const float* unitX,
-                 const float* unitY,
-                 double factor,
-                 std::size_t count,
-                 KickChannels channels) noexcept;
+/// The forced part of a contact, to be gathered: states for residues of 1, and what of the force the
+/// imaginary parts of residues hear at once.
+struct ForcedKicks {
+    const float* x;
+    const float* y;
+    const float* perFrequency; ///< Ω/ω
+    double force = 0;          ///< f/Ω of a unit impulse
+    double factor = 1;
+};
+
+/// Kicks grow by `factor` times the residues times these.
+void gatherKicks(const ForcedKicks& forced, std::size_t count, KickChannels channels) noexcept;
 
 /// A time of free motion, and how much a damper takes meanwhile (≥ 0).
 struct KickMove {

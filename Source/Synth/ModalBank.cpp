@@ -141,13 +141,13 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
                           const PoleLaw& law,
                           double lowestHz,
                           double highestHz,
-                          std::span<const double> dampingScales,
+                          std::span<const ModeDamping> dampings,
                           std::span<const std::uint8_t> silenced) noexcept {
     heavyModes.clear();
     audibleModes = 0;
     resonancesHz.clear();
     for (std::size_t g = 0; g < count; ++g) {
-        const ModalPole moved = law.pole(referenceEigenvalues[g], dampingScaleOf(dampingScales, g));
+        const ModalPole moved = law.pole(referenceEigenvalues[g], dampingOf(dampings, g));
         const bool oscillates = isOscillating(moved);
         if (oscillates != isOscillating(pole(g)) && energy[g] > 0)
             for (std::size_t c = 0; c < channelCount; ++c) {

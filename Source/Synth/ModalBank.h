@@ -8,6 +8,7 @@
 #include "Synth/ModalPole.h"
 #include "Synth/StrikeKernel.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,8 +32,23 @@ struct ModeStates {
     std::array<AlignedVector<double>, mostChannels> y;
 };
 
-/// What is heard of each mode in each channel, zero in the padding.
-using ModeResidues = std::array<AlignedVector<float>, mostChannels>;
+/// Complex residues of the modes in one channel, zero in the padding: a mode whose state is s
+/// sounds Re(r s), so that the imaginary part hears the acceleration over the frequency.
+struct ChannelResidues {
+    AlignedVector<float> re;
+    AlignedVector<float> im;
+
+    void resize(std::size_t modes) {
+        re.resize(modes);
+        im.resize(modes);
+    }
+    /// Copies the first `modes`, for which there is room.
+    void copyFrom(const ChannelResidues& other, std::size_t modes) noexcept {
+        std::copy_n(other.re.begin(), modes, re.begin());
+        std::copy_n(other.im.begin(), modes, im.begin());
+    }
+};
+using ModeResidues = std::array<ChannelResidues, mostChannels>;
 
 /// States that a contact adds to all modes of a bank, and their |s|² (or the square of their bound)
 /// in the louder channel.
@@ -50,6 +66,13 @@ struct UnitContact {
     AlignedVector<float> steady;
     AlignedVector<float> swingRe;
     AlignedVector<float> swingIm;
+    AlignedVector<float> quadratureRe;
+    AlignedVector<float> quadratureIm;
+
+    ForcedAmplitudes amplitudes() const noexcept {
+        return {steady.data(), swingRe.data(), swingIm.data(), quadratureRe.data(),
+                quadratureIm.data()};
+    }
 };
 
 /// What of one mode's state goes to another: its share of it.
@@ -99,15 +122,14 @@ public:
     void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
     /// Gives every mode the pole that `law` makes of its reference eigenvalue [size] and damping
-    /// scale ([size], or empty: all 1). States stay,
-    /// so that the velocity does not step; where the coordinates change near critical
+    /// ([size], or empty: the law's). States stay, so that the velocity does not step; where the coordinates change near critical
     /// damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f < `highestHz` (natural
     /// frequency) become inaudible, and so do `silenced` ones ([size] not 0, or empty: none).
     void movePoles(std::span<const double> referenceEigenvalues,
                    const PoleLaw& law,
                    double lowestHz,
                    double highestHz,
-                   std::span<const double> dampingScales = {},
+                   std::span<const ModeDamping> dampings = {},
                    std::span<const std::uint8_t> silenced = {}) noexcept;
 
     ModalPole pole(std::size_t g) const noexcept { return {stiffness[g], damping[g]}; }
@@ -146,6 +168,15 @@ public:
 
     // ModalBankContact.cpp. Kicks, residues and contacts have room for this bank.
 
+    /// Modes that do not oscillate have no phase: their residues become real, of the same size.
+    void makeHeavyReal(ModeResidues& residues) const noexcept;
+
+    /// What an impulse sounds at once in each channel, beside the motion of the modes in `runs`: with
+    /// it, and half of the first sample of that motion, a force that rests sounds nothing, as
+    /// velocity and acceleration are 0. About Σ Im r/(ω × the sample's time).
+    std::array<float, mostChannels> directSound(const ModeResidues& residues,
+                                                std::span<const ModeRun> runs) const noexcept;
+
     /// The forced part of a contact, or the motion after an impulse.
     void forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept;
     void impulseStates(UnitContact& unit) const noexcept;
@@ -158,9 +189,11 @@ public:
 
     /// Kicks become none, and grow by residues times the unit's states times `factor`.
     void clearKicks(ModeKicks& kicks) const noexcept;
+    /// With what the contact's force `share` (0 to 2, of 1/T) sounds at once.
     void gatherKicks(const UnitContact& unit,
                      const ModeResidues& residues,
                      double factor,
+                     double share,
                      ModeKicks& kicks) const noexcept;
 
     /// Kicks become those of the whole contact, started and ended. Their energies stay behind.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace idiophone {
 
@@ -21,14 +22,55 @@ std::array<KickChannel, mostChannels> channelsOf(const ModeResidues& residues,
                                                  ModeKicks& kicks) noexcept {
     std::array<KickChannel, mostChannels> channels{};
     for (std::size_t c = 0; c < mostChannels; ++c)
-        channels[c] = {residues[c].data(), kicks.x[c].data(), kicks.y[c].data()};
+        channels[c] = {residues[c].re.data(), residues[c].im.data(), kicks.x[c].data(),
+                       kicks.y[c].data()};
     return channels;
+}
+
+bool isIn(std::span<const ModeRun> runs, std::int32_t mode) noexcept {
+    return std::ranges::any_of(runs, [mode](const ModeRun& run) {
+        return mode >= run.first && mode < run.first + run.count;
+    });
 }
 
 } // namespace
 
 KickModes ModalBank::kickModes() const noexcept {
     return {frequency.data(), halfTurnsPerSample.data(), octavesPerSample.data()};
+}
+
+void ModalBank::makeHeavyReal(ModeResidues& residues) const noexcept {
+    for (const HeavyMode& heavy : heavyModes)
+        for (std::size_t c = 0; c < channelCount; ++c) {
+            float& re = residues[c].re[index(heavy.mode)];
+            float& im = residues[c].im[index(heavy.mode)];
+            re = std::copysign(std::hypot(re, im), re + im);
+            im = 0;
+        }
+}
+
+// Σ' ρ^k b over k ≥ 0, the first term halved, is b (1 + ρ)/(2 (1 − ρ)) with b = 1 + iα/ω.
+std::array<float, mostChannels>
+ModalBank::directSound(const ModeResidues& residues, std::span<const ModeRun> runs) const noexcept {
+    std::array<float, mostChannels> sums{};
+    for (const ModeRun& run : runs)
+        for (std::size_t g = index(run.first); g < index(run.first + run.count); ++g) {
+            const float re = 1 - sampleRe[g], im = -sampleIm[g];
+            const float perNorm = 0.5f / (re * re + im * im);
+            const float quotientRe = ((2 - re) * re - im * im) * perNorm;
+            const float quotientIm = -2 * im * perNorm;
+            const auto share = static_cast<float>(velocityShare[g]);
+            const float restRe = quotientRe - share * quotientIm;
+            const float restIm = quotientIm + share * quotientRe;
+            for (std::size_t c = 0; c < channelCount; ++c)
+                sums[c] -= residues[c].re[g] * restRe - residues[c].im[g] * restIm;
+        }
+    // Heavy modes, whose rotations are 0, sound as they are: their whole first sample.
+    for (const HeavyMode& heavy : heavyModes)
+        if (const std::size_t g = index(heavy.mode); isIn(runs, heavy.mode))
+            for (std::size_t c = 0; c < channelCount; ++c)
+                sums[c] += residues[c].re[g];
+    return sums;
 }
 
 void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept {
@@ -39,7 +81,9 @@ void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const
                              .y = unit.y.data(),
                              .steady = unit.steady.data(),
                              .swingRe = unit.swingRe.data(),
-                             .swingIm = unit.swingIm.data()},
+                             .swingIm = unit.swingIm.data(),
+                            .quadratureRe = unit.quadratureRe.data(),
+                            .quadratureIm = unit.quadratureIm.data()},
                             paddedSize());
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);
@@ -50,6 +94,7 @@ void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const
         unit.steady[g] = static_cast<float>(response.steadyVelocity());
         unit.swingRe[g] = static_cast<float>(response.swingVelocity().real());
         unit.swingIm[g] = static_cast<float>(response.swingVelocity().imag());
+        unit.quadratureRe[g] = unit.quadratureIm[g] = 0;
     }
 }
 
@@ -74,7 +119,7 @@ void ModalBank::startKicks(const UnitContact& unit,
                              ModalState{unit.x[g], unit.y[g]});
         double largest = 0;
         for (std::size_t c = 0; c < channelCount; ++c) {
-            const ModalState heard = static_cast<double>(residues[c][g]) * kick;
+            const ModalState heard = static_cast<double>(residues[c].re[g]) * kick;
             kicks.x[c][g] = static_cast<float>(heard.x);
             kicks.y[c][g] = static_cast<float>(heard.y);
             largest = std::max(largest, amplitudeBound(pole(g), heard));
@@ -93,10 +138,15 @@ void ModalBank::clearKicks(ModeKicks& kicks) const noexcept {
 void ModalBank::gatherKicks(const UnitContact& unit,
                             const ModeResidues& residues,
                             double factor,
+                            double share,
                             ModeKicks& kicks) const noexcept {
     const auto channels = channelsOf(residues, kicks);
-    idiophone::gatherKicks(unit.x.data(), unit.y.data(), factor, paddedSize(),
-                           std::span(channels).first(channelCount));
+    idiophone::gatherKicks({.x = unit.x.data(),
+                            .y = unit.y.data(),
+                            .perFrequency = unit.quadratureIm.data(),
+                            .force = share / (2 * std::numbers::pi),
+                            .factor = factor},
+                           paddedSize(), std::span(channels).first(channelCount));
 }
 
 void ModalBank::finishKicks(const UnitContact& unit,
@@ -117,7 +167,7 @@ void ModalBank::finishKicks(const UnitContact& unit,
             before.factor * (propagator(pole(g), before.samples * sampleSeconds) *
                              ModalState{end.x - start.x, end.y - start.y});
         for (std::size_t c = 0; c < channelCount; ++c) {
-            const auto residue = static_cast<double>(residues[c][g]);
+            const auto residue = static_cast<double>(residues[c].re[g]);
             kicks.x[c][g] = static_cast<float>(residue * both.x);
             kicks.y[c][g] = static_cast<float>(residue * both.y);
         }
@@ -186,8 +236,10 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
     setAside(states, heavyModes);
     std::array<ForcedChannel, mostChannels> channels{};
     for (std::size_t c = 0; c < channelCount; ++c)
-        channels[c] = {.startResidues = startResidues[c].data(),
-                       .endResidues = endResidues[c].data(),
+        channels[c] = {.startRe = startResidues[c].re.data(),
+                       .startIm = startResidues[c].im.data(),
+                       .endRe = endResidues[c].re.data(),
+                       .endIm = endResidues[c].im.data(),
                        .x = states.x[c].data(),
                        .y = states.y[c].data()};
     forceModes({.sampleRe = sampleRe.data(),
@@ -207,8 +259,8 @@ void ModalBank::forceHeavy(const HeavyMode& heavy,
     const std::size_t g = index(heavy.mode);
     const Propagator sample = propagator(pole(g), sampleSeconds);
     for (std::size_t c = 0; c < channelCount; ++c) {
-        const auto start = static_cast<double>(startResidues[c][g]);
-        const auto way = static_cast<double>(endResidues[c][g]) - start;
+        const auto start = static_cast<double>(startResidues[c].re[g]);
+        const auto way = static_cast<double>(endResidues[c].re[g]) - start;
         ModalState moving;
         for (std::size_t k = 0; k < cellSize; ++k) {
             const double residue =

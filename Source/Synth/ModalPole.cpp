@@ -44,10 +44,40 @@ Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
 
 } // namespace
 
-ModalPole PoleLaw::pole(double referenceEigenvalue, double dampingScale) const noexcept {
+ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) const noexcept {
     // The limits, far outside hearing, keep extreme settings from overflowing.
     const double stiffness = std::clamp(eigenvalueRatio * referenceEigenvalue, 1e-6, 1e18);
-    return {stiffness, std::clamp(dampingScale * damping.perSecond(stiffness), 0.0, 1e12)};
+    const double ofMaterial = mode.scale * damping.perSecond(stiffness);
+    const double extra =
+        mode.extraPerSecond > 0 ? 2 * mode.extraPerSecond * std::sqrt(eigenvalueRatio) : 0;
+    return {stiffness, std::clamp(ofMaterial + extra, 0.0, 1e12)};
+}
+
+// λ − α² − ω² rises with λ while α² < λ/2, and the law has no power of λ beyond the first: its
+// double root lies at 2ω² or beyond. Newton's steps from ω² come from below, up to there.
+double stiffnessSoundingAt(double dampedFrequency,
+                           const DampingLaw& damping,
+                           const ModeDamping& mode,
+                           double referenceEigenvalue) noexcept {
+    constexpr int mostSteps = 20;
+    constexpr double leastSlope = 0.1; // bounds the steps near the double root
+    const double target = dampedFrequency * dampedFrequency;
+    double stiffness = target;
+    for (int step = 0; step < mostSteps; ++step) {
+        const double extra = mode.extraPerSecond * std::sqrt(stiffness / referenceEigenvalue);
+        const double alpha = mode.scale * damping.perSecond(stiffness) / 2 + extra;
+        const double alphaSlope =
+            mode.scale *
+                (damping.viscoelasticSeconds + damping.lossFactor / (2 * std::sqrt(stiffness))) / 2 +
+            extra / (2 * stiffness);
+        const double miss = stiffness - alpha * alpha - target;
+        const double slope = std::max(1 - 2 * alpha * alphaSlope, leastSlope);
+        const double next = std::clamp(stiffness - miss / slope, target, 2 * target);
+        if (std::abs(next - stiffness) <= 1e-13 * stiffness)
+            return next;
+        stiffness = next;
+    }
+    return stiffness;
 }
 
 bool isOscillating(const ModalPole& pole) noexcept {

@@ -17,19 +17,27 @@ struct ModalPole {
     bool operator==(const ModalPole&) const = default;
 };
 
-/// How the eigenvalues of an object's reference become poles now: λ = ratio · λ_ref, and d
-/// by the damping law at that λ, times the mode's own scale (ModalObject::dampingScale).
+/// How the eigenvalues of an object's reference become poles now: λ = ratio · λ_ref, and d = scale
+/// times the damping law at that λ, plus twice the extra decay, which grows with the frequency.
 struct PoleLaw {
     double eigenvalueRatio = 1;
     DampingLaw damping;
 
     bool operator==(const PoleLaw&) const = default;
-    ModalPole pole(double referenceEigenvalue, double dampingScale = 1) const noexcept;
+    ModalPole pole(double referenceEigenvalue, const ModeDamping& mode = {}) const noexcept;
 };
 
-/// The damping scale of a mode or group; empty scales are all 1.
-inline double dampingScaleOf(std::span<const double> dampingScales, std::size_t index) noexcept {
-    return dampingScales.empty() ? 1 : dampingScales[index];
+/// The λ at which a mode under this law sounds at `dampedFrequency` [rad/s] > 0: λ − d(λ)²/4 = ω². Its
+/// extra decay is that at `referenceEigenvalue` > 0. At most 2ω², ζ = 1/√2: a law that damps more
+/// leaves no pitch to keep. Continuous in all arguments. Takes at most twenty steps, mostly three.
+double stiffnessSoundingAt(double dampedFrequency,
+                           const DampingLaw& damping,
+                           const ModeDamping& mode = {},
+                           double referenceEigenvalue = 1) noexcept;
+
+/// The damping of a mode or group; where there are none, all keep to the law.
+inline ModeDamping dampingOf(std::span<const ModeDamping> dampings, std::size_t index) noexcept {
+    return dampings.empty() ? ModeDamping() : dampings[index];
 }
 
 /// Velocity z' and displacement z of a mode at one instant.

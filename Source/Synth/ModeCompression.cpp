@@ -16,17 +16,20 @@ constexpr double fullTurn = 2 * std::numbers::pi;
 
 /// The first mode of a group, with what all others are compared with.
 struct FirstMode {
-    FirstMode(const ModalPole& first, double firstDampingScale, double compression) noexcept
-        : pole(first), dampingScale(firstDampingScale), oscillates(isOscillating(first)),
+    FirstMode(const ModalPole& first,
+              const ModeDamping& firstDamping,
+              double compression) noexcept
+        : pole(first), damping(firstDamping), oscillates(isOscillating(first)),
           frequency(oscillates ? dampedFrequency(first) : 0),
           noticeable(oscillates ? fullTurn * compression * discriminationHz(frequency / fullTurn)
                                 : 0) {}
 
-    bool canMerge(const ModalPole& next, double nextDampingScale) const noexcept {
-        if (nextDampingScale != dampingScale && (dampingScale < leastLikeDecay * nextDampingScale ||
-                                                 dampingScale > mostLikeDecay * nextDampingScale))
+    bool canMerge(const ModalPole& next, const ModeDamping& nextDamping) const noexcept {
+        const bool isAlike = nextDamping == damping;
+        if (!isAlike && (next.damping < leastLikeDecay * pole.damping ||
+                         next.damping > mostLikeDecay * pole.damping))
             return false;
-        if (nextDampingScale == dampingScale &&
+        if (isAlike &&
             std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
             return true;
         if (!oscillates || !isOscillating(next))
@@ -41,7 +44,7 @@ struct FirstMode {
     }
 
     ModalPole pole;
-    double dampingScale;
+    ModeDamping damping;
     bool oscillates;
     double frequency;
     double noticeable;
@@ -58,21 +61,21 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
                        std::span<std::int32_t> groupStarts,
-                       std::span<const double> dampingScales,
+                       std::span<const ModeDamping> dampings,
                        std::span<const std::uint8_t> kinds) noexcept {
     std::size_t groups = 0;
     std::size_t start = 0;
-    FirstMode first({}, 1, compression);
+    FirstMode first({}, {}, compression);
     for (std::size_t i = 0; i < referenceEigenvalues.size(); ++i) {
-        const double dampingScale = dampingScaleOf(dampingScales, i);
-        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingScale);
+        const ModeDamping damping = dampingOf(dampings, i);
+        const ModalPole pole = law.pole(referenceEigenvalues[i], damping);
         const bool isOfKind = kinds.empty() || kinds[i] == kinds[start];
         if (groups > 0 && isOfKind && i - start < largestGroup &&
-            first.canMerge(pole, dampingScale))
+            first.canMerge(pole, damping))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;
-        first = FirstMode(pole, dampingScale, compression);
+        first = FirstMode(pole, damping, compression);
     }
     groupStarts[groups] = static_cast<std::int32_t>(referenceEigenvalues.size());
     return groups;
@@ -93,27 +96,30 @@ double mergedEigenvalue(std::span<const double> referenceEigenvalues,
     return mean * mean;
 }
 
-double mergedDampingScale(std::span<const double> dampingScales,
+ModeDamping mergedDamping(std::span<const ModeDamping> dampings,
                           std::span<const double> weights) noexcept {
-    const double first = dampingScales.front();
-    double sum = 0;
+    const ModeDamping first = dampings.front();
+    ModeDamping sum{.scale = 0, .extraPerSecond = 0};
     double total = 0;
-    for (std::size_t i = 0; i < dampingScales.size(); ++i) {
-        sum += weights[i] * (dampingScales[i] - first);
+    for (std::size_t i = 0; i < dampings.size(); ++i) {
+        sum.scale += weights[i] * (dampings[i].scale - first.scale);
+        sum.extraPerSecond += weights[i] * (dampings[i].extraPerSecond - first.extraPerSecond);
         total += weights[i];
     }
-    return total > 0 ? first + sum / total : first;
+    return total > 0 ? ModeDamping{first.scale + sum.scale / total,
+                                   first.extraPerSecond + sum.extraPerSecond / total}
+                     : first;
 }
 
 void findLostShares(std::span<const double> referenceEigenvalues,
                     const PoleLaw& law,
                     std::span<float> shares,
-                    std::span<const double> dampingScales) noexcept {
+                    std::span<const ModeDamping> dampings) noexcept {
     const std::size_t count = std::min(referenceEigenvalues.size(), largestGroup);
     std::array<double, largestGroup> decays;
     std::array<double, largestGroup> frequencies;
     for (std::size_t i = 0; i < count; ++i) {
-        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingScaleOf(dampingScales, i));
+        const ModalPole pole = law.pole(referenceEigenvalues[i], dampingOf(dampings, i));
         decays[i] = pole.damping / 2;
         frequencies[i] = dampedFrequency(pole);
     }
@@ -127,20 +133,24 @@ void findLostShares(std::span<const double> referenceEigenvalues,
         }
 }
 
-float mergedResidue(std::span<const float> residues, std::span<const float> lostShares) noexcept {
-    double sum = 0;
-    for (const float residue : residues)
-        sum += static_cast<double>(residue);
-    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave (Σr)² without rounding.
+std::complex<float> mergedResidue(std::span<const std::complex<float>> residues,
+                                  std::span<const float> lostShares) noexcept {
+    std::complex<double> sum = 0;
+    for (const auto& residue : residues)
+        sum += residue;
+    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave |Σr|² without rounding.
     double lost = 0;
     std::size_t pair = 0;
     for (std::size_t i = 0; i < residues.size(); ++i)
-        for (std::size_t j = i + 1; j < residues.size(); ++j)
-            lost += 2 * static_cast<double>(residues[i]) * static_cast<double>(residues[j]) *
+        for (std::size_t j = i + 1; j < residues.size(); ++j) {
+            const std::complex<double> a = residues[i], b = residues[j];
+            lost += 2 * (a.real() * b.real() + a.imag() * b.imag()) *
                     static_cast<double>(lostShares[pair++]);
+        }
     if (lost == 0)
-        return static_cast<float>(sum);
-    return static_cast<float>(std::copysign(std::sqrt(std::max(sum * sum - lost, 0.0)), sum));
+        return std::complex<float>(sum);
+    const double size = std::sqrt(std::max(std::norm(sum) - lost, 0.0));
+    return std::complex<float>(std::norm(sum) > 0 ? size / std::abs(sum) * sum : size);
 }
 
 } // namespace idiophone

@@ -4,6 +4,7 @@
 
 #include "Synth/ModalPole.h"
 
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,15 +25,15 @@ double discriminationHz(double frequencyHz) noexcept;
 ///  everything);
 ///  - they do not beat audibly: |Δω| ≤ (α_i + α_j)/2, so that they decay within a beat;
 ///  - both oscillate (over-damped modes have no frequency to compare);
-///  - their own damping scales (empty: all 1), the first's over its, are 0.75 to 1.4: decay times
-///  that far apart sound alike (Järveläinen & Tolonen 2001).
-/// Modes whose λ agree within 1e-9, and whose damping scales are equal, are one pole and always
-/// join, even at compression 0. Modes of different `kinds` (empty: all alike) never meet.
+///  - their dampings agree, or its decay over the first's is 0.75 to 1.4: decay times that far apart
+///  sound alike (Järveläinen & Tolonen 2001).
+/// Modes whose λ agree within 1e-9, and whose dampings are equal, are one pole and always join, even
+/// at compression 0. Modes of different `kinds` (empty: all alike) never meet.
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
                        std::span<std::int32_t> groupStarts,
-                       std::span<const double> dampingScales = {},
+                       std::span<const ModeDamping> dampings = {},
                        std::span<const std::uint8_t> kinds = {}) noexcept;
 
 /// The reference eigenvalue that stands for a group: the square of the mean of √λ weighted by
@@ -41,9 +42,9 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
 double mergedEigenvalue(std::span<const double> referenceEigenvalues,
                         std::span<const double> weights) noexcept;
 
-/// The damping scale that stands for a group: their mean weighted by `weights`. Exact where the
-/// members are equal.
-double mergedDampingScale(std::span<const double> dampingScales,
+/// The damping that stands for a group: the mean weighted by `weights`. Exact where the members are
+/// equal.
+ModeDamping mergedDamping(std::span<const ModeDamping> dampings,
                           std::span<const double> weights) noexcept;
 
 /// How many pairs a group of `modes` has.
@@ -56,10 +57,11 @@ constexpr std::size_t pairsOf(std::size_t modes) noexcept {
 void findLostShares(std::span<const double> referenceEigenvalues,
                     const PoleLaw& law,
                     std::span<float> shares,
-                    std::span<const double> dampingScales = {}) noexcept;
+                    std::span<const ModeDamping> dampings = {}) noexcept;
 
-/// The residue that stands for a group: R² = Σ_ij r_i r_j a_ij²/(a_ij² + Δ_ij²), with the sign of
-/// Σr. Equal poles give Σr exactly.
-float mergedResidue(std::span<const float> residues, std::span<const float> lostShares) noexcept;
+/// The complex residue that stands for a group: |R|² = Σ_ij Re(r_i r_j*) a_ij²/(a_ij² + Δ_ij²), with
+/// the phase of Σr. Equal poles give Σr exactly.
+std::complex<float> mergedResidue(std::span<const std::complex<float>> residues,
+                                  std::span<const float> lostShares) noexcept;
 
 } // namespace idiophone

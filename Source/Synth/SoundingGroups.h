@@ -26,7 +26,7 @@ struct SoundingGroups {
 
     PoleLaw law;                   ///< of the poles that hold
     double thicknessRatio = 1;     ///< of the shell to that of its reference
-    double tauMetresPerSecond = 0; ///< amplitudes below are dropped
+    double tauPascals = 0; ///< amplitudes below are dropped
     double compression = 1;
     /// The object is silent, and its groups are not yet those of `law` and `compression`.
     bool groupsAreBehind = false;

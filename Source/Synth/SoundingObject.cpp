@@ -17,16 +17,15 @@ constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
 } // namespace
 
-SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
-                               double sizeRatio,
+SoundingObject::SoundingObject(SynthesiserSlot slot,
                                ModeWeights modeWeightsOfObject,
-                               double radiationWeightScale,
+                               std::uint32_t seed,
                                std::size_t channels,
                                double sampleRateHz,
                                SynthesisScratch& sharedScratch)
-    : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
-      slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
-      cellSeconds(cellSamples / sampleRateHz), weightScale(radiationWeightScale),
+    : object(slot.object ? std::move(slot.object) : std::make_shared<const ModalObject>()),
+      slotSizeRatio(slot.sizeRatio), pitch(slot.pitch), outputChannels(channels),
+      sampleRate(sampleRateHz), cellSeconds(cellSamples / sampleRateHz),
       modeWeights(std::move(modeWeightsOfObject)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
       fader(bank, sampleRateHz), scratch(sharedScratch) {
@@ -34,9 +33,8 @@ SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
     groupStarts.resize(modes + 1);
     std::iota(groupStarts.begin(), groupStarts.end(), 0);
     modeEigenvalues = referenceEigenvalues = object->eigenvalues;
-    for (std::size_t mode = 0; mode < object->decaysPerSecond.size(); ++mode)
-        dampingScales.push_back(object->dampingScale(mode));
-    groupDampingScales = dampingScales;
+    groupDampings = dampings = object->dampings();
+    pairs = modePairs(*object, seed);
     lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)

@@ -2,9 +2,9 @@
 // and which of them are mixed. It renders cells and takes strikes; the budget comes from outside.
 #pragma once
 
-#include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
+#include "Synth/Imperfection.h"
 #include "Synth/ModalBank.h"
 #include "Synth/ModeFader.h"
 #include "Synth/QualityScaling.h"
@@ -12,6 +12,7 @@
 #include "Synth/Strike.h"
 #include "Synth/SynthesisScratch.h"
 #include "Synth/SynthesisSettings.h"
+#include "Synth/SynthesiserSlot.h"
 
 #include <array>
 #include <bit>
@@ -36,13 +37,12 @@ public:
 
     /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
     /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
-    /// `modeWeights` [M] are the object's `summedSquareShapes` and `radiationWeightScale` is its
-    /// radiationScale (Listening.h): what takes time, and is the same for all slots of an object.
-    /// `scratch` has room for this object and outlives it; objects on one thread share it.
-    SoundingObject(std::shared_ptr<const ModalObject> object,
-                   double sizeRatio,
+    /// `modeWeights` [M] are the object's `summedSquareShapes`, which all its slots share. `seed` draws
+    /// its imperfection. `scratch` has room for this object and outlives it; objects on one thread
+    /// share it.
+    SoundingObject(SynthesiserSlot slot,
                    ModeWeights modeWeights,
-                   double radiationWeightScale,
+                   std::uint32_t seed,
                    std::size_t channels,
                    double sampleRateHz,
                    SynthesisScratch& scratch);
@@ -117,10 +117,9 @@ private:
     /// One contact under way; its free part is in the states of the modes.
     struct Contact {
         Strike strike;        ///< its duration cleared of resonances
-        double gainRatio = 1; ///< as of its start
+        Hearing heard;        ///< as of its start
         std::int64_t startCell = 0;
         double startSample = 0;
-        double listening = 0; ///< how much of it is heard from afar
         /// G0 and H over the modes mixed, for each channel.
         std::array<double, mostChannels> steadyVelocity{};
         std::array<std::complex<double>, mostChannels> swing{};
@@ -168,7 +167,7 @@ private:
     bool audible(std::size_t g) const noexcept { return inBand(g) && !silenced(g); }
     bool holdsAboveTau() const noexcept;
     double dampingLog(std::int64_t grid) const noexcept;
-    float tauEnergy() const noexcept { return static_cast<float>(tauVelocity * tauVelocity); }
+    float tauEnergy() const noexcept { return static_cast<float>(tauPascals * tauPascals); }
 
     // SoundingObjectGroups.cpp: groups that follow the poles.
     void regroup(std::size_t groups) noexcept;
@@ -182,7 +181,7 @@ private:
     bool valid(const StrikePoint& point) const noexcept;
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
     void prepareBank() noexcept;
-    void widen(double listening) noexcept;
+    void widen(double farShare) noexcept;
     bool computeForced(const Contact& contact) noexcept;
     void joinStruck(std::int32_t allowance) noexcept;
     void admitWanted(std::int32_t allowance) noexcept;
@@ -207,7 +206,8 @@ private:
 
     // SoundingObjectResidues.cpp: what is heard of each group.
     bool computeResidues(const Contact& contact) noexcept;
-    void mergeResidues(std::size_t channel) noexcept;
+    void mergeResidues(ChannelResidues& residues) noexcept;
+    void blendNear(float farShare, ChannelResidues& residues) const noexcept;
     void findLost() noexcept;
     void findRadiation(std::int32_t heardFrom) noexcept;
 
@@ -240,6 +240,7 @@ private:
 
     std::shared_ptr<const ModalObject> object;
     double slotSizeRatio;
+    std::optional<PitchMode> pitch;
     std::size_t outputChannels;
     double sampleRate;
     double cellSeconds;
@@ -260,29 +261,29 @@ private:
     std::vector<std::uint8_t> silencedModes; ///< [M], or empty: none
     PoleLaw law;
     bool polesBehind = false; ///< the bank is not yet that of `law` and `compression`
-    double gainRatio = 1;     ///< residues over the reference's: 1/mass ratio
-    double radiation = 0;     ///< 0 heard where struck, 1 from afar
+    Hearing hearing;          ///< of strikes from now on
     /// Frequency times size over the reference's: where the radiation table is to be read, and
     /// where and for which `StrikePoint::heardFrom` it was.
     double wantedRadiationRatio = 1;
     double radiationRatio = 0;
     std::int32_t radiationHeardFrom = -1;
     double compression = 1;
-    double tauVelocity = 0; ///< τ in m/s, at least the floor where states are flushed
+    double tauPascals = 0; ///< τ, at least the floor where states are flushed
     double damping = 0;     ///< δ
     double dampingLogBase = 0;
     std::int64_t dampingSince = 0;
 
     // Groups.
-    double weightScale;                       ///< of the radiation weights (Listening.h)
     ModeWeights modeWeights;                  ///< [M] `summedSquareShapes`
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
     double thicknessRatio = 1;                ///< 1 where the object has none live
     std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness
     std::vector<double> referenceEigenvalues; ///< [G] of the groups
-    bool eigenvaluesAreBehind = false;        ///< both are not yet those of the thickness
-    std::vector<double> dampingScales;        ///< [M], or empty: all 1
-    std::vector<double> groupDampingScales;   ///< [G], or empty: all 1
+    bool eigenvaluesAreBehind = false;        ///< both are not yet those of these two:
+    double imperfection = 0;
+    std::vector<ModePair> pairs;
+    std::vector<ModeDamping> dampings;        ///< [M], or empty: the law's
+    std::vector<ModeDamping> groupDampings;   ///< [G], or empty: the law's
     std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)
     std::optional<PoleLaw> lostSharesLaw;     ///< for which they hold
 
@@ -291,7 +292,7 @@ private:
     std::vector<Block> blocks;
     std::vector<std::int32_t> mixedModes; ///< ascending
     std::vector<ModeRun> mixedRuns;
-    std::array<std::vector<float>, mostChannels> radiationWeights; ///< [M]
+    std::array<std::vector<std::complex<float>>, mostChannels> radiationWeights; ///< [M]
     bool mixedIsRinging = true; ///< the modes mixed are those that ring
     ModeDemand demanded;
     std::int32_t mixedLastCell = 0;

@@ -1,4 +1,5 @@
 // What the settings make of a sounding object's poles.
+#include "Synth/Listening.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/ModeCompression.h"
 #include "Synth/SoundingObject.h"
@@ -13,22 +14,23 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     SynthesisSettings own = settings;
     if (requestedMaterial)
         own.material = requestedMaterial;
-    const LiveConditions live =
-        liveConditions(object->material, own, slotSizeRatio, requestedFrequencyRatio);
+    const LiveConditions live = liveConditions(object->material, own, slotSizeRatio,
+                                               requestedFrequencyRatio, pitch ? &*pitch : nullptr);
     const double thickness = object->hasLiveThickness() ? settings.thicknessRatio : 1;
-    const double newGainRatio = live.gainRatio / thickness;
     // τ = 0 truncates nothing that could be heard after all.
-    const double newTau = std::max(settings.tau * metresPerSecondPerTau, faintestVelocity);
-    gainRatio = newGainRatio;
-    radiation = settings.radiation;
+    const double newTau = std::max(settings.tau * pascalsPerTau, faintestVelocity);
+    hearing = {.nearGain = contactMicrophonePascals * live.gainRatio / thickness,
+               .farGain = live.radiationGainRatio / thickness,
+               .farShare = object->radiation.empty() ? 0 : settings.radiation};
 
     const bool polesMove = live.law != law || settings.compression != compression ||
-                           thickness != thicknessRatio || silencesChange;
+                           thickness != thicknessRatio || silencesChange ||
+                           settings.imperfection != imperfection;
     const bool dampingMoves = requestedDamping != damping;
     const bool weightsMove = live.radiationRatio != wantedRadiationRatio;
     const bool contactsMove = polesMove || dampingMoves || weightsMove;
-    const bool tauFalls = newTau < tauVelocity;
-    if (!contactsMove && newTau == tauVelocity)
+    const bool tauFalls = newTau < tauPascals;
+    if (!contactsMove && newTau == tauPascals)
         return;
     // A contact's forced part belongs to the poles and the radiation weights it was computed for:
     // it is made free motion, and taken out again with those and the damping that hold from here
@@ -40,10 +42,14 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     dampingLogBase = dampingLog(cellIndex);
     dampingSince = cellIndex;
     damping = requestedDamping;
-    tauVelocity = newTau;
+    tauPascals = newTau;
     law = live.law;
-    eigenvaluesAreBehind = eigenvaluesAreBehind || thickness != thicknessRatio;
+    eigenvaluesAreBehind = eigenvaluesAreBehind || thickness != thicknessRatio ||
+                           settings.imperfection != imperfection;
     thicknessRatio = thickness;
+    if ((settings.imperfection > 0) != (imperfection > 0))
+        radiationRatio = 0; // its weights are to be turned, or not
+    imperfection = settings.imperfection;
     compression = settings.compression;
     if (silencesChange)
         takeSilences();
@@ -76,11 +82,13 @@ void SoundingObject::movePoles() noexcept {
     ++responseVersion;
     // Resting states move with the poles they had up to here.
     bringRestingUpToDate(cellIndex);
-    if (eigenvaluesAreBehind)
+    if (eigenvaluesAreBehind) {
         for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
             modeEigenvalues[mode] = object->eigenvalueAt(mode, thicknessRatio);
+        partPairs(pairs, imperfection, modeEigenvalues);
+    }
     const std::size_t groups = groupModes(modeEigenvalues, law, compression, scratch.groupStarts,
-                                          dampingScales, silencedModes);
+                                          dampings, silencedModes);
     if (groups == bank.size() &&
         std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
                    scratch.groupStarts.begin())) {
@@ -98,7 +106,7 @@ void SoundingObject::movePoles() noexcept {
             silencedGroups[g] = silenced(g) ? 1 : 0;
     }
     bank.movePoles(std::span(referenceEigenvalues).first(bank.size()), law, lowestSoundingHz,
-                   highestSoundingShare * sampleRate, groupDampingScales, silencedGroups);
+                   highestSoundingShare * sampleRate, groupDampings, silencedGroups);
 }
 
 bool SoundingObject::inBand(std::size_t g) const noexcept {

@@ -11,13 +11,13 @@ namespace idiophone {
 void SoundingObject::hold(Contact& contact,
                           std::span<const ModeRun> modes,
                           double factor) noexcept {
-    const ForcedAmplitudes parts{scratch.contact.steady.data(), scratch.contact.swingRe.data(),
-                                 scratch.contact.swingIm.data()};
+    const ForcedAmplitudes parts = scratch.contact.amplitudes();
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         ForcedSum sum;
         for (const ModeRun& run : modes)
-            sumForced(scratch.groupResidues[c].data(), parts, static_cast<std::size_t>(run.first),
-                      static_cast<std::size_t>(run.count), sum);
+            sumForced(scratch.groupResidues[c].re.data(), scratch.groupResidues[c].im.data(), parts,
+                      static_cast<std::size_t>(run.first), static_cast<std::size_t>(run.count),
+                      sum);
         contact.steadyVelocity[c] += factor * sum.steady;
         contact.swing[c] += factor * sum.swing;
     }
@@ -32,7 +32,9 @@ SoundingObject::phaseAt(const Contact& contact, std::int64_t cell, double sample
 }
 
 double SoundingObject::shareOfResidues(const Contact& contact, const Contact& other) noexcept {
-    if (contact.listening != other.listening || contact.strike.point != other.strike.point)
+    const Hearing &own = contact.heard, &others = other.heard;
+    if (own.farShare != others.farShare || contact.strike.point != other.strike.point ||
+        own.nearGain * others.farGain != own.farGain * others.nearGain)
         return 0;
     double along = 0;
     double square = 0;
@@ -46,7 +48,7 @@ double SoundingObject::shareOfResidues(const Contact& contact, const Contact& ot
     }
     if (!(otherSquare > 0) || along * along < (1 - 1e-12) * square * otherSquare)
         return 0;
-    return along / otherSquare * contact.gainRatio / other.gainRatio;
+    return along / otherSquare * own.nearGain / others.nearGain;
 }
 
 /// The forced parts of all contacts become free motion of the states at the grid point, of every
@@ -75,12 +77,13 @@ void SoundingObject::moveContacts(Forced become) noexcept {
 
 /// One of them, whose residues are `factor` times those at hand.
 void SoundingObject::moveContact(Contact& contact, double factor, Forced become) noexcept {
+    const std::complex<double> phase = phaseAt(contact, cellIndex, 0);
     bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,
                        .dampingPerSecond = damping,
-                       .phase = phaseAt(contact, cellIndex, 0)},
+                       .phase = phase},
                       scratch.contact);
     bank.gatherKicks(scratch.contact, scratch.groupResidues,
-                     become == Forced::freed ? factor : -factor, scratch.kicks);
+                     become == Forced::freed ? factor : -factor, 1 - phase.real(), scratch.kicks);
     if (become == Forced::freed)
         return;
     contact.steadyVelocity = {};

@@ -26,15 +26,13 @@ bool SoundingObject::applyForce(const ForceCell& force,
         return false;
     takeInKicks(cellIndex + 1);
     prepareBank();
-    const Hearing heard{.gainRatio = gainRatio,
-                        .radiation = object->radiation.empty() ? 0 : radiation};
     // What is heard of a force that goes on must not step: that would be a step of the force.
     if (forcedCell != cellIndex) {
-        heardAtStart = forcedCell + 1 == cellIndex ? heardAtEnd : heard;
-        heardAtEnd = heard;
+        heardAtStart = forcedCell + 1 == cellIndex ? heardAtEnd : hearing;
+        heardAtEnd = hearing;
     }
     forcedCell = cellIndex;
-    widen(std::max(heardAtStart.radiation, heardAtEnd.radiation));
+    widen(std::max(heardAtStart.farShare, heardAtEnd.farShare));
     admitForced(allowance);
 
     alignas(64) std::array<float, cellSamples> impulses;
@@ -78,14 +76,16 @@ void SoundingObject::answerAt(const ForcePlace& place,
     const ForceResponse& first = responseAt(place.points[0], heard, known);
     if (place.way == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
-            std::copy_n(first.residues[c].begin(), bank.paddedSize(), residues[c].begin());
+            residues[c].copyFrom(first.residues[c], bank.paddedSize());
         sound = first.sound;
         return;
     }
     const ForceResponse& second = responseAt(place.points[1], heard, known);
     for (std::size_t c = 0; c < bank.channels(); ++c) {
-        blendResponses(first.residues[c].data(), second.residues[c].data(), place.way,
-                       bank.paddedSize(), residues[c].data());
+        blendResponses(first.residues[c].re.data(), second.residues[c].re.data(), place.way,
+                       bank.paddedSize(), residues[c].re.data());
+        blendResponses(first.residues[c].im.data(), second.residues[c].im.data(), place.way,
+                       bank.paddedSize(), residues[c].im.data());
         blendResponses(first.sound[c].data(), second.sound[c].data(), place.way, cellSamples,
                        sound[c].data());
     }
@@ -122,16 +122,17 @@ void SoundingObject::answer(const ForcePoint& at,
     response.at = at;
     response.heard = heard;
     computeResidues({.strike = {.point = at.point, .impulseNewtonSeconds = at.direction},
-                     .gainRatio = heard.gainRatio,
-                     .listening = heard.radiation});
+                     .heard = heard});
     bank.impulseStates(scratch.contact);
     bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        std::copy_n(scratch.groupResidues[c].begin(), bank.paddedSize(),
-                    response.residues[c].begin());
+        response.residues[c].copyFrom(scratch.groupResidues[c], bank.paddedSize());
     response.sound = {};
     bank.sound(scratch.kicks, mixedRuns, subBlocks,
                {response.sound[0].data(), response.sound[1].data()});
+    const auto direct = bank.directSound(scratch.groupResidues, mixedRuns);
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
     if (damping > 0)
         fadeByDamper({response.sound[0].data(), response.sound[1].data()}, cellSamples);
 }

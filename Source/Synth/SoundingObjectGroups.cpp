@@ -65,10 +65,10 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         referenceEigenvalues[g] = mergedEigenvalue(std::span(modeEigenvalues).subspan(first, count),
                                                    std::span(*modeWeights).subspan(first, count));
-        if (!dampingScales.empty())
-            groupDampingScales[g] =
-                mergedDampingScale(std::span<const double>(dampingScales).subspan(first, count),
-                                   std::span<const double>(*modeWeights).subspan(first, count));
+        if (!dampings.empty())
+            groupDampings[g] =
+                mergedDamping(std::span<const ModeDamping>(dampings).subspan(first, count),
+                              std::span<const double>(*modeWeights).subspan(first, count));
     }
 }
 

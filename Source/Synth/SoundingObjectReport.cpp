@@ -9,7 +9,7 @@ namespace idiophone {
 void SoundingObject::report(SoundingGroups& groups) const noexcept {
     groups.law = law;
     groups.thicknessRatio = thicknessRatio;
-    groups.tauMetresPerSecond = tauVelocity;
+    groups.tauPascals = tauPascals;
     groups.compression = compression;
     groups.groupsAreBehind = polesBehind;
     groups.count = 0;

@@ -9,45 +9,71 @@
 
 namespace idiophone {
 
-/// Residues of all groups in each channel. What is heard is a mean of the velocity at the struck
-/// point, along the listening direction there, and of what the whole surface radiates. False, and
-/// all of them 0, where one of them is beyond all reason.
+/// Residues of all groups in each channel, near, from afar or between. False, and all of them 0,
+/// where one of them is beyond all reason.
 bool SoundingObject::computeResidues(const Contact& contact) noexcept {
     const StrikePoint& struck = contact.strike.point;
     projectShapes(pointShapes(*object, struck), contact.strike.impulseNewtonSeconds,
                   listeningDirection(struck), object->modeCount(), scratch.struckGains.data(),
                   scratch.heardGains.data());
-    const auto near = static_cast<float>(contact.gainRatio * (1 - contact.listening));
-    const auto far = static_cast<float>(weightScale * contact.gainRatio * contact.listening);
-    if (far > 0)
-        findRadiation(struck.heardFrom);
-    for (std::size_t c = 0; c < bank.channels(); ++c) {
-        if (far > 0)
-            for (std::size_t i = 0; i < object->modeCount(); ++i)
-                scratch.modeResidues[i] = scratch.struckGains[i] * (near * scratch.heardGains[i] +
-                                                                    far * radiationWeights[c][i]);
-        else
-            for (std::size_t i = 0; i < object->modeCount(); ++i)
-                scratch.modeResidues[i] = near * scratch.struckGains[i] * scratch.heardGains[i];
-        mergeResidues(c);
+    if (imperfection > 0)
+        for (auto* gains : {&scratch.struckGains, &scratch.heardGains})
+            turnPairs(pairs, std::span(*gains));
+    const double farShare = contact.heard.farShare;
+    const auto near = static_cast<float>(contact.heard.nearGain);
+    const auto far = static_cast<float>(contact.heard.farGain);
+    auto& modes = scratch.modeResidues;
+    if (farShare < 1) {
+        for (std::size_t i = 0; i < object->modeCount(); ++i)
+            modes[i] = near * scratch.struckGains[i] * scratch.heardGains[i];
+        for (std::size_t i = 0; i < object->gains.size(); ++i)
+            modes[i] *= object->gains[i];
+        mergeResidues(scratch.groupResidues[0]);
     }
-    const auto residuesOf = [this](std::size_t c) {
-        return std::span(scratch.groupResidues[c]).first(bank.paddedSize());
+    if (farShare > 0) {
+        findRadiation(struck.heardFrom);
+        if (farShare < 1)
+            scratch.nearResidues.copyFrom(scratch.groupResidues[0], bank.paddedSize());
+    }
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        ChannelResidues& residues = scratch.groupResidues[c];
+        if (farShare > 0) {
+            for (std::size_t i = 0; i < object->modeCount(); ++i)
+                modes[i] = far * scratch.struckGains[i] * radiationWeights[c][i];
+            mergeResidues(residues);
+            if (farShare < 1)
+                blendNear(static_cast<float>(farShare), residues);
+        } else if (c > 0) {
+            residues.copyFrom(scratch.groupResidues[0], bank.paddedSize());
+        }
+    }
+    bank.makeHeavyReal(scratch.groupResidues);
+    const auto firstGroups = [this](AlignedVector<float>& values) {
+        return std::span(values).first(bank.paddedSize());
     };
     bool reasonable = true;
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        reasonable = reasonable && allWithin(residuesOf(c), largestResidue);
+        reasonable = reasonable &&
+                     allWithin(firstGroups(scratch.groupResidues[c].re), largestResidue) &&
+                     allWithin(firstGroups(scratch.groupResidues[c].im), largestResidue);
     if (!reasonable)
-        for (std::size_t c = 0; c < bank.channels(); ++c)
-            std::ranges::fill(residuesOf(c), 0.0f);
+        for (std::size_t c = 0; c < bank.channels(); ++c) {
+            std::ranges::fill(firstGroups(scratch.groupResidues[c].re), 0.0f);
+            std::ranges::fill(firstGroups(scratch.groupResidues[c].im), 0.0f);
+        }
     return reasonable;
 }
 
-void SoundingObject::mergeResidues(std::size_t channel) noexcept {
-    auto& residues = scratch.groupResidues[channel];
-    const std::span<const float> modes(scratch.modeResidues);
+/// Groups of the modes' residues in `scratch`.
+void SoundingObject::mergeResidues(ChannelResidues& residues) noexcept {
+    const std::span<const std::complex<float>> modes(scratch.modeResidues);
+    const auto set = [&residues](std::size_t g, std::complex<float> residue) {
+        residues.re[g] = residue.real();
+        residues.im[g] = residue.imag();
+    };
     if (bank.size() == object->modeCount()) {
-        std::copy_n(modes.begin(), bank.size(), residues.begin());
+        for (std::size_t g = 0; g < bank.size(); ++g)
+            set(g, modes[g]);
     } else {
         if (lostSharesLaw != law)
             findLost();
@@ -55,13 +81,24 @@ void SoundingObject::mergeResidues(std::size_t channel) noexcept {
         for (std::size_t g = 0; g < bank.size(); ++g) {
             const auto first = static_cast<std::size_t>(groupStarts[g]);
             const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
-            residues[g] =
-                count == 1 ? modes[first] : mergedResidue(modes.subspan(first, count), shares);
+            set(g, count == 1 ? modes[first] : mergedResidue(modes.subspan(first, count), shares));
             shares = shares.subspan(pairsOf(count));
         }
     }
-    std::fill(residues.begin() + static_cast<std::ptrdiff_t>(bank.size()),
-              residues.begin() + static_cast<std::ptrdiff_t>(bank.paddedSize()), 0.0f);
+    for (std::size_t g = bank.size(); g < bank.paddedSize(); ++g)
+        set(g, 0);
+}
+
+/// Sizes add up in their shares and phases turn, so that no mode is cancelled between near and far.
+/// It blends groups, whose sums do not depend on the basis of equal poles.
+void SoundingObject::blendNear(float farShare, ChannelResidues& residues) const noexcept {
+    for (std::size_t g = 0; g < bank.size(); ++g) {
+        const auto between =
+            phasorBetween({scratch.nearResidues.re[g], scratch.nearResidues.im[g]},
+                          {residues.re[g], residues.im[g]}, farShare);
+        residues.re[g] = between.real();
+        residues.im[g] = between.imag();
+    }
 }
 
 void SoundingObject::findLost() noexcept {
@@ -71,15 +108,15 @@ void SoundingObject::findLost() noexcept {
         const auto first = static_cast<std::size_t>(groupStarts[g]);
         const auto count = static_cast<std::size_t>(groupStarts[g + 1]) - first;
         findLostShares(std::span(modeEigenvalues).subspan(first, count), law, shares,
-                       dampingScales.empty()
-                           ? std::span<const double>()
-                           : std::span<const double>(dampingScales).subspan(first, count));
+                       dampings.empty()
+                           ? std::span<const ModeDamping>()
+                           : std::span<const ModeDamping>(dampings).subspan(first, count));
         shares = shares.subspan(pairsOf(count));
     }
 }
 
-/// Reads the table where frequencies, size or the direction changed. One channel hears the mean of
-/// its own directions.
+/// Reads the table where frequencies, size, the direction or the imperfection changed. One channel
+/// hears the mean of both directions.
 void SoundingObject::findRadiation(std::int32_t heardFrom) noexcept {
     if (radiationRatio == wantedRadiationRatio && radiationHeardFrom == heardFrom)
         return;
@@ -89,16 +126,19 @@ void SoundingObject::findRadiation(std::int32_t heardFrom) noexcept {
     auto& [first, second] = radiationWeights;
     if (heardFrom >= 0) {
         table.weightsAt(static_cast<std::size_t>(heardFrom), radiationRatio, first);
-        if (outputChannels > 1)
-            std::ranges::copy(first, second.begin());
-        return;
+        second = first;
+    } else {
+        table.weightsAt(0, radiationRatio, first);
+        table.weightsAt(std::min<std::size_t>(table.directions.size(), mostChannels) - 1,
+                        radiationRatio, second);
     }
-    table.weightsAt(0, radiationRatio, first);
-    table.weightsAt(std::min<std::size_t>(table.directions.size(), mostChannels) - 1,
-                    radiationRatio, second);
-    if (outputChannels == 1)
-        std::ranges::transform(first, second, first.begin(),
-                               [](float l, float r) { return (l + r) / 2; });
+    if (imperfection > 0)
+        for (auto* weights : {&first, &second})
+            turnPairs(pairs, std::span(*weights));
+    if (outputChannels == 1 && heardFrom < 0)
+        std::ranges::transform(
+            first, second, first.begin(),
+            [](std::complex<float> l, std::complex<float> r) { return (l + r) / 2.0f; });
 }
 
 } // namespace idiophone

@@ -13,7 +13,8 @@ namespace idiophone {
 
 namespace {
 
-constexpr double shortestContactSamples = 1e-3;
+/// Within the band shorter contacts are impulses, and their force would alias.
+constexpr double shortestContactSamples = 2;
 
 int firstSampleFrom(double time) noexcept {
     return static_cast<int>(std::ceil(time));
@@ -49,8 +50,8 @@ void SoundingObject::prepareBank() noexcept {
 }
 
 /// From the first strike that is heard from afar on, an object needs its second channel.
-void SoundingObject::widen(double listening) noexcept {
-    if (!(listening > 0) || outputChannels == 1 || bank.channels() == mostChannels)
+void SoundingObject::widen(double farShare) noexcept {
+    if (!(farShare > 0) || outputChannels == 1 || bank.channels() == mostChannels)
         return;
     bank.setChannels(mostChannels);
     ++responseVersion;
@@ -79,11 +80,10 @@ bool SoundingObject::strike(const Strike& asked,
     takeInKicks(cellIndex + 1);
     prepareBank();
     Contact contact{.strike = asked,
-                    .gainRatio = gainRatio,
+                    .heard = hearing,
                     .startCell = cellIndex,
-                    .startSample = sampleInCell,
-                    .listening = object->radiation.empty() ? 0 : radiation};
-    widen(contact.listening);
+                    .startSample = sampleInCell};
+    widen(hearing.farShare);
     double& seconds = contact.strike.durationSeconds;
     seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;
 

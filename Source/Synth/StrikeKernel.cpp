@@ -1,5 +1,7 @@
 #include "Synth/StrikeKernel.h"
 
+#include "Synth/ComplexProduct.h"
+
 #include <complex>
 #include <numbers>
 #include <utility>
@@ -140,10 +142,15 @@ void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t coun
         hn::Store(steady, f, arrays.steady + g);
         hn::Store(swingRe, f, arrays.swingRe + g);
         hn::Store(swingIm, f, arrays.swingIm + g);
+        // (δ + iΩ + α)/ω
+        const auto perOwnFrequency = hn::Div(one, pole.frequency);
+        hn::Store(hn::Mul(hn::Add(delta, pole.decay), perOwnFrequency), f, arrays.quadratureRe + g);
+        hn::Store(perOwnFrequency, f, arrays.quadratureIm + g);
     }
 }
 
-void sum(const float* HWY_RESTRICT residues,
+void sum(const float* HWY_RESTRICT residuesRe,
+         const float* HWY_RESTRICT residuesIm,
          const ForcedAmplitudes& arrays,
          std::size_t first,
          std::size_t count,
@@ -155,10 +162,15 @@ void sum(const float* HWY_RESTRICT residues,
     const std::size_t end = first + count;
     std::size_t g = first;
     for (; g + hn::MaxLanes(f) <= end; g += hn::MaxLanes(f)) {
-        const auto residue = hn::LoadU(f, residues + g);
-        steady = hn::MulAdd(residue, hn::LoadU(f, arrays.steady + g), steady);
-        swingRe = hn::MulAdd(residue, hn::LoadU(f, arrays.swingRe + g), swingRe);
-        swingIm = hn::MulAdd(residue, hn::LoadU(f, arrays.swingIm + g), swingIm);
+        const auto quadrature = hn::LoadU(f, residuesIm + g);
+        const FloatComplex heard{hn::MulAdd(quadrature, hn::LoadU(f, arrays.quadratureRe + g),
+                                            hn::LoadU(f, residuesRe + g)),
+                                 hn::Mul(quadrature, hn::LoadU(f, arrays.quadratureIm + g))};
+        const FloatComplex swing = product(heard, FloatComplex{hn::LoadU(f, arrays.swingRe + g),
+                                                               hn::LoadU(f, arrays.swingIm + g)});
+        steady = hn::MulAdd(heard.re, hn::LoadU(f, arrays.steady + g), steady);
+        swingRe = hn::Add(swing.re, swingRe);
+        swingIm = hn::Add(swing.im, swingIm);
     }
     const auto sumOf = [](hn::Vec<Floats> lanes) HWY_ATTR {
         return static_cast<double>(hn::GetLane(hn::SumOfLanes(Floats(), lanes)));
@@ -166,9 +178,14 @@ void sum(const float* HWY_RESTRICT residues,
     total.steady += sumOf(steady);
     total.swing += std::complex<double>(sumOf(swingRe), sumOf(swingIm));
     for (; g < end; ++g) {
-        const auto residue = static_cast<double>(residues[g]);
-        total.steady += residue * static_cast<double>(arrays.steady[g]);
-        total.swing += residue * std::complex<double>(arrays.swingRe[g], arrays.swingIm[g]);
+        const auto quadrature = static_cast<double>(residuesIm[g]);
+        const std::complex<double> heard(
+            static_cast<double>(residuesRe[g]) +
+                quadrature * static_cast<double>(arrays.quadratureRe[g]),
+            quadrature * static_cast<double>(arrays.quadratureIm[g]));
+        total.steady += heard.real() * static_cast<double>(arrays.steady[g]);
+        total.swing +=
+            idiophone::product(heard, std::complex<double>(arrays.swingRe[g], arrays.swingIm[g]));
     }
 }
 
@@ -235,12 +252,13 @@ void forcedStates(const PulseInstant& pulse,
     HWY_DYNAMIC_DISPATCH(forced)(pulse, arrays, count);
 }
 
-void sumForced(const float* residues,
+void sumForced(const float* residuesRe,
+               const float* residuesIm,
                const ForcedAmplitudes& arrays,
                std::size_t first,
                std::size_t count,
                ForcedSum& total) noexcept {
-    HWY_DYNAMIC_DISPATCH(sum)(residues, arrays, first, count, total);
+    HWY_DYNAMIC_DISPATCH(sum)(residuesRe, residuesIm, arrays, first, count, total);
 }
 
 void raisedCosine(double steady,

@@ -43,6 +43,8 @@ struct ForcedArrays {
     float* steady;  ///< G0
     float* swingRe; ///< H
     float* swingIm;
+    float* quadratureRe; ///< K: what G0 and H are multiplied by for a residue of i
+    float* quadratureIm;
 };
 
 /// `count` is in whole blocks.
@@ -55,14 +57,18 @@ struct ForcedAmplitudes {
     const float* steady;
     const float* swingRe;
     const float* swingIm;
+    const float* quadratureRe;
+    const float* quadratureIm;
 };
 
-/// What of a forced part is heard: Σ r G0 and Σ r H over modes `first` to `first + count − 1`.
+/// What of a forced part is heard with complex residues r: Σ (Re r + Im r Re K) G0 and
+/// Σ (Re r + Im r K) H over modes `first` to `first + count − 1`.
 struct ForcedSum {
     double steady = 0;
     std::complex<double> swing;
 };
-void sumForced(const float* residues,
+void sumForced(const float* residuesRe,
+               const float* residuesIm,
                const ForcedAmplitudes& arrays,
                std::size_t first,
                std::size_t count,

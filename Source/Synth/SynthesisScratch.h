@@ -7,6 +7,7 @@
 #include "Synth/ModalBank.h"
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,13 +19,17 @@ struct SynthesisScratch {
     SynthesisScratch(std::size_t modes, std::size_t channels)
         : struckGains(modes), heardGains(modes), modeResidues(modes) {
         const std::size_t padded = (modes + modeBlock - 1) / modeBlock * modeBlock;
-        for (std::size_t c = 0; c < channels; ++c)
-            for (auto* array :
-                 {&kicks.x[c], &kicks.y[c], &groupResidues[c], &startResidues[c], &endResidues[c]})
-                array->resize(padded);
-        for (auto* array : {&contact.x, &contact.y, &contact.steady, &contact.swingRe,
-                            &contact.swingIm, &kicks.energies})
+        for (std::size_t c = 0; c < channels; ++c) {
+                for (auto* array : {&kicks.x[c], &kicks.y[c]})
+                    array->resize(padded);
+                for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
+                    residues->resize(padded);
+            }
+        for (auto* array :
+             {&contact.x, &contact.y, &contact.steady, &contact.swingRe, &contact.swingIm,
+              &contact.quadratureRe, &contact.quadratureIm, &kicks.energies})
             array->resize(padded);
+        nearResidues.resize(padded);
         aboveTau.resize(padded / modeBlock);
         wanted.resize(padded / modeBlock);
         for (ForceResponses& contactResponses : responses)
@@ -45,8 +50,9 @@ struct SynthesisScratch {
 
     std::vector<float> struckGains;  ///< [M] φ·J
     std::vector<float> heardGains;   ///< [M] φ·ℓ
-    std::vector<float> modeResidues; ///< [M]
+    std::vector<std::complex<float>> modeResidues; ///< [M]
     ModeResidues groupResidues;      ///< [G]
+    ChannelResidues nearResidues;    ///< [G]
     UnitContact contact;             ///< [G]
     ModeKicks kicks;                 ///< [G] that are not kept
     ModeResidues startResidues;      ///< [G] where a force is at the start of a cell

@@ -1,6 +1,5 @@
 #include "Synth/Synthesiser.h"
 
-#include "Synth/Listening.h"
 #include "Synth/QualityScaling.h"
 #include "Synth/SoundingObject.h"
 
@@ -51,6 +50,8 @@ SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& p
     keepUnless(validSize(wanted.sizeRatio), wanted.sizeRatio, previous.sizeRatio);
     keepUnless(wanted.thicknessRatio >= 0.1 && wanted.thicknessRatio <= 10, wanted.thicknessRatio,
                previous.thicknessRatio);
+    keepUnless(wanted.imperfection >= 0 && wanted.imperfection <= 0.01, wanted.imperfection,
+               previous.imperfection);
     keepUnless(wanted.radiation >= 0 && wanted.radiation <= 1, wanted.radiation,
                previous.radiation);
     keepUnless(positive(wanted.frequencyRatio), wanted.frequencyRatio, previous.frequencyRatio);
@@ -98,19 +99,15 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
     all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
     all.objects.reserve(slots.size());
-    struct OfObject {
-        SoundingObject::ModeWeights modeWeights = std::make_shared<const std::vector<double>>();
-        double radiationScale = 0;
-    };
-    std::map<const ModalObject*, OfObject> known; // once for all slots of an object
+    std::map<const ModalObject*, SoundingObject::ModeWeights> known; // once for all its slots
     for (SynthesiserSlot& slot : slots) {
-        const auto [own, isNew] = known.try_emplace(slot.object.get());
-        if (isNew && slot.object)
-            own->second = {.modeWeights = std::make_shared<const std::vector<double>>(
-                               summedSquareShapes(*slot.object)),
-                           .radiationScale = radiationScale(*slot.object)};
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, own->second.modeWeights,
-                                 own->second.radiationScale, channels, sampleRateHz, *all.scratch);
+        auto& modeWeights = known[slot.object.get()];
+        if (!modeWeights)
+            modeWeights = std::make_shared<const std::vector<double>>(
+                slot.object ? summedSquareShapes(*slot.object) : std::vector<double>());
+        all.objects.emplace_back(std::move(slot), modeWeights,
+                                 static_cast<std::uint32_t>(all.objects.size()), channels,
+                                 sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());
     all.slotShares.resize(slots.size());

@@ -64,6 +64,7 @@ TEST_CASE("A bar is as bright on its left as on its right, and brighter at the n
     const double length = 0.3;
     AnalysisSettings settings;
     settings.material = *findMaterial("Steel");
+    settings.material.damping = {.fluidPerSecond = 5, .viscoelasticSeconds = 3e-8};
     settings.method = AnalysisMethod::twoLayer;
     settings.thicknessMetres = 0.01;
     settings.maxFrequencyHz = 12000;

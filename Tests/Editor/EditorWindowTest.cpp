@@ -195,8 +195,10 @@ TEST_CASE("Figures shown are those that play; one changed by hand makes them all
     CHECK(processor.parameterValue(material) == double{customMaterial});
     CHECK(processor.parameterValue(youngsModulus) == 100);
     CHECK(processor.parameterValue(density) == 7850);
-    CHECK(processor.parameterValue(viscoelasticDamping) ==
-          Approx(findMaterial("Steel")->damping.viscoelasticSeconds * 1e6));
+    CHECK(processor.parameterValue(fluidDamping) ==
+          Approx(findMaterial("Steel")->damping.fluidPerSecond));
+    CHECK(processor.parameterValue(lossFactor) ==
+          Approx(findMaterial("Steel")->damping.lossFactor));
     CHECK(processor.parameterValue(mallet) == double{firstRackMallet});
     find<juce::Label>(*window, "Mallet radius")->setText("20 mm", juce::sendNotificationSync);
     CHECK(processor.parameterValue(mallet) == double{customMallet});
@@ -216,8 +218,8 @@ TEST_CASE("Every place of the material plane is the material that lies there") {
     const auto again = materialAt(placeOf(steel), library);
     CHECK(again.youngsModulusPa == Approx(steel.youngsModulusPa).epsilon(1e-4));
     CHECK(again.densityKgPerM3 == Approx(steel.densityKgPerM3).epsilon(1e-4));
-    CHECK(again.damping.viscoelasticSeconds ==
-          Approx(steel.damping.viscoelasticSeconds).epsilon(1e-3));
+    CHECK(again.damping.fluidPerSecond == Approx(steel.damping.fluidPerSecond).epsilon(1e-3));
+    CHECK(again.damping.lossFactor == Approx(steel.damping.lossFactor).epsilon(1e-3));
 }
 
 TEST_CASE("The material before the last change comes back, and with it the one after") {

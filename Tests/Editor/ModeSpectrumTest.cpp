@@ -45,7 +45,7 @@ private:
 SoundFrame frameOf(const std::vector<float>& frequenciesHz) {
     SoundFrame frame;
     frame.object = 0;
-    frame.tauMetresPerSecond = 1e-6;
+    frame.tauPascals = 1e-6;
     for (const float hz : frequenciesHz)
         frame.modes.push_back({.group = static_cast<std::int32_t>(frame.modes.size()),
                                .frequencyHz = hz,

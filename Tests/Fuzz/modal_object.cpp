@@ -36,13 +36,18 @@ void claimValues(const ModalObject& object) {
     claimFinite(object.vertices, "vertices are finite");
     claimFinite(object.bending, "bending parts are finite");
     claimFinite(object.decaysPerSecond, "decays are finite");
-    claimFinite(object.radiation.weights, "radiation is finite");
+    claimFinite(object.extraDecaysPerSecond, "extra decays are finite");
+    for (const auto* weights : {&object.radiation.weights, &object.gains})
+        for (const auto weight : *weights)
+            claim(std::isfinite(weight.real()) && std::isfinite(weight.imag()),
+                  "radiation and gains are finite");
     claimFinite(object.radiation.frequencyRatios, "radiation's frequencies are finite");
     claimFinite(vertexNormals(object), "normals are finite");
     claimFinite(summedSquareShapes(object), "squared shapes are finite");
     for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
         const double damping[] = {object.eigenvalueAt(mode, 1), object.decayPerSecond(mode),
-                                  object.dampingScale(mode)};
+                                  object.damping(mode).scale,
+                                  object.damping(mode).extraPerSecond};
         claimFinite(damping, "damping is finite");
     }
     claim(nearestShapeRow(object, {0, 0, 0}) < object.shapeVertexCount(), "a row is nearest");

@@ -1,10 +1,16 @@
 #include "Instrument/ContactTrain.h"
 
+#include "Instrument/BlowSpectrum.h"
+
+#include <algorithm>
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <set>
+#include <vector>
 
 using namespace idiophone;
 using Catch::Approx;
@@ -132,4 +138,75 @@ TEST_CASE("Modal pulses last one period each and share the first collision's imp
         }
     }
     CHECK(withModalPulses(train, {}).size() == train.size());
+}
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double spectrumDb(const ContactTrain& train, double hz) {
+    return 20 * std::log10(std::abs(ringingVelocity(train, 1e-6, 2 * pi * hz)));
+}
+
+/// 20 lg of the spectrum of F ∝ sin^(3/2) (πt), of impulse 1, over octaves of the frequency,
+/// and of it the upper hull.
+std::vector<double> hertzHullDb(const std::vector<double>& octaves) {
+    constexpr int steps = 4000;
+    std::vector<double> pulse;
+    double sum = 0;
+    for (int k = 0; k < steps; ++k)
+        sum += pulse.emplace_back(std::pow(std::sin(pi * (k + 0.5) / steps), 1.5));
+    std::vector<double> levels;
+    for (const double octave : octaves) {
+        std::complex<double> total = 0;
+        for (int k = 0; k < steps; ++k)
+            total += pulse[static_cast<std::size_t>(k)] *
+                     std::polar(1.0, -2 * pi * std::exp2(octave) * (k + 0.5) / steps);
+        levels.push_back(20 * std::log10(std::abs(total) / sum));
+    }
+    auto hull = levels;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        for (std::size_t from = 0; from <= i; ++from)
+            for (std::size_t to = i + 1; to < levels.size(); ++to)
+                hull[i] = std::max(hull[i], levels[from] + (levels[to] - levels[from]) *
+                                                               (octaves[i] - octaves[from]) /
+                                                               (octaves[to] - octaves[from]));
+    return hull;
+}
+
+} // namespace
+
+TEST_CASE("A pulse with filled nulls keeps impulse, contact time and further collisions") {
+    const auto chattering = contactTrain(hardStrike, 1, 100, 5);
+    const auto train = withFilledNulls(chattering);
+    REQUIRE(train.size() == chattering.size() + 2);
+    CHECK(impulse(train) == Approx(0.06).epsilon(1e-5));
+    CHECK(train.begin()->delaySeconds == 0);
+    for (const auto* part = train.begin(); part != train.begin() + 3; ++part) {
+        CHECK(part->strike.impulseNewtonSeconds[0] * -6 ==
+              Approx(part->strike.impulseNewtonSeconds[2]));
+        CHECK(part->strike.impulseNewtonSeconds[2] < 0);
+        CHECK(part->delaySeconds + part->strike.durationSeconds <=
+              hardStrike.durationSeconds * (1 + 1e-9));
+    }
+    for (std::size_t k = 1; k < chattering.size(); ++k)
+        CHECK((train.begin() + 2 + k)->delaySeconds == (chattering.begin() + k)->delaySeconds);
+}
+
+TEST_CASE("A pulse with filled nulls follows the hull of the spectrum of Hertz's within 5 dB") {
+    const Strike unit{.point = {}, .impulseNewtonSeconds = {0, 0, -1}, .durationSeconds = 1};
+    ContactTrain single;
+    single.add({.delaySeconds = 0, .strike = unit});
+    const auto filled = withFilledNulls(single);
+    std::vector<double> octaves;
+    for (double octave = -4; octave <= 4.6; octave += 0.03)
+        octaves.push_back(octave);
+    const auto hull = hertzHullDb(octaves);
+    double deepest = 0;
+    for (std::size_t i = 0; octaves[i] <= 4; ++i) { // a hull ends in a null
+        INFO("f T = " << std::exp2(octaves[i]));
+        CHECK(spectrumDb(filled, std::exp2(octaves[i])) == Approx(hull[i]).margin(5));
+        deepest = std::min(deepest, spectrumDb(single, std::exp2(octaves[i])) - hull[i]);
+    }
+    CHECK(deepest < -30); // the nulls of a single one
 }

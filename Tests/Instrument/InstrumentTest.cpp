@@ -13,8 +13,11 @@ using test::syntheticObject;
 
 namespace {
 
+/// Without resized keys.
 KeyMap keyMap(KeyMapKind kind, int lowest, int highest, std::string object) {
     KeyMap map;
+    map.resizedFrom = 1;
+    map.resizedTo = 0;
     map.kind = kind;
     map.lowestNote = lowest;
     map.highestNote = highest;
@@ -137,7 +140,7 @@ TEST_CASE("Scaled keys resize the object so that its lowest mode sounds the key"
     CHECK(sizeOf(69) == Approx(1).epsilon(1e-5));
     CHECK(sizeOf(57) == Approx(2).epsilon(1e-5));
     CHECK(sizeOf(81) == Approx(0.5).epsilon(1e-5));
-    CHECK(instrument.key(81).malletScale == sizeOf(81));
+    CHECK(instrument.key(81).mallet.scale == sizeOf(81));
 }
 
 TEST_CASE("Strike position across reaches the edges beside the path") {

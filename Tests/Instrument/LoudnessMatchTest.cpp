@@ -196,28 +196,31 @@ Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t ta
 
 } // namespace
 
-TEST_CASE("Strikes of another material are within 2.4 LU of every factory preset's own, gently, at "
-          "velocity 100 and at 127") {
+TEST_CASE("Strikes of another material are within 2.4 LU of every factory preset's own at velocity "
+          "100, 3 LU at 127 and 5.3 LU at 40, where long contacts leave stiff materials fainter") {
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{5.3, 2.4, 3};
     for (const auto& preset : keyedFactoryPresets())
-        for (const int velocity : PhrasePrediction::velocities) {
+        for (std::size_t level = 0; level < mostLu.size(); ++level) {
+            const int velocity = PhrasePrediction::velocities[level];
             INFO(preset.name << ", velocity " << velocity);
             const auto worst = worstOf(materialGrid, preset, strikeContact, 4, velocity);
-            CHECK(worst.matched < 2.4);
+            CHECK(worst.matched < mostLu[level]);
             CHECK(worst.beyond == 0);
         }
 }
 
-TEST_CASE("Strikes of another mallet are within 3.1 LU of every factory preset's own at velocity "
-          "100, 5.2 LU at 127 and 16.7 LU at 40, where long contacts have their nulls at other "
-          "keys, and at any within 2 LU of what is predicted of them") {
-    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{16.7, 3.1, 5.2};
+TEST_CASE(
+    "Strikes of another mallet are within 2.4 LU of every factory preset's own at velocity "
+    "100, 4.8 LU at 127 and 10.6 LU at 40, where long contacts leave high keys fainter, and at "
+    "any within 1 LU of what is predicted of them") {
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{10.6, 2.4, 4.8};
     for (const auto& preset : keyedFactoryPresets())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
             INFO(preset.name << ", velocity " << velocity);
             const auto worst = worstOf(malletGrid, preset, strikeContact, 4, velocity);
             CHECK(worst.matched < mostLu[level]);
-            CHECK(worst.predicted < 2);
+            CHECK(worst.predicted < 1);
             CHECK(worst.beyond <= 2);
         }
 }
@@ -242,7 +245,7 @@ TEST_CASE("The gain is the mean of what the velocities ask for, but within 1.5 d
         }
     }
     CHECK(means > 20);
-    CHECK(bounded > 20);
+    CHECK(bounded > 10);
 }
 
 TEST_CASE("Scrapes of another material are within 2 LU of every factory preset's own, in the mean "
@@ -278,7 +281,8 @@ TEST_CASE("The predicted loudness of struck factory presets is libebur128's with
     for (const auto& preset : keyedFactoryPresets()) {
         if (static_cast<int>(preset.parameters[contact]) != strikeContact)
             continue;
-        Rig rig(preset, strikeContact);
+        // Blows on one object meet what still rings of the ones before: the mean of four phrases.
+        Rig rig(preset, strikeContact, 4);
         const double bothChannels = 10 * std::log10(2);
         // A motor takes as much from what it is compared with.
         const auto parameters = with(preset.parameters, motorDepth, 0);
@@ -305,7 +309,7 @@ TEST_CASE("The gain from one mallet to another is the opposite of the way back")
     LoudnessMatch there(instrument, {}, sampleRateHz, preset.parameters);
     LoudnessMatch back(instrument, {}, sampleRateHz, brass);
     const double gain = gainOf(there, brass);
-    CHECK(gain < -3);
+    CHECK(gain < -2);
     CHECK(std::abs(gain + gainOf(back, preset.parameters)) < 1e-9);
 }
 

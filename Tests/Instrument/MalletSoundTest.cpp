@@ -1,6 +1,5 @@
 // What mallets, chatter and modal pulses make of the sound that a player renders.
 #include "Instrument/FactoryContent.h"
-#include "Instrument/HertzContact.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -60,6 +59,7 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
                         double sizeRatio) {
     auto parameters = xylophoneWith(rackIndex);
     parameters.set(size, sizeRatio);
+    parameters.set(keepPitch, 0);
     double last = 0;
     for (const int velocity : {16, 32, 48, 64, 80, 96, 112, 127}) {
         Player player(instrument, sampleRateHz);
@@ -88,32 +88,47 @@ std::vector<MidiEvent> hurry(int samples) {
 
 } // namespace
 
-TEST_CASE("The spectral centroid rises with velocity for every mallet of the rack, "
+TEST_CASE("The spectral centroid rises with velocity for every mallet on every key, "
           "as long as its contact is heard") {
-    // The C5 bar at two and four times its size, C4 and C3, under mallets whose longest contact is
-    // shorter than two of its periods, where a raised cosine has its first null.
+    // Up to two periods; longer contacts leave a faint sound whose partials come and go.
     const auto instrument = xylophone();
-    const double compliance = surfaceCompliancePerPa(*findMaterial("Rosewood"), {});
-    const double slowest = 3 * std::pow(16 / 127.0, 1.5); // m/s
     int heard = 0;
-    for (const double sizeRatio : {2.0, 4.0})
-        for (std::size_t i = 0; i < malletRack().size(); ++i) {
-            const auto& head = malletRack()[i];
-            const double seconds = hertzContactSeconds(head.massKg, head.headRadiusMetres,
-                                                       contactModulusPa(head, compliance), slowest);
-            if (seconds * 523.25 / sizeRatio >= 2)
-                continue;
-            checkCentroidRises(instrument, 72, i, sizeRatio);
-            ++heard;
-        }
-    CHECK(heard >= 14);
+    for (const double sizeRatio : {1.0, 2.0, 4.0}) // the C5 bar as C4 and C3 too
+        for (const int note : {72, 84, 96, 108})
+            for (std::size_t i = 0; i < malletRack().size(); ++i) {
+                const auto& slot =
+                    instrument->slots()[static_cast<std::size_t>(instrument->key(note).slot)];
+                auto parameters = xylophoneWith(i);
+                parameters.set(size, sizeRatio);
+                const auto slowest =
+                    malletStrike(instrument->strip(instrument->key(note)).at(0.5, 0), 16,
+                                 instrument->key(note).mallet, parameters, slot);
+                const double hz = slot.object->dampedFrequencyHz(0) / sizeRatio;
+                if ((sizeRatio > 1 && note != 72) || slowest.durationSeconds * hz >= 2)
+                    continue;
+                checkCentroidRises(instrument, note, i, sizeRatio);
+                ++heard;
+            }
+    CHECK(heard >= 24);
 }
 
-TEST_CASE("On a xylophone's own keys it rises from hard rubber, C5 to C6, and from wood, to C8") {
-    const auto instrument = xylophone();
-    for (const int note : {72, 84, 96, 108})
-        for (std::size_t i = note <= 84 ? 3 : 4; i <= 6; ++i) // to brass
-            checkCentroidRises(instrument, note, i, 1);
+TEST_CASE("Velocity changes the tone of a wound head more than that of a solid one") {
+    // The steel plate at twice its size has modes on both sides of these contacts.
+    const auto& preset = *findFactoryPreset("Steel Plate");
+    const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+    const auto brightening = [&](std::size_t rackIndex) {
+        auto parameters = preset.parameters;
+        parameters.set(mallet, static_cast<double>(rackIndex + firstRackMallet));
+        parameters.set(strikeSpread, 0);
+        parameters.set(size, 2);
+        const auto centroid = [&](int velocity) {
+            Player player(instrument, sampleRateHz);
+            return spectralCentroidHz(
+                render(player, {midi(0, 0x90, 72, velocity)}, 32768, 480, parameters));
+        };
+        return centroid(127) / centroid(30);
+    };
+    CHECK(brightening(0) > 1.3 * brightening(1));
 }
 
 TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its bar") {
@@ -122,6 +137,7 @@ TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its 
     for (std::size_t i = 0; i < malletRack().size(); ++i) {
         auto parameters = xylophoneWith(i);
         parameters.set(size, 4);
+        parameters.set(keepPitch, 0);
         parameters.set(radiation, 0); // from afar the tube is louder than all else
         Player player(instrument, sampleRateHz);
         centroids.push_back(
@@ -130,8 +146,8 @@ TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its 
     const double yarn = centroids[0], soft = centroids[1], medium = centroids[2],
                  hard = centroids[3], wood = centroids[4], plastic = centroids[5],
                  brass = centroids[6];
-    CHECK(yarn == Approx(soft).epsilon(0.01)); // the table gives them one contact time
-    CHECK(medium > 1.2 * soft);
+    CHECK(yarn > soft); // at 1 m/s their contact times are equal, and this blow is faster
+    CHECK(medium > 1.05 * yarn);
     CHECK(hard > 1.5 * medium);
     CHECK(wood > 1.5 * hard);
     CHECK(plastic == Approx(wood).epsilon(0.01));
@@ -212,9 +228,8 @@ TEST_CASE("A blow with modal pulses is four strikes of one period each, with the
     const auto& key = instrument->key(84);
     const auto& slot = instrument->slots()[static_cast<std::size_t>(key.slot)];
     const auto place = strikePlace(key.along, parameters, 0);
-    const auto blow =
-        malletStrike(instrument->strip(key).between(place.along, place.across).point, 90, 1,
-                     parameters, surfaceCompliancePerPa(slot.object->material, {}));
+    const auto blow = malletStrike(instrument->strip(key).between(place.along, place.across).point,
+                                   90, key.mallet, parameters, slot);
     Synthesiser synthesiser({slot}, sampleRateHz);
     const auto settings = synthesisSettings(parameters);
     std::vector<float> expected(9600);
@@ -227,9 +242,9 @@ TEST_CASE("A blow with modal pulses is four strikes of one period each, with the
                 Strike pulse = blow;
                 for (float& component : pulse.impulseNewtonSeconds)
                     component /= 4;
-                pulse.durationSeconds =
-                    2 * std::numbers::pi /
-                    (std::sqrt(slot.object->eigenvalues[mode]) * settings.frequencyRatio);
+                pulse.durationSeconds = 2 * std::numbers::pi /
+                                        (std::sqrt(slot.object->eigenvalues[mode]) *
+                                         liveConditions(slot, settings).frequencyRatio());
                 REQUIRE(synthesiser.strike(0, pulse, 0, cell));
             }
         std::ranges::copy(cell, expected.begin() + static_cast<std::ptrdiff_t>(at));

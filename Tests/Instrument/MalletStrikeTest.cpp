@@ -1,4 +1,5 @@
 #include "Instrument/MalletStrike.h"
+#include "Instrument/SettingsOfParameters.h"
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -10,12 +11,21 @@ using enum ParameterId;
 
 namespace {
 
+double rigidMilliseconds(const Striker& mallet, double speed) {
+    return 1000 * contactSeconds(mallet.law, mallet.massKg, speed);
+}
+
 double contactMilliseconds(double hardnessMPa, double massGrams, double speed) {
     ParameterValues values;
     values.set(malletHardness, hardnessMPa);
     values.set(malletMass, massGrams);
-    values.set(malletSpeed, speed);
-    return malletStrike({}, 127, 1, values).durationSeconds * 1000;
+    return rigidMilliseconds(striker({}, values), speed);
+}
+
+ParameterValues racked(int choice) {
+    ParameterValues values;
+    values.set(mallet, choice);
+    return values;
 }
 
 } // namespace
@@ -29,32 +39,61 @@ TEST_CASE("Contact times agree with Hertz for a hard mallet of 20 g on wood") {
 
 TEST_CASE("The custom mallet's contact time falls with its radius and ignores what is struck") {
     ParameterValues values;
-    const double own = malletStrike({}, 100, 1, values).durationSeconds;
-    CHECK(malletStrike({}, 100, 1, values, 1e-9).durationSeconds == own);
-    CHECK(own ==
-          2.87 * std::pow(0.02 * 0.02 / (0.0125 * 1e9 * 1e9 * 3 * std::pow(100 / 127.0, 1.5)),
-                          0.2)); // to the last bit, as before there was a rack
+    const double own = rigidMilliseconds(striker({}, values), 1);
+    CHECK(rigidMilliseconds(striker({}, values, 1e-9), 1) == own);
     values.set(malletRadius, 25);
-    CHECK(malletStrike({}, 100, 1, values).durationSeconds == Approx(own * std::pow(2, -0.2)));
+    CHECK(rigidMilliseconds(striker({}, values), 1) == Approx(own * std::pow(2, -0.2)));
 }
 
-TEST_CASE("A mallet of the rack brings its own mass, radius and modulus, and meets the surface") {
+TEST_CASE("The custom mallet has its own exponent and restitution") {
     ParameterValues values;
-    values.set(mallet, 5); // wood
-    values.set(velocityCurve, 1);
-    values.set(malletSpeed, 3);
-    const StrikePoint point{.shapeRows = {0, 0, 0}, .weights = {1, 0, 0}, .normal = {0, 0, 1}};
-    const auto rigid = malletStrike(point, 127, 1, values);
-    CHECK(rigid.impulseNewtonSeconds[2] == Approx(-0.016 * 3));
-    values.set(malletHardness, 5);
-    values.set(malletMass, 300);
-    values.set(malletRadius, 50);
-    CHECK(malletStrike(point, 127, 1, values).durationSeconds == rigid.durationSeconds);
+    values.set(malletExponent, 3);
+    values.set(malletRestitution, 40);
+    CHECK(striker({}, values).law.exponent == 3);
+    CHECK(striker({}, values).restitution == Approx(0.4));
+}
+
+TEST_CASE("A mallet of the rack brings its own figures and meets the surface") {
+    auto values = racked(5); // wood
+    const auto rigid = striker({}, values);
+    CHECK(rigid.massKg == Approx(0.016));
+    for (const auto figure : malletFigures)
+        values.set(figure, parameterInfo(figure).maximum);
+    CHECK(rigidMilliseconds(striker({}, values), 1) == rigidMilliseconds(rigid, 1));
+    CHECK(striker({}, values).restitution == rigid.restitution);
     // A surface as compliant as the head: half the modulus.
-    CHECK(malletStrike(point, 127, 1, values, 1 / 8.5e8).durationSeconds ==
-          Approx(rigid.durationSeconds * std::pow(2, 0.4)));
+    CHECK(rigidMilliseconds(striker({}, values, 1 / 8.5e8), 1) ==
+          Approx(rigidMilliseconds(rigid, 1) * std::pow(2, 0.4)));
     values.set(mallet, parameterInfo(mallet).maximum); // kept free: as custom
-    CHECK(malletStrike(point, 127, 1, values).impulseNewtonSeconds[2] == Approx(-0.9));
+    CHECK(striker({}, values).massKg == Approx(parameterInfo(malletMass).maximum / 1000));
+}
+
+TEST_CASE("A rack mallet made custom strikes as before") {
+    const auto& wood = *findMaterial("Rosewood");
+    for (int choice = firstRackMallet; choice < firstRackMallet + 7; ++choice) {
+        const auto values = racked(choice);
+        const auto before = striker({}, values, surfaceCompliancePerPa(wood, values));
+        const auto custom = withCustom(values, figureChoices[1], &wood);
+        CHECK(custom[mallet] == double{customMallet});
+        const auto after = striker({}, custom, surfaceCompliancePerPa(wood, custom));
+        for (const double speed : {0.3, 3.0})
+            CHECK(rigidMilliseconds(after, speed) == Approx(rigidMilliseconds(before, speed)));
+        CHECK(after.massKg * (1 + after.restitution) ==
+              Approx(before.massKg * (1 + before.restitution)));
+    }
+}
+
+TEST_CASE("A mallet that follows the keys has contact times that follow their periods") {
+    for (const int choice : {int{customMallet}, int{firstRackMallet}, firstRackMallet + 3}) {
+        auto values = racked(choice);
+        const double middle = rigidMilliseconds(striker({}, values), 1);
+        for (const double share : {0.0, 50.0, 100.0}) {
+            values.set(malletFollow, share);
+            for (const double ratio : {0.25, 1.0, 4.0})
+                CHECK(rigidMilliseconds(striker({.pitchRatio = ratio}, values), 1) ==
+                      Approx(middle * std::pow(ratio, -share / 100)));
+        }
+    }
 }
 
 TEST_CASE("The live material is what the mallet meets where one is chosen, else the object's own") {
@@ -70,22 +109,26 @@ TEST_CASE("The live material is what the mallet meets where one is chosen, else 
     CHECK(surfaceCompliancePerPa(own, values) == Approx((1 - 0.35 * 0.35) / 5e9));
 }
 
-TEST_CASE("The impulse is mass times speed, into the surface, and grows with velocity") {
+TEST_CASE("On something rigid the impulse is (1 + e) m v into it, and grows with velocity") {
     ParameterValues values;
     values.set(malletMass, 20);
     values.set(malletSpeed, 3);
+    values.set(malletRestitution, 70);
     values.set(velocityCurve, 1);
     const StrikePoint point{
         .shapeRows = {5, 0, 0}, .weights = {1, 0, 0}, .normal = {0, 0.6f, 0.8f}};
-    const auto hard = malletStrike(point, 127, 1, values);
+    const auto strikeAt = [&](int velocity) {
+        return malletStrike(point, striker({}, values), malletSpeedAt(velocity, values), {});
+    };
+    const auto hard = strikeAt(127);
     CHECK(hard.impulseNewtonSeconds[0] == 0);
-    CHECK(hard.impulseNewtonSeconds[1] == Approx(-0.06 * 0.6));
-    CHECK(hard.impulseNewtonSeconds[2] == Approx(-0.06 * 0.8));
+    CHECK(hard.impulseNewtonSeconds[1] == Approx(-1.7 * 0.06 * 0.6));
+    CHECK(hard.impulseNewtonSeconds[2] == Approx(-1.7 * 0.06 * 0.8));
     CHECK(hard.point.shapeRows[0] == 5);
     double lastImpulse = 0;
     double lastDuration = 1;
     for (int velocity = 1; velocity <= 127; ++velocity) {
-        const auto strike = malletStrike(point, velocity, 1, values);
+        const auto strike = strikeAt(velocity);
         CHECK(-strike.impulseNewtonSeconds[2] > lastImpulse);
         CHECK(strike.durationSeconds < lastDuration);
         lastImpulse = -strike.impulseNewtonSeconds[2];
@@ -94,11 +137,13 @@ TEST_CASE("The impulse is mass times speed, into the surface, and grows with vel
 }
 
 TEST_CASE("A mallet half the size has an eighth of the impulse and half the contact time") {
-    const ParameterValues values;
-    const auto whole = malletStrike({}, 100, 1, values);
-    const auto half = malletStrike({}, 100, 0.5, values);
-    CHECK(half.impulseNewtonSeconds[2] == Approx(whole.impulseNewtonSeconds[2] / 8));
-    CHECK(half.durationSeconds == Approx(whole.durationSeconds / 2));
+    for (const int choice : {int{customMallet}, int{firstRackMallet}}) { // Hertz and a wound head
+        const auto values = racked(choice);
+        const auto whole = malletStrike({}, striker({}, values), 2, {});
+        const auto half = malletStrike({}, striker({.scale = 0.5}, values), 2, {});
+        CHECK(half.impulseNewtonSeconds[2] == Approx(whole.impulseNewtonSeconds[2] / 8));
+        CHECK(half.durationSeconds == Approx(whole.durationSeconds / 2));
+    }
 }
 
 TEST_CASE("Strike positions reach the ends and stray by no more than the spread") {

@@ -37,14 +37,17 @@ TEST_CASE("Without radiation both channels are the sound at the point struck") {
     Synthesiser mono({instrument->slots()[static_cast<std::size_t>(key.slot)]}, sampleRateHz);
     mono.setSettings(synthesisSettings(parameters));
     const auto strike =
-        malletStrike(instrument->strip(key).between(key.along, 0).point, 100, 1, parameters,
-                     surfaceCompliancePerPa(instrument->slots()[0].object->material, parameters));
+        malletStrike(instrument->strip(key).between(key.along, 0).point, 100, key.mallet,
+                     parameters, instrument->slots()[static_cast<std::size_t>(key.slot)]);
+    ContactTrain blow;
+    blow.add({.delaySeconds = 0, .strike = strike});
     std::vector<float> expected(2048);
     for (std::size_t at = 0; at < expected.size(); at += cellSamples) {
         alignas(64) std::array<float, cellSamples> cell{};
         mono.beginCell(cell);
         if (at == 0)
-            REQUIRE(mono.strike(0, strike, 0, cell));
+            for (const auto& part : withFilledNulls(blow))
+                REQUIRE(mono.strike(0, part.strike, part.delaySeconds * sampleRateHz, cell));
         std::ranges::copy(cell, expected.begin() + static_cast<std::ptrdiff_t>(at));
     }
     CHECK(played.left == expected);
@@ -68,8 +71,10 @@ TEST_CASE("With radiation left and right are apart, at the same pitch") {
     }
 }
 
-TEST_CASE("A library material moves every frequency by the square root of Y over density") {
+TEST_CASE(
+    "Where no pitch is kept a library material moves every frequency by the root of Y over ρ") {
     ParameterValues parameters;
+    parameters.set(ParameterId::keepPitch, 0);
     parameters.set(ParameterId::material,
                    *parseParameter(parameterInfo(ParameterId::material), "Glass"));
     const auto* glass = findMaterial("Glass");

@@ -53,6 +53,10 @@ TEST_CASE("Each malformed field is named") {
     refuse([](auto& o) { o.bending = {1, -1, 1}; }, "bending part");
     refuse([](auto& o) { o.decaysPerSecond = {1}; }, "decays are not one for each mode");
     refuse([](auto& o) { o.decaysPerSecond = {1, 0, 1}; }, "decay is not between");
+    refuse([](auto& o) { o.extraDecaysPerSecond = {1}; }, "extra decays are not one for each");
+    refuse([](auto& o) { o.extraDecaysPerSecond = {1, -1, 1}; }, "extra decay is not between");
+    refuse([](auto& o) { o.gains = {1}; }, "gains are not one for each");
+    refuse([](auto& o) { o.gains = {1, 2000, 1}; }, "gain is beyond");
     refuse([&](auto& o) { o.decaysPerSecond = {1, nan, 1}; }, "decay is not between");
     refuse(
         [](auto& o) {
@@ -78,7 +82,7 @@ TEST_CASE("Each malformed field is named") {
             [=](auto& o) {
                 o.radiation = {{{1, 0, 0}}, {1}, {1, weight, 3}};
             },
-            "weight of the radiation is not between -1e8 and 1e8");
+            "weight of the radiation is beyond 1e8");
     for (const float coordinate : {nan, 1.1e6f, -1e20f})
         refuse([=](auto& o) { o.vertices[5] = coordinate; }, "vertex does not lie within 1000 km");
     refuse([](auto& o) { o.vertices.pop_back(); }, "threes");
@@ -120,14 +124,26 @@ TEST_CASE("An object at the ends of all ranges is taken") {
     CHECK(validated(syntheticObject(std::vector<double>(mostObjectModes, 440.0))));
 }
 
-TEST_CASE("A mode's damping ratio is its measured decay over half the law's damping") {
+TEST_CASE("A mode's damping scale is its measured decay over half the law's damping") {
     auto object = syntheticObject({100, 200, 300});
-    CHECK(object.dampingScale(1) == 1);
+    CHECK(object.dampings().empty());
+    CHECK(object.damping(1) == ModeDamping{});
     CHECK(object.decayPerSecond(1) == object.material.damping.perSecond(object.eigenvalues[1]) / 2);
     object.decaysPerSecond = {1, 5, 9};
     CHECK(object.decayPerSecond(1) == 5);
-    CHECK(object.dampingScale(1) ==
+    CHECK(object.damping(1).scale ==
           Catch::Approx(2 * 5 / object.material.damping.perSecond(object.eigenvalues[1])));
+}
+
+TEST_CASE("An extra decay adds to the material's or the measured one") {
+    auto object = syntheticObject({100, 200, 300});
+    object.extraDecaysPerSecond = {0, 2, 4};
+    CHECK(object.decayPerSecond(0) == object.material.damping.perSecond(object.eigenvalues[0]) / 2);
+    CHECK(object.decayPerSecond(1) ==
+          object.material.damping.perSecond(object.eigenvalues[1]) / 2 + 2);
+    object.decaysPerSecond = {1, 5, 9};
+    CHECK(object.decayPerSecond(2) == 13);
+    CHECK(object.dampings()[2].extraPerSecond == 4);
 }
 
 TEST_CASE("Vertex normals point outward from counter-clockwise faces") {

@@ -66,7 +66,7 @@ State ringingState(bool inOneMode) {
         object.bending = object.eigenvalues;
         object.radiation = {.directions = {{0.8f, -0.6f, 0}, {0.8f, 0.6f, 0}},
                             .frequencyRatios = {1},
-                            .weights = std::vector<float>(2 * modes, -0.1f)};
+                            .weights = std::vector<std::complex<float>>(2 * modes, -0.1f)};
         std::fill_n(object.radiation.weights.begin(), modes, -0.3f);
         object.name = std::to_string(note);
         state.objects.push_back(
@@ -77,7 +77,9 @@ State ringingState(bool inOneMode) {
     state.preset.parameters.set(density, 1000);
     state.preset.parameters.set(fluidDamping, 5);
     state.preset.parameters.set(viscoelasticDamping, 0.0001);
+    state.preset.parameters.set(lossFactor, 0);
     state.preset.parameters.set(radiation, 100);
+    state.preset.parameters.set(keepPitch, 0); // so that figures and extents are heard
     state.preset.parameters.set(tau, parameterInfo(tau).minimum);
     return state;
 }
@@ -252,12 +254,13 @@ const std::vector<Jump> switchesWhileRinging{
      customMaterial,
      firstLibraryMaterial,
      asLevel,
-     {{youngsModulus, 11}, {fluidDamping, 50}, {viscoelasticDamping, 2.5e-7}}},
+     {{youngsModulus, 21}, {lossFactor, 0.0043}}},
     {letRing, 1, 0, asLevel},
     {bendRange, 2, 3, asLevel, {}, wheelUp},
     {mpe, 0, 1, asLevel, {{mpeBendRange, 3}}, bentOfItsOwn},
     {mpeBendRange, 2, 3, asLevel, {{mpe, 1}}, bentOfItsOwn},
     {matchLoudness, 0, 1, asLevel, {{material, firstLibraryMaterial}}},
+    {keepPitch, 0, 1, asLevel, {{size, 1.1}}},
     {bypass, 0, 1, asLevel},
 };
 

@@ -139,9 +139,7 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
             return Sound{.preset = state.preset,
                          .instrument = *built,
                          .parameters = state.parameters,
-                         .unknownMembers = {},
                          .missing = nullptr,
-                         .refused = nullptr,
                          .presetId = {},
                          .stored = state.parameters};
         };

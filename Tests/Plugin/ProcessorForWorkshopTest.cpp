@@ -389,30 +389,6 @@ TEST_CASE("What the host loads while an object is made ready to play is not play
     }
 }
 
-TEST_CASE("A state that is refused while an object is made is not played over either") {
-    const std::string refused = "of a later version";
-    for (const bool isPreviewAwaited : {false, true}) {
-        INFO("preview awaited: " << isPreviewAwaited);
-        Processor processor;
-        processor.prepareToPlay(48000, blockSamples);
-        const auto before = processor.loadedInstrument();
-        processor.openFile(meshFile("ball.obj", icosphereMesh(0.05, 3)));
-        std::shared_ptr<const Instrument> last;
-        finish(processor, [&] {
-            const auto now = processor.loadedInstrument();
-            if (last == nullptr && (now != before || !isPreviewAwaited)) {
-                REQUIRE(processor.importStatus().isWorking());
-                restoreBytes(processor, refused);
-                last = now;
-            }
-        });
-        REQUIRE(last != nullptr);
-        CHECK(processor.loadedInstrument() == last);
-        CHECK(saved(processor) == refused);
-        CHECK(processor.takeStatus().isError);
-    }
-}
-
 TEST_CASE(
     "Automation that arrives while an object is made, keys are changed or the sound is mutated "
     "stays") {

@@ -10,7 +10,6 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <fstream>
-#include <utility>
 #include <vector>
 
 using namespace idiophone;
@@ -160,16 +159,13 @@ TEST_CASE("A tuning stays through programs, and travels in the state to the byte
     CHECK(std::abs(cents(struckHz(second.processor, 440), 440)) < 0.5);
 }
 
-TEST_CASE("A state whose tuning cannot be read changes nothing that plays, and is kept") {
+TEST_CASE("A state whose tuning cannot be read changes nothing that plays") {
     Prepared instance;
     const auto before = instance.processor.loadedSound();
     auto state = testState();
     state.tuning.scale = {.name = "old.scl", .text = "title\nmany\n"};
     restore(instance.processor, state);
-    auto now = instance.processor.loadedSound();
-    CHECK(std::exchange(now.refused, nullptr) != nullptr);
-    CHECK(now == before);
-    CHECK(saved(instance.processor) == encodeState(state));
+    CHECK(instance.processor.loadedSound() == before);
     CHECK_THAT(instance.processor.takeStatus().sentence, ContainsSubstring("old.scl"));
 }
 

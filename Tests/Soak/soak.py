@@ -66,11 +66,6 @@ class FuzzTarget:
             return []
         return [f"-max_len={self.longest.get(self.name, self.longest_file)}", "-len_control=0"]
 
-    def seed_options(self):
-        """Of what lies elsewhere than in the corpus."""
-        released = sorted((ROOT / "Tests/Plugin/Golden").glob("*/*.state"))
-        return ["-seed_inputs=" + ",".join(map(str, released))] if self.name == "state" else []
-
     @staticmethod
     def round_length(seconds):
         return seconds
@@ -87,7 +82,7 @@ class FuzzTarget:
             process = subprocess.Popen(
                 [self.program, f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048",
                  "-print_final_stats=1", f"-artifact_prefix={findings}/{self.name}-",
-                 *self.length_options(before), *self.seed_options(),
+                 *self.length_options(before),
                  *([f"-dict={dictionary}"] if dictionary.exists() else []),
                  grown, ROOT / f"Tests/Fuzz/corpus/{self.name}"],
                 stdout=file, stderr=file, start_new_session=True)

@@ -159,14 +159,6 @@ class Soak(unittest.TestCase):
         lengths = ["-max_len" in each for each in (self.folder / "said").read_text().splitlines()]
         self.assertEqual(lengths, [False, True])
 
-    def test_states_begin_from_those_of_released_versions(self):
-        self.target('echo "$@"', "state").run(1, 0)
-        said = (self.folder / "state.txt").read_text()
-        seeds = re.search(r"-seed_inputs=(\S+)", said).group(1).split(",")
-        self.assertGreater(len(seeds), 4)
-        for seed in seeds:
-            self.assertIn('"idiophone-state"', pathlib.Path(seed).read_text())
-
     def test_seconds_are_those_of_the_processor(self):
         self.assertEqual(self.target("sleep 2").run(5, 0).seconds, 1)
 

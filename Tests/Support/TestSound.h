@@ -20,11 +20,12 @@ constexpr int lowestTestNote = 60, highestTestNote = 72;
 /// Twelve modes a key, struck over MIDI notes 60 to 72. `folder` tells sounds apart.
 inline State testState(const std::string& folder = "test", double transpose = 1) {
     State state;
-    state.engineVersion = ownEngineVersion();
     state.preset.name = "Test keyboard";
     state.preset.keyMap = {.kind = KeyMapKind::bars,
                            .lowestNote = lowestTestNote,
                            .highestNote = highestTestNote,
+                           .resizedFrom = 1,
+                           .resizedTo = 0, // no other keys sound
                            .object = folder + "/{note}"};
     for (int note = lowestTestNote; note <= highestTestNote; ++note) {
         std::vector<double> frequenciesHz;

@@ -42,9 +42,12 @@ std::size_t groups(const std::vector<double>& frequenciesHz,
     std::vector<double> eigenvalues;
     for (const double hz : frequenciesHz)
         eigenvalues.push_back(eigenvalue(hz));
+    std::vector<ModeDamping> dampings;
+    for (const double scale : dampingScales)
+        dampings.push_back({.scale = scale});
     std::vector<std::int32_t> starts(eigenvalues.size() + 1);
     return groupModes(eigenvalues, {.damping = {.fluidPerSecond = 30}}, compression, starts,
-                      dampingScales);
+                      dampings);
 }
 
 } // namespace
@@ -94,10 +97,26 @@ TEST_CASE("Modes of like decays merge, and of decays that the ear tells apart do
     CHECK(groups({1000, 1000}, {2, 2}, 0) == 1);
 }
 
+TEST_CASE("An extra decay stays in another material and grows with the frequency") {
+    auto object = syntheticObject({500});
+    object.material.damping = {.fluidPerSecond = 6};
+    object.extraDecaysPerSecond = {5};
+    auto settings = exactSettings();
+    CHECK(fittedDecay(rendered(object, settings), 500) == Approx(3 + 5).epsilon(0.01));
+    settings.material = LiveMaterial{.youngsModulusPa = object.material.youngsModulusPa,
+                                     .densityKgPerM3 = object.material.densityKgPerM3,
+                                     .damping = {.fluidPerSecond = 2}};
+    CHECK(fittedDecay(rendered(object, settings), 500) == Approx(1 + 5).epsilon(0.01));
+    settings.frequencyRatio = 2;
+    CHECK(fittedDecay(rendered(object, settings), 1000) == Approx(1 + 10).epsilon(0.01));
+}
+
 TEST_CASE("A group decays by the weighted mean of its members") {
-    const std::vector<double> ratios{1, 1.3}, weights{3, 1};
-    CHECK(mergedDampingScale(ratios, weights) == Approx(1.075));
-    CHECK(mergedDampingScale(std::vector<double>{1.7, 1.7}, weights) == 1.7);
+    const std::vector<double> weights{3, 1};
+    const std::vector<ModeDamping> dampings{{1, 0}, {1.3, 8}}, alike{{1.7, 2}, {1.7, 2}};
+    CHECK(mergedDamping(dampings, weights).scale == Approx(1.075));
+    CHECK(mergedDamping(dampings, weights).extraPerSecond == Approx(2));
+    CHECK(mergedDamping(alike, weights) == alike.front());
     // Modes without shapes anywhere have no weight.
-    CHECK(mergedDampingScale(ratios, std::vector<double>{0, 0}) == 1);
+    CHECK(mergedDamping(dampings, std::vector<double>{0, 0}) == dampings.front());
 }

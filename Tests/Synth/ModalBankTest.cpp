@@ -150,15 +150,16 @@ TEST_CASE("Kicks start and finish between samples and join after whole ones, at 
     bank.movePoles(eigenvalues, {.damping = {.fluidPerSecond = damping}}, 20, 20000);
     const std::size_t padded = bank.paddedSize();
     UnitContact unit;
-    for (auto* array : {&unit.x, &unit.y, &unit.steady, &unit.swingRe, &unit.swingIm})
+    for (auto* array : {&unit.x, &unit.y})
         array->resize(padded);
     ModeResidues residues;
+    residues[0].resize(padded);
     ModeKicks kicks;
-    for (auto* array : {&residues[0], &kicks.x[0], &kicks.y[0], &kicks.energies})
+    for (auto* array : {&kicks.x[0], &kicks.y[0], &kicks.energies})
         array->resize(padded);
     unit.x[g] = 1;
     unit.y[g] = 0.3f;
-    residues[0][g] = 2;
+    residues[0].re[g] = 2;
     const auto motion = [&](double samples) { return propagator(bank.pole(g), samples / rate); };
     const ModalState one{1, static_cast<double>(0.3f)};
     const auto check = [&](const ModalState& found, const ModalState& expected) {
@@ -199,11 +200,13 @@ TEST_CASE("The kicks of a contact much shorter than a period keep their precisio
     bank.movePoles(std::vector<double>(16, std::pow(2 * std::numbers::pi * 30, 2)),
                    {.damping = {.fluidPerSecond = 3}}, 20, 20000);
     UnitContact unit;
-    for (auto* array : {&unit.x, &unit.y, &unit.steady, &unit.swingRe, &unit.swingIm})
+    for (auto* array : {&unit.x, &unit.y, &unit.steady, &unit.swingRe, &unit.swingIm,
+                        &unit.quadratureRe, &unit.quadratureIm})
         array->resize(16);
     ModeResidues residues;
     ModeKicks kicks;
-    residues[0].resize(16, 1.0f);
+    residues[0].resize(16);
+    std::ranges::fill(residues[0].re, 1.0f);
     for (auto* array : {&kicks.x[0], &kicks.y[0], &kicks.energies})
         array->resize(16);
     bank.forcedStates({.contactSeconds = seconds}, unit);
@@ -289,7 +292,8 @@ public:
             alone[g].setChannels(channels);
             for (std::size_t c = 0; c < channels; ++c) {
                 starts[c].push_back({any(random), any(random)});
-                residues[c][g] = static_cast<float>(any(random));
+                residues[c].re[g] = static_cast<float>(any(random));
+                residues[c].im[g] = static_cast<float>(any(random));
                 kicks.x[c][g] = static_cast<float>(any(random));
                 kicks.y[c][g] = static_cast<float>(any(random));
             }
@@ -386,7 +390,8 @@ private:
         for (std::size_t c = 0; c < channels; ++c) {
             kickAlone.x[c][0] = kicks.x[c][g];
             kickAlone.y[c][0] = kicks.y[c][g];
-            residueAlone[c][0] = residues[c][g];
+            residueAlone[c].re[0] = residues[c].re[g];
+            residueAlone[c].im[0] = residues[c].im[g];
         }
     }
 

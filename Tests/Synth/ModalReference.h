@@ -22,7 +22,8 @@ namespace idiophone::test {
 struct ReferenceMode {
     double stiffness = 0; ///< λ
     double damping = 0;   ///< γ + χ √λ + η λ
-    double residue = 0;   ///< g / m
+    /// g / m; the imaginary part hears v̇ + α v over the damped frequency.
+    std::complex<double> residue = 0;
 };
 
 /// A synthetic object with fluid damping only, by default so light that 10 s are not silence.
@@ -35,13 +36,15 @@ inline ModalObject ringingObject(const std::vector<double>& frequenciesHz,
     return object;
 }
 
-inline ReferenceMode referenceMode(const Material& material, double frequencyHz, double residue) {
+inline ReferenceMode
+referenceMode(const Material& material, double frequencyHz, std::complex<double> residue) {
     const double lambda = std::pow(2 * std::numbers::pi * frequencyHz, 2);
     const auto& [gamma, eta, loss] = material.damping;
     return {lambda, gamma + loss * std::sqrt(lambda) + eta * lambda, residue};
 }
 
-/// Velocity `seconds` after a unit impulse: eq. 6 for ω±, eq. 10 for c, eq. 11 for v.
+/// What is heard `seconds` after a unit impulse: eq. 6 for ω±, eq. 10 for c, eq. 11 for v. For the
+/// imaginary part of the residue, v̇ + α v of that (without the impulse itself).
 inline double impulseVelocity(const ReferenceMode& mode, double seconds) {
     if (seconds < 0)
         return 0;
@@ -49,8 +52,17 @@ inline double impulseVelocity(const ReferenceMode& mode, double seconds) {
         std::sqrt(std::complex<double>(mode.damping * mode.damping - 4 * mode.stiffness));
     const std::complex<double> plus = (-mode.damping + root) / 2.0;
     const std::complex<double> minus = (-mode.damping - root) / 2.0;
-    const std::complex<double> c = mode.residue / (plus - minus);
-    return (c * plus * std::exp(plus * seconds) - c * minus * std::exp(minus * seconds)).real();
+    const std::complex<double> c = 1.0 / (plus - minus);
+    const auto first = c * plus * std::exp(plus * seconds);
+    const auto second = -c * minus * std::exp(minus * seconds);
+    const double velocity = (first + second).real();
+    if (mode.residue.imag() == 0)
+        return mode.residue.real() * velocity;
+    const double alpha = mode.damping / 2;
+    const double omega = std::sqrt(mode.stiffness - alpha * alpha);
+    const double acceleration = (plus * first + minus * second).real();
+    return mode.residue.real() * velocity +
+           mode.residue.imag() * (acceleration + alpha * velocity) / omega;
 }
 
 /// Velocity after a raised-cosine pulse of unit impulse: 16-point Gauss-Legendre quadrature of the
@@ -81,6 +93,12 @@ inline double pulseVelocity(const ReferenceMode& mode,
                 sum += half * weights[k] * force * std::exp(-extraDamping * (seconds - at)) *
                        impulseVelocity(mode, seconds - at);
             }
+    if (mode.residue.imag() != 0 && seconds < contactSeconds) {
+        // The force itself: v̇ jumps with an impulse.
+        const double alpha = mode.damping / 2;
+        sum += mode.residue.imag() / std::sqrt(mode.stiffness - alpha * alpha) *
+               (1 - std::cos(omega * seconds)) / contactSeconds;
+    }
     return sum;
 }
 

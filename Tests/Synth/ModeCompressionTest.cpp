@@ -30,7 +30,10 @@ double residueOf(const std::vector<float>& residues,
                  const PoleLaw& law) {
     std::vector<float> shares(pairsOf(residues.size()));
     findLostShares(eigenvalues, law, shares);
-    return static_cast<double>(mergedResidue(residues, shares));
+    const auto merged =
+        mergedResidue(std::vector<std::complex<float>>(residues.begin(), residues.end()), shares);
+    CHECK(merged.imag() == 0);
+    return static_cast<double>(merged.real());
 }
 
 } // namespace

@@ -86,7 +86,7 @@ TEST_CASE(
     const ModalObject object = ringingObject(frequencies, 20, gains);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
-    settings.tau = 0.1 / metresPerSecondPerTau;
+    settings.tau = 0.1 / pascalsPerTau;
     const auto output = render(synthesiser, {{0, unitStrike(contactSeconds)}}, 80, [&](int cell) {
         settings.frequencyRatio = cell >= moveCell && cell < backCell ? 1.25 : 1;
         if (cell == 20)

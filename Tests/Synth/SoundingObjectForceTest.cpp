@@ -70,7 +70,8 @@ Scraped scrape(const ModalObject& object, int cells, bool moving, double damping
     return result;
 }
 
-/// The same in double: an impulse at each sample, residues in steps of a sub-block.
+/// The same in double: an impulse at each sample, residues in steps of a sub-block. Half of an
+/// impulse sounds at its own sample, and a force that rests nothing.
 std::vector<double>
 reference(const ModalObject& object, const Scraped& scraped, bool moving, double damping) {
     const std::size_t modes = object.modeCount();
@@ -83,6 +84,12 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
             const auto shape = static_cast<double>(object.shapesAt(row)[3 * i + 2]);
             return shape * shape;
         };
+        // What half the first and all later samples after an impulse come to, without a damper.
+        ModalState ringing = stateOf(pole, {1, 0});
+        double rest = ringing.x / 2;
+        for (int k = 0; k < 4000000 && std::abs(ringing.x) + std::abs(ringing.y) > 1e-13; ++k)
+            rest -= (ringing = sample * ringing).x;
+        rest = isOscillating(pole) ? rest - 1 : 0.5; // the others sound as they are
         ModalState state;
         for (std::size_t n = 0; n < output.size(); ++n) {
             const std::size_t cell = n / cellSamples;
@@ -92,8 +99,8 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
                                    residueAt(moving ? (cell + 1) % 2 : 0) * share;
             const ModalState kick =
                 stateOf(pole, {residue * static_cast<double>(scraped.forces[n]) / sampleRate, 0});
+            output[n] += state.x + kick.x / 2 + kick.x * rest;
             state = {state.x + kick.x, state.y + kick.y};
-            output[n] += state.x;
             state = sample * state;
             state = {fall * state.x, fall * state.y};
         }

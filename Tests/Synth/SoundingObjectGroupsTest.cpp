@@ -134,5 +134,5 @@ TEST_CASE(
             loudest = larger(loudest, std::abs(double(left[k])));
         }
     }
-    CHECK(loudest > 0.1);
+    CHECK(loudest > 0.01);
 }

@@ -32,7 +32,7 @@ TEST_CASE("A mode is dropped at t_c of eq. 14, to one cell") {
     const double natural = 2 * std::numbers::pi * 440;
     const double damped = std::sqrt(natural * natural - 20 * 20);
     const double end =
-        std::log(natural / damped / (tau * metresPerSecondPerTau)) / (20 + extraDamping);
+        std::log(natural / damped / (tau * pascalsPerTau)) / (20 + extraDamping);
     CHECK(std::abs(dropped - end * sampleRate / cellSamples) <= 1);
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("An over-damped mode is dropped once its bound falls below tau") {
     const double gap = std::sqrt(1e8 - 4 * lambda);
     const double slow = (10000 - gap) / 2;
     // At the grid point after the impact the fast half is gone: |c⁺ω⁺| with the slow root is left.
-    const double end = std::log(slow / gap / (0.05 * metresPerSecondPerTau)) / slow;
+    const double end = std::log(slow / gap / (0.05 * pascalsPerTau)) / slow;
     CHECK(std::abs(dropped - end * sampleRate / cellSamples) <= 1);
 }
 

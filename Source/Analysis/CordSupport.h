@@ -1,0 +1,30 @@
+// The two cords or felts that carry a bar, and the loss that they add to each of its modes.
+#pragma once
+
+#include "Object/ModalObject.h"
+
+#include <vector>
+
+namespace idiophone {
+
+/// Each cord resists the bar's vertical velocity v with the force R v. The cords lie near the nodes
+/// of the fundamental, so that they damp the other partials more.
+///
+/// The defaults are a fit to the bending partials of three recorded glockenspiel bars, within a
+/// factor of 1.6 each (docs/materials.md).
+struct CordSupport {
+    double resistanceNsPerM = 2.0; ///< R ≥ 0, of one cord
+    /// How far a cord touches the bar from the fundamental's node, over the bar's length: 0 to 0.1.
+    double spreadOverLength = 0.06;
+};
+
+/// The nodes of the fundamental along the middle of the top: [2] x in metres from the bar's middle,
+/// ascending. Empty if the bar has no bending mode. `bar` is a tuned bar's object (BarTuning.h).
+std::vector<double> cordPlacesMetres(const ModalObject& bar);
+
+/// Adds the cords' loss to each mode's decay, Δα = R/2 Σ φ². The sum runs over the cords. φ² is the
+/// vertical shape squared, a mean over the bar's width and over both sides of the node at the
+/// spread's distance. `bar` is a tuned bar's object with two nodes; another one stays as it is.
+void addCordLoss(ModalObject& bar, const CordSupport& cords);
+
+} // namespace idiophone
