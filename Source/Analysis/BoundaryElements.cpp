@@ -21,7 +21,7 @@ using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic
 /// Parts of the velocity with less than this of its energy are left out.
 constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
-constexpr double impedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
+constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
 
 /// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
 /// sheet are further apart than neighbours of one cluster.
@@ -155,7 +155,7 @@ Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
 std::vector<BoundaryElements::CharacterSystem>
 BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double waveNumber) const {
     const Index order = symmetryOrder(), modes = normalVelocities.cols();
-    const Complex slopeOfVelocity(0, -waveNumber * impedance);
+    const Complex slopeOfVelocity(0, -waveNumber * airImpedance);
     const Eigen::RowVectorXd energies = normalVelocities.colwise().squaredNorm();
     std::vector<CharacterSystem> systems;
     for (Index row = 0; row < order; ++row) {
@@ -309,8 +309,36 @@ Eigen::MatrixXcd BoundaryElements::farField(double waveNumber,
                                             const Eigen::MatrixXd& normalVelocities,
                                             const Eigen::MatrixXcd& pressures) const {
     const Eigen::MatrixXcd waves = planeWaves(waveNumber, directions, originMetres);
-    return impedance * (waves * normalVelocities) +
+    return airImpedance * (waves * normalVelocities) +
            waves.cwiseProduct(cosines(directions)) * pressures;
+}
+
+Eigen::MatrixXcd BoundaryElements::pressuresAt(double waveNumber,
+                                               const Eigen::MatrixXd& pointsMetres,
+                                               const Eigen::MatrixXd& normalVelocities,
+                                               const Eigen::MatrixXcd& pressures) const {
+    const Complex slopeOfVelocity(0, -waveNumber * airImpedance);
+    Eigen::MatrixXcd result(pointsMetres.rows(), pressures.cols());
+    BoundaryRow row;
+    for (Index point = 0; point < pointsMetres.rows(); ++point) {
+        // p = K p − S q.
+        rows_.fillAt(pointsMetres.row(point).transpose(), waveNumber, row);
+        const Eigen::RowVectorXcd ofPressure =
+            -(row.pressureReal.cast<Complex>() + Complex(0, 1) * row.pressureImaginary)
+                 .matrix()
+                 .transpose();
+        const Eigen::RowVectorXcd ofSlope =
+            (row.slopeReal.cast<Complex>() + Complex(0, 1) * row.slopeImaginary)
+                .matrix()
+                .transpose();
+        result.row(point) =
+            ofPressure * pressures + slopeOfVelocity * (ofSlope * normalVelocities.cast<Complex>());
+    }
+    return result;
+}
+
+double BoundaryElements::impedance() {
+    return airImpedance;
 }
 
 Eigen::MatrixXcd BoundaryElements::shortWaveField(double waveNumber,
@@ -318,7 +346,7 @@ Eigen::MatrixXcd BoundaryElements::shortWaveField(double waveNumber,
                                                   const Eigen::Vector3d& originMetres,
                                                   const Eigen::MatrixXd& normalVelocities) const {
     const Eigen::MatrixXd visible = (cosines(directions).array() > 0).cast<double>();
-    return 2 * impedance *
+    return 2 * airImpedance *
            (planeWaves(waveNumber, directions, originMetres).cwiseProduct(visible) *
             normalVelocities);
 }

@@ -59,8 +59,17 @@ public:
                               const Eigen::MatrixXd& normalVelocities,
                               const Eigen::MatrixXcd& pressures) const;
 
-    /// The same where waves are short against the surface, without solving: every face that is
-    /// visible from there is a part of an infinite wall, and the others are not heard.
+    /// [P×M] in Pa at points [P×3] outside of the surface, as near to it as need be.
+    Eigen::MatrixXcd pressuresAt(double waveNumber,
+                                 const Eigen::MatrixXd& pointsMetres,
+                                 const Eigen::MatrixXd& normalVelocities,
+                                 const Eigen::MatrixXcd& pressures) const;
+
+    /// ρc, in Pa s/m.
+    static double impedance();
+
+    /// The same as `farField` where waves are short against the surface, without solving: every
+    /// face that is visible from there is a part of an infinite wall, and the others are not heard.
     Eigen::MatrixXcd shortWaveField(double waveNumber,
                                     const Eigen::MatrixXd& directions,
                                     const Eigen::Vector3d& originMetres,

@@ -224,9 +224,21 @@ void BoundaryRows::fill(std::size_t target,
                         double waveNumber,
                         double couplingMetres,
                         BoundaryRow& row) const {
-    const Equation equation{panels_[static_cast<std::size_t>(targets_[target])], waveNumber,
-                            couplingMetres};
-    const Surroundings& around = surroundings_[target];
+    fill({panels_[static_cast<std::size_t>(targets_[target])], waveNumber, couplingMetres},
+         surroundings_[target], row);
+}
+
+void BoundaryRows::fillAt(const Vector3d& pointMetres, double waveNumber, BoundaryRow& row) const {
+    BoundaryPanel target;
+    target.centroid = pointMetres;
+    target.normal = Vector3d::UnitZ();
+    fill({target, waveNumber, 0}, surroundingsOf(target), row);
+}
+
+void BoundaryRows::fill(const Equation& equation,
+                        const Surroundings& around,
+                        BoundaryRow& row) const {
+    const auto& [target, waveNumber, couplingMetres] = equation;
     for (auto* part :
          {&row.pressureReal, &row.pressureImaginary, &row.slopeReal, &row.slopeImaginary})
         part->setZero(static_cast<Eigen::Index>(panels_.size()));

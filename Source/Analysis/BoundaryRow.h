@@ -38,6 +38,9 @@ public:
     /// terms p/2 and βq/2.
     void fill(std::size_t target, double waveNumber, double couplingMetres, BoundaryRow& row) const;
 
+    /// That of a point on no panel, with β = 0.
+    void fillAt(const Eigen::Vector3d& pointMetres, double waveNumber, BoundaryRow& row) const;
+
 private:
     struct Point {
         Eigen::Vector3d place, normal;
@@ -62,6 +65,7 @@ private:
 
     static NearPair nearPair(const BoundaryPanel& target, const BoundaryPanel& source);
     Surroundings surroundingsOf(const BoundaryPanel& target) const;
+    void fill(const Equation& equation, const Surroundings& around, BoundaryRow& row) const;
 
     /// Adds the sources' kernels by quadrature; `points` holds as many of each panel as the other.
     /// With `isRemainder` without what the closed forms of a NearPair contain.

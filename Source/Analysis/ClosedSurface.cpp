@@ -4,6 +4,7 @@
 #include "Geometry/SurfaceQuery.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
@@ -73,7 +74,19 @@ void addRim(SurfaceBuilder& surface, Edge edge, Edge upper, Edge lower) {
     surface.faces.emplace_back(lower.second, upper.second, middle);
 }
 
-ClosedSurface built(const SurfaceBuilder& builder, Eigen::Index movingVertices) {
+/// Whether a face has an area to speak of.
+bool hasArea(const SurfaceBuilder& surface, const Eigen::RowVector3i& face) {
+    const auto corner = [&](int k) { return surface.vertices[static_cast<std::size_t>(face(k))]; };
+    const Eigen::RowVector3d first = corner(1) - corner(0), second = corner(2) - corner(0);
+    constexpr double degenerate = 1e-9;
+    return first.cross(second).norm() >
+           degenerate * std::max({first.squaredNorm(), second.squaredNorm(),
+                                  (second - first).squaredNorm()});
+}
+
+/// Without faces that have no area.
+ClosedSurface built(SurfaceBuilder builder, Eigen::Index movingVertices) {
+    std::erase_if(builder.faces, [&](const auto& face) { return !hasArea(builder, face); });
     const auto vertexCount = static_cast<Eigen::Index>(builder.vertices.size());
     ClosedSurface surface{{Eigen::MatrixXd(vertexCount, 3),
                            Eigen::MatrixXi(static_cast<Eigen::Index>(builder.faces.size()), 3)},
@@ -150,7 +163,7 @@ Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres) {
     for (const Edge& edge : boundaryEdges(sheetFaces))
         addRim(surface, edge, {on(upper, edge.first), on(upper, edge.second)},
                {on(lower, edge.first), on(lower, edge.second)});
-    return built(surface, mesh.vertexCount());
+    return built(std::move(surface), mesh.vertexCount());
 }
 
 ClosedSurface withFacesSplit(const ClosedSurface& surface) {
