@@ -60,6 +60,19 @@ bendingParts(const BodyModel& body, const Eigen::VectorXd& eigenvalues, Eigen::M
     return parts;
 }
 
+std::string joined(const std::string& notes, const std::string& sentence) {
+    return notes + (notes.empty() || sentence.empty() ? "" : " ") + sentence;
+}
+
+/// Work that is the part of another's from one share of it to another.
+WorkControl partOf(const WorkControl& whole, double from, double to) {
+    return {.progress =
+                [&whole, from, to](double fraction, std::string_view step) {
+                    whole.report(std::lerp(from, to, fraction), step);
+                },
+            .cancelled = whole.cancelled};
+}
+
 /// `shapes` [3N×M] are those of all vertices, of which `vertices` keep theirs.
 void storeModes(const Eigen::VectorXd& eigenvalues,
                 const Eigen::MatrixXd& shapes,
@@ -84,14 +97,17 @@ Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shap
 
 } // namespace
 
-Result<ModalObject>
-solveBody(const BodyModel& body, const SolveSettings& settings, const WorkControl& control) {
+Result<ModalObject> solveBody(const BodyModel& body,
+                              const SolveSettings& settings,
+                              const WorkControl& control,
+                              Eigen::MatrixXcd* nearPressures) {
+    const double modesShare = settings.radiation == RadiationMethod::exact ? 0.4 : 0.9;
     const auto start = std::chrono::steady_clock::now();
     const auto modes = solveModes(body.model,
                                   {.lowestHz = settings.lowestFrequencyHz,
                                    .highestHz = settings.maxFrequencyHz,
                                    .maximumModes = settings.maximumModes},
-                                  control);
+                                  partOf(control, 0, modesShare));
     if (!modes)
         return failure(modes.error().message);
     if (modes->eigenvalues.size() == 0)
@@ -114,20 +130,24 @@ solveBody(const BodyModel& body, const SolveSettings& settings, const WorkContro
         object.bending = bendingParts(body, modes->eigenvalues, modes->shapes);
     setMesh(object, body.surface);
     object.mass = massPropertiesOf(body.model, body.pointsMetres);
-    control.report(0.99, "Computing radiation");
     auto radiation = radiationOf({.mesh = body.surface,
                                   .shapes = shapes,
                                   .eigenvalues = modes->eigenvalues,
                                   .thicknessMetres = body.thicknessMetres,
                                   .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
-                                 {.directions = settings.listeningDirections}, control);
+                                 {.directions = settings.listeningDirections,
+                                  .method = settings.radiation,
+                                  .nearPointsMetres = settings.nearPointsMetres},
+                                 partOf(control, modesShare, 1));
     if (!radiation)
         return failure(radiation.error().message);
-    object.radiation = std::move(*radiation);
+    object.radiation = std::move(radiation->table);
+    if (nearPressures != nullptr)
+        *nearPressures = std::move(radiation->nearPressures);
     object.provenance = {
         .source = settings.source,
         .software = "Idiophone " IDIOPHONE_VERSION,
-        .notes = notesOn(body, settings, *modes),
+        .notes = joined(notesOn(body, settings, *modes), radiation->notes),
         .analysisSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
         .analysedVertices = body.surface.vertexCount(),

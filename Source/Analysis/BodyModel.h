@@ -43,11 +43,17 @@ struct SolveSettings {
     int maximumModes = mostAnalysedModes;
     std::vector<int> shapeVertices = {}; ///< of the surface, ascending; empty: all
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections(); ///< of its radiation
+    RadiationMethod radiation = RadiationMethod::quick;
+    /// [P] outside, where pressures are wanted too, as `Radiation::nearPressures`.
+    std::vector<Eigen::Vector3d> nearPointsMetres = {};
 };
 
 /// Every mode of the body in the band, as an object that passes `validated`, with radiation and
-/// mass. Errors are one sentence: those of solveModes, no mode in the band, `cancelledMessage`.
-Result<ModalObject>
-solveBody(const BodyModel& body, const SolveSettings& settings, const WorkControl& control = {});
+/// mass. Errors are one sentence: those of solveModes and radiationOf, no mode in the band,
+/// `cancelledMessage`. `nearPressures`, where given, receives those at the near points [P×M].
+Result<ModalObject> solveBody(const BodyModel& body,
+                              const SolveSettings& settings,
+                              const WorkControl& control = {},
+                              Eigen::MatrixXcd* nearPressures = nullptr);
 
 } // namespace idiophone

@@ -25,7 +25,8 @@ Result<ModalObject> makeSmallRing(const WorkControl& control) {
                     .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.001,
                     .maxFrequencyHz = 22000,
-                    .listeningDirections = directionsAllAround()},
+                    .listeningDirections = directionsAllAround(),
+                    .radiation = RadiationMethod::exact},
                    control);
 }
 
@@ -39,7 +40,8 @@ Result<ModalObject> makeLongTable(const WorkControl& control) {
                     .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.020,
                     .maxFrequencyHz = 10000,
-                    .shapeVertices = someVertices(mesh, 200)},
+                    .shapeVertices = someVertices(mesh, 200),
+                    .radiation = RadiationMethod::exact},
                    control);
 }
 
@@ -54,7 +56,8 @@ Result<ModalObject> makeCylinder(const WorkControl& control) {
                     .method = AnalysisMethod::tetrahedra,
                     .maxFrequencyHz = 22000,
                     .shapeVertices = someVertices(mesh, 128),
-                    .listeningDirections = directionsAllAround()},
+                    .listeningDirections = directionsAllAround(),
+                    .radiation = RadiationMethod::exact},
                    control);
 }
 
@@ -67,7 +70,8 @@ Result<ModalObject> makeFloor(const WorkControl& control) {
                     .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.028,
                     .maxFrequencyHz = 5000,
-                    .shapeVertices = someVertices(mesh, 120)},
+                    .shapeVertices = someVertices(mesh, 120),
+                    .radiation = RadiationMethod::exact},
                    control);
 }
 
@@ -78,7 +82,8 @@ Result<ModalObject> makeDie(const WorkControl& control) {
                     .material = *findMaterial("ABS"),
                     .method = AnalysisMethod::tetrahedra,
                     .maxFrequencyHz = 44000,
-                    .listeningDirections = directionsAllAround()},
+                    .listeningDirections = directionsAllAround(),
+                    .radiation = RadiationMethod::exact},
                    control);
 }
 
@@ -98,7 +103,8 @@ Result<ModalObject> makePebble(const WorkControl& control) {
                     .method = AnalysisMethod::tetrahedra,
                     .maxFrequencyHz = 44000,
                     .shapeVertices = someVertices(mesh, 160),
-                    .listeningDirections = directionsAllAround()},
+                    .listeningDirections = directionsAllAround(),
+                    .radiation = RadiationMethod::exact},
                    control);
 }
 
@@ -119,7 +125,8 @@ Result<ModalObject> makeWashboard(const WorkControl& control) {
                     .method = AnalysisMethod::twoLayer,
                     .thicknessMetres = 0.0015,
                     .maxFrequencyHz = 10000,
-                    .shapeVertices = someVertices(mesh, 200)},
+                    .shapeVertices = someVertices(mesh, 200),
+                    .radiation = RadiationMethod::exact},
                    control);
 }
 

@@ -31,7 +31,8 @@ analysedSheet(const Mesh& mesh, const Sheet& sheet, const WorkControl& control) 
          .method = AnalysisMethod::twoLayer,
          .thicknessMetres = sheet.thicknessMetres,
          .maxFrequencyHz = sheet.maxFrequencyHz,
-         .shapeVertices = spreadVertices(mesh, allVertices(mesh), sheet.shapeVertexCount)},
+         .shapeVertices = spreadVertices(mesh, allVertices(mesh), sheet.shapeVertexCount),
+         .radiation = RadiationMethod::exact},
         control);
 }
 
@@ -55,7 +56,8 @@ Result<ModalObject> analysedTurned(const std::vector<LathePoint>& section,
                    .maxFrequencyHz = turned.maxFrequencyHz,
                    .shapeVertices =
                        spreadVertices(lathe.mesh, allVertices(lathe.mesh), turned.shapeVertexCount),
-                   .listeningDirections = turned.listeningDirections},
+                   .listeningDirections = turned.listeningDirections,
+                   .radiation = RadiationMethod::exact},
                   control);
     if (object)
         object->provenance.analysisSeconds =

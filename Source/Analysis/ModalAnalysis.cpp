@@ -215,7 +215,8 @@ analyseOrThrow(const Mesh& mesh, const AnalysisSettings& settings, const WorkCon
                       .maxFrequencyHz = body->servedBandHz,
                       .maximumModes = settings.maximumModes,
                       .shapeVertices = nearestVertices(body->surface, repaired->mesh, *vertices),
-                      .listeningDirections = settings.listeningDirections},
+                      .listeningDirections = settings.listeningDirections,
+                      .radiation = settings.radiation},
                      control);
 }
 

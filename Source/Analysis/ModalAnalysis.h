@@ -29,6 +29,7 @@ struct AnalysisSettings {
     std::vector<int> shapeVertices = {};  ///< input vertices whose shapes to keep; empty: all
     /// From where it can be heard; `directionsAllAround` for what turns in scenes.
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections();
+    RadiationMethod radiation = RadiationMethod::quick;
 };
 
 /// Fails with a sentence where a setting, or a figure of the material, is out of range.

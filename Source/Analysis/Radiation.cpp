@@ -1,154 +1,245 @@
 #include "Analysis/Radiation.h"
 
 #include "Analysis/Air.h"
+#include "Analysis/BoundaryElements.h"
+#include "Analysis/ClosedSurface.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <numbers>
+#include <thread>
+#include <utility>
 
 namespace idiophone {
 namespace {
 
-constexpr double lowestAudibleHz = 20, highestAudibleHz = 22000;
+using Complex = std::complex<double>;
+using Eigen::Index;
 
-/// P points with the area and the normal of their share of the surface.
-struct RadiatingSurface {
-    Eigen::MatrixXd pointsMetres;       ///< [P×3] from the centre of mass
-    Eigen::MatrixXd vectorAreasM2;      ///< [P×3] A n
-    std::vector<Eigen::Index> vertices; ///< [P] whose motion each point shares
-    double areaM2 = 0;
+/// How finely the surface pressure is resolved. Time grows with the square of the unknowns, then
+/// with their cube.
+struct Effort {
+    int unknowns = 0;     ///< a symmetry of G elements divides them between G systems, to a quarter
+    int maximumFaces = 0; ///< of a finer surface the triangles are made larger
+    double sameFrequency = 0; ///< modes that differ by less than this share are solved at one
 };
+constexpr Effort exactEffort{1800, 24000, 0.002}, quickEffort{500, 12000, 0.03};
 
-/// [N] whether the component that a vertex belongs to has an edge without exactly two faces.
-std::vector<bool> openVertices(const Mesh& mesh) {
-    const auto components = connectedComponents(mesh);
-    const auto componentOf = [&](Eigen::Index vertex) {
-        return static_cast<std::size_t>(
-            components.componentOfVertex[static_cast<std::size_t>(vertex)]);
-    };
-    std::vector<bool> isOpen(static_cast<std::size_t>(components.count), false);
-    for (const auto& edge : uniqueEdges(mesh))
-        if (edge.faceCount != 2)
-            isOpen[componentOf(edge.a)] = true;
-    std::vector<bool> result;
-    for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
-        result.push_back(isOpen[componentOf(vertex)]);
-    return result;
+constexpr double lowestHz = 20, highestHz = 22000;
+/// Edges of the triangles, or of what shares an unknown, that a wave must span: a sphere is then
+/// within 0.2 dB (BoundaryElementsTest).
+constexpr double edgesPerWavelength = 2.5;
+/// A surface is made finer only where it serves less of the band than this.
+constexpr double enoughOfBand = 0.6;
+constexpr double mostMatrixBytes = 1e9;
+
+double waveNumberOf(double frequencyHz) {
+    return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
 }
 
-/// [N×3] a third of A n of the faces at each vertex: exact for a closed surface, where it sums to
-/// zero, and at edges, where a vertex has no one normal.
-Eigen::MatrixXd vertexVectorAreas(const Mesh& mesh) {
-    Eigen::MatrixXd areas = Eigen::MatrixXd::Zero(mesh.vertexCount(), 3);
-    for (const auto& face : mesh.faces.rowwise()) {
-        const Eigen::RowVector3d a = mesh.vertices.row(face(0)), b = mesh.vertices.row(face(1)),
-                                 c = mesh.vertices.row(face(2));
-        const Eigen::RowVector3d third = (b - a).cross(c - a) / 6;
-        for (const int corner : face)
-            areas.row(corner) += third;
-    }
-    return areas;
+double audible(double frequencyHz) {
+    return std::clamp(frequencyHz, lowestHz, highestHz);
 }
 
-RadiatingSurface radiatingSurface(const RadiatingBody& body) {
-    const Mesh& mesh = body.mesh;
-    const auto areas = vertexAreas(mesh);
-    const auto vectorAreas = vertexVectorAreas(mesh), normals = vertexNormals(mesh);
-    const auto isOpen = openVertices(mesh);
-    const Eigen::Index points =
-        mesh.vertexCount() +
-        (body.thicknessMetres > 0 ? std::ranges::count(isOpen, true) : Eigen::Index{0});
-    RadiatingSurface surface{Eigen::MatrixXd(points, 3), Eigen::MatrixXd(points, 3), {}, 0};
-    const auto add = [&](Eigen::Index vertex, double side, double offsetMetres) {
-        const auto point = static_cast<Eigen::Index>(surface.vertices.size());
-        surface.pointsMetres.row(point) = mesh.vertices.row(vertex) -
-                                          body.centreMetres.transpose() +
-                                          side * offsetMetres * normals.row(vertex);
-        surface.vectorAreasM2.row(point) = side * vectorAreas.row(vertex);
-        surface.vertices.push_back(vertex);
-        surface.areaM2 += areas(vertex);
-    };
-    for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
-        const bool isSheet = body.thicknessMetres > 0 && isOpen[static_cast<std::size_t>(vertex)];
-        add(vertex, 1, isSheet ? body.thicknessMetres / 2 : 0);
-        if (isSheet)
-            add(vertex, -1, body.thicknessMetres / 2);
-    }
+/// The edge of equilateral triangles that are so many on the surface.
+double edgeMetresOf(const Mesh& surface, double count) {
+    return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).sum() / count);
+}
+
+double servedHz(const Mesh& surface, double unknowns) {
+    return speedOfSoundMetresPerSecond / (edgesPerWavelength * edgeMetresOf(surface, unknowns));
+}
+
+/// As fine as the band asks for and the effort allows.
+Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
+                                 const Effort& effort,
+                                 double bandHz,
+                                 const WorkControl& control) {
+    auto surface = closedSurface(body.mesh, body.thicknessMetres);
+    if (!surface)
+        return surface;
+    const auto faces = [&] { return static_cast<double>(surface->mesh.faceCount()); };
+    if (faces() > effort.maximumFaces)
+        return remeshed(*surface, edgeMetresOf(surface->mesh, effort.maximumFaces / 2.0), control);
+    while (4 * faces() <= effort.maximumFaces &&
+           servedHz(surface->mesh, faces()) < enoughOfBand * bandHz)
+        surface = withFacesSplit(*surface);
     return surface;
 }
 
-/// A n·φ of each point [P] for one mode.
-Eigen::VectorXd
-normalFlows(const RadiatingBody& body, const RadiatingSurface& surface, Eigen::Index mode) {
-    Eigen::VectorXd flows(surface.vectorAreasM2.rows());
-    for (Eigen::Index point = 0; point < flows.size(); ++point)
-        flows(point) = surface.vectorAreasM2.row(point) *
-                       body.shapes.block<3, 1>(
-                           3 * surface.vertices[static_cast<std::size_t>(point)], mode);
-    return flows;
-}
-
-/// A plane wave from one direction at the surface's points.
-struct PlaneWave {
-    double waveNumber = 0;   ///< k in rad/m
-    Eigen::ArrayXcd phasors; ///< [P] e^{jk d·x}
+/// What is solved at once: some modes at one frequency.
+struct Task {
+    double frequencyHz = 0;
+    std::vector<Index> modes;
+    Eigen::MatrixXcd weights = {};       ///< [D×modes]
+    Eigen::MatrixXcd nearPressures = {}; ///< [P×modes]
 };
 
-/// By squaring the wave an octave below where `lower` holds it: sines take most of the time.
-PlaneWave planeWave(double waveNumber,
-                    const Eigen::VectorXd& distancesMetres,
-                    const std::vector<PlaneWave>& lower) {
-    PlaneWave wave{waveNumber, Eigen::ArrayXcd(distancesMetres.size())};
-    const auto octaveBelow = std::ranges::find_if(lower, [&](const PlaneWave& other) {
-        return std::abs(2 * other.waveNumber - waveNumber) <= 1e-12 * waveNumber;
-    });
-    if (octaveBelow != lower.end()) {
-        wave.phasors = octaveBelow->phasors.square();
-        return wave;
-    }
-    const Eigen::ArrayXd phases = waveNumber * distancesMetres.array();
-    wave.phasors.real() = phases.cos();
-    wave.phasors.imag() = phases.sin();
-    return wave;
-}
-
-/// Fills the table's weights of one mode with those flows [P]; `distancesMetres` [P×D].
-void addMode(const Eigen::VectorXd& flows,
-             const Eigen::MatrixXd& distancesMetres,
-             double eigenvalue,
-             Eigen::Index mode,
-             Eigen::Index modeCount,
-             RadiationTable& table) {
-    auto* row = table.weights.data() + mode;
-    for (Eigen::Index direction = 0; direction < distancesMetres.cols(); ++direction) {
-        std::vector<PlaneWave> waves;
-        for (const double ratio : table.frequencyRatios) {
-            const double omega = ratio * std::sqrt(eigenvalue);
-            const double waveNumber = std::clamp(omega, 2 * std::numbers::pi * lowestAudibleHz,
-                                                 2 * std::numbers::pi * highestAudibleHz) /
-                                      speedOfSoundMetresPerSecond;
-            if (waves.empty() || waves.back().waveNumber != waveNumber)
-                waves.push_back(planeWave(waveNumber, distancesMetres.col(direction), waves));
-            const std::complex<double> sum = (waves.back().phasors * flows.array()).sum();
-            *row = std::complex<float>(std::complex<double>(0, omega * airDensityKgPerM3) /
-                                       (4 * std::numbers::pi) * sum);
-            row += modeCount;
+/// Modes at their own frequencies, in Hz and ascending.
+std::vector<Task> ownTasks(const Eigen::VectorXd& frequenciesHz, double sameFrequency) {
+    std::vector<Task> tasks;
+    for (Index mode = 0, first = 0; mode < frequenciesHz.size(); ++mode) {
+        if (tasks.empty() || frequenciesHz(mode) > frequenciesHz(first) * (1 + sameFrequency)) {
+            tasks.emplace_back();
+            first = mode;
         }
+        tasks.back().modes.push_back(mode);
+        tasks.back().frequencyHz = audible(std::sqrt(frequenciesHz(first) * frequenciesHz(mode)));
+    }
+    return tasks;
+}
+
+/// All modes at half octaves, as far as any ratio asks for.
+std::vector<Task> gridTasks(const Eigen::VectorXd& frequenciesHz,
+                            const std::vector<double>& ratios) {
+    const double first = audible(frequenciesHz.minCoeff() * ratios.front()),
+                 last = audible(frequenciesHz.maxCoeff() * ratios.back());
+    std::vector<Index> all;
+    for (Index mode = 0; mode < frequenciesHz.size(); ++mode)
+        all.push_back(mode);
+    std::vector<Task> tasks;
+    for (int step = 0;; ++step) {
+        const double frequencyHz = audible(lowestHz * std::exp2(step / 2.0));
+        if (frequencyHz * std::numbers::sqrt2 > first)
+            tasks.push_back({frequencyHz, all});
+        if (frequencyHz >= last)
+            return tasks;
     }
 }
 
-std::string
-faultOf(const RadiatingBody& body, const RadiationSettings& settings, double surfaceAreaM2) {
+/// What all tasks share.
+struct Hearing {
+    const BoundaryElements& elements;
+    Eigen::MatrixXd normalShapes;     ///< [F×M]
+    Eigen::MatrixXd directions;       ///< [D×3] unit
+    Eigen::MatrixXd nearPointsMetres; ///< [P×3]
+    Eigen::Vector3d centreMetres;
+    double solvedHz = 0;
+};
+
+/// A cancelled task stays without weights.
+void solve(Task& task, const Hearing& hearing, const WorkControl& control) {
+    const double waveNumber = waveNumberOf(task.frequencyHz);
+    const Eigen::MatrixXd velocities = hearing.normalShapes(Eigen::all, task.modes);
+    const BoundaryElements& elements = hearing.elements;
+    if (task.frequencyHz > hearing.solvedHz) {
+        task.weights = elements.shortWaveField(waveNumber, hearing.directions, hearing.centreMetres,
+                                               velocities);
+        task.nearPressures =
+            elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities,
+                                 BoundaryElements::impedance() * velocities.cast<Complex>());
+        return;
+    }
+    const auto pressures = elements.surfacePressures(waveNumber, velocities, control.quiet());
+    if (!pressures)
+        return;
+    task.weights = elements.farField(waveNumber, hearing.directions, hearing.centreMetres,
+                                     velocities, *pressures);
+    task.nearPressures =
+        elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities, *pressures);
+}
+
+/// On several threads, of which the caller's reports.
+Result<void> solveAll(std::vector<Task>& tasks,
+                      const Hearing& hearing,
+                      unsigned threads,
+                      const WorkControl& control) {
+    std::atomic<std::size_t> next = 0, done = 0;
+    const auto work = [&](const WorkControl& own) {
+        for (std::size_t task = next++; task < tasks.size() && !own.isCancelled(); task = next++) {
+            solve(tasks[task], hearing, own);
+            own.report(static_cast<double>(++done) / static_cast<double>(tasks.size()),
+                       "Computing radiation");
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (unsigned thread = 1; thread < threads && thread < tasks.size(); ++thread)
+            others.emplace_back([&] { work(control.quiet()); });
+        work(control);
+    }
+    if (control.isCancelled())
+        return cancellation();
+    return {};
+}
+
+/// Between two weights, 0 ≤ share ≤ 1.
+Complex between(Complex a, Complex b, double share) {
+    const double magnitude = std::abs(a), other = std::abs(b);
+    if (magnitude == 0 || other == 0)
+        return (1 - share) * a + share * b;
+    return a * std::polar(std::pow(other / magnitude, share), share * std::arg(b / a));
+}
+
+/// All modes' weights [D×M] on the grid, looked up for one mode.
+Eigen::VectorXcd interpolated(const std::vector<Task>& grid, double frequencyHz, Index mode) {
+    const auto above = std::ranges::lower_bound(grid, frequencyHz, {}, &Task::frequencyHz);
+    if (above == grid.begin())
+        return grid.front().weights.col(mode);
+    if (above == grid.end())
+        return grid.back().weights.col(mode);
+    const auto below = above - 1;
+    const double share = std::log(frequencyHz / below->frequencyHz) /
+                         std::log(above->frequencyHz / below->frequencyHz);
+    return below->weights.col(mode).binaryExpr(
+        above->weights.col(mode), [&](Complex a, Complex b) { return between(a, b, share); });
+}
+
+/// Without its directions.
+RadiationTable tableOf(const std::vector<Task>& own,
+                       const std::vector<Task>& grid,
+                       const Eigen::VectorXd& frequenciesHz,
+                       const std::vector<double>& frequencyRatios) {
+    const Index modes = frequenciesHz.size(), directions = own.front().weights.rows();
+    const auto ratios = static_cast<Index>(frequencyRatios.size());
+    RadiationTable table{.directions = {}, .frequencyRatios = frequencyRatios, .weights = {}};
+    table.weights.resize(static_cast<std::size_t>(directions * ratios * modes));
+    const auto store = [&](Index ratio, Index mode, const Eigen::VectorXcd& weights) {
+        for (Index direction = 0; direction < directions; ++direction)
+            table.weights[static_cast<std::size_t>((direction * ratios + ratio) * modes + mode)] =
+                std::complex<float>(weights(direction));
+    };
+    for (Index ratio = 0; ratio < ratios; ++ratio) {
+        const double value = frequencyRatios[static_cast<std::size_t>(ratio)];
+        if (std::abs(value - 1) > 1e-9) {
+            for (Index mode = 0; mode < modes; ++mode)
+                store(ratio, mode, interpolated(grid, audible(value * frequenciesHz(mode)), mode));
+            continue;
+        }
+        for (const Task& task : own)
+            for (std::size_t k = 0; k < task.modes.size(); ++k)
+                store(ratio, task.modes[k], task.weights.col(static_cast<Index>(k)));
+    }
+    return table;
+}
+
+/// [points×3].
+Eigen::MatrixXd rowsOf(const std::vector<Eigen::Vector3d>& points) {
+    Eigen::MatrixXd rows(static_cast<Index>(points.size()), 3);
+    for (std::size_t row = 0; row < points.size(); ++row)
+        rows.row(static_cast<Index>(row)) = points[row].transpose();
+    return rows;
+}
+
+std::string faultOf(const RadiatingBody& body, const RadiationSettings& settings) {
     if (body.shapes.rows() != 3 * body.mesh.vertexCount() ||
         body.shapes.cols() != body.eigenvalues.size() || body.shapes.cols() == 0)
         return "The mode shapes to be heard do not belong to the mesh.";
     if (settings.directions.empty() || settings.frequencyRatios.empty())
         return "Radiation needs a direction and a frequency ratio.";
-    if (!(surfaceAreaM2 > 0))
+    if (!(faceAreas(body.mesh).sum() > 0))
         return "The surface has no area to radiate from.";
     return {};
+}
+
+unsigned threadsFor(const BoundaryElements& elements, unsigned threads) {
+    const auto unknowns = static_cast<double>(elements.unknownCount());
+    const double bytes = 8 * unknowns * unknowns * static_cast<double>(elements.symmetryOrder());
+    const auto most = static_cast<unsigned>(std::clamp(mostMatrixBytes / bytes, 1.0, 1024.0));
+    return std::clamp(threads == 0 ? std::thread::hardware_concurrency() : threads, 1U, most);
 }
 
 } // namespace
@@ -179,33 +270,60 @@ std::vector<double> halfOctaveRatios() {
     return ratios;
 }
 
-Result<RadiationTable> radiationOf(const RadiatingBody& body,
-                                   const RadiationSettings& settings,
-                                   const WorkControl& control) {
-    const auto surface = radiatingSurface(body);
-    if (const auto fault = faultOf(body, settings, surface.areaM2); !fault.empty())
+Result<Radiation> radiationOf(const RadiatingBody& body,
+                              const RadiationSettings& settings,
+                              const WorkControl& control) {
+    if (const auto fault = faultOf(body, settings); !fault.empty())
         return failure(fault);
-    RadiationTable table{
-        .directions = {}, .frequencyRatios = settings.frequencyRatios, .weights = {}};
-    Eigen::MatrixXd distancesMetres(surface.pointsMetres.rows(),
-                                    static_cast<Eigen::Index>(settings.directions.size()));
-    for (const auto& direction : settings.directions) {
-        const Eigen::Vector3d unit = direction.normalized();
-        distancesMetres.col(static_cast<Eigen::Index>(table.directions.size())) =
-            surface.pointsMetres * unit;
-        const Eigen::Vector3f single = unit.cast<float>();
-        table.directions.push_back({single.x(), single.y(), single.z()});
+    const bool isExact = settings.method == RadiationMethod::exact;
+    const Effort& effort = isExact ? exactEffort : quickEffort;
+    const Eigen::VectorXd frequenciesHz = body.eigenvalues.cwiseSqrt() / (2 * std::numbers::pi);
+    const auto surface =
+        surfaceFor(body, effort, audible(frequenciesHz.maxCoeff()), control.quiet());
+    if (!surface)
+        return failure(surface.error().message);
+    auto symmetry = surfaceSymmetry(surface->mesh);
+    const Index order = symmetry.order();
+    const BoundaryElements elements(surface->mesh, std::move(symmetry),
+                                    std::max<Index>(effort.unknowns / order, effort.unknowns / 4));
+    const Hearing hearing{
+        .elements = elements,
+        .normalShapes = surface->normalShapes(body.shapes),
+        .directions = rowsOf(settings.directions).rowwise().normalized(),
+        .nearPointsMetres = rowsOf(settings.nearPointsMetres),
+        .centreMetres = body.centreMetres,
+        .solvedHz = servedHz(surface->mesh, static_cast<double>(elements.unknownCount() * order))};
+
+    auto own = ownTasks(frequenciesHz, effort.sameFrequency);
+    auto grid = gridTasks(frequenciesHz, settings.frequencyRatios);
+    std::vector<Task> tasks(std::make_move_iterator(own.begin()),
+                            std::make_move_iterator(own.end()));
+    tasks.insert(tasks.end(), std::make_move_iterator(grid.begin()),
+                 std::make_move_iterator(grid.end()));
+    if (const auto solved =
+            solveAll(tasks, hearing, threadsFor(elements, settings.threads), control);
+        !solved)
+        return tl::unexpected(solved.error());
+    std::move(tasks.begin(), tasks.begin() + std::ssize(own), own.begin());
+    std::move(tasks.begin() + std::ssize(own), tasks.end(), grid.begin());
+
+    Radiation result{.table = tableOf(own, grid, frequenciesHz, settings.frequencyRatios),
+                     .nearPressures =
+                         Eigen::MatrixXcd(hearing.nearPointsMetres.rows(), frequenciesHz.size()),
+                     .solvedHz = hearing.solvedHz,
+                     .notes = {}};
+    for (const auto& direction : hearing.directions.rowwise()) {
+        const Eigen::RowVector3f unit = direction.cast<float>();
+        result.table.directions.push_back({unit.x(), unit.y(), unit.z()});
     }
-    const Eigen::Index modeCount = body.eigenvalues.size();
-    table.weights.resize(settings.directions.size() * settings.frequencyRatios.size() *
-                         static_cast<std::size_t>(modeCount));
-    for (Eigen::Index mode = 0; mode < modeCount; ++mode) {
-        if (control.isCancelled())
-            return cancellation();
-        addMode(normalFlows(body, surface, mode), distancesMetres, body.eigenvalues(mode), mode,
-                modeCount, table);
-    }
-    return table;
+    for (const Task& task : own)
+        result.nearPressures(Eigen::all, task.modes) = task.nearPressures;
+    const Index above = (frequenciesHz.array() > result.solvedHz).count();
+    if (isExact && above > 0)
+        result.notes = "The radiation of " + std::to_string(above) + " modes above " +
+                       std::to_string(std::lround(result.solvedHz)) +
+                       " Hz is estimated, as that of large walls.";
+    return result;
 }
 
 } // namespace idiophone

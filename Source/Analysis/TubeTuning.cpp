@@ -72,7 +72,7 @@ Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
 
 /// What the tube radiates with its ends closed, as chimes have a cap and the air within moves with
 /// the wall: from the outside alone, where a sheet's other side would nearly cancel it.
-Result<RadiationTable>
+Result<Radiation>
 outerRadiation(const Mesh& tube, const ModalObject& object, const WorkControl& control) {
     const auto count = static_cast<int>(tube.vertexCount());
     const int bottom = count, top = count + 1, lastCircle = count - around;
@@ -105,7 +105,7 @@ outerRadiation(const Mesh& tube, const ModalObject& object, const WorkControl& c
                         .eigenvalues = eigenvalues,
                         .thicknessMetres = 0,
                         .centreMetres = Eigen::Vector3d(object.mass.centreMetres.data())},
-                       {}, control);
+                       {.method = RadiationMethod::exact}, control);
 }
 
 /// Of the half towards the listener, +y, about four around for each row of them along.
@@ -137,7 +137,7 @@ analysedTube(const TubeSpecification& tube, double lengthMetres, const WorkContr
     auto radiation = outerRadiation(mesh, *object, control);
     if (!radiation)
         return failure(radiation.error().message);
-    object->radiation = std::move(*radiation);
+    object->radiation = std::move(radiation->table);
     const Mesh lighter = hoopMesh(meanRadius(tube), lengthMetres, around / 2, rows / rowsOfOne);
     return withLighterMesh(*object, lighter, struckVertices(lighter, tube));
 }

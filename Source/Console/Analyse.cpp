@@ -32,6 +32,7 @@ struct Options {
     std::optional<std::string> unit;
     bool largestPart = false;
     bool allAround = false;
+    std::string radiation = "quick";
     bool json = false;
 };
 
@@ -43,6 +44,8 @@ Result<AnalysisSettings> settingsFrom(const Options& options) {
     if (!method && options.method != "auto")
         return failure("--method " + options.method +
                        ": it is none of auto, fem, two-layer, spring-mass and van-gelder");
+    if (options.radiation != "quick" && options.radiation != "exact")
+        return failure("--radiation " + options.radiation + ": it is neither quick nor exact");
     return AnalysisSettings{
         .name = options.name.empty() ? options.mesh.stem().string() : options.name,
         .source = options.mesh.filename().string(),
@@ -52,7 +55,9 @@ Result<AnalysisSettings> settingsFrom(const Options& options) {
         .maxFrequencyHz = options.maxFrequencyHz,
         .elementBudget = options.elementBudget,
         .largestComponentOnly = options.largestPart,
-        .listeningDirections = options.allAround ? directionsAllAround() : stereoDirections()};
+        .listeningDirections = options.allAround ? directionsAllAround() : stereoDirections(),
+        .radiation =
+            options.radiation == "exact" ? RadiationMethod::exact : RadiationMethod::quick};
 }
 
 /// The unit asked for, or a guess, which is worth a sentence where it is not metres.
@@ -170,6 +175,10 @@ void addAnalyse(CLI::App& program, Action& chosen) {
     command->add_flag("--all-around", options->allAround,
                       "Finds what is heard of it all around, for what turns in scenes, and not "
                       "only from the front");
+    command
+        ->add_option("--radiation", options->radiation,
+                     "quick, or exact: boundary elements of full size, in up to minutes")
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Reports as JSON");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return analyseAndWrite(*options); }; });

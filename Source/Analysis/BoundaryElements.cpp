@@ -1,0 +1,354 @@
+#include "Analysis/BoundaryElements.h"
+
+#include "Analysis/Air.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+/// Single precision solves these systems to 1e-5, in half of the time and memory.
+using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Parts of the velocity with less than this of its energy are left out.
+constexpr double negligibleEnergy = 1e-10;
+constexpr Index rowsAtOnce = 32;
+constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
+
+/// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
+/// sheet are further apart than neighbours of one cluster.
+Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
+                                 const std::vector<int>& chosen,
+                                 Index clusters) {
+    double areaM2 = 0;
+    for (const int panel : chosen)
+        areaM2 += panels[static_cast<std::size_t>(panel)].areaM2;
+    const double normalMetres = 2 * std::sqrt(areaM2 / static_cast<double>(clusters));
+    Eigen::MatrixXd places(static_cast<Index>(chosen.size()), 6);
+    for (std::size_t row = 0; row < chosen.size(); ++row) {
+        const auto& panel = panels[static_cast<std::size_t>(chosen[row])];
+        places.row(static_cast<Index>(row)) << panel.centroid.transpose(),
+            normalMetres * panel.normal.transpose();
+    }
+    return places;
+}
+
+/// Which of them are one cluster, around centres that lie as far apart as can be, each the point
+/// that is furthest from those before.
+std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
+    std::vector<int> owners(static_cast<std::size_t>(places.rows()), 0);
+    Eigen::VectorXd distances =
+        Eigen::VectorXd::Constant(places.rows(), std::numeric_limits<double>::infinity());
+    Index centre = 0;
+    for (Index cluster = 0; cluster < clusters; ++cluster) {
+        const Eigen::VectorXd toCentre =
+            (places.rowwise() - places.row(centre)).rowwise().squaredNorm();
+        for (Index row = 0; row < places.rows(); ++row)
+            if (toCentre(row) < distances(row)) {
+                distances(row) = toCentre(row);
+                owners[static_cast<std::size_t>(row)] = static_cast<int>(cluster);
+            }
+        distances.maxCoeff(&centre);
+    }
+    return owners;
+}
+
+/// Of each cluster the member nearest to the mean of all.
+std::vector<int> middlesOf(const Eigen::MatrixXd& places, const std::vector<int>& owners) {
+    const Index clusters = 1 + *std::ranges::max_element(owners);
+    Eigen::MatrixXd means = Eigen::MatrixXd::Zero(clusters, places.cols());
+    Eigen::VectorXd counts = Eigen::VectorXd::Zero(clusters);
+    for (std::size_t row = 0; row < owners.size(); ++row) {
+        means.row(owners[row]) += places.row(static_cast<Index>(row));
+        counts(owners[row]) += 1;
+    }
+    means = counts.cwiseInverse().asDiagonal() * means;
+    std::vector<int> middles(static_cast<std::size_t>(clusters), -1);
+    Eigen::VectorXd distances =
+        Eigen::VectorXd::Constant(clusters, std::numeric_limits<double>::infinity());
+    for (std::size_t row = 0; row < owners.size(); ++row) {
+        const int owner = owners[row];
+        const double distance =
+            (places.row(static_cast<Index>(row)) - means.row(owner)).squaredNorm();
+        if (distance < distances(owner)) {
+            distances(owner) = distance;
+            middles[static_cast<std::size_t>(owner)] = static_cast<int>(row);
+        }
+    }
+    return middles;
+}
+
+struct Unknowns {
+    std::vector<int> ofOrbits; ///< which unknown each orbit shares
+    std::vector<int> targets;  ///< of each unknown the orbit where it is collocated
+};
+
+Unknowns unknownsOf(const std::vector<BoundaryPanel>& panels,
+                    const SurfaceOrbits& orbits,
+                    Index maximumUnknowns) {
+    const auto count = static_cast<Index>(orbits.firsts.size());
+    if (count <= maximumUnknowns) {
+        std::vector<int> all(orbits.firsts.size());
+        std::iota(all.begin(), all.end(), 0);
+        return {all, all};
+    }
+    const auto places = placesAndNormals(panels, orbits.firsts, maximumUnknowns);
+    auto owners = clustersOf(places, maximumUnknowns);
+    auto targets = middlesOf(places, owners);
+    return {std::move(owners), std::move(targets)};
+}
+
+/// The edge of equilateral triangles that are as many. Much more would let the errors of N, which
+/// converge slowest, outweigh what K knows of low frequencies.
+double couplingMetresOf(const Mesh& surface) {
+    return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
+}
+
+std::vector<int> chosen(const std::vector<int>& values, const std::vector<int>& places) {
+    std::vector<int> result;
+    for (const int place : places)
+        result.push_back(values[static_cast<std::size_t>(place)]);
+    return result;
+}
+
+} // namespace
+
+/// The part of the solution that turns by one character under the symmetry.
+struct BoundaryElements::CharacterSystem {
+    Eigen::RowVectorXcd character; ///< [G]
+    std::vector<Index> modes;      ///< of which velocities
+    std::vector<Index> silent;     ///< unknowns of faces on which no such part can live
+    Eigen::MatrixXcd slopes;       ///< [orbits×modes] q
+    Matrix matrix;                 ///< [n×n]
+    Eigen::MatrixXcd rightSide;    ///< [n×modes]
+};
+
+BoundaryElements::BoundaryElements(const Mesh& surface,
+                                   SurfaceSymmetry symmetry,
+                                   Index maximumUnknowns)
+    : symmetry_(std::move(symmetry)), orbits_(orbitsOf(symmetry_, surface)), unknowns_(),
+      targets_(), rows_([&] {
+          auto panels = boundaryPanels(surface);
+          auto unknowns = unknownsOf(panels, orbits_, maximumUnknowns);
+          unknowns_ = std::move(unknowns.ofOrbits);
+          targets_ = std::move(unknowns.targets);
+          return BoundaryRows(std::move(panels), chosen(orbits_.firsts, targets_));
+      }()),
+      largestCouplingMetres_(couplingMetresOf(surface)) {}
+
+Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(orbitCount(), symmetryOrder());
+    for (Index face = 0; face < faceCount(); ++face)
+        result(orbits_.orbits[static_cast<std::size_t>(face)],
+               orbits_.elements[static_cast<std::size_t>(face)]) = values(face);
+    return result;
+}
+
+std::vector<BoundaryElements::CharacterSystem>
+BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double waveNumber) const {
+    const Index order = symmetryOrder(), modes = normalVelocities.cols();
+    const Complex slopeOfVelocity(0, -waveNumber * airImpedance);
+    const Eigen::RowVectorXd energies = normalVelocities.colwise().squaredNorm();
+    std::vector<CharacterSystem> systems;
+    for (Index row = 0; row < order; ++row) {
+        CharacterSystem system;
+        system.character = symmetry_.characters.row(row);
+        Eigen::MatrixXcd parts = Eigen::MatrixXcd::Zero(orbitCount(), modes);
+        for (Index element = 0; element < order; ++element) {
+            const auto& images = symmetry_.images[static_cast<std::size_t>(element)];
+            const Complex share = std::conj(system.character(element)) / static_cast<double>(order);
+            for (Index orbit = 0; orbit < orbitCount(); ++orbit) {
+                const int first = orbits_.firsts[static_cast<std::size_t>(orbit)];
+                parts.row(orbit) +=
+                    share * normalVelocities.row(images[static_cast<std::size_t>(first)]);
+            }
+        }
+        for (Index mode = 0; mode < modes; ++mode)
+            if (static_cast<double>(order) * parts.col(mode).squaredNorm() >
+                negligibleEnergy * energies(mode))
+                system.modes.push_back(mode);
+        if (system.modes.empty())
+            continue;
+        // A face that an element leaves in place has no part that this element changes.
+        for (Index unknown = 0; unknown < unknownCount(); ++unknown) {
+            const int first =
+                orbits_
+                    .firsts[static_cast<std::size_t>(targets_[static_cast<std::size_t>(unknown)])];
+            const auto changes = [&](std::size_t element) {
+                return symmetry_.images[element][static_cast<std::size_t>(first)] == first &&
+                       std::abs(system.character(static_cast<Index>(element)) - 1.0) > 1e-9;
+            };
+            for (std::size_t element = 0; element < symmetry_.images.size(); ++element)
+                if (changes(element)) {
+                    system.silent.push_back(unknown);
+                    break;
+                }
+        }
+        system.slopes = slopeOfVelocity * parts(Eigen::all, system.modes);
+        system.matrix.resize(unknownCount(), unknownCount());
+        system.rightSide.resize(unknownCount(), static_cast<Index>(system.modes.size()));
+        systems.push_back(std::move(system));
+    }
+    return systems;
+}
+
+Result<void> BoundaryElements::assemble(double waveNumber,
+                                        std::vector<CharacterSystem>& systems,
+                                        const WorkControl& control) const {
+    const double coupling = std::min(1 / waveNumber, largestCouplingMetres_);
+    const Complex beta(0, -coupling);
+    const auto count = static_cast<Index>(systems.size()), n = unknownCount();
+    Eigen::MatrixXcd characters(symmetryOrder(), count);
+    for (Index system = 0; system < count; ++system)
+        characters.col(system) = systems[static_cast<std::size_t>(system)].character.transpose();
+    std::vector<Eigen::MatrixXcd> slopes(systems.size(),
+                                         Eigen::MatrixXcd(rowsAtOnce, orbitCount()));
+    BoundaryRow row;
+    for (Index first = 0; first < n; first += rowsAtOnce) {
+        if (control.isCancelled())
+            return cancellation();
+        const Index rows = std::min(rowsAtOnce, n - first);
+        for (Index r = 0; r < rows; ++r) {
+            rows_.fill(static_cast<std::size_t>(first + r), waveNumber, coupling, row);
+            const Eigen::MatrixXcd ofPressure =
+                arranged(row.pressureReal) * characters +
+                Complex(0, 1) * (arranged(row.pressureImaginary) * characters);
+            const Eigen::MatrixXcd ofSlope =
+                arranged(row.slopeReal) * characters +
+                Complex(0, 1) * (arranged(row.slopeImaginary) * characters);
+            for (Index s = 0; s < count; ++s) {
+                auto& system = systems[static_cast<std::size_t>(s)];
+                system.matrix.row(first + r).setZero();
+                for (Index orbit = 0; orbit < orbitCount(); ++orbit)
+                    system.matrix(first + r, unknowns_[static_cast<std::size_t>(orbit)]) +=
+                        Matrix::Scalar(ofPressure(orbit, s));
+                system.matrix(first + r, first + r) += 0.5F;
+                auto& block = slopes[static_cast<std::size_t>(s)];
+                block.row(r) = ofSlope.col(s).transpose();
+                block(r, targets_[static_cast<std::size_t>(first + r)]) -= beta / 2.0;
+            }
+        }
+        for (Index s = 0; s < count; ++s) {
+            auto& system = systems[static_cast<std::size_t>(s)];
+            system.rightSide.middleRows(first, rows).noalias() =
+                slopes[static_cast<std::size_t>(s)].topRows(rows) * system.slopes;
+        }
+    }
+    for (auto& system : systems)
+        for (const Index unknown : system.silent) {
+            system.matrix.row(unknown).setZero();
+            system.matrix(unknown, unknown) = 1;
+            system.rightSide.row(unknown).setZero();
+        }
+    return {};
+}
+
+Result<Eigen::MatrixXcd> BoundaryElements::surfacePressures(double waveNumber,
+                                                            const Eigen::MatrixXd& normalVelocities,
+                                                            const WorkControl& control) const {
+    auto systems = systemsFor(normalVelocities, waveNumber);
+    if (const auto assembled = assemble(waveNumber, systems, control); !assembled)
+        return tl::unexpected(assembled.error());
+    Eigen::MatrixXcd pressures = Eigen::MatrixXcd::Zero(faceCount(), normalVelocities.cols());
+    for (auto& system : systems) {
+        if (control.isCancelled())
+            return cancellation();
+        const Eigen::PartialPivLU<Eigen::Ref<Matrix>> factors(system.matrix);
+        const Eigen::MatrixXcd solution =
+            factors.solve(system.rightSide.cast<Matrix::Scalar>()).template cast<Complex>();
+        for (Index face = 0; face < faceCount(); ++face) {
+            const int orbit = orbits_.orbits[static_cast<std::size_t>(face)];
+            pressures(face, system.modes) +=
+                system.character(orbits_.elements[static_cast<std::size_t>(face)]) *
+                solution.row(unknowns_[static_cast<std::size_t>(orbit)]);
+        }
+    }
+    return pressures;
+}
+
+Eigen::MatrixXcd BoundaryElements::planeWaves(double waveNumber,
+                                              const Eigen::MatrixXd& directions,
+                                              const Eigen::Vector3d& originMetres) const {
+    Eigen::MatrixXcd waves(directions.rows(), faceCount());
+    for (Index face = 0; face < faceCount(); ++face) {
+        const BoundaryPanel& panel = rows_.panels()[static_cast<std::size_t>(face)];
+        const Complex strength(0, waveNumber * panel.areaM2 / (4 * std::numbers::pi));
+        for (Index direction = 0; direction < directions.rows(); ++direction) {
+            // The middles of the sides: exact to the second degree.
+            Complex wave = 0;
+            for (int side = 0; side < 3; ++side) {
+                const Eigen::Vector3d middle =
+                    (panel.corners.col(side) + panel.corners.col((side + 1) % 3)) / 2 -
+                    originMetres;
+                wave += std::polar(1.0 / 3, waveNumber * directions.row(direction).dot(middle));
+            }
+            waves(direction, face) = strength * wave;
+        }
+    }
+    return waves;
+}
+
+Eigen::MatrixXd BoundaryElements::cosines(const Eigen::MatrixXd& directions) const {
+    Eigen::MatrixXd normals(3, faceCount());
+    for (Index face = 0; face < faceCount(); ++face)
+        normals.col(face) = rows_.panels()[static_cast<std::size_t>(face)].normal;
+    return directions * normals;
+}
+
+Eigen::MatrixXcd BoundaryElements::farField(double waveNumber,
+                                            const Eigen::MatrixXd& directions,
+                                            const Eigen::Vector3d& originMetres,
+                                            const Eigen::MatrixXd& normalVelocities,
+                                            const Eigen::MatrixXcd& pressures) const {
+    const Eigen::MatrixXcd waves = planeWaves(waveNumber, directions, originMetres);
+    return airImpedance * (waves * normalVelocities) +
+           waves.cwiseProduct(cosines(directions)) * pressures;
+}
+
+Eigen::MatrixXcd BoundaryElements::pressuresAt(double waveNumber,
+                                               const Eigen::MatrixXd& pointsMetres,
+                                               const Eigen::MatrixXd& normalVelocities,
+                                               const Eigen::MatrixXcd& pressures) const {
+    const Complex slopeOfVelocity(0, -waveNumber * airImpedance);
+    Eigen::MatrixXcd result(pointsMetres.rows(), pressures.cols());
+    BoundaryRow row;
+    for (Index point = 0; point < pointsMetres.rows(); ++point) {
+        // p = K p − S q.
+        rows_.fillAt(pointsMetres.row(point).transpose(), waveNumber, row);
+        const Eigen::RowVectorXcd ofPressure =
+            -(row.pressureReal.cast<Complex>() + Complex(0, 1) * row.pressureImaginary)
+                 .matrix()
+                 .transpose();
+        const Eigen::RowVectorXcd ofSlope =
+            (row.slopeReal.cast<Complex>() + Complex(0, 1) * row.slopeImaginary)
+                .matrix()
+                .transpose();
+        result.row(point) =
+            ofPressure * pressures + slopeOfVelocity * (ofSlope * normalVelocities.cast<Complex>());
+    }
+    return result;
+}
+
+double BoundaryElements::impedance() {
+    return airImpedance;
+}
+
+Eigen::MatrixXcd BoundaryElements::shortWaveField(double waveNumber,
+                                                  const Eigen::MatrixXd& directions,
+                                                  const Eigen::Vector3d& originMetres,
+                                                  const Eigen::MatrixXd& normalVelocities) const {
+    const Eigen::MatrixXd visible = (cosines(directions).array() > 0).cast<double>();
+    return 2 * airImpedance *
+           (planeWaves(waveNumber, directions, originMetres).cwiseProduct(visible) *
+            normalVelocities);
+}
+
+} // namespace idiophone
