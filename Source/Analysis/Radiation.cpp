@@ -34,6 +34,7 @@ constexpr double lowestHz = 20, highestHz = 22000;
 constexpr double edgesPerWavelength = 2.5;
 /// A surface is made finer only where it serves less of the band than this.
 constexpr double enoughOfBand = 0.6;
+constexpr double samePole = 1e-9;
 constexpr double mostMatrixBytes = 1e9;
 
 double waveNumberOf(double frequencyHz) {
@@ -166,26 +167,37 @@ Result<void> solveAll(std::vector<Task>& tasks,
     return {};
 }
 
-/// Between two weights, 0 ≤ share ≤ 1.
-Complex between(Complex a, Complex b, double share) {
-    const double magnitude = std::abs(a), other = std::abs(b);
-    if (magnitude == 0 || other == 0)
-        return (1 - share) * a + share * b;
-    return a * std::polar(std::pow(other / magnitude, share), share * std::arg(b / a));
+/// Between the weights of the modes of one pole in one direction, 0 ≤ share ≤ 1: the size of all of
+/// them by its logarithm, their common phase the short way round. Linear in both, so that it does
+/// not depend on the basis of equal poles.
+Eigen::RowVectorXcd
+between(const Eigen::RowVectorXcd& from, const Eigen::RowVectorXcd& to, double share) {
+    const double fromSize = from.norm(), toSize = to.norm();
+    if (fromSize == 0 || toSize == 0)
+        return (1 - share) * from + share * to;
+    const double turn = std::arg(from.dot(to)); // Eigen's dot() conjugates the first
+    const double size = std::pow(fromSize, 1 - share) * std::pow(toSize, share);
+    return std::polar(size * (1 - share) / fromSize, share * turn) * from +
+           std::polar(size * share / toSize, (share - 1) * turn) * to;
 }
 
-/// All modes' weights [D×M] on the grid, looked up for one mode.
-Eigen::VectorXcd interpolated(const std::vector<Task>& grid, double frequencyHz, Index mode) {
+/// The weights [D×count] of modes of one pole at another frequency.
+Eigen::MatrixXcd
+interpolated(const std::vector<Task>& grid, double frequencyHz, Index firstMode, Index count) {
     const auto above = std::ranges::lower_bound(grid, frequencyHz, {}, &Task::frequencyHz);
     if (above == grid.begin())
-        return grid.front().weights.col(mode);
+        return grid.front().weights.middleCols(firstMode, count);
     if (above == grid.end())
-        return grid.back().weights.col(mode);
+        return grid.back().weights.middleCols(firstMode, count);
     const auto below = above - 1;
     const double share = std::log(frequencyHz / below->frequencyHz) /
                          std::log(above->frequencyHz / below->frequencyHz);
-    return below->weights.col(mode).binaryExpr(
-        above->weights.col(mode), [&](Complex a, Complex b) { return between(a, b, share); });
+    Eigen::MatrixXcd result(below->weights.rows(), count);
+    for (Index direction = 0; direction < result.rows(); ++direction)
+        result.row(direction) =
+            between(below->weights.row(direction).segment(firstMode, count),
+                    above->weights.row(direction).segment(firstMode, count), share);
+    return result;
 }
 
 /// Without its directions.
@@ -205,8 +217,14 @@ RadiationTable tableOf(const std::vector<Task>& own,
     for (Index ratio = 0; ratio < ratios; ++ratio) {
         const double value = frequencyRatios[static_cast<std::size_t>(ratio)];
         if (std::abs(value - 1) > 1e-9) {
-            for (Index mode = 0; mode < modes; ++mode)
-                store(ratio, mode, interpolated(grid, audible(value * frequenciesHz(mode)), mode));
+            for (Index first = 0, next = 0; first < modes; first = next) {
+                while (next < modes && frequenciesHz(next) <= frequenciesHz(first) * (1 + samePole))
+                    ++next;
+                const auto weights =
+                    interpolated(grid, audible(value * frequenciesHz(first)), first, next - first);
+                for (Index mode = first; mode < next; ++mode)
+                    store(ratio, mode, weights.col(mode - first));
+            }
             continue;
         }
         for (const Task& task : own)

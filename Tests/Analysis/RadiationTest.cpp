@@ -6,6 +6,8 @@
 #include "TestMaterials.h"
 
 #include <Eigen/QR>
+#include <array>
+#include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -33,11 +35,11 @@ struct Body {
     Eigen::Vector3d centreMetres = Eigen::Vector3d::Zero();
 
     RadiationTable radiation(const RadiationSettings& settings = {}) const {
-        const auto table =
+        auto radiation =
             radiationOf({mesh, shapes, eigenvalues, thicknessMetres, centreMetres}, settings);
-        REQUIRE(table);
-        CHECK(faultOf(*table, static_cast<std::size_t>(eigenvalues.size())).empty());
-        return *table;
+        REQUIRE(radiation);
+        CHECK(faultOf(radiation->table, static_cast<std::size_t>(eigenvalues.size())).empty());
+        return std::move(radiation->table);
     }
 };
 
@@ -57,16 +59,8 @@ Complex weight(const RadiationTable& table, std::size_t direction, std::size_t r
         table.weights[(direction * ratios + ratio) * modes + static_cast<std::size_t>(mode)]);
 }
 
-/// The mean of n·φ e^{jkd·x} over the surface: the weight over jω ρ0/(4π) times the area.
-Complex meanMotion(const Body& body,
-                   const RadiationTable& table,
-                   std::size_t direction,
-                   std::size_t ratio,
-                   int mode) {
-    const double omega = table.frequencyRatios[ratio] * std::sqrt(body.eigenvalues(mode));
-    const double areaM2 = vertexAreas(body.mesh).sum();
-    return weight(table, direction, ratio, mode) /
-           (Complex(0, omega * 1.204 * areaM2) / (4 * std::numbers::pi));
+double decibels(double ratio) {
+    return 20 * std::log10(std::abs(ratio));
 }
 
 /// A solid sphere with one mode whose frequency at ratio 1 makes ka = 1, and whose surface moves
@@ -74,7 +68,7 @@ Complex meanMotion(const Body& body,
 constexpr double radiusMetres = 0.01;
 
 Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>& motion) {
-    Body body{icosphereMesh(radiusMetres, 5), {}, Eigen::VectorXd(1)};
+    Body body{icosphereMesh(radiusMetres, 3), {}, Eigen::VectorXd(1)};
     body.shapes.resize(3 * body.mesh.vertexCount(), 1);
     for (Eigen::Index v = 0; v < body.mesh.vertexCount(); ++v)
         body.shapes.block<3, 1>(3 * v, 0) =
@@ -87,14 +81,21 @@ Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>&
 const std::vector<double> sphereRatios{0.004, 0.02, 0.1, 0.5, 1, 1.5, 1.9, 2.5, 3.9};
 const std::vector<Eigen::Vector3d> alongZ{Eigen::Vector3d::UnitZ()};
 
-double sphericalBessel0(double x) {
-    return std::sin(x) / x;
-}
-double sphericalBessel1(double x) {
-    return std::sin(x) / (x * x) - std::cos(x) / x;
-}
-double sphericalBessel2(double x) {
-    return 3 / x * sphericalBessel1(x) - sphericalBessel0(x);
+/// ρ0 c of the air.
+constexpr double impedance = 1.204 * soundSpeed;
+
+/// Of a sphere whose velocity is U P_l(cos θ), in the direction of the axis, over U; h_l of the
+/// second kind. Morse & Ingard 1968, section 7.1.
+Complex exactSphere(int l, double ka) {
+    const Complex j(0, 1), wave = std::exp(-j * ka);
+    std::array<Complex, 4> h{j * wave / ka, {}, {}, {}}; // h_0 = j e^{−jx}/x
+    h[1] = -wave / ka + j * wave / (ka * ka);
+    for (std::size_t n = 1; n < 3; ++n)
+        h[n + 1] = (2.0 * static_cast<double>(n) + 1) / ka * h[n] - h[n - 1];
+    const auto order = static_cast<std::size_t>(l);
+    const Complex slope = static_cast<double>(l) / ka * h[order] - h[order + 1];
+    // p = A h_l(kr) with A h_l'(ka) = −jρc U, and h_l(kr) goes to j^{l+1} e^{−jkr}/(kr).
+    return -j * impedance / slope * std::pow(j, l + 1) * radiusMetres / ka;
 }
 
 /// Σ_i w_i φ_i(v) over the modes of one pole: what a strike is heard as.
@@ -102,8 +103,8 @@ Eigen::MatrixXcd residues(const Body& body, const RadiationTable& table) {
     const auto rows =
         static_cast<Eigen::Index>(table.directions.size() * table.frequencyRatios.size());
     const Eigen::Index modes = body.eigenvalues.size();
-    const Eigen::Map<const Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic,
-                                         Eigen::RowMajor>>
+    const Eigen::Map<
+        const Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
         weights(table.weights.data(), rows, modes);
     std::vector<Eigen::VectorXcd> all;
     for (Eigen::Index first = 0, next = 0; first < modes; first = next) {
@@ -146,7 +147,7 @@ void checkSameResidues(const Body& body, const Body& other) {
     const Eigen::MatrixXcd actual = residues(other, other.radiation());
     const double scale = expected.cwiseAbs().maxCoeff();
     CHECK(scale > 1e-2);
-    CHECK((actual - expected).cwiseAbs().maxCoeff() < 1e-5 * scale);
+    CHECK((actual - expected).cwiseAbs().maxCoeff() < 1e-4 * scale);
     CHECK((other.shapes - body.shapes).cwiseAbs().maxCoeff() > 0.1);
 }
 
@@ -178,46 +179,25 @@ std::vector<int> bendingModes(const Body& sheet) {
     return modes;
 }
 
-double decibels(double ratio) {
-    return 20 * std::log10(std::abs(ratio));
-}
-
 } // namespace
 
-TEST_CASE("A breathing sphere's free sources sum to the mean of the plane wave, sin(ka)/ka") {
-    const auto body = sphere([](const Eigen::Vector3d& n) { return n; });
-    const auto table = body.radiation({alongZ, sphereRatios});
-    for (std::size_t ratio = 0; ratio < sphereRatios.size(); ++ratio)
-        CHECK(std::abs(meanMotion(body, table, 0, ratio, 0) -
-                       sphericalBessel0(sphereRatios[ratio])) < 5e-4);
-}
-
-TEST_CASE("A breathing sphere is louder than its l = 2 mode of equal amplitude while ka < 2") {
-    const auto breathing = sphere([](const Eigen::Vector3d& n) { return n; });
-    // √5 P₂: the same mean square, and its loudest direction.
-    const auto oblate = sphere([](const Eigen::Vector3d& n) -> Eigen::Vector3d {
-        return std::sqrt(5.0) * (3 * n.z() * n.z() - 1) / 2 * n;
-    });
-    CHECK_THAT(oblate.shapes.squaredNorm(), WithinRel(breathing.shapes.squaredNorm(), 1e-3));
-    const auto loud = breathing.radiation({alongZ, sphereRatios});
-    const auto soft = oblate.radiation({alongZ, sphereRatios});
-    for (std::size_t ratio = 0; ratio < sphereRatios.size(); ++ratio) {
-        const double ka = sphereRatios[ratio];
-        CHECK(std::abs(meanMotion(oblate, soft, 0, ratio, 0) +
-                       std::sqrt(5.0) * sphericalBessel2(ka)) < 1e-3);
-        if (ka < 2)
-            CHECK(std::abs(weight(loud, 0, ratio, 0)) > std::abs(weight(soft, 0, ratio, 0)));
-    }
-}
-
-TEST_CASE("A rigid translation vanishes in proportion to ka, as j j1(ka)") {
-    const Eigen::Vector3d motion = Eigen::Vector3d(0.3, -0.5, 0.8).normalized();
-    const auto body = sphere([&](const Eigen::Vector3d&) { return motion; });
-    const auto table = body.radiation({alongZ, sphereRatios});
-    for (std::size_t ratio = 0; ratio < sphereRatios.size(); ++ratio) {
-        const double expected = motion.z() * sphericalBessel1(sphereRatios[ratio]);
-        CHECK(std::abs(meanMotion(body, table, 0, ratio, 0) - Complex(0, expected)) <
-              5e-3 * std::abs(expected));
+TEST_CASE("Spheres that breathe, move to and fro or grow oblate radiate as theory has it") {
+    const auto method = GENERATE(RadiationMethod::quick, RadiationMethod::exact);
+    for (const int l : {0, 1, 2}) {
+        auto body = sphere([l](const Eigen::Vector3d& n) -> Eigen::Vector3d {
+            const double z = n.z();
+            return (l == 0 ? 1 : l == 1 ? z : (3 * z * z - 1) / 2) * n;
+        });
+        const auto table = body.radiation(
+            {.directions = alongZ, .frequencyRatios = sphereRatios, .method = method});
+        for (std::size_t ratio = 0; ratio < sphereRatios.size(); ++ratio) {
+            const double ka = sphereRatios[ratio];
+            const auto expected = exactSphere(l, ka), actual = weight(table, 0, ratio, 0);
+            INFO("l " << l << ", ka " << ka);
+            // Between half octaves the weights are interpolated.
+            CHECK(std::abs(decibels(std::abs(actual / expected))) < (ka == 1 ? 0.3 : 0.7));
+            CHECK(std::abs(std::arg(actual / expected)) < (ka == 1 ? 0.03 : 0.15));
+        }
     }
 }
 
@@ -226,14 +206,14 @@ TEST_CASE("Beyond the audible band a wave is as long as at its ends") {
     const double highest = 2 * std::numbers::pi * 22000 / soundSpeed * radiusMetres;
     const double lowest = highest * 20 / 22000;
     const auto table = body.radiation({alongZ, {lowest / 9, lowest, highest, 16, 32}});
-    const auto mean = [&](std::size_t ratio) { return meanMotion(body, table, 0, ratio, 0); };
-    CHECK(std::abs(mean(0) - mean(1)) < 1e-6);
-    CHECK(std::abs(mean(2) - mean(3)) < 1e-6);
-    CHECK(std::abs(mean(3) - mean(4)) < 1e-6);
+    const auto at = [&](std::size_t ratio) { return weight(table, 0, ratio, 0); };
+    CHECK(std::abs(at(0) - at(1)) < 1e-6 * std::abs(at(1)));
+    CHECK(std::abs(at(2) - at(3)) < 1e-6 * std::abs(at(3)));
+    CHECK(at(3) == at(4));
 }
 
 TEST_CASE("Listening from elsewhere than the centre only delays") {
-    const std::vector<double> ratios{0.25, 0.35, 0.5, 0.71, 1, 1.4, 2, 2.8};
+    const std::vector<double> ratios{1};
     auto body = sphere([](const Eigen::Vector3d& n) -> Eigen::Vector3d {
         return (1 + n.x() + 2 * n.z() * n.z() * n.z() + n.x() * n.y()) * n;
     });
@@ -275,7 +255,7 @@ TEST_CASE("What moves to and fro is silent from the side, all around it") {
         return std::abs(weight(table, *table.directionTowards(listener), 0, 0));
     };
     CHECK_THAT(at(above), WithinRel(at(below), 1e-3));
-    CHECK(at(beside) < 1e-3 * at(above));
+    CHECK(at(beside) < 2e-3 * at(above));
 }
 
 TEST_CASE("A bar's fundamental is audible though its two faces displace no volume between them") {
@@ -287,9 +267,12 @@ TEST_CASE("A bar's fundamental is audible though its two faces displace no volum
     REQUIRE(table.frequencyRatios[asAnalysed] == 1);
     const double rms = std::sqrt(meanSquare(bar, bending[0], 2));
     for (std::size_t direction = 0; direction < 2; ++direction) {
-        const auto first = meanMotion(bar, table, direction, asAnalysed, bending[0]),
-                   second = meanMotion(bar, table, direction, asAnalysed, bending[1]);
-        CHECK(decibels(std::abs(first) / rms) > -50);
+        const auto first = weight(table, direction, asAnalysed, bending[0]),
+                   second = weight(table, direction, asAnalysed, bending[1]);
+        // Of a piston in a wall of the bar's face, ωρ0/2π times its area and velocity.
+        const double piston =
+            std::sqrt(bar.eigenvalues(bending[0])) * 1.204 / (2 * std::numbers::pi) * 0.0154 * rms;
+        CHECK(decibels(std::abs(first) / piston) > -30);
         CHECK(std::abs(second) > std::abs(first));
         CHECK(decibels(std::abs(second / first)) < 25);
     }
@@ -305,7 +288,7 @@ TEST_CASE("A mirror-symmetric bar is as loud on the left as on the right in ever
         for (std::size_t mode = 0; mode < modes; ++mode) {
             const auto left = std::abs(weight(table, 0, ratio, static_cast<int>(mode))),
                        right = std::abs(weight(table, 1, ratio, static_cast<int>(mode)));
-            CHECK_THAT(left, WithinAbs(right, 1e-5));
+            CHECK_THAT(left, WithinAbs(right, 1e-4 + 1e-4 * right));
             heard += left > 1e-3 ? 1 : 0;
         }
     CHECK(heard > 50);
@@ -344,15 +327,83 @@ TEST_CASE("So it is where members of one pole are heard in quadrature") {
 TEST_CASE("Radiation that makes no sense is refused with one sentence") {
     auto body = sphere([](const Eigen::Vector3d& n) { return n; });
     const auto errorOf = [](const Body& b, const RadiationSettings& settings = {}) {
-        const auto table = radiationOf({b.mesh, b.shapes, b.eigenvalues}, settings);
-        return table ? "" : table.error().message;
+        const auto radiation = radiationOf({b.mesh, b.shapes, b.eigenvalues}, settings);
+        return radiation ? "" : radiation.error().message;
     };
     CHECK(errorOf(body).empty());
     CHECK_THAT(errorOf(body, {{}, {1}}), ContainsSubstring("direction"));
     CHECK_THAT(errorOf(body, {alongZ, {}}), ContainsSubstring("ratio"));
+    auto open = body;
+    open.mesh.faces.conservativeResize(open.mesh.faceCount() - 1, 3);
+    CHECK_THAT(errorOf(open), ContainsSubstring("needs a thickness"));
     auto flat = body;
     flat.mesh.vertices.setZero();
     CHECK_THAT(errorOf(flat), ContainsSubstring("no area"));
     body.shapes.conservativeResize(30, 1);
     CHECK_THAT(errorOf(body), ContainsSubstring("do not belong"));
+}
+
+TEST_CASE("Radiation does not depend on the number of threads") {
+    const auto plate = analysed(sheetMesh(0.3, 0.2, 150), 0.005, 3000);
+    const auto one = plate.radiation({.threads = 1}), three = plate.radiation({.threads = 3});
+    CHECK(one == three);
+}
+
+TEST_CASE("Radiation reports its progress and stops when it is cancelled") {
+    const auto plate = analysed(sheetMesh(0.3, 0.2, 150), 0.005, 3000);
+    std::atomic<bool> cancelled = false;
+    double last = 0;
+    bool falls = false;
+    const auto run = [&] {
+        return radiationOf({plate.mesh, plate.shapes, plate.eigenvalues, plate.thicknessMetres}, {},
+                           {.progress =
+                                [&](double fraction, std::string_view) {
+                                    falls = falls || fraction < last;
+                                    last = fraction;
+                                },
+                            .cancelled = &cancelled});
+    };
+    REQUIRE(run());
+    CHECK(last > 0.5);
+    CHECK_FALSE(falls);
+    cancelled = true;
+    const auto stopped = run();
+    REQUIRE_FALSE(stopped);
+    CHECK(isCancellation(stopped.error()));
+}
+
+TEST_CASE("The pressure near a sphere is that of theory") {
+    const auto body = sphere([](const Eigen::Vector3d& n) { return n; });
+    RadiationSettings settings{.directions = alongZ, .frequencyRatios = {1}};
+    for (const double radii : {1.01, 1.2, 3.0})
+        settings.nearPointsMetres.push_back(radii * radiusMetres *
+                                            Eigen::Vector3d(1, 2, 3).normalized());
+    const auto radiation = radiationOf({body.mesh, body.shapes, body.eigenvalues}, settings);
+    REQUIRE(radiation);
+    for (Eigen::Index point = 0; point < 3; ++point) {
+        const double distance = settings.nearPointsMetres[static_cast<std::size_t>(point)].norm();
+        const Complex expected =
+            exactSphere(0, 1) / distance * std::polar(1.0, -distance / radiusMetres);
+        CHECK(std::abs(radiation->nearPressures(point, 0) - expected) < 0.03 * std::abs(expected));
+    }
+}
+
+TEST_CASE("The quick radiation of a plate's modes is within 4 dB of the exact one") {
+    const auto plate = analysed(sheetMesh(0.3, 0.2, 600), 0.003, 6000);
+    const auto modes = plate.eigenvalues.size();
+    REQUIRE(modes > 20);
+    const RadiationSettings quick{.directions = directionsAllAround(), .frequencyRatios = {1}};
+    RadiationSettings exact = quick;
+    exact.method = RadiationMethod::exact;
+    const auto fast = plate.radiation(quick), slow = plate.radiation(exact);
+    double squares = 0;
+    for (int mode = 0; mode < modes; ++mode) {
+        double fastPower = 0, slowPower = 0;
+        for (std::size_t direction = 0; direction < quick.directions.size(); ++direction) {
+            fastPower += std::norm(weight(fast, direction, 0, mode));
+            slowPower += std::norm(weight(slow, direction, 0, mode));
+        }
+        squares += std::pow(10 * std::log10(fastPower / slowPower), 2);
+    }
+    CHECK(std::sqrt(squares / static_cast<double>(modes)) < 4);
 }
