@@ -25,7 +25,8 @@ GROUP = """
 """
 PRESETS = """# Presets
 
-The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle.
+The factory's, by their program numbers. Many hosts show the first as 1. Keys are MIDI notes, 60 the C in the middle. Where
+each key has an object of its own, other keys from 21 to 108 play the nearest one, [resized](../presets.md#keys-without-an-object).
 [Here](../presets.md) is what a preset file holds. This page is made by `./dev pages`.
 
 | program | preset | keys | what it is |

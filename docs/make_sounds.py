@@ -57,7 +57,7 @@ SOUNDS = (
      blows([60]), 1.2, tuple({"material": name, "match_loudness": "On"}
                              for name in ("Rosewood", "Plastic", "Glass", "Aluminium", "Steel"))),
     ("size", "a handbell at twice its size, as it is, and at half", "Handbell", blows([72]), 1.4,
-     ({"size": 2}, {"size": 1}, {"size": 0.5})),
+     tuple({"keep_pitch": "Off", "size": size} for size in (2, 1, 0.5))),
     ("damping", "bells that ring, and bells that are damped as their keys are let go", "Tubular Bells",
      blows(CHORD, 0.5, held=0.45), 2.8, ({"let_ring": "On"}, {"let_ring": "Off", "release": 0.3})),
     ("motor", "a vibraphone's discs at rest, and turning", "Vibraphone", blows(CHORD, 0.02), 3,

@@ -48,6 +48,9 @@ bool hasPath(const ParameterValues&, const Played& played) {
 bool hasShells(const ParameterValues&, const Played& played) {
     return hasLiveThickness(played.slots);
 }
+bool hasPitches(const ParameterValues&, const Played& played) {
+    return hasPitch(played.slots);
+}
 bool hasRadiation(const ParameterValues&, const Played& played) {
     return std::ranges::any_of(played.slots,
                                [](const auto& slot) { return !slot.object->radiation.empty(); });
@@ -85,6 +88,7 @@ constexpr Condition conditions[]{
     {motorSync, isFree, "there is no host with a tempo; motor_speed acts"},
     {roomDecay, hasRoom, "it acts with room above 0"},
     {thickness, hasShells, "no object is a shell, and solids keep the thickness of their mesh"},
+    {keepPitch, hasPitches, "no key has a pitch of its own"},
     {radiation, hasRadiation, "no object was analysed with its radiation"},
     {width, isStereo, "both channels are the same; it acts with radiation or room above 0"}};
 

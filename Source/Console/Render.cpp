@@ -85,13 +85,23 @@ void warnOfTuning(const Preset& preset, const Instrument& instrument, const Opti
                       << std::endl;
 }
 
-void warnOfNotes(const Preset& preset, const RenderTally& tally, const Options& options) {
-    if (tally.notesWithoutKey > 0)
-        std::cerr << "warning: " << options.midi.string() << ": " << tally.notesWithoutKey << " of "
-                  << tally.strikes + tally.notesWithoutKey << " notes "
-                  << (tally.notesWithoutKey == 1 ? "is" : "are") << " no key of "
-                  << inQuotes(preset.name) << ", which has " << preset.keyMap.lowestNote << " to "
-                  << preset.keyMap.highestNote << std::endl;
+void warnOfNotes(const Preset& preset,
+                 const Instrument& instrument,
+                 const RenderTally& tally,
+                 const Options& options) {
+    if (tally.notesWithoutKey == 0)
+        return;
+    std::vector<int> keys;
+    for (int note = 0; note < 128; ++note)
+        if (instrument.key(note).slot >= 0)
+            keys.push_back(note);
+    std::cerr << "warning: " << options.midi.string() << ": " << tally.notesWithoutKey << " of "
+              << tally.strikes + tally.notesWithoutKey << " notes "
+              << (tally.notesWithoutKey == 1 ? "is" : "are") << " no key of "
+              << inQuotes(preset.name);
+    if (!keys.empty())
+        std::cerr << ", which plays " << keys.front() << " to " << keys.back();
+    std::cerr << std::endl;
 }
 
 bool isPressure(const SongEvent& event) {
@@ -127,7 +137,7 @@ Result<RenderTally> playSong(const Preset& preset,
     auto tally = renderSong(player, *song, effect.values, options.format, to,
                             options.midi.filename().string());
     if (tally)
-        warnOfNotes(preset, *tally, options);
+        warnOfNotes(preset, player.instrument(), *tally, options);
     return tally;
 }
 

@@ -19,6 +19,17 @@ int whiteKeys(int lowest, int highest) {
     return count;
 }
 
+/// The range and all keys that sound beside it.
+ProcessorView::KeyRange soundingRange(ProcessorView::KeyRange range,
+                                      const std::array<ProcessorView::KeySound, 128>& sounds) {
+    for (int note = 0; note < 128; ++note)
+        if (sounds[static_cast<std::size_t>(note)] != ProcessorView::KeySound::silent) {
+            range.lowest = std::min(range.lowest, note);
+            range.highest = std::max(range.highest, note);
+        }
+    return range;
+}
+
 } // namespace
 
 int computerKeysBase(ProcessorView::KeyRange range) {
@@ -38,7 +49,7 @@ void KeyboardPanel::Keys::drawWhiteNote(int note,
                                         juce::Colour lineColour,
                                         juce::Colour textColour) {
     MidiKeyboardComponent::drawWhiteNote(note, g, area, isDown, isOver, lineColour, textColour);
-    greyUnlessPlayed(note, g, area);
+    shadeUnlessOwn(note, g, area);
 }
 
 void KeyboardPanel::Keys::drawBlackNote(int note,
@@ -48,15 +59,17 @@ void KeyboardPanel::Keys::drawBlackNote(int note,
                                         bool isOver,
                                         juce::Colour fillColour) {
     MidiKeyboardComponent::drawBlackNote(note, g, area, isDown, isOver, fillColour);
-    greyUnlessPlayed(note, g, area);
+    shadeUnlessOwn(note, g, area);
 }
 
-void KeyboardPanel::Keys::greyUnlessPlayed(int note,
-                                           juce::Graphics& g,
-                                           juce::Rectangle<float> area) const {
-    if (note >= owner.shown.lowest && note <= owner.shown.highest)
+void KeyboardPanel::Keys::shadeUnlessOwn(int note,
+                                         juce::Graphics& g,
+                                         juce::Rectangle<float> area) const {
+    using enum ProcessorView::KeySound;
+    const auto sound = owner.sounds[static_cast<std::size_t>(note & 127)];
+    if (sound == own)
         return;
-    g.setColour(juce::Colour(0xa0808286));
+    g.setColour(juce::Colour(sound == resized ? 0x58707a88 : 0xa0808286));
     g.fillRect(area);
 }
 
@@ -104,11 +117,14 @@ void KeyboardPanel::refresh() {
 
 void KeyboardPanel::showRange() {
     const auto range = view.keyRange();
-    if (range.lowest == shown.lowest && range.highest == shown.highest)
+    const auto now = view.keySounds();
+    if (range.lowest == shown.lowest && range.highest == shown.highest && now == sounds)
         return;
     shown = range;
-    lowest = range.lowest - range.lowest % 12;
-    highest = juce::jlimit(lowest, 127, juce::jmax(range.highest, lowest + 24));
+    sounds = now;
+    const auto drawn = soundingRange(range, sounds);
+    lowest = drawn.lowest - drawn.lowest % 12;
+    highest = juce::jlimit(lowest, 127, juce::jmax(drawn.highest, lowest + 24));
     if (!isWhite(highest))
         ++highest;
     state.allNotesOff(0);

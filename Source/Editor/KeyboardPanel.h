@@ -35,7 +35,7 @@ private:
     void handleNoteOn(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
     void handleNoteOff(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
 
-    /// Those that play nothing are greyed.
+    /// Those that play nothing are greyed, and those that play another key's object are dimmed.
     class Keys final : public juce::MidiKeyboardComponent {
     public:
         explicit Keys(KeyboardPanel& panel)
@@ -58,7 +58,7 @@ private:
                            juce::Colour fillColour) override;
 
     private:
-        void greyUnlessPlayed(int note, juce::Graphics& g, juce::Rectangle<float> area) const;
+        void shadeUnlessOwn(int note, juce::Graphics& g, juce::Rectangle<float> area) const;
 
         KeyboardPanel& owner;
     };
@@ -68,6 +68,7 @@ private:
 
     ProcessorView& view;
     ProcessorView::KeyRange shown{.lowest = -1, .highest = -1};
+    std::array<ProcessorView::KeySound, 128> sounds{};
     int lowest = 0, highest = 127;  ///< of the keys drawn
     int baseNote = 0;               ///< of the computer's keys
     juce::juce_wchar octaveKey = 0; ///< 'z' or 'x' while it is held

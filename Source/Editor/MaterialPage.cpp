@@ -16,7 +16,7 @@ constexpr int gap = 16, lowestRow = 34, highestRow = 50, lineHeight = 26;
 MaterialPage::MaterialPage(ProcessorView& processor)
     : DeckPage("Material"), view(processor), pad(processor),
       list(parameterInfo(ParameterId::material), processor),
-      match(parameterInfo(matchLoudness), processor) {
+      match(parameterInfo(matchLoudness), processor), keep(parameterInfo(keepPitch), processor) {
     for (const std::string_view group : {"Material figures", "Extent"})
         for (const auto& info : parameterTable())
             if (info.group == group)
@@ -28,6 +28,7 @@ MaterialPage::MaterialPage(ProcessorView& processor)
     addAndMakeVisible(pad);
     addAndMakeVisible(former);
     addAndMakeVisible(match);
+    addAndMakeVisible(keep);
     for (auto& figure : figures)
         addAndMakeVisible(*figure);
     now = before = figuresNow();
@@ -77,6 +78,7 @@ void MaterialPage::refresh() {
     pad.refresh();
     list.refresh();
     match.refresh();
+    keep.refresh();
     for (auto& figure : figures)
         figure->refresh();
 }
@@ -89,6 +91,7 @@ void MaterialPage::resized() {
     former.setBounds(top.removeFromRight(46).reduced(0, 1));
     list.setBounds(top.withTrimmedRight(6));
     match.setBounds(left.removeFromBottom(lineHeight));
+    keep.setBounds(left.removeFromBottom(lineHeight));
     left.removeFromTop(6);
     pad.setBounds(left.withTrimmedBottom(4));
     const int row =

@@ -36,7 +36,7 @@ private:
     ProcessorView& view;
     MaterialPad pad;
     ChoiceList list;
-    ParameterControl match;
+    ParameterControl match, keep;
     juce::TextButton former{"A/B"};
     std::vector<std::unique_ptr<ParameterControl>> figures;
     Figures now, before;

@@ -14,6 +14,12 @@
 namespace idiophone {
 namespace {
 
+/// Why a parameter does nothing to what plays.
+juce::String idleSentence(ParameterId parameter) {
+    return parameter == ParameterId::keepPitch ? "No key that plays has a pitch to keep"
+                                               : "The objects would have to be analysed anew";
+}
+
 constexpr float markWidth = 11; ///< of the mark of a controller, with the gap behind it
 
 // Slider with steps of the mouse wheel and arrow keys in proportion to its range, in real units.
@@ -186,6 +192,7 @@ void ParameterControl::refresh() {
     shown = now;
     isLive = live;
     setEnabled(live);
+    showTooltip();
     if (!value.isBeingEdited())
         value.setText(live ? fromUtf8(formatParameter(info, now)) : juce::String("re-analyse"),
                       juce::dontSendNotification);
@@ -193,8 +200,21 @@ void ParameterControl::refresh() {
         slider->setValue(now, juce::dontSendNotification);
         slider->setAlpha(live ? 1.0f : 0.4f);
     }
-    if (toggle != nullptr)
+    if (toggle != nullptr) {
         toggle->setToggleState(now != 0, juce::dontSendNotification);
+        toggle->setAlpha(live ? 1.0f : 0.4f);
+    }
+}
+
+void ParameterControl::showTooltip() {
+    auto text = parameterTooltip(info);
+    if (!isLive)
+        text << "\n" << idleSentence(info.parameter);
+    if (const auto sentence = controllerSentence(info, view.midiLearn()); sentence.isNotEmpty())
+        text << "\n" << sentence;
+    name.setTooltip(text);
+    if (toggle != nullptr)
+        toggle->setTooltip(text);
 }
 
 void ParameterControl::refreshController() {
@@ -205,9 +225,8 @@ void ParameterControl::refreshController() {
         return;
     controller = number;
     isLearning = learning;
-    const auto sentence = controllerSentence(info, midi);
-    name.setTooltip(parameterTooltip(info) + (sentence.isEmpty() ? "" : "\n" + sentence));
-    setDescription(sentence);
+    showTooltip();
+    setDescription(controllerSentence(info, midi));
     resized();
     repaint();
 }

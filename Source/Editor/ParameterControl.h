@@ -41,6 +41,7 @@ private:
     void typed();
     void placeName(juce::Rectangle<int> area);
     void refreshController();
+    void showTooltip();
     void showMenu();
 
     const ParameterInfo& info;

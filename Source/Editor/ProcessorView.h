@@ -38,11 +38,17 @@ public:
         int highest = 127;
     };
 
+    enum class KeySound {
+        silent,
+        resized, ///< plays the nearest key's object, resized
+        own,     ///< plays what the preset has for it
+    };
+
     /// Something to be seen and struck: keys may share it.
     struct PlayedObject {
         std::shared_ptr<const ModalObject> object;
         double sizeRatio = 1; ///< of the object as its keys play it, to its own
-        int lowestNote = 0;   ///< MIDI notes that play it
+        int lowestNote = 0;   ///< MIDI notes whose own it is
         int highestNote = 0;
     };
 
@@ -54,8 +60,8 @@ public:
     /// Before a figure of the chosen material or mallet is changed by hand: the custom one takes
     /// all its figures and is chosen. Nothing where it is, and for other parameters.
     virtual void makeCustom(ParameterId figure) = 0;
-    /// False where no object that plays can follow the parameter: it would have to be analysed
-    /// anew.
+    /// False where the parameter does nothing to what plays: its objects would have to be analysed
+    /// anew for it, or its keys have no pitches to keep.
     virtual bool isLive(ParameterId parameter) const = 0;
     /// A change by hand: `begin`, any number of `change`s, `end`; the host records it.
     virtual void beginParameterChange(ParameterId parameter) = 0;
@@ -74,7 +80,9 @@ public:
 
     /// Velocity 1 to 127; 0 releases.
     virtual void playNote(int midiNote, int velocity) = 0;
-    virtual KeyRange keyRange() const = 0; ///< the notes that sound
+    /// From the lowest to the highest key that has an object of its own.
+    virtual KeyRange keyRange() const = 0;
+    virtual std::array<KeySound, 128> keySounds() const = 0; ///< of every MIDI note
 
     /// Of the instrument that plays, in the order of their keys; empty where there is none.
     virtual std::vector<PlayedObject> playedObjects() const = 0;

@@ -65,7 +65,7 @@ std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instr
         return strengths;
     // Of what several keys play, the mean over them.
     std::vector<double> sums(strengths.size(), 0), keys(strengths.size(), 0);
-    for (int note = map.lowestNote; note <= map.highestNote; ++note)
+    for (int note = 0; note < 128; ++note)
         if (const int slot = instrument->key(note).slot; slot >= 0) {
             sums[static_cast<std::size_t>(slot)] += between(weakerDb, note);
             keys[static_cast<std::size_t>(slot)] += 1;

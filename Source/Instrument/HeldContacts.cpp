@@ -163,7 +163,7 @@ void HeldContacts::chooseKind(Contact& contact,
     if (coupling > 0) {
         const auto slot = static_cast<std::size_t>(instrument.key(contact.note).slot);
         settings.frequencyRatio *= synthesiser.frequencyRatio(slot);
-        const auto modes = coupledModes(lowestModes[slot], ownMaterial(contact), settings);
+        const auto modes = coupledModes(lowestModes[slot], instrument.slots()[slot], settings);
         contact.force.setCoupledModes(modes.span());
     }
     contact.force.setSettings(

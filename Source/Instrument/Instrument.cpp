@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 namespace idiophone {
@@ -16,11 +17,60 @@ double midiNoteHz(double note) {
     return 440 * std::exp2((note - 69) / 12);
 }
 
-/// The damped frequency of the lowest mode.
-double lowestModeHz(const ModalObject& object) {
-    const double eigenvalue = object.eigenvalues.front();
-    const double decay = object.decayPerSecond(0);
-    return std::sqrt(std::max(eigenvalue - decay * decay, 1.0)) / (2 * std::numbers::pi);
+/// The damped frequency of a mode, above 0.
+double modeHz(const ModalObject& object, std::size_t mode) {
+    const double decay = object.decayPerSecond(mode);
+    return std::sqrt(std::max(object.eigenvalues[mode] - decay * decay, 1.0)) /
+           (2 * std::numbers::pi);
+}
+
+/// Nothing where damping leaves the mode no pitch (stiffnessSoundingAt).
+std::optional<PitchMode> pitchMode(const ModalObject& object, std::size_t mode, double sizeRatio) {
+    const double decay = object.decayPerSecond(mode);
+    if (2 * decay * decay > object.eigenvalues[mode])
+        return std::nullopt;
+    return PitchMode{.hz = modeHz(object, mode) / sizeRatio,
+                     .eigenvalue = object.eigenvalues[mode],
+                     .bending = object.hasLiveThickness() ? object.bending[mode] : 0,
+                     .dampingScale = object.dampingScale(mode)};
+}
+
+/// The mode nearest to a frequency, by its pitch; nothing where that is half a semitone or more
+/// off.
+std::optional<std::size_t> modeNear(const ModalObject& object, double hz) {
+    std::optional<std::size_t> nearest;
+    double miss = 0.5 / 12;
+    for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
+        if (const double octaves = std::abs(std::log2(modeHz(object, mode) / hz)); octaves < miss) {
+            miss = octaves;
+            nearest = mode;
+        }
+    return nearest;
+}
+
+/// The mode by which a bar sounds its key: the one there, or else, as tubular bells have their
+/// strike note an octave below a mode, the one an octave above. Of a bar in another tuning the
+/// lowest.
+std::size_t pitchModeOfBar(const ModalObject& bar, int midiNote) {
+    const double hz = midiNoteHz(midiNote);
+    if (const auto mode = modeNear(bar, hz))
+        return *mode;
+    return modeNear(bar, 2 * hz).value_or(0);
+}
+
+std::size_t modesOf(std::span<const SynthesiserSlot> slots) {
+    std::size_t modes = 0;
+    for (const auto& slot : slots)
+        modes += slot.object->modeCount();
+    return modes;
+}
+
+/// Of two that are equally near the lower one; there is one.
+int nearestOwn(const std::array<Key, 128>& keys, int note) {
+    for (int distance = 0;; ++distance)
+        for (const int near : {note - distance, note + distance})
+            if (near >= 0 && near < 128 && keys[static_cast<std::size_t>(near)].slot >= 0)
+                return near;
 }
 
 std::uint64_t nextSerialNumber() {
@@ -36,9 +86,7 @@ Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
     if (slots.size() > mostSlots)
         return failure(ofWhat + " has " + std::to_string(slots.size()) + " " + played +
                        ", more than the " + std::to_string(mostSlots) + " that can be played");
-    std::size_t modes = 0;
-    for (const auto& slot : slots)
-        modes += slot.object->modeCount();
+    const std::size_t modes = modesOf(slots);
     if (modes > mostModesOfSlots)
         return failure(ofWhat + " has " + std::to_string(modes) + " modes on all " + played +
                        " together, more than the " + std::to_string(mostModesOfSlots) +
@@ -60,9 +108,11 @@ Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap
                                                        : instrument->buildSingleObject(library);
     if (!built)
         return tl::unexpected(built.error());
-    return boundedSlots(instrument->slots(), inQuotes(keyMap.object)).map([&] {
-        return std::shared_ptr<const Instrument>(instrument);
-    });
+    if (auto bounded = boundedSlots(instrument->slots(), inQuotes(keyMap.object)); !bounded)
+        return tl::unexpected(bounded.error());
+    if (keyMap.kind != KeyMapKind::zones)
+        instrument->addResizedKeys();
+    return std::shared_ptr<const Instrument>(instrument);
 }
 
 std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
@@ -102,7 +152,10 @@ bool Instrument::keysHaveObjects() const {
 Result<void> Instrument::buildBars(ObjectLibrary& library) {
     std::map<const ModalObject*, int> stripOfObject; // one may be on many keys, and is large
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
-        auto object = library.find(map.objectFor(note));
+        const auto name = map.objectFor(note);
+        if (note > map.lowestNote && !library.has(name))
+            continue;
+        auto object = library.find(name);
         if (!object)
             return tl::unexpected(object.error());
         const auto [strip, isNew] =
@@ -113,9 +166,40 @@ Result<void> Instrument::buildBars(ObjectLibrary& library) {
                                                 .strip = strip->second,
                                                 .along = map.strikeAt,
                                                 .malletScale = 1};
-        synthesiserSlots.push_back({.object = std::move(*object), .sizeRatio = 1});
+        const auto pitch = pitchMode(**object, pitchModeOfBar(**object, note), 1);
+        synthesiserSlots.push_back({.object = std::move(*object), .sizeRatio = 1, .pitch = pitch});
     }
     return {};
+}
+
+/// Each plays the nearest of the preset's own keys, of two the lower one.
+void Instrument::addResizedKeys() {
+    const auto own = keys;
+    auto resized = synthesiserSlots;
+    auto played = own;
+    for (int note = std::min(map.resizedFrom, map.lowestNote);
+         note <= std::max(map.resizedTo, map.highestNote); ++note) {
+        const bool isWithin = note >= map.lowestNote && note <= map.highestNote;
+        const bool isBeside = note >= map.resizedFrom && note <= map.resizedTo;
+        if (own[static_cast<std::size_t>(note)].slot >= 0 || !(isWithin || isBeside))
+            continue;
+        const int nearest = nearestOwn(own, note);
+        const double ratio = std::exp2((nearest - note) / 12.0);
+        auto& key = played[static_cast<std::size_t>(note)];
+        key = own[static_cast<std::size_t>(nearest)];
+        auto slot = resized[static_cast<std::size_t>(key.slot)];
+        slot.sizeRatio *= ratio;
+        if (slot.pitch)
+            slot.pitch->hz /= ratio;
+        key.slot = static_cast<int>(resized.size());
+        key.malletScale *= ratio;
+        key.isOwn = false;
+        resized.push_back(std::move(slot));
+    }
+    if (modesOf(resized) > mostModesOfResizedKeys)
+        return;
+    keys = played;
+    synthesiserSlots = std::move(resized);
 }
 
 Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
@@ -125,7 +209,7 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
     strips.push_back(strikeStrip(**object, map));
 
     const double referenceHz =
-        map.referenceNote >= 0 ? midiNoteHz(map.referenceNote) : lowestModeHz(**object);
+        map.referenceNote >= 0 ? midiNoteHz(map.referenceNote) : modeHz(**object, 0);
     const int range = map.highestNote - map.lowestNote;
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         auto& key = keys[static_cast<std::size_t>(note)];
@@ -144,7 +228,9 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
                .strip = 0,
                .along = map.strikeAt,
                .malletScale = sizeRatio};
-        synthesiserSlots.push_back({.object = *object, .sizeRatio = sizeRatio});
+        synthesiserSlots.push_back({.object = *object,
+                                    .sizeRatio = sizeRatio,
+                                    .pitch = pitchMode(**object, 0, sizeRatio)});
     }
     if (map.kind == KeyMapKind::zones)
         synthesiserSlots.push_back({.object = *object, .sizeRatio = 1});

@@ -22,11 +22,16 @@ struct Key {
     int strip = 0;          ///< index into Instrument::strips
     double along = 0.5;     ///< its own place on the strip
     double malletScale = 1; ///< size of its mallet: time × this, impulse × this³
+    /// False where it plays a neighbour's object: the preset has none for it.
+    bool isOwn = true;
 };
 
 /// Of all slots together: each has a bank of its own, of half a kilobyte a mode, so that a small
 /// file on 128 keys could take any memory.
 inline constexpr std::size_t mostModesOfSlots = std::size_t{1} << 21;
+/// Keys beside a preset's own play only where all keys together have no more modes than this: a
+/// quarter of a gigabyte.
+inline constexpr std::size_t mostModesOfResizedKeys = std::size_t{1} << 19;
 /// And each slot takes as much again as thirty modes.
 inline constexpr std::size_t mostSlots = std::size_t{1} << 16;
 
@@ -65,12 +70,15 @@ public:
     const std::shared_ptr<const Stage>& stage() const { return ownStage; }
     /// No two keys play one object.
     bool keysHaveObjects() const;
+    /// Whether a note plays an object that the preset has for it.
+    bool hasOwn(int midiNote) const { return key(midiNote).slot >= 0 && key(midiNote).isOwn; }
 
 private:
     explicit Instrument(KeyMap keyMap);
 
     Result<void> buildBars(ObjectLibrary& library);
     Result<void> buildSingleObject(ObjectLibrary& library);
+    void addResizedKeys();
 
     std::uint64_t serial;
     KeyMap map;

@@ -45,8 +45,8 @@ ParameterValues withOwn(ParameterValues now, const ParameterValues& own) noexcep
 ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
     ParameterValues result;
     copyInto(result, values,
-             {material, size, thickness, tune, concertPitch, strikeAlong, strikeAcross, radiation,
-              letRing, contact});
+             {material, size, thickness, keepPitch, tune, concertPitch, strikeAlong, strikeAcross,
+              radiation, letRing, contact});
     if (static_cast<int>(values[material]) == customMaterial)
         copyInto(result, values, materialFigures);
     if (values[letRing] == 0)

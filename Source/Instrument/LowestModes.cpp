@@ -8,9 +8,9 @@
 
 namespace idiophone {
 
-LowestModes::LowestModes(const ModalObject& object, double sizeRatio) {
+LowestModes::LowestModes(const ModalObject& object) {
     for (std::size_t mode = 0; mode < object.modeCount() && count < capacity; ++mode) {
-        const double hz = std::sqrt(object.eigenvalues[mode]) / (2 * std::numbers::pi) / sizeRatio;
+        const double hz = std::sqrt(object.eigenvalues[mode]) / (2 * std::numbers::pi);
         if (count > 0 && hz < 1.01 * frequenciesHz[count - 1])
             continue;
         frequenciesHz[count] = hz;
@@ -33,10 +33,6 @@ LowestModes LowestModes::moved(double ratio) const {
     for (double& hz : result.frequenciesHz)
         hz = std::max(lowestSoundingHz, hz * ratio);
     return result;
-}
-
-double liveFrequencyRatio(const Material& own, const SynthesisSettings& settings) {
-    return liveConditions(own, settings).frequencyRatio();
 }
 
 } // namespace idiophone

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Object/ModalObject.h"
-#include "Synth/SynthesisSettings.h"
 
 #include <array>
 #include <cstddef>
@@ -23,8 +22,8 @@ struct LowestModes {
     std::size_t count = 0;
 
     LowestModes() = default;
-    /// At the reference material and thickness, scaled by `sizeRatio` > 0.
-    LowestModes(const ModalObject& object, double sizeRatio);
+    /// At the reference material, thickness and size.
+    explicit LowestModes(const ModalObject& object);
 
     /// These of the shell so many times (> 0) as thick, as ModalObject::eigenvalueAt has it; those
     /// of what has no live thickness stay. Does not allocate.
@@ -35,9 +34,5 @@ struct LowestModes {
 
     std::span<const double> span() const { return std::span(frequenciesHz).first(count); }
 };
-
-/// By what the settings, but for their thickness, multiply the frequencies of an object of this
-/// material. Does not allocate.
-double liveFrequencyRatio(const Material& own, const SynthesisSettings& settings);
 
 } // namespace idiophone

@@ -24,6 +24,16 @@ ObjectLibrary& ObjectLibrary::shared() {
     return library;
 }
 
+bool ObjectLibrary::has(const std::string& name) {
+    if (known(name))
+        return true;
+    if (behind != nullptr)
+        return behind->has(name);
+    std::error_code fault;
+    return factoryObject(name) ||
+           (!name.empty() && std::filesystem::exists(pathNamed(name), fault));
+}
+
 Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string& name) {
     if (auto object = known(name))
         return object;

@@ -25,6 +25,9 @@ public:
     /// as a name has to mean the same object to all of them.
     static ObjectLibrary& shared();
 
+    /// Whether `find` has something to return or to read under that name.
+    bool has(const std::string& name);
+
     /// A factory object ("xylophone-72"), or else the modal object file of that path in UTF-8.
     Result<std::shared_ptr<const ModalObject>> find(const std::string& name);
 

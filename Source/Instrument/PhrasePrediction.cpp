@@ -44,7 +44,7 @@ Phrase::Phrase(std::shared_ptr<const Instrument> played,
         if (notes[i].key.slot < 0)
             continue;
         const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
-        notes[i].lowestModes = LowestModes(*slot.object, slot.sizeRatio);
+        notes[i].lowestModes = LowestModes(*slot.object);
         const auto* known = noteOf(slot.object.get(), i);
         notes[i].weightScale = known != nullptr ? known->weightScale : radiationScale(*slot.object);
     }
@@ -118,7 +118,7 @@ void PhrasePrediction::beginObject() noexcept {
         ++endNote;
     nextMode = 0;
     const auto settings = synthesisSettings(parameters);
-    conditions = liveConditions(slot().object->material, settings, slot().sizeRatio);
+    conditions = liveConditions(slot(), settings);
     thicknessRatio = slot().object->hasLiveThickness() ? settings.thicknessRatio : 1;
     conditions.gainRatio /= thicknessRatio;
     listening = slot().object->radiation.empty() ? 0 : settings.radiation;
@@ -130,11 +130,10 @@ void PhrasePrediction::beginObject() noexcept {
     if (held)
         beginForce(parameters, settings);
     else
-        beginBlows(parameters, settings);
+        beginBlows(parameters);
 }
 
-void PhrasePrediction::beginBlows(const ParameterValues& values,
-                                  const SynthesisSettings& settings) noexcept {
+void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
     const auto& key = phrase->notes[firstNote].key;
     const auto& own = slot().object->material;
     for (std::size_t note = firstNote; note < endNote; ++note) {
@@ -152,7 +151,7 @@ void PhrasePrediction::beginBlows(const ParameterValues& values,
             trains[level] =
                 withModalPulses(trains[level], phrase->notes[firstNote]
                                                    .lowestModes.atThickness(thicknessRatio)
-                                                   .moved(liveFrequencyRatio(own, settings))
+                                                   .moved(conditions.frequencyRatio())
                                                    .span());
         pressed[level] = PressedMotion(strike);
         pressedVelocities[level] = {};
@@ -177,7 +176,7 @@ void PhrasePrediction::beginForce(const ParameterValues& values,
     const ContactForceSettings kind{.kind = rolls ? ContactKind::roll : ContactKind::scrape,
                                     .rollModalCoupling = rolls ? values[rollCoupling] / 100 : 0};
     const double speed = values[contactSpeed] * wheel / 127.0;
-    const auto coupled = coupledModes(phrase->notes[firstNote].lowestModes, own, settings);
+    const auto coupled = coupledModes(phrase->notes[firstNote].lowestModes, slot(), settings);
     force = HeldForceSpectrum(phrase->surface, speed, kind, coupled.span(), phrase->sampleRateHz);
     stiff = StiffMotion(phrase->sampleRateHz);
 }

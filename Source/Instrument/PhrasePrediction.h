@@ -75,7 +75,7 @@ private:
     static constexpr std::size_t levels = velocities.size();
 
     void beginObject() noexcept;
-    void beginBlows(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
+    void beginBlows(const ParameterValues& parameters) noexcept;
     void beginForce(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
     void endObject() noexcept;
     void addModes(std::size_t count) noexcept;

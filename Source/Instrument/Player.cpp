@@ -28,7 +28,7 @@ std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
 std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
     std::vector<LowestModes> modes;
     for (const auto& slot : instrument.slots())
-        modes.emplace_back(*slot.object, slot.sizeRatio);
+        modes.emplace_back(*slot.object);
     return modes;
 }
 

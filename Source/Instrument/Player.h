@@ -105,6 +105,9 @@ public:
         return slotTuning.semitonesBelowEqual() + bend.farthestSemitones();
     }
 
+    /// Whether a key without an object of its own was ever played.
+    bool hasPlayedResizedKeys() const noexcept { return playedResizedKeys; }
+
     /// Pedals, wheels and other controllers stand as another player's do, whose keys this one does
     /// not have.
     void takeControllersOf(const Player& former) noexcept;
@@ -237,7 +240,8 @@ private:
     std::vector<bool> slotTouched;                         ///< a hand on its surface holds it
     std::vector<bool> slotHeld; ///< that, or some key of it is down or sustained, or it may ring
     std::vector<float> slotPressed; ///< the most that one of its keys presses
-    bool isSilenced = false;        ///< by "all sound off", until the next blow
+    bool playedResizedKeys = false;
+    bool isSilenced = false; ///< by "all sound off", until the next blow
     /// What rang until that blow goes on in the next cell, laid out as the cells of slots are.
     AlignedVector<float> remains;
     std::vector<CellOutput> remainsOfSlots;

@@ -102,6 +102,7 @@ void Player::keyDown(int channel, int note, int velocity) {
         return;
     bend.noteOn(channel, note);
     slotTuning.noteOn(note);
+    playedResizedKeys = playedResizedKeys || !playedInstrument->hasOwn(note);
     setKeyPressure(channel, static_cast<std::size_t>(note), 0);
     keysDown[static_cast<std::size_t>(channel)].set(static_cast<std::size_t>(note));
     forgetSilenced();

@@ -56,7 +56,9 @@ void Player::strikeAt(std::size_t slot,
     auto train = contactTrain(strike, malletScale, current[chatter], number);
     if (current[modalPulse] != 0) {
         const auto settings = settingsNow();
-        const double ratio = synth.frequencyRatio(slot) * liveFrequencyRatio(own, settings);
+        const double ratio =
+            liveConditions(playedInstrument->slots()[slot], settings, synth.frequencyRatio(slot))
+                .frequencyRatio();
         const auto modes = lowestModes[slot].atThickness(settings.thicknessRatio).moved(ratio);
         train = withModalPulses(train, modes.span());
     }

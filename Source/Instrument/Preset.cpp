@@ -50,6 +50,10 @@ KeyMap parseKeyMap(const JsonPlace& place) {
     map.kind = parseKind(place.at("kind"));
     map.lowestNote = place.at("lowestNote").integer(0, 127);
     map.highestNote = place.at("highestNote").integer(map.lowestNote, 127);
+    if (place.has("resizedFrom"))
+        map.resizedFrom = place.at("resizedFrom").integer(0, 127);
+    if (place.has("resizedTo"))
+        map.resizedTo = place.at("resizedTo").integer(0, 127);
     map.object = place.at("object").textOrEmpty();
     if (place.has("strikePath"))
         map.strikePath = parsePath(place.at("strikePath"));
@@ -168,7 +172,8 @@ Result<Preset> parseSavedPreset(std::string_view text, std::string_view name) {
 std::string encodePreset(const Preset& preset) {
     const auto& map = preset.keyMap;
     ordered_json keyMap{{"kind", kindName(map.kind)},     {"lowestNote", map.lowestNote},
-                        {"highestNote", map.highestNote}, {"object", map.object},
+                        {"highestNote", map.highestNote}, {"resizedFrom", map.resizedFrom},
+                        {"resizedTo", map.resizedTo},     {"object", map.object},
                         {"strikePath", map.strikePath},   {"strikeAt", map.strikeAt},
                         {"strikeWidth", map.strikeWidth}};
     if (map.referenceNote >= 0)

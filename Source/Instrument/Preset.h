@@ -29,8 +29,14 @@ struct KeyMap {
     KeyMapKind kind = KeyMapKind::bars;
     int lowestNote = 0;    ///< 0 to 127
     int highestNote = 127; ///< lowestNote to 127
+    /// `bars` and `scaled`: keys from here to there beside the map's own play the nearest of these,
+    /// resized to their pitch. By default those of a piano.
+    int resizedFrom = 21; ///< 0 to 127
+    int resizedTo = 108;  ///< 0 to 127; below `resizedFrom` there are none
     /// The modal object: a factory object's name ("plate") or a file's path; for `bars`, `{note}`
-    /// in it stands for the MIDI note. For `scene` the factory scene's name or its file's path.
+    /// in it stands for the MIDI note, and notes between the lowest and the highest whose object
+    /// does not exist play the nearest one, resized. For `scene` the factory scene's name or its
+    /// file's path.
     std::string object;
     /// Where keys strike: a path over the object, from its lowest key's end to its highest's, in
     /// units of the object's bounding box (−1 to 1 along x, y and z). Each place is the

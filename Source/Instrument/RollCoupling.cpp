@@ -1,15 +1,13 @@
 #include "Instrument/RollCoupling.h"
 
-#include "Synth/LiveConditions.h"
-
 #include <numbers>
 
 namespace idiophone {
 
 CoupledModes coupledModes(const LowestModes& lowestModes,
-                          const Material& own,
+                          const SynthesiserSlot& slot,
                           const SynthesisSettings& settings) {
-    const auto law = liveConditions(own, settings).law;
+    const auto law = liveConditions(slot, settings).law;
     static_assert(LowestModes::capacity <= ContactForce::maxCoupledModes);
     const auto modes = lowestModes.atThickness(settings.thicknessRatio);
     CoupledModes result;

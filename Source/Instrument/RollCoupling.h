@@ -4,6 +4,7 @@
 
 #include "Instrument/LowestModes.h"
 #include "Synth/ContactForce.h"
+#include "Synth/SynthesiserSlot.h"
 
 #include <array>
 #include <cstddef>
@@ -21,10 +22,10 @@ private:
     std::size_t used = 0;
 };
 
-/// The lowest modes of an object of this material that oscillate and are not below 20 Hz, under the
-/// settings: poles as the synthesiser has them. Does not allocate.
+/// Returns those of the lowest modes of the slot's object that oscillate and are not below 20 Hz,
+/// under the settings: poles as the synthesiser has them. Does not allocate.
 CoupledModes coupledModes(const LowestModes& lowestModes,
-                          const Material& own,
+                          const SynthesiserSlot& slot,
                           const SynthesisSettings& settings);
 
 } // namespace idiophone

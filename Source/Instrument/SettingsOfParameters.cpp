@@ -85,6 +85,10 @@ bool hasLiveThickness(std::span<const SynthesiserSlot> slots) {
                                [](const auto& slot) { return slot.object->hasLiveThickness(); });
 }
 
+bool hasPitch(std::span<const SynthesiserSlot> slots) {
+    return std::ranges::any_of(slots, [](const auto& slot) { return slot.pitch.has_value(); });
+}
+
 double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute) {
     const double beats = motorSyncBeats(static_cast<int>(values[motorSync]));
     if (beats == 0 || !(beatsPerMinute > 0))
@@ -107,6 +111,7 @@ SynthesisSettings synthesisSettings(const ParameterValues& values) {
             .thicknessRatio = values[thickness] / 100,
             .frequencyRatio = values[concertPitch] / parameterInfo(concertPitch).defaultValue *
                               std::exp2(values[tune] / 100 / 12),
+            .keepPitch = values[keepPitch] != 0,
             .radiation = values[radiation] / 100,
             .material = liveMaterial(values)};
 }

@@ -48,6 +48,9 @@ ParameterValues withCustom(ParameterValues values, const FigureChoice& choice, c
 /// Whether the thickness acts on one of these. Any thread.
 bool hasLiveThickness(std::span<const SynthesiserSlot> slots);
 
+/// Whether one of these has a pitch that `keep_pitch` can keep. Any thread.
+bool hasPitch(std::span<const SynthesiserSlot> slots);
+
 /// The values with that material as the custom one, its figures held to the parameters' ranges. Its
 /// Poisson ratio and contact figures are not among them. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);

@@ -23,8 +23,9 @@ std::string modeSetKey(const Instrument& instrument, std::size_t slot) {
     const auto slots = instrument.slots();
     if (map.kind == KeyMapKind::bars)
         for (int note = map.lowestNote; note <= map.highestNote; ++note)
-            if (const int played = instrument.key(note).slot;
-                played >= 0 && slots[static_cast<std::size_t>(played)].object == slots[slot].object)
+            if (instrument.hasOwn(note) &&
+                slots[static_cast<std::size_t>(instrument.key(note).slot)].object ==
+                    slots[slot].object)
                 return std::to_string(note);
     if (map.kind == KeyMapKind::scene)
         return slots[slot].object->name;

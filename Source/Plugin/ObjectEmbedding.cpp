@@ -129,12 +129,10 @@ std::vector<ForeignObject> foreignObjects(const Instrument& instrument) {
     if (map.kind == KeyMapKind::scene)
         return objects; // it names its objects itself
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
-        const int slot = instrument.key(note).slot;
+        const auto slot = static_cast<std::size_t>(instrument.key(note).slot);
         const auto name = map.objectFor(note);
-        if (slot >= 0 && !factoryObject(name) && known.insert(name).second)
-            objects.push_back(
-                {.name = name,
-                 .object = instrument.slots()[static_cast<std::size_t>(slot)].object});
+        if (instrument.hasOwn(note) && !factoryObject(name) && known.insert(name).second)
+            objects.push_back({.name = name, .object = instrument.slots()[slot].object});
     }
     return objects;
 }
@@ -199,9 +197,9 @@ Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const 
             return buildInstrument(keyMap, library);
         const auto& map = from.keyMap();
         for (int note = map.lowestNote; note <= map.highestNote; ++note)
-            if (const int slot = from.key(note).slot; slot >= 0)
+            if (from.hasOwn(note))
                 library.add(map.objectFor(note),
-                            from.slots()[static_cast<std::size_t>(slot)].object);
+                            from.slots()[static_cast<std::size_t>(from.key(note).slot)].object);
         return buildInstrument(keyMap, library);
     });
 }
@@ -218,12 +216,10 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap,
         const auto scene = readSceneFile(file); // a damaged one is an error where it is built
         return scene ? firstMissingIn(*scene) : std::nullopt;
     }
-    for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
-        const auto name = keyMap.objectFor(note);
-        if (!isGiven(name, objects) && !factoryObject(name) && !isFile(name))
-            return shown(name);
-    }
-    return std::nullopt;
+    // Other keys may do without one of their own.
+    const auto name = keyMap.objectFor(keyMap.lowestNote);
+    const bool isThere = isGiven(name, objects) || factoryObject(name) || isFile(name);
+    return isThere ? std::nullopt : std::optional(shown(name));
 }
 
 KeyMap standInFor(const KeyMap& keyMap) {

@@ -68,6 +68,8 @@ Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const 
         const auto name = keyMap.objectFor(note);
         if (kept.contains(name) || factoryObject(name))
             continue;
+        if (note > keyMap.lowestNote && !ObjectLibrary::shared().has(found.objectFor(note)))
+            continue; // a key without an object of its own
         auto object = ObjectLibrary::shared().find(found.objectFor(note));
         if (!object)
             return tl::unexpected(object.error());

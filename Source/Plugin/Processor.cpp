@@ -172,6 +172,7 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
         modesMixed = player->synthesiser().modesMixed();
         lateBlows = player->lateBlows();
         semitonesBelowPlayed = player->semitonesBelowEqual();
+        playedResizedKeys = player->hasPlayedResizedKeys();
         capture.take(*player);
     }
 }
@@ -249,8 +250,8 @@ double Processor::getTailLengthSeconds() const {
     const double bends = values[bendRange] + (values[mpe] != 0 ? values[mpeBendRange] : 0);
     const double semitonesBelow =
         std::max(bends + semitonesBelowTuned.load(), semitonesBelowPlayed.load());
-    const double slowest =
-        slowestDecay(ownDecays.load(), synthesisSettings(values), semitonesBelow);
+    const double slowest = slowestDecay((playedResizedKeys ? allDecays : ownDecays).load(),
+                                        synthesisSettings(values), semitonesBelow);
     const double inRoom = values[room] > 0 ? values[roomDecay] * std::log10(65536) / 3 : 0;
     return std::min(stageSeconds + std::log(65536) / slowest + inRoom, longestTailSeconds);
 }
@@ -260,7 +261,9 @@ void Processor::play(Preset preset,
                      std::shared_ptr<const Instrument> built,
                      std::unique_ptr<Player> player,
                      const std::function<void()>& loadValues) {
-    ownDecays.store(decayBounds(*built));
+    ownDecays.store(decayBounds(*built, RingingKeys::own));
+    allDecays.store(decayBounds(*built));
+    playedResizedKeys = false;
     semitonesBelowTuned = semitonesBelowEqual(*built, ownKeys);
     stageSeconds = built->stage() ? built->stage()->lengthSeconds() : 0;
     loadedPreset = std::move(preset);

@@ -98,6 +98,7 @@ public:
     void chooseUserMaterial(int index) override;
     void playNote(int midiNote, int velocity) override;
     KeyRange keyRange() const override;
+    std::array<KeySound, 128> keySounds() const override;
     std::vector<PlayedObject> playedObjects() const override;
     bool hasStage() const override;
     std::vector<BodyNow> stageBodies() const override;
@@ -305,7 +306,8 @@ private:
     int movedToTell = 0;              ///< likewise, of what moves while a sound is told
     std::atomic<int> statesComing{0}; ///< while which JUCE's VST3 passes nothing on
     std::atomic<int> programIndex{-1};
-    SharedFigures<DecayBounds> ownDecays; ///< of the loaded objects
+    SharedFigures<DecayBounds> ownDecays, allDecays; ///< of the loaded keys' (RingingKeys)
+    std::atomic<bool> playedResizedKeys{false};      ///< by the player that plays
     /// By how much any of them may sound below equal temperament: by the instance's own tuning
     /// alone, and by tunings and wheels as the player has them.
     std::atomic<double> semitonesBelowTuned{0}, semitonesBelowPlayed{0};

@@ -56,10 +56,12 @@ void Processor::makeCustom(ParameterId figure) {
 }
 
 bool Processor::isLive(ParameterId parameter) const {
-    if (parameter != ParameterId::thickness)
+    if (parameter != ParameterId::thickness && parameter != ParameterId::keepPitch)
         return true;
     const auto playing = loadedInstrument();
-    return playing != nullptr && hasLiveThickness(playing->slots());
+    return playing != nullptr &&
+           (parameter == ParameterId::thickness ? hasLiveThickness(playing->slots())
+                                                : hasPitch(playing->slots()));
 }
 
 // A figure that makes a material custom is changed within a gesture of its own: the outer one
@@ -157,6 +159,16 @@ ProcessorView::KeyRange Processor::keyRange() const {
     return {.lowest = loadedPreset.keyMap.lowestNote, .highest = loadedPreset.keyMap.highestNote};
 }
 
+std::array<ProcessorView::KeySound, 128> Processor::keySounds() const {
+    std::array<KeySound, 128> sounds{};
+    if (const auto playing = loadedInstrument())
+        for (int note = 0; note < 128; ++note)
+            if (playing->key(note).slot >= 0)
+                sounds[static_cast<std::size_t>(note)] =
+                    playing->hasOwn(note) ? KeySound::own : KeySound::resized;
+    return sounds;
+}
+
 std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
     std::vector<PlayedObject> objects;
     const auto playing = loadedInstrument();
@@ -169,9 +181,9 @@ std::vector<ProcessorView::PlayedObject> Processor::playedObjects() const {
                             .lowestNote = 127,
                             .highestNote = 0};
         for (int note = 0; note < 128; ++note)
-            if (const int index = playing->key(note).slot;
-                index >= 0 &&
-                playing->slots()[static_cast<std::size_t>(index)].object == slot.object) {
+            if (playing->hasOwn(note) &&
+                playing->slots()[static_cast<std::size_t>(playing->key(note).slot)].object ==
+                    slot.object) {
                 played.lowestNote = std::min(played.lowestNote, note);
                 played.highestNote = std::max(played.highestNote, note);
             }

@@ -94,7 +94,7 @@ SoundPicture::ofSilence(std::size_t slot, const ParameterValues& values, double 
     MonitoredSound sound;
     sound.sampleRateHz = rateHz;
     sound.slot = slot;
-    sound.groups.law = liveConditions(played.object->material, settings, played.sizeRatio).law;
+    sound.groups.law = liveConditions(played, settings).law;
     sound.groups.thicknessRatio = played.object->hasLiveThickness() ? settings.thicknessRatio : 1;
     sound.groups.tauMetresPerSecond = settings.tau * metresPerSecondPerTau;
     sound.groups.compression = settings.compression;

@@ -141,7 +141,7 @@ Result<void> SceneCast::castKeyboard(ObjectLibrary& library) {
     const double middle = (preset->keyMap.lowestNote + preset->keyMap.highestNote) / 2.0;
     for (int note = preset->keyMap.lowestNote; note <= preset->keyMap.highestNote; ++note) {
         const auto& key = instrument.key(note);
-        if (key.slot < 0)
+        if (!instrument.hasOwn(note))
             continue;
         const auto& object = instrument.slots()[static_cast<std::size_t>(key.slot)].object;
         BodyTemplate bar;

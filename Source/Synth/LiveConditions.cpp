@@ -1,12 +1,24 @@
 #include "Synth/LiveConditions.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace idiophone {
 namespace {
 
 double ratio(double value, double reference) noexcept {
     return value > 0 && reference > 0 ? value / reference : 1;
+}
+
+/// By what the eigenvalues are multiplied so that the mode sounds at its pitch.
+double ratioKeeping(const PitchMode& pitch,
+                    double thicknessRatio,
+                    double frequencyRatio,
+                    const DampingLaw& damping) noexcept {
+    const double omega = 2 * std::numbers::pi * pitch.hz * frequencyRatio;
+    const double ownEigenvalue =
+        pitch.eigenvalue + (thicknessRatio * thicknessRatio - 1) * pitch.bending;
+    return stiffnessSoundingAt(omega, damping, pitch.dampingScale) / ownEigenvalue;
 }
 
 } // namespace
@@ -23,14 +35,19 @@ double LiveConditions::frequencyRatio() const noexcept {
 LiveConditions liveConditions(const Material& reference,
                               const SynthesisSettings& settings,
                               double slotSizeRatio,
-                              double slotFrequencyRatio) noexcept {
+                              double slotFrequencyRatio,
+                              const PitchMode* pitch) noexcept {
     const LiveMaterial material = settings.material.value_or(liveMaterial(reference));
     const double size = slotSizeRatio * settings.sizeRatio;
-    const double tuning = settings.frequencyRatio * slotFrequencyRatio / size;
+    const double frequencies = settings.frequencyRatio * slotFrequencyRatio;
+    const double tuning = frequencies / size;
     const double density = ratio(material.densityKgPerM3, reference.densityKgPerM3);
     const double stiffness = ratio(material.youngsModulusPa, reference.youngsModulusPa);
     LiveConditions result;
-    result.law = {.eigenvalueRatio = stiffness / density * tuning * tuning,
+    result.law = {.eigenvalueRatio = settings.keepPitch && pitch != nullptr
+                                         ? ratioKeeping(*pitch, settings.thicknessRatio,
+                                                        frequencies, material.damping)
+                                         : stiffness / density * tuning * tuning,
                   .damping = material.damping};
     result.gainRatio = 1 / (density * size * size * size);
     result.radiationRatio = result.frequencyRatio() * size;

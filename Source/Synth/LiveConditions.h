@@ -15,6 +15,16 @@ inline constexpr double highestSoundingShare = 0.49;
 
 bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept;
 
+/// The mode whose frequency is the pitch of what a key plays.
+struct PitchMode {
+    double hz = 0;           ///< > 0, damped, under settings that change nothing
+    double eigenvalue = 0;   ///< λ of the object's reference, > 0
+    double bending = 0;      ///< ModalObject::bending, 0 without
+    double dampingScale = 1; ///< ModalObject::dampingScale
+
+    bool operator==(const PitchMode&) const = default;
+};
+
 struct LiveConditions {
     PoleLaw law;
     double gainRatio = 1; ///< of residues: 1/mass ratio
@@ -27,12 +37,15 @@ struct LiveConditions {
     double frequencyRatio() const noexcept;
 };
 
-/// Of an object with that reference material; figures of either that are not positive count as
-/// equal to the other's. The slot's size and frequency ratios (> 0) come on top of the settings'.
-/// The settings' thickness is not among it: it acts on each mode (ModalObject::eigenvalueAt).
+/// Returns the conditions of an object with that reference material; figures of either that are not
+/// positive count as equal to the other's. The slot's size and frequency ratios (> 0) come on top
+/// of the settings'. Where the settings keep the pitch, `pitch` sounds at its frequency times the
+/// frequency ratios, whatever the material, size and thickness; nullptr has no pitch to keep. The
+/// thickness acts on each mode beside (ModalObject::eigenvalueAt).
 LiveConditions liveConditions(const Material& reference,
                               const SynthesisSettings& settings,
                               double slotSizeRatio = 1,
-                              double slotFrequencyRatio = 1) noexcept;
+                              double slotFrequencyRatio = 1,
+                              const PitchMode* pitch = nullptr) noexcept;
 
 } // namespace idiophone

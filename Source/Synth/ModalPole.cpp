@@ -50,6 +50,30 @@ ModalPole PoleLaw::pole(double referenceEigenvalue, double dampingScale) const n
     return {stiffness, std::clamp(dampingScale * damping.perSecond(stiffness), 0.0, 1e12)};
 }
 
+// λ − α² − ω² rises with λ while α² < λ/2, and the law has no power of λ beyond the first: its
+// double root lies at 2ω² or beyond. Newton's steps from ω² come from below, up to there.
+double stiffnessSoundingAt(double dampedFrequency,
+                           const DampingLaw& damping,
+                           double dampingScale) noexcept {
+    constexpr int mostSteps = 20;
+    constexpr double leastSlope = 0.1; // bounds the steps near the double root
+    const double target = dampedFrequency * dampedFrequency;
+    double stiffness = target;
+    for (int step = 0; step < mostSteps; ++step) {
+        const double alpha = dampingScale * damping.perSecond(stiffness) / 2;
+        const double alphaSlope =
+            dampingScale *
+            (damping.viscoelasticSeconds + damping.lossFactor / (2 * std::sqrt(stiffness))) / 2;
+        const double miss = stiffness - alpha * alpha - target;
+        const double slope = std::max(1 - 2 * alpha * alphaSlope, leastSlope);
+        const double next = std::clamp(stiffness - miss / slope, target, 2 * target);
+        if (std::abs(next - stiffness) <= 1e-13 * stiffness)
+            return next;
+        stiffness = next;
+    }
+    return stiffness;
+}
+
 bool isOscillating(const ModalPole& pole) noexcept {
     return pole.damping * pole.damping < 4 * oscillatingShare * pole.stiffness;
 }

@@ -27,6 +27,13 @@ struct PoleLaw {
     ModalPole pole(double referenceEigenvalue, double dampingScale = 1) const noexcept;
 };
 
+/// The λ at which a mode under this law and damping scale sounds at `dampedFrequency` [rad/s] > 0:
+/// λ − d(λ)²/4 = ω². At most 2ω², ζ = 1/√2: a law that damps more leaves no pitch to keep.
+/// Continuous in all arguments. Takes at most twenty steps, mostly three.
+double stiffnessSoundingAt(double dampedFrequency,
+                           const DampingLaw& damping,
+                           double dampingScale = 1) noexcept;
+
 /// The damping scale of a mode or group; empty scales are all 1.
 inline double dampingScaleOf(std::span<const double> dampingScales, std::size_t index) noexcept {
     return dampingScales.empty() ? 1 : dampingScales[index];

@@ -17,17 +17,16 @@ constexpr float faintEnergy = 1e-36f; // faintestVelocity²
 
 } // namespace
 
-SoundingObject::SoundingObject(std::shared_ptr<const ModalObject> modalObject,
-                               double sizeRatio,
+SoundingObject::SoundingObject(SynthesiserSlot slot,
                                ModeWeights modeWeightsOfObject,
                                double radiationWeightScale,
                                std::size_t channels,
                                double sampleRateHz,
                                SynthesisScratch& sharedScratch)
-    : object(modalObject ? std::move(modalObject) : std::make_shared<const ModalObject>()),
-      slotSizeRatio(sizeRatio), outputChannels(channels), sampleRate(sampleRateHz),
-      cellSeconds(cellSamples / sampleRateHz), weightScale(radiationWeightScale),
-      modeWeights(std::move(modeWeightsOfObject)),
+    : object(slot.object ? std::move(slot.object) : std::make_shared<const ModalObject>()),
+      slotSizeRatio(slot.sizeRatio), pitch(slot.pitch), outputChannels(channels),
+      sampleRate(sampleRateHz), cellSeconds(cellSamples / sampleRateHz),
+      weightScale(radiationWeightScale), modeWeights(std::move(modeWeightsOfObject)),
       bank(object->modeCount(), object->radiation.empty() ? 1 : channels, sampleRateHz),
       fader(bank, sampleRateHz), scratch(sharedScratch) {
     const std::size_t modes = object->modeCount();

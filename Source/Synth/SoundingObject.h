@@ -2,7 +2,6 @@
 // and which of them are mixed. It renders cells and takes strikes; the budget comes from outside.
 #pragma once
 
-#include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
 #include "Synth/ModalBank.h"
@@ -12,6 +11,7 @@
 #include "Synth/Strike.h"
 #include "Synth/SynthesisScratch.h"
 #include "Synth/SynthesisSettings.h"
+#include "Synth/SynthesiserSlot.h"
 
 #include <array>
 #include <bit>
@@ -39,8 +39,7 @@ public:
     /// `modeWeights` [M] are the object's `summedSquareShapes` and `radiationWeightScale` is its
     /// radiationScale (Listening.h): what takes time, and is the same for all slots of an object.
     /// `scratch` has room for this object and outlives it; objects on one thread share it.
-    SoundingObject(std::shared_ptr<const ModalObject> object,
-                   double sizeRatio,
+    SoundingObject(SynthesiserSlot slot,
                    ModeWeights modeWeights,
                    double radiationWeightScale,
                    std::size_t channels,
@@ -240,6 +239,7 @@ private:
 
     std::shared_ptr<const ModalObject> object;
     double slotSizeRatio;
+    std::optional<PitchMode> pitch;
     std::size_t outputChannels;
     double sampleRate;
     double cellSeconds;

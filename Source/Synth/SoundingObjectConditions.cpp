@@ -13,8 +13,8 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     SynthesisSettings own = settings;
     if (requestedMaterial)
         own.material = requestedMaterial;
-    const LiveConditions live =
-        liveConditions(object->material, own, slotSizeRatio, requestedFrequencyRatio);
+    const LiveConditions live = liveConditions(object->material, own, slotSizeRatio,
+                                               requestedFrequencyRatio, pitch ? &*pitch : nullptr);
     const double thickness = object->hasLiveThickness() ? settings.thicknessRatio : 1;
     const double newGainRatio = live.gainRatio / thickness;
     // τ = 0 truncates nothing that could be heard after all.

@@ -31,7 +31,8 @@ inline LiveMaterial liveMaterial(const Material& material) noexcept {
 }
 
 /// A figure out of its range is ignored and keeps what it was. Frequency, size and material all act
-/// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio², and the damping
+/// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio² (where a pitch is kept,
+/// frequencyRatio alone), and the damping
 /// d = γ + χ √λ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³. The
 /// thickness acts on objects that have it live (ModalObject::eigenvalueAt), and on their mass.
 struct SynthesisSettings {
@@ -43,6 +44,8 @@ struct SynthesisSettings {
     /// 0.1 to 10: every shell that can so many times as thick as it was analysed.
     double thicknessRatio = 1;
     double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
+    /// Slots with a pitch (SynthesiserSlot) keep it under any material, size and thickness.
+    bool keepPitch = false;
     /// 0 to 1: from what is heard at the point struck to what the whole surface radiates to
     /// the listener, where the object knows; for strikes from now on. What is radiated is scaled
     /// for each object to be about as loud as near: not to be compared between objects.

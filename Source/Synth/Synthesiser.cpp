@@ -109,7 +109,7 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
             own->second = {.modeWeights = std::make_shared<const std::vector<double>>(
                                summedSquareShapes(*slot.object)),
                            .radiationScale = radiationScale(*slot.object)};
-        all.objects.emplace_back(std::move(slot.object), slot.sizeRatio, own->second.modeWeights,
+        all.objects.emplace_back(std::move(slot), own->second.modeWeights,
                                  own->second.radiationScale, channels, sampleRateHz, *all.scratch);
     }
     all.status.resize(slots.size());

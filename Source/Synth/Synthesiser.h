@@ -2,12 +2,12 @@
 // sample, truncation by τ, quality scaling by S. Knows nothing of notes, meshes or hosts.
 #pragma once
 
-#include "Object/ModalObject.h"
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
 #include "Synth/SoundingGroups.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
+#include "Synth/SynthesiserSlot.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,12 +18,6 @@
 namespace idiophone {
 
 class SoundingObject;
-
-/// One object in the mix. Slots may share a modal object, each with a state of its own.
-struct SynthesiserSlot {
-    std::shared_ptr<const ModalObject> object;
-    double sizeRatio = 1; ///< > 0: the object scaled; λ ∝ 1/size², mass ∝ size³
-};
 
 /// Constructed and destroyed off the audio thread; every other member is for the audio thread, and
 /// neither allocates, locks nor throws. Output is surface velocity in m/s (full scale 1), or what

@@ -25,20 +25,29 @@ TEST_CASE("With every preset the computer's keys from A to L play at once") {
     CHECK(computerKeysBase({.lowest = 121, .highest = 127}) == 120);
 }
 
-TEST_CASE("Keys that play nothing are told from those that do, in both looks") {
-    Processor processor; // with the rosewood xylophone, of which C4 to E4 are silent
+TEST_CASE("Keys that play nothing, or another's bar, are told from those with their own") {
+    // Of the rosewood xylophone A0 to E4 play the F4 bar, and what is drawn below A0 is silent.
+    Processor processor;
     for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
         Look look(scheme);
         KeyboardPanel panel(processor);
         panel.setLookAndFeel(&look);
-        panel.setBounds(0, 0, 29 * 40, 100);
+        panel.setBounds(0, 0, 57 * 40, 100); // C0 to C8
         const auto picture = panel.createComponentSnapshot(panel.getLocalBounds());
         const auto brightness = [&](int x, int y) {
             return picture.getPixelAt(x, y).getPerceivedBrightness();
         };
         constexpr int foot = 80, rim = 66; // of white and of black keys
-        CHECK(brightness(20, foot) < 0.8f * brightness(3 * 40 + 20, foot)); // C4, F4
-        CHECK(brightness(40, rim) > 1.5f * brightness(4 * 40, rim));        // C♯4, F♯4
+        const auto white = [&](int octave, int step) {
+            return brightness((7 * octave + step) * 40 + 20, foot);
+        };
+        const auto black = [&](int octave, int step) {
+            return brightness((7 * octave + step) * 40, rim);
+        };
+        CHECK(white(4, 0) < 0.9f * white(4, 3)); // C4, F4
+        CHECK(white(0, 0) < 0.9f * white(4, 0)); // C0, C4
+        CHECK(black(4, 1) > 1.2f * black(4, 4)); // C♯4, F♯4
+        CHECK(black(0, 1) > 1.2f * black(4, 1)); // C♯0, C♯4
         panel.setLookAndFeel(nullptr);
     }
 }

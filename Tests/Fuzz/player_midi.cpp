@@ -67,6 +67,8 @@ std::shared_ptr<const Instrument> smallInstrument() {
     const KeyMap map{.kind = KeyMapKind::scaled,
                      .lowestNote = 60,
                      .highestNote = 67,
+                     .resizedFrom = 1,
+                     .resizedTo = 0,
                      .object = "small",
                      .strikePath = {{-1, -1, 0}, {1, 1, 0}}};
     auto object = test::syntheticObject({260, 700, 1500, 4000}, {0.2f, 0.2f, 0.2f, 0.2f});

@@ -10,6 +10,9 @@ void claimKeys(const KeyMap& map) {
           "keys are MIDI notes");
     claim(map.strikeAt >= 0 && map.strikeAt <= 1 && map.strikeWidth >= 0 && map.strikeWidth <= 1,
           "strikes are on the path");
+    claim(0 <= map.resizedFrom && map.resizedFrom <= 127 && 0 <= map.resizedTo &&
+              map.resizedTo <= 127,
+          "its other keys are MIDI notes");
     claim(map.referenceNote <= 127 && !std::isnan(map.referenceNote),
           "the reference is a MIDI note");
     claim(!map.strikePath.empty(), "there is a path");

@@ -96,6 +96,8 @@ State withOneObject(State state, std::string_view behind) {
     state.objects.front().name = map.object = "own";
     if (map.kind == KeyMapKind::bars)
         map.highestNote = std::min(map.highestNote, map.lowestNote + 7);
+    map.resizedFrom = std::max(map.resizedFrom, map.lowestNote - 2);
+    map.resizedTo = std::min(map.resizedTo, map.highestNote + 2);
     return state;
 }
 

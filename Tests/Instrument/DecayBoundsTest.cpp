@@ -23,8 +23,7 @@ double slowestOfAll(const Instrument& instrument,
     double slowest = std::numeric_limits<double>::infinity();
     for (const auto& slot : instrument.slots()) {
         const auto& object = *slot.object;
-        const auto conditions = liveConditions(object.material, settings, slot.sizeRatio,
-                                               std::exp2(-semitonesBelow / 12));
+        const auto conditions = liveConditions(slot, settings, std::exp2(-semitonesBelow / 12));
         for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
             const auto pole = conditions.law.pole(
                 object.eigenvalueAt(mode, settings.thicknessRatio), object.dampingScale(mode));
@@ -73,7 +72,10 @@ TEST_CASE("No mode dies away more slowly than the bound, whatever the settings")
         for (int time = 0; time < 40; ++time) {
             SynthesisSettings settings{.sizeRatio = std::exp2(between(-3, 3)),
                                        .thicknessRatio = std::exp2(between(-2, 2)),
-                                       .frequencyRatio = std::exp2(between(-2, 2))};
+                                       .frequencyRatio = std::exp2(between(-2, 2)),
+                                       .keepPitch = time % 4 >= 2};
+            if (time % 8 < 4)
+                settings.thicknessRatio = 1;
             if (time % 2 == 1) // light, and so heavy that modes creep
                 settings.material =
                     LiveMaterial{.youngsModulusPa = std::pow(10, between(7, 12)),
@@ -102,13 +104,34 @@ TEST_CASE("Of one material that is lightly damped the bound is the lowest mode's
                    WithinRel(slowestOfAll(*instrument, {.sizeRatio = size}, 2), 1e-9));
 }
 
+TEST_CASE(
+    "Where keys keep their pitch the bound is the decay of the lowest key's pitch at any size") {
+    ObjectLibrary library;
+    const auto kept = library.add("bell", syntheticObject({300, 440, 2000}));
+    const auto instrument =
+        Instrument::build(
+            {.kind = KeyMapKind::scaled, .lowestNote = 60, .highestNote = 72, .object = "bell"},
+            library)
+            .value();
+    const auto bounds = decayBounds(*instrument);
+    for (const double size : {0.5, 3.0}) {
+        const SynthesisSettings settings{.sizeRatio = size, .keepPitch = true};
+        CHECK_THAT(slowestDecay(bounds, settings, 0),
+                   WithinRel(slowestOfAll(*instrument, settings, 0), 1e-6));
+    }
+}
+
 TEST_CASE("Keys with objects of their own lie as far below equal temperament as the lowest") {
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note)
         kept.push_back(library.add("own/" + std::to_string(note), syntheticObject({300})));
-    KeyMap map{
-        .kind = KeyMapKind::bars, .lowestNote = 60, .highestNote = 63, .object = "own/{note}"};
+    KeyMap map{.kind = KeyMapKind::bars,
+               .lowestNote = 60,
+               .highestNote = 63,
+               .resizedFrom = 1,
+               .resizedTo = 0,
+               .object = "own/{note}"};
     const auto bars = Instrument::build(map, library).value();
     map.kind = KeyMapKind::zones;
     map.object = "own/60";

@@ -13,8 +13,11 @@ using test::syntheticObject;
 
 namespace {
 
+/// Without resized keys.
 KeyMap keyMap(KeyMapKind kind, int lowest, int highest, std::string object) {
     KeyMap map;
+    map.resizedFrom = 1;
+    map.resizedTo = 0;
     map.kind = kind;
     map.lowestNote = lowest;
     map.highestNote = highest;

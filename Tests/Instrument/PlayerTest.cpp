@@ -68,8 +68,10 @@ TEST_CASE("With radiation left and right are apart, at the same pitch") {
     }
 }
 
-TEST_CASE("A library material moves every frequency by the square root of Y over density") {
+TEST_CASE(
+    "Where no pitch is kept a library material moves every frequency by the root of Y over ρ") {
     ParameterValues parameters;
+    parameters.set(ParameterId::keepPitch, 0);
     parameters.set(ParameterId::material,
                    *parseParameter(parameterInfo(ParameterId::material), "Glass"));
     const auto* glass = findMaterial("Glass");

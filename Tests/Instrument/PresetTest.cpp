@@ -16,6 +16,8 @@ Preset example() {
     preset.keyMap = {.kind = KeyMapKind::scaled,
                      .lowestNote = 40,
                      .highestNote = 80,
+                     .resizedFrom = 30,
+                     .resizedTo = 90,
                      .object = "/a/bowl.modal",
                      .strikePath = {{-1, 0.1, 0}, {0.25, 1, -1}},
                      .strikeAt = 0.3,

@@ -22,6 +22,8 @@ keysOn(ModalObject object, KeyMapKind kind, int lowestNote, int highestNote) {
     return Instrument::build({.kind = kind,
                               .lowestNote = lowestNote,
                               .highestNote = highestNote,
+                              .resizedFrom = 1,
+                              .resizedTo = 0, // no other keys sound
                               .object = "object"},
                              library)
         .value();
@@ -43,6 +45,8 @@ inline std::shared_ptr<const Instrument> bars() {
     return Instrument::build({.kind = KeyMapKind::bars,
                               .lowestNote = 60,
                               .highestNote = 72,
+                              .resizedFrom = 1,
+                              .resizedTo = 0,
                               .object = "bar-{note}"},
                              library)
         .value();

@@ -78,6 +78,7 @@ State ringingState(bool inOneMode) {
     state.preset.parameters.set(fluidDamping, 5);
     state.preset.parameters.set(viscoelasticDamping, 0.0001);
     state.preset.parameters.set(radiation, 100);
+    state.preset.parameters.set(keepPitch, 0); // so that figures and extents are heard
     state.preset.parameters.set(tau, parameterInfo(tau).minimum);
     return state;
 }
@@ -258,6 +259,7 @@ const std::vector<Jump> switchesWhileRinging{
     {mpe, 0, 1, asLevel, {{mpeBendRange, 3}}, bentOfItsOwn},
     {mpeBendRange, 2, 3, asLevel, {{mpe, 1}}, bentOfItsOwn},
     {matchLoudness, 0, 1, asLevel, {{material, firstLibraryMaterial}}},
+    {keepPitch, 0, 1, asLevel, {{size, 1.1}}},
     {bypass, 0, 1, asLevel},
 };
 

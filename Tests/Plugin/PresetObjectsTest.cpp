@@ -179,7 +179,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("One bar that is missing among many is named, and a ring plays") {
+TEST_CASE(
+    "A key plays its neighbour while its bar is missing, and a ring plays without the lowest bar") {
     const auto folder = freshFolder();
     const KeyMap map{.kind = KeyMapKind::bars,
                      .lowestNote = 60,
@@ -194,8 +195,17 @@ TEST_CASE("One bar that is missing among many is named, and a ring plays") {
     const auto preset = folder.getChildFile("x.json");
     CHECK(buildPresetInstrument(map, preset)->notice.empty());
     folder.getChildFile(juce::String(map.objectFor(62))).deleteFile();
+    const auto gapped = buildPresetInstrument(map, preset);
+    REQUIRE(gapped);
+    CHECK(gapped->notice.empty());
+    CHECK(gapped->keyMap == map);
+    CHECK(gapped->instrument->key(62).slot >= 0);
+    CHECK_FALSE(gapped->instrument->hasOwn(62));
+    CHECK(gapped->instrument->hasOwn(63));
+    folder.getChildFile(juce::String(map.objectFor(60))).deleteFile();
     const auto built = buildPresetInstrument(map, preset);
     REQUIRE(built);
-    CHECK_THAT(built->notice, ContainsSubstring("62.modal is missing"));
+    CHECK_THAT(built->notice, ContainsSubstring("60.modal is missing"));
+    CHECK(built->keyMap.object == "ring");
     CHECK(built->instrument->key(62).slot >= 0);
 }

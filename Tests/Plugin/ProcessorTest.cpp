@@ -216,6 +216,7 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     state.parameters.set(fluidDamping, 10);
     state.parameters.set(viscoelasticDamping, 2);
     state.parameters.set(bendRange, 12);
+    state.parameters.set(keepPitch, 0);
     const auto tail = [&] {
         restore(processor, state);
         return processor.getTailLengthSeconds();
@@ -259,6 +260,14 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     // Of its own material, γ = 5 per second and η = 1e-8 s in the test objects.
     state.parameters.set(material, ownMaterial);
     CHECK_THAT(tail(), WithinRel(std::log(65536) / (2.5 + 0.5e-8 * omega * omega), 1e-12));
+    // A pitch that is kept keeps its tail at any size.
+    const double own = tail();
+    state.parameters.set(keepPitch, 1);
+    state.parameters.set(size, 4);
+    CHECK_THAT(tail(), WithinRel(own, 1e-5)); // but for the shift of the damped frequency
+    state.parameters.set(keepPitch, 0);
+    state.parameters.set(size, 1);
+    CHECK(tail() == own);
     // A room goes on after that, for 96 of the 60 dB of its decay.
     const double dry = processor.getTailLengthSeconds();
     state.parameters.set(room, 10);

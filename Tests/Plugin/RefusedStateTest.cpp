@@ -63,7 +63,7 @@ TEST_CASE(
     state.controllers[ParameterId::tau] = 21;
     REQUIRE(state.preset.mutedModes.set("61", 2, true));
     const auto whole = encodeState(state);
-    state.objects.erase(state.objects.begin() + 4);
+    state.objects.erase(state.objects.begin()); // the others may be missing
     const auto bytes = encodeState(state);
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
@@ -71,7 +71,7 @@ TEST_CASE(
     const auto status = processor.takeStatus();
     CHECK(status.isError);
     CHECK(status.sentence ==
-          "Test keyboard: test/64 is missing; until it is back a steel ring plays in its place.");
+          "Test keyboard: test/60 is missing; until it is back a steel ring plays in its place.");
     CHECK(loudest(firstBlock(processor)) > 1e-4f);
     CHECK(processor.keyRange().lowest == lowestTestNote);
     CHECK(processor.parameterValue(ParameterId::size) == 1.2345678901234567);
@@ -93,7 +93,7 @@ TEST_CASE(
             const auto now = processor.takeStatus();
             CHECK(now.isError);
             CHECK_THAT(now.sentence, ContainsSubstring("keys cannot be changed"));
-            CHECK_THAT(now.sentence, ContainsSubstring("test/64"));
+            CHECK_THAT(now.sentence, ContainsSubstring("test/60"));
             CHECK(processor.instrumentNumber() == number);
             CHECK(saved(processor) == bytes);
             processor.reportError({});
@@ -107,7 +107,7 @@ TEST_CASE(
         state.preset.name.clear();
         restore(processor, state);
         CHECK(processor.takeStatus().sentence ==
-              "test/64 is missing; until it is back a steel ring plays in its place.");
+              "test/60 is missing; until it is back a steel ring plays in its place.");
         CHECK(saved(processor) == encodeState(state));
     }
     SECTION("with it, undo too brings it back") {

@@ -71,12 +71,16 @@ TEST_CASE("A frame shows every mode of the object that was struck, as it is now"
             CHECK(double(mode.amplitude) <= tauStep);
 }
 
-TEST_CASE("Material, size and tuning move the modes of a frame, sounding or not") {
+TEST_CASE("Size moves the modes of a frame, sounding or not, unless the pitch is kept") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.watchObject(9);
     processor.changeParameter(ParameterId::size, 2);
     const auto* frame = frameAfter(processor, 4800);
+    REQUIRE(frame != nullptr);
+    CHECK(std::abs(double(frame->modes[0].frequencyHz) - 440) < 0.01);
+    processor.changeParameter(ParameterId::keepPitch, 0);
+    frame = frameAfter(processor, 4800);
     REQUIRE(frame != nullptr);
     CHECK(frame->object == 9);
     CHECK(std::abs(double(frame->modes[0].frequencyHz) - 220) < 0.01);

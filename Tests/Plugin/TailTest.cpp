@@ -56,6 +56,21 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("A key that plays a bar resized lengthens the tail once it is played") {
+    Processor processor;
+    processor.setCurrentProgram(factoryProgram(factoryPresetId("Glockenspiel")));
+    processor.prepareToPlay(rateHz, blockSize);
+    const auto play = [&](int note) {
+        juce::MidiBuffer midi;
+        midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), 0);
+        render(processor, blockSize, blockSize, midi);
+        return processor.getTailLengthSeconds();
+    };
+    const double told = processor.getTailLengthSeconds();
+    CHECK(play(79) == told);
+    CHECK(play(67) > 1.5 * told); // by a constant loss factor twice as long
+}
+
 TEST_CASE("A bend range that MIDI gives and a tuning that lowers keys lengthen the tail") {
     Processor processor;
     auto state = testState();

@@ -24,6 +24,8 @@ inline State testState(const std::string& folder = "test", double transpose = 1)
     state.preset.keyMap = {.kind = KeyMapKind::bars,
                            .lowestNote = lowestTestNote,
                            .highestNote = highestTestNote,
+                           .resizedFrom = 1,
+                           .resizedTo = 0, // no other keys sound
                            .object = folder + "/{note}"};
     for (int note = lowestTestNote; note <= highestTestNote; ++note) {
         std::vector<double> frequenciesHz;

@@ -4,6 +4,8 @@
 
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
+#include <cmath>
+#include <numbers>
 
 using namespace idiophone;
 using namespace idiophone::test;
@@ -31,6 +33,44 @@ TEST_CASE("Eigenvalues follow Y/ρ, size and tuning, gains 1/mass, radiation fre
     CHECK(live.law.damping == DampingLaw{7, 3e-7, 2e-4});
     CHECK(live.gainRatio == Approx(1 / (2 * 6.0 * 6 * 6)));
     CHECK(live.radiationRatio == Approx(2 * 1.5 * 4));
+}
+
+TEST_CASE(
+    "Where the pitch is kept its mode sounds at it, damped, in any material, size and thickness") {
+    const auto own = syntheticObject({100}).material;
+    const double omega = 2 * std::numbers::pi * 200;
+    const PitchMode pitch{.hz = 200,
+                          .eigenvalue = omega * omega * 1.01,
+                          .bending = omega * omega / 2,
+                          .dampingScale = 1.5};
+    for (const double loss : {0.0, 0.01, 0.3})
+        for (const double size : {0.1, 1.0, 10.0})
+            for (const double thickness : {0.25, 1.0, 4.0}) {
+                SynthesisSettings settings{.sizeRatio = size,
+                                           .thicknessRatio = thickness,
+                                           .frequencyRatio = 1.5,
+                                           .keepPitch = true};
+                settings.material = LiveMaterial{.youngsModulusPa = 3 * own.youngsModulusPa,
+                                                 .densityKgPerM3 = own.densityKgPerM3 / 5,
+                                                 .damping = {20, 1e-5, loss}};
+                const auto live = liveConditions(own, settings, 3, 0.75, &pitch);
+                const double eigenvalue =
+                    pitch.eigenvalue + (thickness * thickness - 1) * pitch.bending;
+                const auto pole = live.law.pole(eigenvalue, pitch.dampingScale);
+                CHECK(dampedFrequency(pole) == Approx(omega * 1.5 * 0.75).epsilon(1e-9));
+                CHECK(live.gainRatio == Approx(5 / std::pow(3 * size, 3)));
+                CHECK(live.radiationRatio == Approx(live.frequencyRatio() * 3 * size));
+                settings.keepPitch = false;
+                CHECK(liveConditions(own, settings, 3, 0.75, &pitch).law ==
+                      liveConditions(own, settings, 3, 0.75).law);
+            }
+}
+
+TEST_CASE("A kept pitch leaves an object as its reference where nothing is changed") {
+    const auto object = syntheticObject({100, 270});
+    const PitchMode pitch{.hz = object.dampedFrequencyHz(1), .eigenvalue = object.eigenvalues[1]};
+    const auto live = liveConditions(object.material, {.keepPitch = true}, 1, 1, &pitch);
+    CHECK(live.law.eigenvalueRatio == Approx(1).epsilon(1e-13));
 }
 
 TEST_CASE("Modes sound from 20 Hz to below 0.49 of the sample rate") {

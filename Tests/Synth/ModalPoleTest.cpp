@@ -73,3 +73,28 @@ TEST_CASE("The amplitude bound is never exceeded, and is 2|c||w| where the mode 
             CHECK(nearest > 0.999);
     }
 }
+
+TEST_CASE("The stiffness that sounds at a damped frequency gives that frequency back") {
+    for (const double omega : {130.0, 1600.0, 26000.0})
+        for (const DampingLaw& damping : {DampingLaw{}, DampingLaw{60, 2e-7, 0},
+                                          DampingLaw{1, 0, 0.3}, DampingLaw{0, 1e-5, 0.05}})
+            for (const double scale : {0.5, 1.0, 3.0}) {
+                const double stiffness = stiffnessSoundingAt(omega, damping, scale);
+                const ModalPole pole = PoleLaw{1, damping}.pole(stiffness, scale);
+                CHECK(std::abs(dampedFrequency(pole) / omega - 1) < 1e-12);
+            }
+}
+
+TEST_CASE(
+    "Beyond a damping ratio of 1/√2 the stiffness stays at twice the square of the frequency") {
+    const double omega = 1000;
+    double before = omega * omega;
+    for (double eta = 0; eta < 3e-3; eta += 1e-6) { // the double root is at 1/ω
+        const double stiffness = stiffnessSoundingAt(omega, {.viscoelasticSeconds = eta});
+        CHECK(stiffness >= before * (1 - 1e-9));
+        CHECK(stiffness <= 2 * omega * omega);
+        CHECK(stiffness - before < 0.1 * omega * omega); // a glide makes no leap
+        before = stiffness;
+    }
+    CHECK(before == 2 * omega * omega);
+}
