@@ -49,8 +49,9 @@ class Console:
         wav = self.folder / f"{self.number}.wav"
         report = self.run(*arguments, "-o", wav, "--json", "--sample-rate", rate,
                           "--seconds", seconds,
-                          *itertools.chain.from_iterable(("--set", f"{name}={value}")
-                                                         for name, value in parameters.items()))
+                          *itertools.chain.from_iterable(
+                              ("--set", f"{name}={value}")
+                              for name, value in {"limiter": 0, **parameters}.items()))
         samples = soundfile.read(wav, always_2d=True)[0]
         wav.unlink()
         return samples, json.loads(report)

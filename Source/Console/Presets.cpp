@@ -47,7 +47,8 @@ void printAll() {
 
 constexpr int sampleRateHz = 48000;
 
-/// The phrase of the loudness of presets in one channel, as the output stage has it.
+/// The phrase of the loudness of presets in one channel, as the output stage has it. Without the
+/// limiter, so that the loudness follows the level.
 Result<std::vector<float>> heardPhrase(const Preset& preset,
                                        const std::shared_ptr<const Instrument>& instrument) {
     const auto [left, right] = playLoudnessPhrase(preset, instrument, sampleRateHz);
@@ -55,7 +56,9 @@ Result<std::vector<float>> heardPhrase(const Preset& preset,
     OutputStage output;
     output.prepare(sampleRateHz, static_cast<int>(heard.size()));
     float* channel = heard.data();
-    if (!output.process(left, right, {&channel, 1}, preset.parameters))
+    auto parameters = preset.parameters;
+    parameters.set(ParameterId::limiter, 0);
+    if (!output.process(left, right, {&channel, 1}, parameters))
         return failure(preset.name + ": its sound is not finite");
     return heard;
 }

@@ -36,6 +36,7 @@ void OutputStage::prepare(double sampleRateHz, int maximumBlockSize) {
     ownLeft.resize(static_cast<std::size_t>(maximumBlockSize));
     ownRight.resize(static_cast<std::size_t>(maximumBlockSize));
     room.prepare(sampleRateHz, maximumBlockSize, rampSeconds);
+    limiter.prepare(sampleRateHz, rampSeconds);
     reset();
 }
 
@@ -44,6 +45,7 @@ void OutputStage::reset() noexcept {
     gridPosition = 0;
     forgetChanges();
     room.reset();
+    limiter.reset();
 }
 
 /// The whole level is behind the room.
@@ -124,9 +126,12 @@ bool OutputStage::processPiece(std::span<const float> left,
     startsAtTarget = false;
 
     spread(room.process(atOwnLevel({left, right}), values), channels);
-    return std::ranges::all_of(channels, [&](const float* channel) {
-        return allFinite({channel, left.size()});
-    });
+    if (!std::ranges::all_of(channels, [&](const float* channel) {
+            return allFinite({channel, left.size()});
+        }))
+        return false;
+    limiter.process(channels, left.size(), values[ParameterId::limiter] != 0);
+    return true;
 }
 
 Room::Sound OutputStage::atOwnLevel(const Room::Sound& sound) noexcept {

@@ -1,8 +1,9 @@
 // The last stage, shared by plugin and console: both channels of the sound to the channels of the
-// output, in the room and at the width, level and bypass that the parameters say. Knows nothing of
-// hosts, files or buses.
+// output, in the room and at the width, level and bypass that the parameters say, through the
+// limiter. Knows nothing of hosts, files or buses.
 #pragma once
 
+#include "Output/Limiter.h"
 #include "Output/Room.h"
 #include "Parameters/ParameterTable.h"
 
@@ -17,8 +18,8 @@ namespace idiophone {
 /// allocates, locks nor throws. At constant parameters the samples do not depend on block sizes.
 class OutputStage {
 public:
-    /// Level, bypass, width and the room's share move linearly over this time: without steps, too
-    /// fast to be heard as a fade (by ear).
+    /// Level, bypass, width, the room's share and the limiter's switch move linearly over this
+    /// time: without steps, too fast to be heard as a fade (by ear).
     static constexpr double rampSeconds = 0.02;
     static_assert(rampSeconds <= Room::earliestSeconds);
 
@@ -61,6 +62,7 @@ private:
     void spread(const Room::Sound& sound, std::span<float* const> channels) noexcept;
 
     Room room;
+    Limiter limiter;
     /// The level is `ownLevel` times `level`. What plays has the first before the room, and so what
     /// rings there of older sounds has not; nor does the second rise until the room is silent.
     juce::SmoothedValue<float> ownLevel, level;

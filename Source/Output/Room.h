@@ -1,6 +1,7 @@
 // The room that everything sounds in: a diffuse tail behind the sound itself.
 #pragma once
 
+#include "Output/DelayNetwork.h"
 #include "Parameters/ParameterTable.h"
 
 #include <array>
@@ -25,7 +26,7 @@ public:
     static constexpr float silence = 1e-5f;
 
     /// The room's sound comes no sooner after what it answers.
-    static constexpr double earliestSeconds = 0.025;
+    static constexpr double earliestSeconds = DelayNetwork::shortestSeconds;
 
     /// The ramp is no longer than `earliestSeconds`.
     void prepare(double sampleRateHz, int maximumBlockSize, double rampSeconds);
@@ -47,20 +48,18 @@ public:
 private:
     void follow(const ParameterValues& values) noexcept;
     bool isShut() const noexcept;
-    void settle() noexcept;
     void rest() noexcept;
     void ring(std::span<float> left, std::span<float> right) noexcept;
     void addFading(std::span<float> left, std::span<float> right) noexcept;
 
-    std::array<juce::Reverb, 2> reverbs;
+    std::array<DelayNetwork, 2> networks;
     std::size_t playing = 0; ///< of them; the other one fades, or is not used
     double rateHz = 44100;
-    double decaySeconds = 0; ///< that the reverberator is set to
     juce::SmoothedValue<float> amount;
     std::vector<float> wetLeft, wetRight, fadingLeft, fadingRight;
     int gridPosition = 0; ///< of the next sample, in a cell of the grid on which silence is found
     int quietSamples = 0; ///< up to that cell
-    bool isSilent = true; ///< the reverberator that plays
+    bool isSilent = true; ///< the network that plays
     int fadeSamples = 0;  ///< the ramp
     int fadeLeft = 0;     ///< of those
     std::size_t unanswered = 0; ///< of the next samples

@@ -17,10 +17,12 @@ namespace idiophone::test {
 inline constexpr double rateHz = 48000;
 inline constexpr int maximumBlock = 4096;
 
+/// Without the limiter, so that the stage is linear.
 inline ParameterValues valuesWith(double levelDecibels, bool bypassed = false) {
     ParameterValues values;
     values.set(ParameterId::level, levelDecibels);
     values.set(ParameterId::bypass, bypassed ? 1 : 0);
+    values.set(ParameterId::limiter, 0);
     return values;
 }
 

@@ -1,0 +1,181 @@
+#include "Output/Limiter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+// At rest the predicted inter-sample peaks may reach -0.5 dB: a meter's kernel and the prediction
+// are uncertain by less than the difference to the threshold.
+constexpr float predictedCeiling = 0.9440609f;
+// While the gain acts the pending values stay within these bounds. Samples up to the reserve may
+// follow whatever the input is, so the bounds can be met again at every sample: by induction the
+// whole output stays within -0.72 dB, and the gain never needs to be 0.
+constexpr PendingPeaks::Bounds actingBounds{.ceiling = 0.9204496f, .reserve = 0.4f};
+// The gain waits for half a period of 40 Hz, or else it would follow the waveform. It then returns
+// by 120 dB/s: 50 ms after a reduction of 6 dB, 200 ms after 24 dB.
+constexpr double holdSeconds = 0.0125, releaseDbPerSecond = 120;
+constexpr float lowestHeldGain = 0.01f; // so that no single sample silences the sound for long
+
+} // namespace
+
+void Limiter::prepare(double sampleRateHz, double rampSeconds) {
+    holdSamples = static_cast<std::size_t>(holdSeconds * sampleRateHz);
+    releasePerSample = static_cast<float>(std::pow(10, releaseDbPerSecond / 20 / sampleRateHz));
+    sharePerSample = static_cast<float>(1 / std::max(1.0, rampSeconds * sampleRateHz));
+    quietLevel = PendingPeaks::levelAlwaysBelow(predictedCeiling);
+    reset();
+}
+
+void Limiter::reset() noexcept {
+    recent.fill({});
+    quietSamples = PendingPeaks::taps;
+    isPendingCurrent = false;
+    gain = lowestGain = 1;
+    heldSamples = 0;
+    startsAtTarget = true;
+}
+
+float Limiter::takeLowestGain() noexcept {
+    return std::exchange(lowestGain, 1.0f);
+}
+
+void Limiter::process(std::span<float* const> channels,
+                      std::size_t sampleCount,
+                      bool isOn) noexcept {
+    if (startsAtTarget)
+        share = isOn ? 1 : 0;
+    startsAtTarget = false;
+    const auto channelCount = std::min(channels.size(), mostChannels);
+    for (std::size_t i = 0; i < sampleCount; ++i) {
+        Frame frame{};
+        float highest = 0;
+        for (std::size_t channel = 0; channel < channelCount; ++channel) {
+            frame[channel] = channels[channel][i];
+            highest = std::max(highest, std::abs(frame[channel]));
+        }
+        share =
+            isOn ? std::min(share + sharePerSample, 1.0f) : std::max(share - sharePerSample, 0.0f);
+        const bool isQuiet = highest <= quietLevel && quietSamples >= PendingPeaks::taps;
+        if (share == 0) { // what the limiter then begins with is silence
+            gain = 1;
+            frame = {};
+        } else if (gain < 1 || !isQuiet) {
+            catchUp();
+            gain = nextGain(frame, channelCount);
+            const float applied = share == 1 ? gain : 1 - share * (1 - gain);
+            lowestGain = std::min(lowestGain, applied);
+            for (std::size_t channel = 0; channel < channelCount; ++channel) {
+                channels[channel][i] = applied * frame[channel];
+                frame[channel] *= gain;
+            }
+            highest *= gain;
+        }
+        quietSamples = highest <= quietLevel ? quietSamples + 1 : 0;
+        remember(frame);
+    }
+}
+
+/// Of the next frame.
+float Limiter::nextGain(const Frame& frame, std::size_t channelCount) noexcept {
+    if (gain == 1 && passes(frame, channelCount))
+        return 1;
+    float most = gain;
+    if (heldSamples > 0)
+        --heldSamples;
+    else
+        most = std::min(std::max(gain, lowestHeldGain) * releasePerSample, 1.0f);
+    if (isWithinBounds(frame, channelCount, most))
+        return most;
+    float next = most, highest = 0;
+    for (std::size_t channel = 0; channel < channelCount; ++channel) {
+        next = pending[channel].mostGainWithin(actingBounds, frame[channel], next);
+        highest = std::max(highest, std::abs(frame[channel]));
+    }
+    // What passed at rest may have left values out of the bounds. Until they are within, the sound
+    // is taken to go on as predicted.
+    if (!isWithinBounds(frame, channelCount, next))
+        next = gainIfPredicted(frame, channelCount, most);
+    next = std::max(next, std::min(most, actingBounds.reserve / highest));
+    if (next < most)
+        heldSamples = holdSamples;
+    return next;
+}
+
+bool Limiter::passes(const Frame& frame, std::size_t channelCount) const noexcept {
+    for (std::size_t channel = 0; channel < channelCount; ++channel) {
+        const float next = frame[channel];
+        if (std::abs(next) > threshold ||
+            (pending[channel].highestBeforeSilence(next) > predictedCeiling &&
+             pending[channel].highestIfPredicted(next) > predictedCeiling))
+            return false;
+    }
+    return true;
+}
+
+bool Limiter::isWithinBounds(const Frame& frame,
+                             std::size_t channelCount,
+                             float atGain) const noexcept {
+    constexpr float rounding = 1e-5f;
+    for (std::size_t channel = 0; channel < channelCount; ++channel)
+        if (!pending[channel].isWithin({actingBounds.ceiling + rounding, actingBounds.reserve},
+                                       atGain * frame[channel]))
+            return false;
+    return true;
+}
+
+/// The first of a few gains at which no predicted peak is too high, or else the one with the
+/// lowest.
+float Limiter::gainIfPredicted(const Frame& frame,
+                               std::size_t channelCount,
+                               float mostGain) const noexcept {
+    constexpr std::array shares{1.0f, 0.97f, 0.93f, 0.87f, 0.78f, 0.66f, 0.5f, 0.3f};
+    float highest = threshold;
+    for (std::size_t channel = 0; channel < channelCount; ++channel)
+        highest = std::max(highest, mostGain * std::abs(frame[channel]));
+    const float most = mostGain * threshold / highest;
+    float best = 0, lowestPeak = std::numeric_limits<float>::infinity();
+    for (const float tried : shares) {
+        float peak = 0;
+        for (std::size_t channel = 0; channel < channelCount; ++channel)
+            peak =
+                std::max(peak, pending[channel].highestIfPredicted(tried * most * frame[channel]));
+        if (peak < lowestPeak) {
+            lowestPeak = peak;
+            best = tried * most;
+        }
+        if (peak <= predictedCeiling)
+            break;
+    }
+    return best;
+}
+
+void Limiter::remember(const Frame& frame) noexcept {
+    recent[recentPosition] = frame;
+    recentPosition = (recentPosition + 1) % recent.size();
+    if (gain == 1 && (share == 0 || quietSamples > PendingPeaks::taps)) {
+        isPendingCurrent = false;
+        return;
+    }
+    if (isPendingCurrent)
+        for (std::size_t channel = 0; channel < mostChannels; ++channel)
+            pending[channel].push(frame[channel]);
+}
+
+/// Makes the pending values of the last samples. They are the same as if each had been pushed in
+/// its time, as earlier samples contribute to none of them.
+void Limiter::catchUp() noexcept {
+    if (isPendingCurrent)
+        return;
+    isPendingCurrent = true;
+    for (std::size_t channel = 0; channel < mostChannels; ++channel) {
+        pending[channel].reset();
+        for (std::size_t i = 0; i < recent.size(); ++i)
+            pending[channel].push(recent[(recentPosition + i) % recent.size()][channel]);
+    }
+}
+
+} // namespace idiophone
