@@ -32,9 +32,9 @@ install_rooms(IdiophoneTargets
     HEADERS
         Object/DampingLaw Object/Material Object/MaterialFile Object/ModalObject Object/ModalObjectFile
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
-        Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/ModalPole Synth/Reson
+        Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/LiveConditions Synth/ModalPole Synth/Reson
         Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
-        Synth/SynthesisSettings)
+        Synth/SynthesiserSlot Synth/SynthesisSettings)
 # To make them of meshes. A component of its own, as it wants Eigen.
 install_rooms(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen
