@@ -61,8 +61,10 @@ std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
     return owners;
 }
 
-/// Of each cluster the member nearest to the mean of all.
-std::vector<int> middlesOf(const Eigen::MatrixXd& places, const std::vector<int>& owners) {
+/// Of each cluster the member nearest to the mean of all, one that is not fixed if there is any.
+std::vector<int> middlesOf(const Eigen::MatrixXd& places,
+                           const std::vector<int>& owners,
+                           const std::vector<bool>& areFixed) {
     const Index clusters = 1 + *std::ranges::max_element(owners);
     Eigen::MatrixXd means = Eigen::MatrixXd::Zero(clusters, places.cols());
     Eigen::VectorXd counts = Eigen::VectorXd::Zero(clusters);
@@ -76,8 +78,10 @@ std::vector<int> middlesOf(const Eigen::MatrixXd& places, const std::vector<int>
         Eigen::VectorXd::Constant(clusters, std::numeric_limits<double>::infinity());
     for (std::size_t row = 0; row < owners.size(); ++row) {
         const int owner = owners[row];
+        constexpr double farther = 1e6;
         const double distance =
-            (places.row(static_cast<Index>(row)) - means.row(owner)).squaredNorm();
+            (places.row(static_cast<Index>(row)) - means.row(owner)).squaredNorm() *
+            (areFixed[row] ? farther : 1);
         if (distance < distances(owner)) {
             distances(owner) = distance;
             middles[static_cast<std::size_t>(owner)] = static_cast<int>(row);
@@ -102,7 +106,7 @@ Unknowns unknownsOf(const std::vector<BoundaryPanel>& panels,
     }
     const auto places = placesAndNormals(panels, orbits.firsts, maximumUnknowns);
     auto owners = clustersOf(places, maximumUnknowns);
-    auto targets = middlesOf(places, owners);
+    auto targets = middlesOf(places, owners, orbits.areFixed);
     return {std::move(owners), std::move(targets)};
 }
 
@@ -125,7 +129,7 @@ std::vector<int> chosen(const std::vector<int>& values, const std::vector<int>& 
 struct BoundaryElements::CharacterSystem {
     Eigen::RowVectorXcd character; ///< [G]
     std::vector<Index> modes;      ///< of which velocities
-    std::vector<Index> silent;     ///< unknowns of faces on which no such part can live
+    std::vector<bool> isSilent;    ///< [orbits] whether no such part lives there
     Eigen::MatrixXcd slopes;       ///< [orbits×modes] q
     Matrix matrix;                 ///< [n×n]
     Eigen::MatrixXcd rightSide;    ///< [n×modes]
@@ -149,6 +153,21 @@ Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
     for (Index face = 0; face < faceCount(); ++face)
         result(orbits_.orbits[static_cast<std::size_t>(face)],
                orbits_.elements[static_cast<std::size_t>(face)]) = values(face);
+    return result;
+}
+
+std::vector<bool> BoundaryElements::silentOrbits(const Eigen::RowVectorXcd& character) const {
+    std::vector<bool> result = orbits_.areFixed;
+    for (std::size_t orbit = 0; orbit < result.size(); ++orbit) {
+        if (!result[orbit])
+            continue;
+        const auto first = static_cast<std::size_t>(orbits_.firsts[orbit]);
+        result[orbit] = false;
+        for (std::size_t element = 0; element < symmetry_.images.size(); ++element)
+            if (symmetry_.images[element][first] == orbits_.firsts[orbit] &&
+                std::abs(character(static_cast<Index>(element)) - 1.0) > 1e-9)
+                result[orbit] = true;
+    }
     return result;
 }
 
@@ -177,21 +196,7 @@ BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double wav
                 system.modes.push_back(mode);
         if (system.modes.empty())
             continue;
-        // A face that an element leaves in place has no part that this element changes.
-        for (Index unknown = 0; unknown < unknownCount(); ++unknown) {
-            const int first =
-                orbits_
-                    .firsts[static_cast<std::size_t>(targets_[static_cast<std::size_t>(unknown)])];
-            const auto changes = [&](std::size_t element) {
-                return symmetry_.images[element][static_cast<std::size_t>(first)] == first &&
-                       std::abs(system.character(static_cast<Index>(element)) - 1.0) > 1e-9;
-            };
-            for (std::size_t element = 0; element < symmetry_.images.size(); ++element)
-                if (changes(element)) {
-                    system.silent.push_back(unknown);
-                    break;
-                }
-        }
+        system.isSilent = silentOrbits(system.character);
         system.slopes = slopeOfVelocity * parts(Eigen::all, system.modes);
         system.matrix.resize(unknownCount(), unknownCount());
         system.rightSide.resize(unknownCount(), static_cast<Index>(system.modes.size()));
@@ -228,8 +233,9 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                 auto& system = systems[static_cast<std::size_t>(s)];
                 system.matrix.row(first + r).setZero();
                 for (Index orbit = 0; orbit < orbitCount(); ++orbit)
-                    system.matrix(first + r, unknowns_[static_cast<std::size_t>(orbit)]) +=
-                        Matrix::Scalar(ofPressure(orbit, s));
+                    if (!system.isSilent[static_cast<std::size_t>(orbit)])
+                        system.matrix(first + r, unknowns_[static_cast<std::size_t>(orbit)]) +=
+                            Matrix::Scalar(ofPressure(orbit, s));
                 system.matrix(first + r, first + r) += 0.5F;
                 auto& block = slopes[static_cast<std::size_t>(s)];
                 block.row(r) = ofSlope.col(s).transpose();
@@ -243,11 +249,13 @@ Result<void> BoundaryElements::assemble(double waveNumber,
         }
     }
     for (auto& system : systems)
-        for (const Index unknown : system.silent) {
-            system.matrix.row(unknown).setZero();
-            system.matrix(unknown, unknown) = 1;
-            system.rightSide.row(unknown).setZero();
-        }
+        for (Index unknown = 0; unknown < n; ++unknown)
+            if (system.isSilent[static_cast<std::size_t>(
+                    targets_[static_cast<std::size_t>(unknown)])]) {
+                system.matrix.row(unknown).setZero();
+                system.matrix(unknown, unknown) = 1;
+                system.rightSide.row(unknown).setZero();
+            }
     return {};
 }
 
@@ -266,6 +274,8 @@ Result<Eigen::MatrixXcd> BoundaryElements::surfacePressures(double waveNumber,
             factors.solve(system.rightSide.cast<Matrix::Scalar>()).template cast<Complex>();
         for (Index face = 0; face < faceCount(); ++face) {
             const int orbit = orbits_.orbits[static_cast<std::size_t>(face)];
+            if (system.isSilent[static_cast<std::size_t>(orbit)])
+                continue;
             pressures(face, system.modes) +=
                 system.character(orbits_.elements[static_cast<std::size_t>(face)]) *
                 solution.row(unknowns_[static_cast<std::size_t>(orbit)]);

@@ -84,6 +84,8 @@ private:
                                 const Eigen::Vector3d& originMetres) const;
     /// [D×F] d·n.
     Eigen::MatrixXd cosines(const Eigen::MatrixXd& directions) const;
+    /// [orbits] of which faces nothing lives that turns by this character.
+    std::vector<bool> silentOrbits(const Eigen::RowVectorXcd& character) const;
     std::vector<CharacterSystem> systemsFor(const Eigen::MatrixXd& normalVelocities,
                                             double waveNumber) const;
     Result<void> assemble(double waveNumber,
