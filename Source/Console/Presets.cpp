@@ -8,6 +8,7 @@
 #include "Output/OutputStage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -47,26 +48,29 @@ void printAll() {
 
 constexpr int sampleRateHz = 48000;
 
-/// The phrase of the loudness of presets in one channel, as the output stage has it. Without the
-/// limiter, so that the loudness follows the level.
+/// The phrase of the loudness of presets in both channels, interleaved, as the output stage has it.
+/// Without the limiter, so that the loudness follows the level.
 Result<std::vector<float>> heardPhrase(const Preset& preset,
                                        const std::shared_ptr<const Instrument>& instrument) {
     const auto [left, right] = playLoudnessPhrase(preset, instrument, sampleRateHz);
-    std::vector<float> heard(left.size());
+    std::array<std::vector<float>, 2> heard{left, right};
     OutputStage output;
-    output.prepare(sampleRateHz, static_cast<int>(heard.size()));
-    float* channel = heard.data();
+    output.prepare(sampleRateHz, static_cast<int>(left.size()));
+    std::array<float*, 2> channels{heard[0].data(), heard[1].data()};
     auto parameters = preset.parameters;
     parameters.set(ParameterId::limiter, 0);
-    if (!output.process(left, right, {&channel, 1}, parameters))
+    if (!output.process(left, right, channels, parameters))
         return failure(preset.name + ": its sound is not finite");
-    return heard;
+    std::vector<float> interleaved;
+    for (std::size_t i = 0; i < left.size(); ++i)
+        interleaved.insert(interleaved.end(), {heard[0][i], heard[1][i]});
+    return interleaved;
 }
 
 std::optional<double> integratedLufs(std::vector<float> sound, double gainDb) {
     for (float& sample : sound)
         sample *= static_cast<float>(std::pow(10, gainDb / 20));
-    LoudnessMeter meter(1, sampleRateHz);
+    LoudnessMeter meter(2, sampleRateHz);
     meter.add(sound);
     return meter.integratedLufs();
 }

@@ -9,9 +9,11 @@
 
 namespace idiophone {
 
-/// LUFS (ITU-R BS.1770) of the mean of both channels of the phrase at velocity 100, `level`
-/// included: the factory presets whose keys play objects have it within 1 LU.
-inline constexpr double factoryLufs = -42;
+/// LUFS (ITU-R BS.1770) of both channels of the phrase at velocity 100, with `level` and room. The
+/// factory presets whose keys play objects have it within 1 LU.
+inline constexpr double factoryLufs = -26;
+/// The same of one of two equal channels, as PhrasePrediction predicts it.
+inline constexpr double factoryChannelLufs = factoryLufs - 3.01;
 
 inline constexpr int loudnessPhraseVelocity = 100;
 inline constexpr double loudnessPhraseSeconds = (PhraseMeter::notes + 1) * PhraseMeter::noteSeconds;

@@ -14,7 +14,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double hardestBlowDecibels = -18;
+constexpr double hardestBlowDecibels = -3;
 
 double lufsOf(const Phrase& phrase, const ParameterValues& values) {
     return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
@@ -48,7 +48,7 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
                                   const Surface& surface,
                                   double sampleRateHz,
                                   const ParameterValues& values) {
-    constexpr double faintestLufs = factoryLufs - 12; // what the level has to make up for
+    constexpr double faintestLufs = factoryChannelLufs - 12; // what the level has to make up for
     const Phrase phrase(instrument, surface, sampleRateHz);
     double loudest = lufsOf(phrase, values);
     auto best = values;
@@ -77,7 +77,8 @@ double startingLevel(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values) {
-    const double asLoud = factoryLufs - predictedLufs(instrument, surface, sampleRateHz, values);
+    const double asLoud =
+        factoryChannelLufs - predictedLufs(instrument, surface, sampleRateHz, values);
     const double level = std::min(asLoud, highestLevel(instrument, surface, sampleRateHz, values));
     return std::isfinite(level) ? level : values[ParameterId::level];
 }

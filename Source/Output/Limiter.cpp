@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace idiophone {
@@ -10,10 +11,10 @@ namespace {
 // At rest the predicted inter-sample peaks may reach -0.5 dB: a meter's kernel and the prediction
 // are uncertain by less than the difference to the threshold.
 constexpr float predictedCeiling = 0.9440609f;
-// While the gain acts no pending value exceeds -1.2 dB if silence follows. The next gain may always
-// be 0, so the condition can always be met again, whatever comes: by induction all of the output
-// stays below, and the meter's kernel has 0.9 dB until -0.3.
-constexpr float actingCeiling = 0.8709636f;
+// While the gain acts the pending values stay within these bounds. Samples up to the reserve may
+// follow whatever the input is, so the bounds can be met again at every sample: by induction the
+// whole output stays within -0.72 dB, and the gain never needs to be 0.
+constexpr PendingPeaks::Bounds actingBounds{.ceiling = 0.9204496f, .reserve = 0.4f};
 // The gain waits for half a period of 40 Hz, or else it would follow the waveform. It then returns
 // by 120 dB/s: 50 ms after a reduction of 6 dB, 200 ms after 24 dB.
 constexpr double holdSeconds = 0.0125, releaseDbPerSecond = 120;
@@ -87,13 +88,18 @@ float Limiter::nextGain(const Frame& frame, std::size_t channelCount) noexcept {
         --heldSamples;
     else
         most = std::min(std::max(gain, lowestHeldGain) * releasePerSample, 1.0f);
-    float next = most;
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
-        next = pending[channel].mostGainBelow(actingCeiling, frame[channel], next);
-    // What passed at rest may have left values that only further sound would keep below.
-    constexpr float rounding = 1e-5f;
-    if (highestBeforeSilence(frame, channelCount, next) > actingCeiling + rounding)
-        next = leastPeakGain(frame, channelCount, most);
+    if (isWithinBounds(frame, channelCount, most))
+        return most;
+    float next = most, highest = 0;
+    for (std::size_t channel = 0; channel < channelCount; ++channel) {
+        next = pending[channel].mostGainWithin(actingBounds, frame[channel], next);
+        highest = std::max(highest, std::abs(frame[channel]));
+    }
+    // What passed at rest may have left values out of the bounds. Until they are within, the sound
+    // is taken to go on as predicted.
+    if (!isWithinBounds(frame, channelCount, next))
+        next = gainIfPredicted(frame, channelCount, most);
+    next = std::max(next, std::min(most, actingBounds.reserve / highest));
     if (next < most)
         heldSamples = holdSamples;
     return next;
@@ -110,29 +116,41 @@ bool Limiter::passes(const Frame& frame, std::size_t channelCount) const noexcep
     return true;
 }
 
-float Limiter::highestBeforeSilence(const Frame& frame,
-                                    std::size_t channelCount,
-                                    float atGain) const noexcept {
-    float highest = 0;
+bool Limiter::isWithinBounds(const Frame& frame,
+                             std::size_t channelCount,
+                             float atGain) const noexcept {
+    constexpr float rounding = 1e-5f;
     for (std::size_t channel = 0; channel < channelCount; ++channel)
-        highest = std::max(highest, pending[channel].highestBeforeSilence(atGain * frame[channel]));
-    return highest;
+        if (!pending[channel].isWithin({actingBounds.ceiling + rounding, actingBounds.reserve},
+                                       atGain * frame[channel]))
+            return false;
+    return true;
 }
 
-/// By golden section, as the highest value is convex in the gain.
-float Limiter::leastPeakGain(const Frame& frame,
-                             std::size_t channelCount,
-                             float mostGain) const noexcept {
-    float from = 0, to = mostGain;
-    for (int step = 0; step < 24; ++step) {
-        const float lower = from + 0.381966f * (to - from), upper = from + 0.618034f * (to - from);
-        if (highestBeforeSilence(frame, channelCount, lower) <=
-            highestBeforeSilence(frame, channelCount, upper))
-            to = upper;
-        else
-            from = lower;
+/// The first of a few gains at which no predicted peak is too high, or else the one with the
+/// lowest.
+float Limiter::gainIfPredicted(const Frame& frame,
+                               std::size_t channelCount,
+                               float mostGain) const noexcept {
+    constexpr std::array shares{1.0f, 0.97f, 0.93f, 0.87f, 0.78f, 0.66f, 0.5f, 0.3f};
+    float highest = threshold;
+    for (std::size_t channel = 0; channel < channelCount; ++channel)
+        highest = std::max(highest, mostGain * std::abs(frame[channel]));
+    const float most = mostGain * threshold / highest;
+    float best = 0, lowestPeak = std::numeric_limits<float>::infinity();
+    for (const float tried : shares) {
+        float peak = 0;
+        for (std::size_t channel = 0; channel < channelCount; ++channel)
+            peak =
+                std::max(peak, pending[channel].highestIfPredicted(tried * most * frame[channel]));
+        if (peak < lowestPeak) {
+            lowestPeak = peak;
+            best = tried * most;
+        }
+        if (peak <= predictedCeiling)
+            break;
     }
-    return (from + to) / 2;
+    return best;
 }
 
 void Limiter::remember(const Frame& frame) noexcept {

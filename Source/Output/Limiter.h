@@ -36,10 +36,9 @@ private:
 
     float nextGain(const Frame& frame, std::size_t channelCount) noexcept;
     bool passes(const Frame& frame, std::size_t channelCount) const noexcept;
+    bool isWithinBounds(const Frame& frame, std::size_t channelCount, float atGain) const noexcept;
     float
-    highestBeforeSilence(const Frame& frame, std::size_t channelCount, float atGain) const noexcept;
-    float
-    leastPeakGain(const Frame& frame, std::size_t channelCount, float mostGain) const noexcept;
+    gainIfPredicted(const Frame& frame, std::size_t channelCount, float mostGain) const noexcept;
     void remember(const Frame& frame) noexcept;
     void catchUp() noexcept;
 

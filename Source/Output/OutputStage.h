@@ -48,9 +48,6 @@ public:
     /// `unanswered` samples the room adds nothing, to what comes then all it has.
     void hush(std::size_t unanswered) noexcept { room.hush(unanswered); }
 
-    /// See Limiter.
-    float takeLowestLimiterGain() noexcept { return limiter.takeLowestGain(); }
-
     /// Nothing sounds on in the room.
     bool silent() const noexcept { return room.silent(); }
 

@@ -57,6 +57,7 @@ double autocorrelation(std::size_t lag) {
 struct PendingPeaks::Tables {
     std::array<float, count> ofNext{}; ///< what a next sample of 1 adds to each value
     std::array<std::array<float, count>, taps / 2> ofFuture{}; ///< the same of the samples behind
+    std::array<float, count> shareToCome{};                    ///< see Bounds
     /// The weights of `next` and the remembered samples, newest first, in each predicted sample.
     std::array<std::array<float, remembered>, taps / 2> prediction{};
     double highestSum = 0; ///< of the kernel's magnitudes, of all phases
@@ -64,6 +65,10 @@ struct PendingPeaks::Tables {
     Tables() {
         for (std::size_t value = 0; value < count; ++value)
             ofNext[value] = static_cast<float>(kernel(timeOf(value)));
+        for (std::size_t value = 0; value < count; ++value)
+            for (std::size_t ahead = 1; ahead <= taps; ++ahead)
+                shareToCome[value] += static_cast<float>(
+                    std::abs(kernel(timeOf(value) - static_cast<double>(ahead))));
         for (std::size_t phase = 0; phase < phases; ++phase) {
             double sum = 0;
             for (std::size_t value = phase; value < count; value += phases)
@@ -179,14 +184,25 @@ PendingPeaks::Future PendingPeaks::sinePrediction(float next) const noexcept {
     return future;
 }
 
-float PendingPeaks::mostGainBelow(float ceiling, float next, float mostGain) const noexcept {
+bool PendingPeaks::isWithin(const Bounds& bounds, float next) const noexcept {
+    std::array<float, count> reached;
+    for (std::size_t i = 0; i < count; ++i)
+        reached[i] =
+            std::abs(values[i] + tables.ofNext[i] * next) + bounds.reserve * tables.shareToCome[i];
+    return highest(reached) <= bounds.ceiling;
+}
+
+float PendingPeaks::mostGainWithin(const Bounds& bounds,
+                                   float next,
+                                   float mostGain) const noexcept {
     float gain = mostGain;
     for (std::size_t i = 0; i < count; ++i) {
         const float added = tables.ofNext[i] * next;
-        const float before = added < 0 ? -values[i] : values[i];
         const float magnitude = std::abs(added);
-        if (before + gain * magnitude > ceiling)
-            gain = magnitude > 0 ? std::max((ceiling - before) / magnitude, 0.0f) : gain;
+        const float room = bounds.ceiling - bounds.reserve * tables.shareToCome[i] -
+                           (added < 0 ? -values[i] : values[i]);
+        if (gain * magnitude > room)
+            gain = std::max(room / magnitude, 0.0f);
     }
     return gain;
 }

@@ -29,9 +29,19 @@ public:
     /// fits the samples best.
     float highestIfPredicted(float next) const noexcept;
 
-    /// The largest gain in [0, `mostGain`] of `next` at which no value that it raises exceeds
-    /// `ceiling`, if silence follows.
-    float mostGainBelow(float ceiling, float next, float mostGain) const noexcept;
+    /// What pending values may reach. A value of which samples to come make up the share r, the sum
+    /// of their magnitudes in the kernel, may reach `ceiling` - r `reserve`: samples up to
+    /// `reserve` can then always follow.
+    struct Bounds {
+        float ceiling, reserve;
+    };
+
+    /// Every pending value is within the bounds after `next`.
+    bool isWithin(const Bounds& bounds, float next) const noexcept;
+
+    /// The largest gain of `next` in [0, `mostGain`] at which no value that it raises leaves the
+    /// bounds.
+    float mostGainWithin(const Bounds& bounds, float next, float mostGain) const noexcept;
 
     /// While the last `taps` samples stay at or below this magnitude, every pending value stays at
     /// or below `ceiling`.

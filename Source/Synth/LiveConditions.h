@@ -20,7 +20,7 @@ struct PitchMode {
     double hz = 0;           ///< > 0, damped, under settings that change nothing
     double eigenvalue = 0;   ///< λ of the object's reference, > 0
     double bending = 0;      ///< ModalObject::bending, 0 without
-    ModeDamping damping;
+    ModeDamping damping = {};
 
     bool operator==(const PitchMode&) const = default;
 };

@@ -87,7 +87,7 @@ class Impulses(ConsoleTest):
         hit = {"time": 0, "object": "plate", "vertex": tensor("shape_vertices", "i", 1)[0],
                "impulse": [0, 0, -0.001]}
         wave = Wave(self.render(self.lines(hit), "--seconds", 0.01, "--set", "compression=0", "--set",
-                                f"tau={TAU}")[1])
+                                f"tau={TAU}", "--set", "limiter=0")[1])
         for sample, heard in enumerate(wave.left):
             t = sample / 48000
             expected = sum(a * math.exp(-decay * t) * (math.cos(omega * t)

@@ -124,12 +124,19 @@ class Strike(ConsoleTest):
 
     def test_clipping_is_warned_of(self):
         result = self.succeed("strike", BAR, "-o", self.folder / "loud.wav", "--bit-depth", 16,
-                              "--set", "level=24", "--set", "mallet_mass=500", "--velocity", 127)
+                              "--set", "level=24", "--set", "limiter=0",
+                              "--set", "mallet_mass=500", "--velocity", 127)
         self.assertIn("clipped", result.stderr)
+
+    def test_the_limiter_keeps_a_loud_blow_below_full_scale(self):
+        result = self.succeed("strike", BAR, "-o", self.folder / "loud.wav", "--set", "level=24",
+                              "--set", "mallet_mass=500", "--velocity", 127, "--seconds", 0.2)
+        self.assertEqual(result.stderr, "")
+        self.assertLess(Wave(self.folder / "loud.wav").peak(), 10 ** (-0.3 / 20))
 
     def test_a_peak_beyond_full_scale_is_told_with_the_level_that_avoids_it(self):
         loud = ("strike", BAR, "-o", self.folder / "loud.wav", "--set", "mallet_mass=500",
-                "--velocity", 127, "--seconds", 0.2)
+                "--set", "limiter=0", "--velocity", 127, "--seconds", 0.2)
         said = self.succeed(*loud, "--set", "level=24").stderr
         peak = 20 * math.log10(Wave(self.folder / "loud.wav").peak())
         told, level = map(float, re.search(r"peak of (\S+) dBFS.*level=(\S+)", said).groups())

@@ -170,6 +170,17 @@ TEST_CASE("Once the limiter acts, its output stays below -0.3 dBTP whatever come
     CHECK(decibelsTruePeak(limited(limiter, {sound, sound}).left) <= bound);
 }
 
+TEST_CASE("The gain falls no further than 7.1 dB below what brings a peak to the threshold") {
+    const double decibels = GENERATE(-0.6, 0.0, 3.0, 12.0, 24.0);
+    for (const auto& sound : {chord(1, 6000), chord(2, 18000), sine(9600, 100), sine(9600, 1000),
+                              sine(9600, 7000), noise(3, 9600)}) {
+        const auto loud = atPeak(sound, decibels);
+        auto limiter = preparedLimiter();
+        limited(limiter, {loud, loud});
+        CHECK(20 * std::log10(limiter.takeLowestGain()) >= -1 - decibels - 7.1);
+    }
+}
+
 TEST_CASE("Both channels get one gain, which the louder one asks for") {
     auto limiter = preparedLimiter();
     const Stereo sound{scaled(sine(4800, 300), 12), scaled(sine(4800, 500), -20)};

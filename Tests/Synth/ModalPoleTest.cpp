@@ -78,9 +78,12 @@ TEST_CASE("The stiffness that sounds at a damped frequency gives that frequency 
     for (const double omega : {130.0, 1600.0, 26000.0})
         for (const DampingLaw& damping : {DampingLaw{}, DampingLaw{60, 2e-7, 0},
                                           DampingLaw{1, 0, 0.3}, DampingLaw{0, 1e-5, 0.05}})
-            for (const double scale : {0.5, 1.0, 3.0}) {
-                const double stiffness = stiffnessSoundingAt(omega, damping, scale);
-                const ModalPole pole = PoleLaw{1, damping}.pole(stiffness, scale);
+            for (const ModeDamping& mode :
+                 {ModeDamping{0.5}, ModeDamping{}, ModeDamping{3, 0.02 * omega}}) {
+                const double reference = 0.9 * omega * omega;
+                const double stiffness = stiffnessSoundingAt(omega, damping, mode, reference);
+                const ModalPole pole =
+                    PoleLaw{stiffness / reference, damping}.pole(reference, mode);
                 CHECK(std::abs(dampedFrequency(pole) / omega - 1) < 1e-12);
             }
 }
