@@ -1,6 +1,7 @@
 #include "Analysis/BoundaryElements.h"
 
 #include "Analysis/Air.h"
+#include "Analysis/SharedUnknowns.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -22,93 +23,6 @@ using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic
 constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
 constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
-
-/// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
-/// sheet are further apart than neighbours of one cluster.
-Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
-                                 const std::vector<int>& chosen,
-                                 Index clusters) {
-    double areaM2 = 0;
-    for (const int panel : chosen)
-        areaM2 += panels[static_cast<std::size_t>(panel)].areaM2;
-    const double normalMetres = 2 * std::sqrt(areaM2 / static_cast<double>(clusters));
-    Eigen::MatrixXd places(static_cast<Index>(chosen.size()), 6);
-    for (std::size_t row = 0; row < chosen.size(); ++row) {
-        const auto& panel = panels[static_cast<std::size_t>(chosen[row])];
-        places.row(static_cast<Index>(row)) << panel.centroid.transpose(),
-            normalMetres * panel.normal.transpose();
-    }
-    return places;
-}
-
-/// Which of them are one cluster, around centres that lie as far apart as can be, each the point
-/// that is furthest from those before.
-std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
-    std::vector<int> owners(static_cast<std::size_t>(places.rows()), 0);
-    Eigen::VectorXd distances =
-        Eigen::VectorXd::Constant(places.rows(), std::numeric_limits<double>::infinity());
-    Index centre = 0;
-    for (Index cluster = 0; cluster < clusters; ++cluster) {
-        const Eigen::VectorXd toCentre =
-            (places.rowwise() - places.row(centre)).rowwise().squaredNorm();
-        for (Index row = 0; row < places.rows(); ++row)
-            if (toCentre(row) < distances(row)) {
-                distances(row) = toCentre(row);
-                owners[static_cast<std::size_t>(row)] = static_cast<int>(cluster);
-            }
-        distances.maxCoeff(&centre);
-    }
-    return owners;
-}
-
-/// Of each cluster the member nearest to the mean of all, one that is not fixed if there is any.
-std::vector<int> middlesOf(const Eigen::MatrixXd& places,
-                           const std::vector<int>& owners,
-                           const std::vector<bool>& areFixed) {
-    const Index clusters = 1 + *std::ranges::max_element(owners);
-    Eigen::MatrixXd means = Eigen::MatrixXd::Zero(clusters, places.cols());
-    Eigen::VectorXd counts = Eigen::VectorXd::Zero(clusters);
-    for (std::size_t row = 0; row < owners.size(); ++row) {
-        means.row(owners[row]) += places.row(static_cast<Index>(row));
-        counts(owners[row]) += 1;
-    }
-    means = counts.cwiseInverse().asDiagonal() * means;
-    std::vector<int> middles(static_cast<std::size_t>(clusters), -1);
-    Eigen::VectorXd distances =
-        Eigen::VectorXd::Constant(clusters, std::numeric_limits<double>::infinity());
-    for (std::size_t row = 0; row < owners.size(); ++row) {
-        const int owner = owners[row];
-        constexpr double farther = 1e6;
-        const double distance =
-            (places.row(static_cast<Index>(row)) - means.row(owner)).squaredNorm() *
-            (areFixed[row] ? farther : 1);
-        if (distance < distances(owner)) {
-            distances(owner) = distance;
-            middles[static_cast<std::size_t>(owner)] = static_cast<int>(row);
-        }
-    }
-    return middles;
-}
-
-struct Unknowns {
-    std::vector<int> ofOrbits; ///< which unknown each orbit shares
-    std::vector<int> targets;  ///< of each unknown the orbit where it is collocated
-};
-
-Unknowns unknownsOf(const std::vector<BoundaryPanel>& panels,
-                    const SurfaceOrbits& orbits,
-                    Index maximumUnknowns) {
-    const auto count = static_cast<Index>(orbits.firsts.size());
-    if (count <= maximumUnknowns) {
-        std::vector<int> all(orbits.firsts.size());
-        std::iota(all.begin(), all.end(), 0);
-        return {all, all};
-    }
-    const auto places = placesAndNormals(panels, orbits.firsts, maximumUnknowns);
-    auto owners = clustersOf(places, maximumUnknowns);
-    auto targets = middlesOf(places, owners, orbits.areFixed);
-    return {std::move(owners), std::move(targets)};
-}
 
 /// The edge of equilateral triangles that are as many. Much more would let the errors of N, which
 /// converge slowest, outweigh what K knows of low frequencies.
@@ -141,7 +55,7 @@ BoundaryElements::BoundaryElements(const Mesh& surface,
     : symmetry_(std::move(symmetry)), orbits_(orbitsOf(symmetry_, surface)), unknowns_(),
       targets_(), rows_([&] {
           auto panels = boundaryPanels(surface);
-          auto unknowns = unknownsOf(panels, orbits_, maximumUnknowns);
+          auto unknowns = sharedUnknowns(panels, orbits_, maximumUnknowns);
           unknowns_ = std::move(unknowns.ofOrbits);
           targets_ = std::move(unknowns.targets);
           return BoundaryRows(std::move(panels), chosen(orbits_.firsts, targets_));

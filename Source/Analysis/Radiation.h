@@ -59,7 +59,7 @@ struct Radiation {
 /// At the ratio 1 each mode is solved at its own frequency; quickly, within 3 % of it. All modes
 /// are solved on half octaves from 20 Hz on, and other ratios interpolated between: the logarithm
 /// of the size and the phase, the short way round, over the logarithm of frequency. The surface
-/// pressure has at most some 1800 unknowns, or 500, which triangles share where there are more.
+/// pressure has at most some 1800 unknowns, or 700, which triangles share where there are more.
 ///
 /// Closed components radiate from their outside; sheets from both faces and their rim. Above
 /// `solvedHz` every visible face acts as a part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y} dS,
