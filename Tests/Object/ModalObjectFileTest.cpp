@@ -231,7 +231,7 @@ TEST_CASE("A hostile radiation table is refused with its fault") {
         {[](json& h) { h["radiation"]["dtype"] = "I32"; }, "of type F32"},
         {[](json& h) { h["radiation_directions"]["dtype"] = "I32"; }, "not of type F32"},
         {[](json& h) { h["radiation_ratios"]["dtype"] = "I64"; }, "not of type F64"},
-        {reshape("radiation", {12}), "right shape"},
+        {reshape("radiation", {24}), "right shape"},
         {reshape("radiation_directions", {3, 2}), "right shape"},
         {reshape("radiation_ratios", {1, 2}), "right shape"},
         {reshape("radiation", {2, 3, 2, 2}), "directions x ratios x modes"},
