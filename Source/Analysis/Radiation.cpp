@@ -78,26 +78,35 @@ struct Hearing {
     double solvedHz = 0;
 };
 
+/// Whether a solution is one. Faces that touch or cross, as of meshes that are folded flat, have
+/// none.
+bool isSound(const Eigen::MatrixXcd& pressures, const Eigen::MatrixXd& velocities) {
+    constexpr double most = 1e4; // of ρc v, far above what any cavity does
+    return pressures.allFinite() &&
+           pressures.norm() <= most * BoundaryElements::impedance() * velocities.norm();
+}
+
 /// A cancelled task stays without weights.
 void solve(RadiationTask& task, const Hearing& hearing, const WorkControl& control) {
     const double waveNumber = waveNumberOf(task.frequencyHz);
     const Eigen::MatrixXd velocities = hearing.normalShapes(Eigen::all, task.modes);
     const BoundaryElements& elements = hearing.elements;
-    if (task.frequencyHz > hearing.solvedHz) {
-        task.weights = elements.shortWaveField(waveNumber, hearing.directions, hearing.centreMetres,
-                                               velocities);
-        task.nearPressures =
-            elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities,
-                                 BoundaryElements::impedance() * velocities.cast<Complex>());
-        return;
+    Eigen::MatrixXcd pressures = BoundaryElements::impedance() * velocities.cast<Complex>();
+    bool isSolved = false;
+    if (task.frequencyHz <= hearing.solvedHz) {
+        auto solved = elements.surfacePressures(waveNumber, velocities, control.quiet());
+        if (!solved)
+            return;
+        isSolved = isSound(*solved, velocities);
+        if (isSolved)
+            pressures = std::move(*solved);
     }
-    const auto pressures = elements.surfacePressures(waveNumber, velocities, control.quiet());
-    if (!pressures)
-        return;
-    task.weights = elements.farField(waveNumber, hearing.directions, hearing.centreMetres,
-                                     velocities, *pressures);
+    task.weights = isSolved ? elements.farField(waveNumber, hearing.directions,
+                                                hearing.centreMetres, velocities, pressures)
+                            : elements.shortWaveField(waveNumber, hearing.directions,
+                                                      hearing.centreMetres, velocities);
     task.nearPressures =
-        elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities, *pressures);
+        elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities, pressures);
 }
 
 /// On several threads, of which the caller's reports.

@@ -63,7 +63,8 @@ struct Radiation {
 ///
 /// Closed components radiate from their outside; sheets from both faces and their rim. Above
 /// `solvedHz` every visible face acts as a part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y} dS,
-/// and faces that look away are not heard. The sum over equal poles of w times the shape depends
+/// and faces that look away are not heard. So it does where faces touch or cross and the equations
+/// have no solution. The sum over equal poles of w times the shape depends
 /// neither on the signs of shapes nor on their basis.
 ///
 /// Errors: sizes that disagree, a surface without area, an open one without thickness, those of

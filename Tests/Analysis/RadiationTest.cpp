@@ -407,3 +407,10 @@ TEST_CASE("The quick radiation of a plate's modes is within 4 dB of the exact on
     }
     CHECK(std::sqrt(squares / static_cast<double>(modes)) < 4);
 }
+
+TEST_CASE("A mesh that is folded flat still has finite radiation") {
+    auto body = sphere([](const Eigen::Vector3d& n) { return n; });
+    body.mesh.vertices.col(2).setZero();
+    for (const auto& weight : body.radiation().weights)
+        CHECK((std::isfinite(weight.real()) && std::isfinite(weight.imag())));
+}
