@@ -8,7 +8,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace idiophone {
@@ -30,11 +29,19 @@ double couplingMetresOf(const Mesh& surface) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
 }
 
-std::vector<int> chosen(const std::vector<int>& values, const std::vector<int>& places) {
-    std::vector<int> result;
-    for (const int place : places)
-        result.push_back(values[static_cast<std::size_t>(place)]);
-    return result;
+/// [orbits] of the area of all that have the same unknown.
+std::vector<double> sharesOf(const std::vector<BoundaryPanel>& panels,
+                             const std::vector<int>& firsts,
+                             const std::vector<int>& unknowns,
+                             Index unknownCount) {
+    std::vector<double> shares, totals(static_cast<std::size_t>(unknownCount), 0);
+    for (std::size_t orbit = 0; orbit < firsts.size(); ++orbit) {
+        shares.push_back(panels[static_cast<std::size_t>(firsts[orbit])].areaM2);
+        totals[static_cast<std::size_t>(unknowns[orbit])] += shares.back();
+    }
+    for (std::size_t orbit = 0; orbit < firsts.size(); ++orbit)
+        shares[orbit] /= totals[static_cast<std::size_t>(unknowns[orbit])];
+    return shares;
 }
 
 } // namespace
@@ -52,14 +59,11 @@ struct BoundaryElements::CharacterSystem {
 BoundaryElements::BoundaryElements(const Mesh& surface,
                                    SurfaceSymmetry symmetry,
                                    Index maximumUnknowns)
-    : symmetry_(std::move(symmetry)), orbits_(orbitsOf(symmetry_, surface)), unknowns_(),
-      targets_(), rows_([&] {
-          auto panels = boundaryPanels(surface);
-          auto unknowns = sharedUnknowns(panels, orbits_, maximumUnknowns);
-          unknowns_ = std::move(unknowns.ofOrbits);
-          targets_ = std::move(unknowns.targets);
-          return BoundaryRows(std::move(panels), chosen(orbits_.firsts, targets_));
-      }()),
+    : symmetry_(std::move(symmetry)), orbits_(orbitsOf(symmetry_, surface)),
+      rows_(boundaryPanels(surface), orbits_.firsts),
+      unknowns_(sharedUnknowns(rows_.panels(), orbits_, maximumUnknowns)),
+      unknownCount_(std::min(orbitCount(), maximumUnknowns)),
+      shares_(sharesOf(rows_.panels(), orbits_.firsts, unknowns_, unknownCount_)),
       largestCouplingMetres_(couplingMetresOf(surface)) {}
 
 Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
@@ -112,8 +116,9 @@ BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double wav
             continue;
         system.isSilent = silentOrbits(system.character);
         system.slopes = slopeOfVelocity * parts(Eigen::all, system.modes);
-        system.matrix.resize(unknownCount(), unknownCount());
-        system.rightSide.resize(unknownCount(), static_cast<Index>(system.modes.size()));
+        system.matrix = Matrix::Zero(unknownCount(), unknownCount());
+        system.rightSide =
+            Eigen::MatrixXcd::Zero(unknownCount(), static_cast<Index>(system.modes.size()));
         systems.push_back(std::move(system));
     }
     return systems;
@@ -124,52 +129,57 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                                         const WorkControl& control) const {
     const double coupling = std::min(1 / waveNumber, largestCouplingMetres_);
     const Complex beta(0, -coupling);
-    const auto count = static_cast<Index>(systems.size()), n = unknownCount();
+    const auto count = static_cast<Index>(systems.size());
     Eigen::MatrixXcd characters(symmetryOrder(), count);
-    for (Index system = 0; system < count; ++system)
-        characters.col(system) = systems[static_cast<std::size_t>(system)].character.transpose();
-    std::vector<Eigen::MatrixXcd> slopes(systems.size(),
-                                         Eigen::MatrixXcd(rowsAtOnce, orbitCount()));
+    for (Index s = 0; s < count; ++s)
+        characters.col(s) = systems[static_cast<std::size_t>(s)].character.transpose();
+    const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(rowsAtOnce, orbitCount());
+    std::vector<Eigen::MatrixXcd> slopes(systems.size(), none);
     BoundaryRow row;
-    for (Index first = 0; first < n; first += rowsAtOnce) {
+    for (Index first = 0; first < orbitCount(); first += rowsAtOnce) {
         if (control.isCancelled())
             return cancellation();
-        const Index rows = std::min(rowsAtOnce, n - first);
+        const Index rows = std::min(rowsAtOnce, orbitCount() - first);
         for (Index r = 0; r < rows; ++r) {
-            rows_.fill(static_cast<std::size_t>(first + r), waveNumber, coupling, row);
+            const auto target = static_cast<std::size_t>(first + r);
+            rows_.fill(target, waveNumber, coupling, row);
             const Eigen::MatrixXcd ofPressure =
-                arranged(row.pressureReal) * characters +
-                Complex(0, 1) * (arranged(row.pressureImaginary) * characters);
+                shares_[target] * (arranged(row.pressureReal) * characters +
+                                   Complex(0, 1) * (arranged(row.pressureImaginary) * characters));
             const Eigen::MatrixXcd ofSlope =
-                arranged(row.slopeReal) * characters +
-                Complex(0, 1) * (arranged(row.slopeImaginary) * characters);
+                shares_[target] * (arranged(row.slopeReal) * characters +
+                                   Complex(0, 1) * (arranged(row.slopeImaginary) * characters));
             for (Index s = 0; s < count; ++s) {
                 auto& system = systems[static_cast<std::size_t>(s)];
-                system.matrix.row(first + r).setZero();
+                auto block = slopes[static_cast<std::size_t>(s)].row(r);
+                if (system.isSilent[target]) {
+                    block.setZero();
+                    continue;
+                }
+                auto equation = system.matrix.row(unknowns_[target]);
                 for (Index orbit = 0; orbit < orbitCount(); ++orbit)
                     if (!system.isSilent[static_cast<std::size_t>(orbit)])
-                        system.matrix(first + r, unknowns_[static_cast<std::size_t>(orbit)]) +=
+                        equation(unknowns_[static_cast<std::size_t>(orbit)]) +=
                             Matrix::Scalar(ofPressure(orbit, s));
-                system.matrix(first + r, first + r) += 0.5F;
-                auto& block = slopes[static_cast<std::size_t>(s)];
-                block.row(r) = ofSlope.col(s).transpose();
-                block(r, targets_[static_cast<std::size_t>(first + r)]) -= beta / 2.0;
+                equation(unknowns_[target]) += static_cast<float>(shares_[target] / 2);
+                block = ofSlope.col(s).transpose();
+                block(first + r) -= shares_[target] * beta / 2.0;
             }
         }
         for (Index s = 0; s < count; ++s) {
             auto& system = systems[static_cast<std::size_t>(s)];
-            system.rightSide.middleRows(first, rows).noalias() =
+            const Eigen::MatrixXcd sources =
                 slopes[static_cast<std::size_t>(s)].topRows(rows) * system.slopes;
+            for (Index r = 0; r < rows; ++r)
+                system.rightSide.row(unknowns_[static_cast<std::size_t>(first + r)]) +=
+                    sources.row(r);
         }
     }
+    // Where nothing of a part lives, its unknown is 0.
     for (auto& system : systems)
-        for (Index unknown = 0; unknown < n; ++unknown)
-            if (system.isSilent[static_cast<std::size_t>(
-                    targets_[static_cast<std::size_t>(unknown)])]) {
-                system.matrix.row(unknown).setZero();
+        for (Index unknown = 0; unknown < unknownCount(); ++unknown)
+            if (system.matrix(unknown, unknown) == Matrix::Scalar(0))
                 system.matrix(unknown, unknown) = 1;
-                system.rightSide.row(unknown).setZero();
-            }
     return {};
 }
 

@@ -33,14 +33,15 @@ class BoundaryElements {
 public:
     /// `surface` is closed and oriented outward, F faces, none degenerate, and `symmetry` its own.
     /// With more orbits than `maximumUnknowns` neighbouring triangles of like normals share an
-    /// unknown, collocated at one of them: the velocity keeps its detail, the pressure does not.
+    /// unknown, and their equations are averaged: the velocity keeps its detail, the pressure does
+    /// not.
     BoundaryElements(const Mesh& surface,
                      SurfaceSymmetry symmetry,
                      Eigen::Index maximumUnknowns = std::numeric_limits<Eigen::Index>::max());
 
     Eigen::Index faceCount() const { return static_cast<Eigen::Index>(rows_.panels().size()); }
     /// Of the system of each character.
-    Eigen::Index unknownCount() const { return static_cast<Eigen::Index>(targets_.size()); }
+    Eigen::Index unknownCount() const { return unknownCount_; }
     Eigen::Index symmetryOrder() const { return symmetry_.order(); }
 
     /// Pressures [F×M] in Pa for outward velocities [F×M] in m/s at the wave number k > 0 in rad/m.
@@ -98,9 +99,10 @@ private:
 
     SurfaceSymmetry symmetry_;
     SurfaceOrbits orbits_;
+    BoundaryRows rows_;         ///< at the orbits' first faces
     std::vector<int> unknowns_; ///< [orbits] which unknown each shares
-    std::vector<int> targets_;  ///< [unknowns] the orbit at whose first face each is collocated
-    BoundaryRows rows_;         ///< at those faces
+    Eigen::Index unknownCount_ = 0;
+    std::vector<double> shares_; ///< [orbits] of the area of what shares its unknown
     double largestCouplingMetres_ = 0;
 };
 

@@ -49,50 +49,17 @@ std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
     return owners;
 }
 
-/// Of each cluster the member nearest to the mean of all, one that is not fixed if there is any.
-std::vector<int> middlesOf(const Eigen::MatrixXd& places,
-                           const std::vector<int>& owners,
-                           const std::vector<bool>& areFixed) {
-    const Index clusters = 1 + *std::ranges::max_element(owners);
-    Eigen::MatrixXd means = Eigen::MatrixXd::Zero(clusters, places.cols());
-    Eigen::VectorXd counts = Eigen::VectorXd::Zero(clusters);
-    for (std::size_t row = 0; row < owners.size(); ++row) {
-        means.row(owners[row]) += places.row(static_cast<Index>(row));
-        counts(owners[row]) += 1;
-    }
-    means = counts.cwiseInverse().asDiagonal() * means;
-    std::vector<int> middles(static_cast<std::size_t>(clusters), -1);
-    Eigen::VectorXd distances =
-        Eigen::VectorXd::Constant(clusters, std::numeric_limits<double>::infinity());
-    for (std::size_t row = 0; row < owners.size(); ++row) {
-        const int owner = owners[row];
-        constexpr double farther = 1e6;
-        const double distance =
-            (places.row(static_cast<Index>(row)) - means.row(owner)).squaredNorm() *
-            (areFixed[row] ? farther : 1);
-        if (distance < distances(owner)) {
-            distances(owner) = distance;
-            middles[static_cast<std::size_t>(owner)] = static_cast<int>(row);
-        }
-    }
-    return middles;
-}
-
 } // namespace
 
-SharedUnknowns sharedUnknowns(const std::vector<BoundaryPanel>& panels,
-                              const SurfaceOrbits& orbits,
-                              Index maximumUnknowns) {
-    const auto count = static_cast<Index>(orbits.firsts.size());
-    if (count <= maximumUnknowns) {
-        std::vector<int> all(orbits.firsts.size());
-        std::iota(all.begin(), all.end(), 0);
-        return {all, all};
-    }
-    const auto places = placesAndNormals(panels, orbits.firsts, maximumUnknowns);
-    auto owners = clustersOf(places, maximumUnknowns);
-    auto targets = middlesOf(places, owners, orbits.areFixed);
-    return {std::move(owners), std::move(targets)};
+std::vector<int> sharedUnknowns(const std::vector<BoundaryPanel>& panels,
+                                const SurfaceOrbits& orbits,
+                                Index maximumUnknowns) {
+    if (static_cast<Index>(orbits.firsts.size()) > maximumUnknowns)
+        return clustersOf(placesAndNormals(panels, orbits.firsts, maximumUnknowns),
+                          maximumUnknowns);
+    std::vector<int> all(orbits.firsts.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
 }
 
 } // namespace idiophone

@@ -10,14 +10,10 @@
 
 namespace idiophone {
 
-struct SharedUnknowns {
-    std::vector<int> ofOrbits; ///< which unknown each orbit shares
-    std::vector<int> targets;  ///< of each unknown the orbit at whose first face it is collocated
-};
-
-/// One for each orbit; or, where these are more, clusters of neighbours whose normals are alike.
-SharedUnknowns sharedUnknowns(const std::vector<BoundaryPanel>& panels,
-                              const SurfaceOrbits& orbits,
-                              Eigen::Index maximumUnknowns);
+/// [orbits] which unknown each has: its own; or, where there are more orbits than unknowns, that of
+/// a cluster of neighbours whose normals are alike.
+std::vector<int> sharedUnknowns(const std::vector<BoundaryPanel>& panels,
+                                const SurfaceOrbits& orbits,
+                                Eigen::Index maximumUnknowns);
 
 } // namespace idiophone
