@@ -1,13 +1,13 @@
 #include "Analysis/BoundaryElements.h"
 
 #include "Analysis/Air.h"
-#include "Analysis/SharedUnknowns.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace idiophone {
@@ -29,19 +29,12 @@ double couplingMetresOf(const Mesh& surface) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
 }
 
-/// [orbits] of the area of all that have the same unknown.
-std::vector<double> sharesOf(const std::vector<BoundaryPanel>& panels,
-                             const std::vector<int>& firsts,
-                             const std::vector<int>& unknowns,
-                             Index unknownCount) {
-    std::vector<double> shares, totals(static_cast<std::size_t>(unknownCount), 0);
-    for (std::size_t orbit = 0; orbit < firsts.size(); ++orbit) {
-        shares.push_back(panels[static_cast<std::size_t>(firsts[orbit])].areaM2);
-        totals[static_cast<std::size_t>(unknowns[orbit])] += shares.back();
-    }
-    for (std::size_t orbit = 0; orbit < firsts.size(); ++orbit)
-        shares[orbit] /= totals[static_cast<std::size_t>(unknowns[orbit])];
-    return shares;
+/// The faces at which equations are collocated.
+std::vector<int> targetsOf(const SharedUnknowns& unknowns, const SurfaceOrbits& orbits) {
+    std::vector<int> faces;
+    for (const auto& collocation : unknowns.collocations)
+        faces.push_back(orbits.firsts[static_cast<std::size_t>(collocation.orbit)]);
+    return faces;
 }
 
 } // namespace
@@ -60,10 +53,8 @@ BoundaryElements::BoundaryElements(const Mesh& surface,
                                    SurfaceSymmetry symmetry,
                                    Index maximumUnknowns)
     : symmetry_(std::move(symmetry)), orbits_(orbitsOf(symmetry_, surface)),
-      rows_(boundaryPanels(surface), orbits_.firsts),
-      unknowns_(sharedUnknowns(rows_.panels(), orbits_, maximumUnknowns)),
-      unknownCount_(std::min(orbitCount(), maximumUnknowns)),
-      shares_(sharesOf(rows_.panels(), orbits_.firsts, unknowns_, unknownCount_)),
+      unknowns_(sharedUnknowns(boundaryPanels(surface), orbits_, maximumUnknowns)),
+      rows_(boundaryPanels(surface), targetsOf(unknowns_, orbits_)),
       largestCouplingMetres_(couplingMetresOf(surface)) {}
 
 Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
@@ -136,43 +127,48 @@ Result<void> BoundaryElements::assemble(double waveNumber,
     const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(rowsAtOnce, orbitCount());
     std::vector<Eigen::MatrixXcd> slopes(systems.size(), none);
     BoundaryRow row;
-    for (Index first = 0; first < orbitCount(); first += rowsAtOnce) {
+    const auto equations = static_cast<Index>(unknowns_.collocations.size());
+    const auto unknownOf = [&](Index orbit) {
+        return unknowns_.ofOrbits[static_cast<std::size_t>(orbit)];
+    };
+    for (Index first = 0; first < equations; first += rowsAtOnce) {
         if (control.isCancelled())
             return cancellation();
-        const Index rows = std::min(rowsAtOnce, orbitCount() - first);
-        for (Index r = 0; r < rows; ++r) {
-            const auto target = static_cast<std::size_t>(first + r);
-            rows_.fill(target, waveNumber, coupling, row);
+        const auto rows =
+            std::span(unknowns_.collocations)
+                .subspan(static_cast<std::size_t>(first),
+                         static_cast<std::size_t>(std::min(rowsAtOnce, equations - first)));
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            const auto [target, share] = rows[r];
+            rows_.fill(static_cast<std::size_t>(first) + r, waveNumber, coupling, row);
             const Eigen::MatrixXcd ofPressure =
-                shares_[target] * (arranged(row.pressureReal) * characters +
-                                   Complex(0, 1) * (arranged(row.pressureImaginary) * characters));
+                share * (arranged(row.pressureReal) * characters +
+                         Complex(0, 1) * (arranged(row.pressureImaginary) * characters));
             const Eigen::MatrixXcd ofSlope =
-                shares_[target] * (arranged(row.slopeReal) * characters +
-                                   Complex(0, 1) * (arranged(row.slopeImaginary) * characters));
+                share * (arranged(row.slopeReal) * characters +
+                         Complex(0, 1) * (arranged(row.slopeImaginary) * characters));
             for (Index s = 0; s < count; ++s) {
                 auto& system = systems[static_cast<std::size_t>(s)];
-                auto block = slopes[static_cast<std::size_t>(s)].row(r);
-                if (system.isSilent[target]) {
-                    block.setZero();
+                auto source = slopes[static_cast<std::size_t>(s)].row(static_cast<Index>(r));
+                source.setZero();
+                if (system.isSilent[static_cast<std::size_t>(target)])
                     continue;
-                }
-                auto equation = system.matrix.row(unknowns_[target]);
+                auto equation = system.matrix.row(unknownOf(target));
                 for (Index orbit = 0; orbit < orbitCount(); ++orbit)
                     if (!system.isSilent[static_cast<std::size_t>(orbit)])
-                        equation(unknowns_[static_cast<std::size_t>(orbit)]) +=
-                            Matrix::Scalar(ofPressure(orbit, s));
-                equation(unknowns_[target]) += static_cast<float>(shares_[target] / 2);
-                block = ofSlope.col(s).transpose();
-                block(first + r) -= shares_[target] * beta / 2.0;
+                        equation(unknownOf(orbit)) += Matrix::Scalar(ofPressure(orbit, s));
+                equation(unknownOf(target)) += static_cast<float>(share / 2);
+                source = ofSlope.col(s).transpose();
+                source(target) -= share * beta / 2.0;
             }
         }
         for (Index s = 0; s < count; ++s) {
             auto& system = systems[static_cast<std::size_t>(s)];
             const Eigen::MatrixXcd sources =
-                slopes[static_cast<std::size_t>(s)].topRows(rows) * system.slopes;
-            for (Index r = 0; r < rows; ++r)
-                system.rightSide.row(unknowns_[static_cast<std::size_t>(first + r)]) +=
-                    sources.row(r);
+                slopes[static_cast<std::size_t>(s)].topRows(std::ssize(rows)) * system.slopes;
+            for (std::size_t r = 0; r < rows.size(); ++r)
+                system.rightSide.row(unknownOf(rows[r].orbit)) +=
+                    sources.row(static_cast<Index>(r));
         }
     }
     // Where nothing of a part lives, its unknown is 0.
@@ -202,7 +198,7 @@ Result<Eigen::MatrixXcd> BoundaryElements::surfacePressures(double waveNumber,
                 continue;
             pressures(face, system.modes) +=
                 system.character(orbits_.elements[static_cast<std::size_t>(face)]) *
-                solution.row(unknowns_[static_cast<std::size_t>(orbit)]);
+                solution.row(unknowns_.ofOrbits[static_cast<std::size_t>(orbit)]);
         }
     }
     return pressures;

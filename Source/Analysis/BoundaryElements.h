@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Analysis/BoundaryRow.h"
+#include "Analysis/SharedUnknowns.h"
 #include "Analysis/SurfaceSymmetry.h"
 #include "Geometry/Mesh.h"
 #include "Object/Result.h"
@@ -33,7 +34,7 @@ class BoundaryElements {
 public:
     /// `surface` is closed and oriented outward, F faces, none degenerate, and `symmetry` its own.
     /// With more orbits than `maximumUnknowns` neighbouring triangles of like normals share an
-    /// unknown, and their equations are averaged: the velocity keeps its detail, the pressure does
+    /// unknown (SharedUnknowns): the velocity keeps its detail, the pressure does
     /// not.
     BoundaryElements(const Mesh& surface,
                      SurfaceSymmetry symmetry,
@@ -41,7 +42,7 @@ public:
 
     Eigen::Index faceCount() const { return static_cast<Eigen::Index>(rows_.panels().size()); }
     /// Of the system of each character.
-    Eigen::Index unknownCount() const { return unknownCount_; }
+    Eigen::Index unknownCount() const { return unknowns_.count; }
     Eigen::Index symmetryOrder() const { return symmetry_.order(); }
 
     /// Pressures [F×M] in Pa for outward velocities [F×M] in m/s at the wave number k > 0 in rad/m.
@@ -99,10 +100,8 @@ private:
 
     SurfaceSymmetry symmetry_;
     SurfaceOrbits orbits_;
-    BoundaryRows rows_;         ///< at the orbits' first faces
-    std::vector<int> unknowns_; ///< [orbits] which unknown each shares
-    Eigen::Index unknownCount_ = 0;
-    std::vector<double> shares_; ///< [orbits] of the area of what shares its unknown
+    SharedUnknowns unknowns_;
+    BoundaryRows rows_; ///< one for each collocation
     double largestCouplingMetres_ = 0;
 };
 

@@ -31,7 +31,7 @@ struct Effort {
 };
 /// A sphere is within 0.2 dB with 2.5 edges. Beyond what the quick estimate solves, with fewer,
 /// bars and bowls have larger errors.
-constexpr Effort exactEffort{1800, 24000, 0.002, 2.5}, quickEffort{700, 12000, 0.03, 1.8};
+constexpr Effort exactEffort{1800, 24000, 0.002, 2.5}, quickEffort{700, 6000, 0.03, 1.8};
 
 /// A surface is made finer only where it serves less of the band than this.
 constexpr double enoughOfBand = 0.6;

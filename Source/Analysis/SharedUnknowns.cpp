@@ -11,6 +11,9 @@ namespace {
 
 using Eigen::Index;
 
+/// Of a cluster: with one, weak modes of plates are off by up to 24 dB, with three by 4.
+constexpr std::size_t mostCollocations = 3;
+
 /// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
 /// sheet are further apart than neighbours of one cluster.
 Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
@@ -49,17 +52,50 @@ std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
     return owners;
 }
 
+/// A few of each cluster's members in even steps, those that nothing fixes if there are any, by
+/// their area.
+std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels,
+                                        const SurfaceOrbits& orbits,
+                                        const std::vector<int>& owners,
+                                        Index clusters) {
+    std::vector<std::vector<int>> free(static_cast<std::size_t>(clusters)), fixed = free;
+    for (std::size_t orbit = 0; orbit < owners.size(); ++orbit)
+        (orbits.areFixed[orbit] ? fixed : free)[static_cast<std::size_t>(owners[orbit])].push_back(
+            static_cast<int>(orbit));
+    std::vector<Collocation> result;
+    for (std::size_t cluster = 0; cluster < free.size(); ++cluster) {
+        const auto& members = free[cluster].empty() ? fixed[cluster] : free[cluster];
+        const std::size_t first = result.size(), count = std::min(members.size(), mostCollocations);
+        double area = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const int orbit = members[(2 * k + 1) * members.size() / (2 * count)];
+            const int face = orbits.firsts[static_cast<std::size_t>(orbit)];
+            result.push_back({orbit, panels[static_cast<std::size_t>(face)].areaM2});
+            area += result.back().share;
+        }
+        for (std::size_t k = first; k < result.size(); ++k)
+            result[k].share /= area;
+    }
+    return result;
+}
+
 } // namespace
 
-std::vector<int> sharedUnknowns(const std::vector<BoundaryPanel>& panels,
-                                const SurfaceOrbits& orbits,
-                                Index maximumUnknowns) {
-    if (static_cast<Index>(orbits.firsts.size()) > maximumUnknowns)
-        return clustersOf(placesAndNormals(panels, orbits.firsts, maximumUnknowns),
-                          maximumUnknowns);
-    std::vector<int> all(orbits.firsts.size());
-    std::iota(all.begin(), all.end(), 0);
-    return all;
+SharedUnknowns sharedUnknowns(const std::vector<BoundaryPanel>& panels,
+                              const SurfaceOrbits& orbits,
+                              Index maximumUnknowns) {
+    const auto orbitCount = static_cast<Index>(orbits.firsts.size());
+    SharedUnknowns result{
+        .ofOrbits = {}, .count = std::min(orbitCount, maximumUnknowns), .collocations = {}};
+    if (orbitCount > maximumUnknowns) {
+        result.ofOrbits =
+            clustersOf(placesAndNormals(panels, orbits.firsts, maximumUnknowns), maximumUnknowns);
+    } else {
+        result.ofOrbits.resize(orbits.firsts.size());
+        std::iota(result.ofOrbits.begin(), result.ofOrbits.end(), 0);
+    }
+    result.collocations = collocationsOf(panels, orbits, result.ofOrbits, result.count);
+    return result;
 }
 
 } // namespace idiophone

@@ -10,10 +10,24 @@
 
 namespace idiophone {
 
-/// [orbits] which unknown each has: its own; or, where there are more orbits than unknowns, that of
-/// a cluster of neighbours whose normals are alike.
-std::vector<int> sharedUnknowns(const std::vector<BoundaryPanel>& panels,
-                                const SurfaceOrbits& orbits,
-                                Eigen::Index maximumUnknowns);
+/// An orbit at whose first face an equation is collocated, and how much it counts in that of its
+/// unknown.
+struct Collocation {
+    int orbit = 0;
+    double share = 1;
+};
+
+struct SharedUnknowns {
+    std::vector<int> ofOrbits; ///< [orbits] which unknown each has
+    Eigen::Index count = 0;
+    std::vector<Collocation> collocations; ///< the shares of each unknown's sum to 1
+};
+
+/// Each orbit has its own; or, where there are more orbits than that, clusters of neighbours whose
+/// normals are alike share one. Its equation is the mean of those of a few of them: that of one
+/// alone would depend on where in the cluster it lies.
+SharedUnknowns sharedUnknowns(const std::vector<BoundaryPanel>& panels,
+                              const SurfaceOrbits& orbits,
+                              Eigen::Index maximumUnknowns);
 
 } // namespace idiophone
