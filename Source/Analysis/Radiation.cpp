@@ -23,15 +23,15 @@ using Eigen::Index;
 /// How finely the surface pressure is resolved. Time grows with the square of the unknowns, then
 /// with their cube.
 struct Effort {
-    int unknowns = 0;     ///< a symmetry of G elements divides them between G systems, to a quarter
-    int maximumFaces = 0; ///< of a finer surface the triangles are made larger
-    double sameFrequency = 0; ///< modes that differ by less than this share are solved at one
+    int unknowns = 0; ///< a symmetry of G elements divides them between G systems, to a quarter
+    double maximumKernels = 0; ///< of an even finer surface the triangles are made larger
+    double sameFrequency = 0;  ///< modes that differ by less than this share are solved at one
     /// Edges of what shares an unknown that a wave must span.
     double edgesPerWavelength = 0;
 };
 /// A sphere is within 0.2 dB with 2.5 edges. Beyond what the quick estimate solves, with fewer,
 /// bars and bowls have larger errors.
-constexpr Effort exactEffort{1800, 24000, 0.002, 2.5}, quickEffort{700, 6000, 0.03, 1.8};
+constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8};
 
 /// A surface is made finer only where it serves less of the band than this.
 constexpr double enoughOfBand = 0.6;
@@ -51,6 +51,18 @@ double servedHz(const Mesh& surface, double unknowns, const Effort& effort) {
            (effort.edgesPerWavelength * edgeMetresOf(surface, unknowns));
 }
 
+/// Of each system.
+Index unknownsOf(const Effort& effort, Index symmetryOrder) {
+    return std::max<Index>(effort.unknowns / symmetryOrder, effort.unknowns / 4);
+}
+
+/// How often the matrices of one frequency ask for a kernel.
+double kernelsOf(const Effort& effort, double faces, Index symmetryOrder) {
+    return faces *
+           std::min(faces / static_cast<double>(symmetryOrder),
+                    static_cast<double>(mostCollocations * unknownsOf(effort, symmetryOrder)));
+}
+
 /// As fine as the band asks for and the effort allows.
 Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
                                  const Effort& effort,
@@ -60,9 +72,14 @@ Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
     if (!surface)
         return surface;
     const auto faces = [&] { return static_cast<double>(surface->mesh.faceCount()); };
-    if (faces() > effort.maximumFaces)
-        return remeshed(*surface, edgeMetresOf(surface->mesh, effort.maximumFaces / 2.0), control);
-    while (4 * faces() <= effort.maximumFaces &&
+    const Index order = surfaceSymmetry(surface->mesh).order();
+    if (kernelsOf(effort, faces(), order) > effort.maximumKernels) {
+        const double affordable =
+            effort.maximumKernels / static_cast<double>(mostCollocations * effort.unknowns);
+        return remeshed(*surface, edgeMetresOf(surface->mesh, 0.7 * affordable), control);
+    }
+    while (faces() / static_cast<double>(order) < static_cast<double>(unknownsOf(effort, order)) &&
+           kernelsOf(effort, 4 * faces(), order) <= effort.maximumKernels &&
            servedHz(surface->mesh, faces(), effort) < enoughOfBand * bandHz)
         surface = withFacesSplit(*surface);
     return surface;
@@ -201,8 +218,7 @@ Result<Radiation> radiationOf(const RadiatingBody& body,
         return failure(surface.error().message);
     auto symmetry = surfaceSymmetry(surface->mesh);
     const Index order = symmetry.order();
-    const BoundaryElements elements(surface->mesh, std::move(symmetry),
-                                    std::max<Index>(effort.unknowns / order, effort.unknowns / 4));
+    const BoundaryElements elements(surface->mesh, std::move(symmetry), unknownsOf(effort, order));
     const Hearing hearing{
         .elements = elements,
         .normalShapes = surface->normalShapes(body.shapes),

@@ -11,9 +11,6 @@ namespace {
 
 using Eigen::Index;
 
-/// Of a cluster: with one, weak modes of plates are off by up to 24 dB, with three by 4.
-constexpr std::size_t mostCollocations = 3;
-
 /// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
 /// sheet are further apart than neighbours of one cluster.
 Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
@@ -65,7 +62,8 @@ std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels
     std::vector<Collocation> result;
     for (std::size_t cluster = 0; cluster < free.size(); ++cluster) {
         const auto& members = free[cluster].empty() ? fixed[cluster] : free[cluster];
-        const std::size_t first = result.size(), count = std::min(members.size(), mostCollocations);
+        const std::size_t first = result.size(),
+                          count = std::min<std::size_t>(members.size(), mostCollocations);
         double area = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const int orbit = members[(2 * k + 1) * members.size() / (2 * count)];
