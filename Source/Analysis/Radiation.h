@@ -62,7 +62,7 @@ struct Radiation {
 /// pressure has at most some 1800 unknowns, or 700, which triangles share where there are more.
 ///
 /// Closed components radiate from their outside; sheets from both faces and their rim. Above
-/// `solvedHz` every visible face acts as a part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y} dS,
+/// `solvedHz` every visible face acts as a part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y},
 /// and faces that look away are not heard. So it does where faces touch or cross and the equations
 /// have no solution. The sum over equal poles of w times the shape depends
 /// neither on the signs of shapes nor on their basis.
