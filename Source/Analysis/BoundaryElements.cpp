@@ -7,7 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <numeric>
+#include <span>
 #include <utility>
 
 namespace idiophone {
@@ -23,100 +23,18 @@ constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
 constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
 
-/// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
-/// sheet are further apart than neighbours of one cluster.
-Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
-                                 const std::vector<int>& chosen,
-                                 Index clusters) {
-    double areaM2 = 0;
-    for (const int panel : chosen)
-        areaM2 += panels[static_cast<std::size_t>(panel)].areaM2;
-    const double normalMetres = 2 * std::sqrt(areaM2 / static_cast<double>(clusters));
-    Eigen::MatrixXd places(static_cast<Index>(chosen.size()), 6);
-    for (std::size_t row = 0; row < chosen.size(); ++row) {
-        const auto& panel = panels[static_cast<std::size_t>(chosen[row])];
-        places.row(static_cast<Index>(row)) << panel.centroid.transpose(),
-            normalMetres * panel.normal.transpose();
-    }
-    return places;
-}
-
-/// Which of them are one cluster, around centres that lie as far apart as can be, each the point
-/// that is furthest from those before.
-std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
-    std::vector<int> owners(static_cast<std::size_t>(places.rows()), 0);
-    Eigen::VectorXd distances =
-        Eigen::VectorXd::Constant(places.rows(), std::numeric_limits<double>::infinity());
-    Index centre = 0;
-    for (Index cluster = 0; cluster < clusters; ++cluster) {
-        const Eigen::VectorXd toCentre =
-            (places.rowwise() - places.row(centre)).rowwise().squaredNorm();
-        for (Index row = 0; row < places.rows(); ++row)
-            if (toCentre(row) < distances(row)) {
-                distances(row) = toCentre(row);
-                owners[static_cast<std::size_t>(row)] = static_cast<int>(cluster);
-            }
-        distances.maxCoeff(&centre);
-    }
-    return owners;
-}
-
-/// Of each cluster the member nearest to the mean of all.
-std::vector<int> middlesOf(const Eigen::MatrixXd& places, const std::vector<int>& owners) {
-    const Index clusters = 1 + *std::ranges::max_element(owners);
-    Eigen::MatrixXd means = Eigen::MatrixXd::Zero(clusters, places.cols());
-    Eigen::VectorXd counts = Eigen::VectorXd::Zero(clusters);
-    for (std::size_t row = 0; row < owners.size(); ++row) {
-        means.row(owners[row]) += places.row(static_cast<Index>(row));
-        counts(owners[row]) += 1;
-    }
-    means = counts.cwiseInverse().asDiagonal() * means;
-    std::vector<int> middles(static_cast<std::size_t>(clusters), -1);
-    Eigen::VectorXd distances =
-        Eigen::VectorXd::Constant(clusters, std::numeric_limits<double>::infinity());
-    for (std::size_t row = 0; row < owners.size(); ++row) {
-        const int owner = owners[row];
-        const double distance =
-            (places.row(static_cast<Index>(row)) - means.row(owner)).squaredNorm();
-        if (distance < distances(owner)) {
-            distances(owner) = distance;
-            middles[static_cast<std::size_t>(owner)] = static_cast<int>(row);
-        }
-    }
-    return middles;
-}
-
-struct Unknowns {
-    std::vector<int> ofOrbits; ///< which unknown each orbit shares
-    std::vector<int> targets;  ///< of each unknown the orbit where it is collocated
-};
-
-Unknowns unknownsOf(const std::vector<BoundaryPanel>& panels,
-                    const SurfaceOrbits& orbits,
-                    Index maximumUnknowns) {
-    const auto count = static_cast<Index>(orbits.firsts.size());
-    if (count <= maximumUnknowns) {
-        std::vector<int> all(orbits.firsts.size());
-        std::iota(all.begin(), all.end(), 0);
-        return {all, all};
-    }
-    const auto places = placesAndNormals(panels, orbits.firsts, maximumUnknowns);
-    auto owners = clustersOf(places, maximumUnknowns);
-    auto targets = middlesOf(places, owners);
-    return {std::move(owners), std::move(targets)};
-}
-
 /// The edge of equilateral triangles that are as many. Much more would let the errors of N, which
 /// converge slowest, outweigh what K knows of low frequencies.
 double couplingMetresOf(const Mesh& surface) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
 }
 
-std::vector<int> chosen(const std::vector<int>& values, const std::vector<int>& places) {
-    std::vector<int> result;
-    for (const int place : places)
-        result.push_back(values[static_cast<std::size_t>(place)]);
-    return result;
+/// The faces at which equations are collocated.
+std::vector<int> targetsOf(const SharedUnknowns& unknowns, const SurfaceOrbits& orbits) {
+    std::vector<int> faces;
+    for (const auto& collocation : unknowns.collocations)
+        faces.push_back(orbits.firsts[static_cast<std::size_t>(collocation.orbit)]);
+    return faces;
 }
 
 } // namespace
@@ -125,7 +43,7 @@ std::vector<int> chosen(const std::vector<int>& values, const std::vector<int>& 
 struct BoundaryElements::CharacterSystem {
     Eigen::RowVectorXcd character; ///< [G]
     std::vector<Index> modes;      ///< of which velocities
-    std::vector<Index> silent;     ///< unknowns of faces on which no such part can live
+    std::vector<bool> isSilent;    ///< [orbits] whether no such part lives there
     Eigen::MatrixXcd slopes;       ///< [orbits×modes] q
     Matrix matrix;                 ///< [n×n]
     Eigen::MatrixXcd rightSide;    ///< [n×modes]
@@ -134,14 +52,9 @@ struct BoundaryElements::CharacterSystem {
 BoundaryElements::BoundaryElements(const Mesh& surface,
                                    SurfaceSymmetry symmetry,
                                    Index maximumUnknowns)
-    : symmetry_(std::move(symmetry)), orbits_(orbitsOf(symmetry_, surface)), unknowns_(),
-      targets_(), rows_([&] {
-          auto panels = boundaryPanels(surface);
-          auto unknowns = unknownsOf(panels, orbits_, maximumUnknowns);
-          unknowns_ = std::move(unknowns.ofOrbits);
-          targets_ = std::move(unknowns.targets);
-          return BoundaryRows(std::move(panels), chosen(orbits_.firsts, targets_));
-      }()),
+    : symmetry_(std::move(symmetry)), orbits_(orbitsOf(symmetry_, surface)),
+      unknowns_(sharedUnknowns(boundaryPanels(surface), orbits_, maximumUnknowns)),
+      rows_(boundaryPanels(surface), targetsOf(unknowns_, orbits_)),
       largestCouplingMetres_(couplingMetresOf(surface)) {}
 
 Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
@@ -149,6 +62,21 @@ Eigen::MatrixXd BoundaryElements::arranged(const Eigen::ArrayXd& values) const {
     for (Index face = 0; face < faceCount(); ++face)
         result(orbits_.orbits[static_cast<std::size_t>(face)],
                orbits_.elements[static_cast<std::size_t>(face)]) = values(face);
+    return result;
+}
+
+std::vector<bool> BoundaryElements::silentOrbits(const Eigen::RowVectorXcd& character) const {
+    std::vector<bool> result = orbits_.areFixed;
+    for (std::size_t orbit = 0; orbit < result.size(); ++orbit) {
+        if (!result[orbit])
+            continue;
+        const auto first = static_cast<std::size_t>(orbits_.firsts[orbit]);
+        result[orbit] = false;
+        for (std::size_t element = 0; element < symmetry_.images.size(); ++element)
+            if (symmetry_.images[element][first] == orbits_.firsts[orbit] &&
+                std::abs(character(static_cast<Index>(element)) - 1.0) > 1e-9)
+                result[orbit] = true;
+    }
     return result;
 }
 
@@ -177,24 +105,11 @@ BoundaryElements::systemsFor(const Eigen::MatrixXd& normalVelocities, double wav
                 system.modes.push_back(mode);
         if (system.modes.empty())
             continue;
-        // A face that an element leaves in place has no part that this element changes.
-        for (Index unknown = 0; unknown < unknownCount(); ++unknown) {
-            const int first =
-                orbits_
-                    .firsts[static_cast<std::size_t>(targets_[static_cast<std::size_t>(unknown)])];
-            const auto changes = [&](std::size_t element) {
-                return symmetry_.images[element][static_cast<std::size_t>(first)] == first &&
-                       std::abs(system.character(static_cast<Index>(element)) - 1.0) > 1e-9;
-            };
-            for (std::size_t element = 0; element < symmetry_.images.size(); ++element)
-                if (changes(element)) {
-                    system.silent.push_back(unknown);
-                    break;
-                }
-        }
+        system.isSilent = silentOrbits(system.character);
         system.slopes = slopeOfVelocity * parts(Eigen::all, system.modes);
-        system.matrix.resize(unknownCount(), unknownCount());
-        system.rightSide.resize(unknownCount(), static_cast<Index>(system.modes.size()));
+        system.matrix = Matrix::Zero(unknownCount(), unknownCount());
+        system.rightSide =
+            Eigen::MatrixXcd::Zero(unknownCount(), static_cast<Index>(system.modes.size()));
         systems.push_back(std::move(system));
     }
     return systems;
@@ -205,49 +120,62 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                                         const WorkControl& control) const {
     const double coupling = std::min(1 / waveNumber, largestCouplingMetres_);
     const Complex beta(0, -coupling);
-    const auto count = static_cast<Index>(systems.size()), n = unknownCount();
+    const auto count = static_cast<Index>(systems.size());
     Eigen::MatrixXcd characters(symmetryOrder(), count);
-    for (Index system = 0; system < count; ++system)
-        characters.col(system) = systems[static_cast<std::size_t>(system)].character.transpose();
-    std::vector<Eigen::MatrixXcd> slopes(systems.size(),
-                                         Eigen::MatrixXcd(rowsAtOnce, orbitCount()));
+    for (Index s = 0; s < count; ++s)
+        characters.col(s) = systems[static_cast<std::size_t>(s)].character.transpose();
+    const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(rowsAtOnce, orbitCount());
+    std::vector<Eigen::MatrixXcd> slopes(systems.size(), none);
     BoundaryRow row;
-    for (Index first = 0; first < n; first += rowsAtOnce) {
+    const auto equations = static_cast<Index>(unknowns_.collocations.size());
+    const auto unknownOf = [&](Index orbit) {
+        return unknowns_.ofOrbits[static_cast<std::size_t>(orbit)];
+    };
+    for (Index first = 0; first < equations; first += rowsAtOnce) {
         if (control.isCancelled())
             return cancellation();
-        const Index rows = std::min(rowsAtOnce, n - first);
-        for (Index r = 0; r < rows; ++r) {
-            rows_.fill(static_cast<std::size_t>(first + r), waveNumber, coupling, row);
+        const auto rows =
+            std::span(unknowns_.collocations)
+                .subspan(static_cast<std::size_t>(first),
+                         static_cast<std::size_t>(std::min(rowsAtOnce, equations - first)));
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            const auto [target, share] = rows[r];
+            rows_.fill(static_cast<std::size_t>(first) + r, waveNumber, coupling, row);
             const Eigen::MatrixXcd ofPressure =
-                arranged(row.pressureReal) * characters +
-                Complex(0, 1) * (arranged(row.pressureImaginary) * characters);
+                share * (arranged(row.pressureReal) * characters +
+                         Complex(0, 1) * (arranged(row.pressureImaginary) * characters));
             const Eigen::MatrixXcd ofSlope =
-                arranged(row.slopeReal) * characters +
-                Complex(0, 1) * (arranged(row.slopeImaginary) * characters);
+                share * (arranged(row.slopeReal) * characters +
+                         Complex(0, 1) * (arranged(row.slopeImaginary) * characters));
             for (Index s = 0; s < count; ++s) {
                 auto& system = systems[static_cast<std::size_t>(s)];
-                system.matrix.row(first + r).setZero();
+                auto source = slopes[static_cast<std::size_t>(s)].row(static_cast<Index>(r));
+                source.setZero();
+                if (system.isSilent[static_cast<std::size_t>(target)])
+                    continue;
+                auto equation = system.matrix.row(unknownOf(target));
                 for (Index orbit = 0; orbit < orbitCount(); ++orbit)
-                    system.matrix(first + r, unknowns_[static_cast<std::size_t>(orbit)]) +=
-                        Matrix::Scalar(ofPressure(orbit, s));
-                system.matrix(first + r, first + r) += 0.5F;
-                auto& block = slopes[static_cast<std::size_t>(s)];
-                block.row(r) = ofSlope.col(s).transpose();
-                block(r, targets_[static_cast<std::size_t>(first + r)]) -= beta / 2.0;
+                    if (!system.isSilent[static_cast<std::size_t>(orbit)])
+                        equation(unknownOf(orbit)) += Matrix::Scalar(ofPressure(orbit, s));
+                equation(unknownOf(target)) += static_cast<float>(share / 2);
+                source = ofSlope.col(s).transpose();
+                source(target) -= share * beta / 2.0;
             }
         }
         for (Index s = 0; s < count; ++s) {
             auto& system = systems[static_cast<std::size_t>(s)];
-            system.rightSide.middleRows(first, rows).noalias() =
-                slopes[static_cast<std::size_t>(s)].topRows(rows) * system.slopes;
+            const Eigen::MatrixXcd sources =
+                slopes[static_cast<std::size_t>(s)].topRows(std::ssize(rows)) * system.slopes;
+            for (std::size_t r = 0; r < rows.size(); ++r)
+                system.rightSide.row(unknownOf(rows[r].orbit)) +=
+                    sources.row(static_cast<Index>(r));
         }
     }
+    // Where nothing of a part lives, its unknown is 0.
     for (auto& system : systems)
-        for (const Index unknown : system.silent) {
-            system.matrix.row(unknown).setZero();
-            system.matrix(unknown, unknown) = 1;
-            system.rightSide.row(unknown).setZero();
-        }
+        for (Index unknown = 0; unknown < unknownCount(); ++unknown)
+            if (system.matrix(unknown, unknown) == Matrix::Scalar(0))
+                system.matrix(unknown, unknown) = 1;
     return {};
 }
 
@@ -266,9 +194,11 @@ Result<Eigen::MatrixXcd> BoundaryElements::surfacePressures(double waveNumber,
             factors.solve(system.rightSide.cast<Matrix::Scalar>()).template cast<Complex>();
         for (Index face = 0; face < faceCount(); ++face) {
             const int orbit = orbits_.orbits[static_cast<std::size_t>(face)];
+            if (system.isSilent[static_cast<std::size_t>(orbit)])
+                continue;
             pressures(face, system.modes) +=
                 system.character(orbits_.elements[static_cast<std::size_t>(face)]) *
-                solution.row(unknowns_[static_cast<std::size_t>(orbit)]);
+                solution.row(unknowns_.ofOrbits[static_cast<std::size_t>(orbit)]);
         }
     }
     return pressures;

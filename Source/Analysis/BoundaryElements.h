@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Analysis/BoundaryRow.h"
+#include "Analysis/SharedUnknowns.h"
 #include "Analysis/SurfaceSymmetry.h"
 #include "Geometry/Mesh.h"
 #include "Object/Result.h"
@@ -33,14 +34,15 @@ class BoundaryElements {
 public:
     /// `surface` is closed and oriented outward, F faces, none degenerate, and `symmetry` its own.
     /// With more orbits than `maximumUnknowns` neighbouring triangles of like normals share an
-    /// unknown, collocated at one of them: the velocity keeps its detail, the pressure does not.
+    /// unknown (SharedUnknowns): the velocity keeps its detail, the pressure does
+    /// not.
     BoundaryElements(const Mesh& surface,
                      SurfaceSymmetry symmetry,
                      Eigen::Index maximumUnknowns = std::numeric_limits<Eigen::Index>::max());
 
     Eigen::Index faceCount() const { return static_cast<Eigen::Index>(rows_.panels().size()); }
     /// Of the system of each character.
-    Eigen::Index unknownCount() const { return static_cast<Eigen::Index>(targets_.size()); }
+    Eigen::Index unknownCount() const { return unknowns_.count; }
     Eigen::Index symmetryOrder() const { return symmetry_.order(); }
 
     /// Pressures [F×M] in Pa for outward velocities [F×M] in m/s at the wave number k > 0 in rad/m.
@@ -84,6 +86,8 @@ private:
                                 const Eigen::Vector3d& originMetres) const;
     /// [D×F] d·n.
     Eigen::MatrixXd cosines(const Eigen::MatrixXd& directions) const;
+    /// [orbits] of which faces nothing lives that turns by this character.
+    std::vector<bool> silentOrbits(const Eigen::RowVectorXcd& character) const;
     std::vector<CharacterSystem> systemsFor(const Eigen::MatrixXd& normalVelocities,
                                             double waveNumber) const;
     Result<void> assemble(double waveNumber,
@@ -96,9 +100,8 @@ private:
 
     SurfaceSymmetry symmetry_;
     SurfaceOrbits orbits_;
-    std::vector<int> unknowns_; ///< [orbits] which unknown each shares
-    std::vector<int> targets_;  ///< [unknowns] the orbit at whose first face each is collocated
-    BoundaryRows rows_;         ///< at those faces
+    SharedUnknowns unknowns_;
+    BoundaryRows rows_; ///< one for each collocation
     double largestCouplingMetres_ = 0;
 };
 

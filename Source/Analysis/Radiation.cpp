@@ -3,6 +3,7 @@
 #include "Analysis/Air.h"
 #include "Analysis/BoundaryElements.h"
 #include "Analysis/ClosedSurface.h"
+#include "Analysis/RadiationTasks.h"
 
 #include <algorithm>
 #include <atomic>
@@ -22,27 +23,22 @@ using Eigen::Index;
 /// How finely the surface pressure is resolved. Time grows with the square of the unknowns, then
 /// with their cube.
 struct Effort {
-    int unknowns = 0;     ///< a symmetry of G elements divides them between G systems, to a quarter
-    int maximumFaces = 0; ///< of a finer surface the triangles are made larger
-    double sameFrequency = 0; ///< modes that differ by less than this share are solved at one
+    int unknowns = 0; ///< a symmetry of G elements divides them between G systems, to a quarter
+    double maximumKernels = 0; ///< of an even finer surface the triangles are made larger
+    double sameFrequency = 0;  ///< modes that differ by less than this share are solved at one
+    /// Edges of what shares an unknown that a wave must span.
+    double edgesPerWavelength = 0;
 };
-constexpr Effort exactEffort{1800, 24000, 0.002}, quickEffort{500, 12000, 0.03};
+/// A sphere is within 0.2 dB with 2.5 edges. Beyond what the quick estimate solves, with fewer,
+/// bars and bowls have larger errors.
+constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8};
 
-constexpr double lowestHz = 20, highestHz = 22000;
-/// Edges of the triangles, or of what shares an unknown, that a wave must span: a sphere is then
-/// within 0.2 dB (BoundaryElementsTest).
-constexpr double edgesPerWavelength = 2.5;
 /// A surface is made finer only where it serves less of the band than this.
 constexpr double enoughOfBand = 0.6;
-constexpr double samePole = 1e-9;
 constexpr double mostMatrixBytes = 1e9;
 
 double waveNumberOf(double frequencyHz) {
     return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
-}
-
-double audible(double frequencyHz) {
-    return std::clamp(frequencyHz, lowestHz, highestHz);
 }
 
 /// The edge of equilateral triangles that are so many on the surface.
@@ -50,8 +46,21 @@ double edgeMetresOf(const Mesh& surface, double count) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).sum() / count);
 }
 
-double servedHz(const Mesh& surface, double unknowns) {
-    return speedOfSoundMetresPerSecond / (edgesPerWavelength * edgeMetresOf(surface, unknowns));
+double servedHz(const Mesh& surface, double unknowns, const Effort& effort) {
+    return speedOfSoundMetresPerSecond /
+           (effort.edgesPerWavelength * edgeMetresOf(surface, unknowns));
+}
+
+/// Of each system.
+Index unknownsOf(const Effort& effort, Index symmetryOrder) {
+    return std::max<Index>(effort.unknowns / symmetryOrder, effort.unknowns / 4);
+}
+
+/// How often the matrices of one frequency ask for a kernel.
+double kernelsOf(const Effort& effort, double faces, Index symmetryOrder) {
+    return faces *
+           std::min(faces / static_cast<double>(symmetryOrder),
+                    static_cast<double>(mostCollocations * unknownsOf(effort, symmetryOrder)));
 }
 
 /// As fine as the band asks for and the effort allows.
@@ -63,52 +72,17 @@ Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
     if (!surface)
         return surface;
     const auto faces = [&] { return static_cast<double>(surface->mesh.faceCount()); };
-    if (faces() > effort.maximumFaces)
-        return remeshed(*surface, edgeMetresOf(surface->mesh, effort.maximumFaces / 2.0), control);
-    while (4 * faces() <= effort.maximumFaces &&
-           servedHz(surface->mesh, faces()) < enoughOfBand * bandHz)
+    const Index order = surfaceSymmetry(surface->mesh).order();
+    if (kernelsOf(effort, faces(), order) > effort.maximumKernels) {
+        const double affordable =
+            effort.maximumKernels / static_cast<double>(mostCollocations * effort.unknowns);
+        return remeshed(*surface, edgeMetresOf(surface->mesh, 0.7 * affordable), control);
+    }
+    while (faces() / static_cast<double>(order) < static_cast<double>(unknownsOf(effort, order)) &&
+           kernelsOf(effort, 4 * faces(), order) <= effort.maximumKernels &&
+           servedHz(surface->mesh, faces(), effort) < enoughOfBand * bandHz)
         surface = withFacesSplit(*surface);
     return surface;
-}
-
-/// What is solved at once: some modes at one frequency.
-struct Task {
-    double frequencyHz = 0;
-    std::vector<Index> modes;
-    Eigen::MatrixXcd weights = {};       ///< [D×modes]
-    Eigen::MatrixXcd nearPressures = {}; ///< [P×modes]
-};
-
-/// Modes at their own frequencies, in Hz and ascending.
-std::vector<Task> ownTasks(const Eigen::VectorXd& frequenciesHz, double sameFrequency) {
-    std::vector<Task> tasks;
-    for (Index mode = 0, first = 0; mode < frequenciesHz.size(); ++mode) {
-        if (tasks.empty() || frequenciesHz(mode) > frequenciesHz(first) * (1 + sameFrequency)) {
-            tasks.emplace_back();
-            first = mode;
-        }
-        tasks.back().modes.push_back(mode);
-        tasks.back().frequencyHz = audible(std::sqrt(frequenciesHz(first) * frequenciesHz(mode)));
-    }
-    return tasks;
-}
-
-/// All modes at half octaves, as far as any ratio asks for.
-std::vector<Task> gridTasks(const Eigen::VectorXd& frequenciesHz,
-                            const std::vector<double>& ratios) {
-    const double first = audible(frequenciesHz.minCoeff() * ratios.front()),
-                 last = audible(frequenciesHz.maxCoeff() * ratios.back());
-    std::vector<Index> all;
-    for (Index mode = 0; mode < frequenciesHz.size(); ++mode)
-        all.push_back(mode);
-    std::vector<Task> tasks;
-    for (int step = 0;; ++step) {
-        const double frequencyHz = audible(lowestHz * std::exp2(step / 2.0));
-        if (frequencyHz * std::numbers::sqrt2 > first)
-            tasks.push_back({frequencyHz, all});
-        if (frequencyHz >= last)
-            return tasks;
-    }
 }
 
 /// What all tasks share.
@@ -121,30 +95,39 @@ struct Hearing {
     double solvedHz = 0;
 };
 
+/// Whether a solution is one. Faces that touch or cross, as of meshes that are folded flat, have
+/// none.
+bool isSound(const Eigen::MatrixXcd& pressures, const Eigen::MatrixXd& velocities) {
+    constexpr double most = 1e4; // of ρc v, far above what any cavity does
+    return pressures.allFinite() &&
+           pressures.norm() <= most * BoundaryElements::impedance() * velocities.norm();
+}
+
 /// A cancelled task stays without weights.
-void solve(Task& task, const Hearing& hearing, const WorkControl& control) {
+void solve(RadiationTask& task, const Hearing& hearing, const WorkControl& control) {
     const double waveNumber = waveNumberOf(task.frequencyHz);
     const Eigen::MatrixXd velocities = hearing.normalShapes(Eigen::all, task.modes);
     const BoundaryElements& elements = hearing.elements;
-    if (task.frequencyHz > hearing.solvedHz) {
-        task.weights = elements.shortWaveField(waveNumber, hearing.directions, hearing.centreMetres,
-                                               velocities);
-        task.nearPressures =
-            elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities,
-                                 BoundaryElements::impedance() * velocities.cast<Complex>());
-        return;
+    Eigen::MatrixXcd pressures = BoundaryElements::impedance() * velocities.cast<Complex>();
+    bool isSolved = false;
+    if (task.frequencyHz <= hearing.solvedHz) {
+        auto solved = elements.surfacePressures(waveNumber, velocities, control.quiet());
+        if (!solved)
+            return;
+        isSolved = isSound(*solved, velocities);
+        if (isSolved)
+            pressures = std::move(*solved);
     }
-    const auto pressures = elements.surfacePressures(waveNumber, velocities, control.quiet());
-    if (!pressures)
-        return;
-    task.weights = elements.farField(waveNumber, hearing.directions, hearing.centreMetres,
-                                     velocities, *pressures);
+    task.weights = isSolved ? elements.farField(waveNumber, hearing.directions,
+                                                hearing.centreMetres, velocities, pressures)
+                            : elements.shortWaveField(waveNumber, hearing.directions,
+                                                      hearing.centreMetres, velocities);
     task.nearPressures =
-        elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities, *pressures);
+        elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities, pressures);
 }
 
 /// On several threads, of which the caller's reports.
-Result<void> solveAll(std::vector<Task>& tasks,
+Result<void> solveAll(std::vector<RadiationTask>& tasks,
                       const Hearing& hearing,
                       unsigned threads,
                       const WorkControl& control) {
@@ -165,73 +148,6 @@ Result<void> solveAll(std::vector<Task>& tasks,
     if (control.isCancelled())
         return cancellation();
     return {};
-}
-
-/// Between the weights of the modes of one pole in one direction, 0 ≤ share ≤ 1: the size of all of
-/// them by its logarithm, their common phase the short way round. Linear in both, so that it does
-/// not depend on the basis of equal poles.
-Eigen::RowVectorXcd
-between(const Eigen::RowVectorXcd& from, const Eigen::RowVectorXcd& to, double share) {
-    const double fromSize = from.norm(), toSize = to.norm();
-    if (fromSize == 0 || toSize == 0)
-        return (1 - share) * from + share * to;
-    const double turn = std::arg(from.dot(to)); // Eigen's dot() conjugates the first
-    const double size = std::pow(fromSize, 1 - share) * std::pow(toSize, share);
-    return std::polar(size * (1 - share) / fromSize, share * turn) * from +
-           std::polar(size * share / toSize, (share - 1) * turn) * to;
-}
-
-/// The weights [D×count] of modes of one pole at another frequency.
-Eigen::MatrixXcd
-interpolated(const std::vector<Task>& grid, double frequencyHz, Index firstMode, Index count) {
-    const auto above = std::ranges::lower_bound(grid, frequencyHz, {}, &Task::frequencyHz);
-    if (above == grid.begin())
-        return grid.front().weights.middleCols(firstMode, count);
-    if (above == grid.end())
-        return grid.back().weights.middleCols(firstMode, count);
-    const auto below = above - 1;
-    const double share = std::log(frequencyHz / below->frequencyHz) /
-                         std::log(above->frequencyHz / below->frequencyHz);
-    Eigen::MatrixXcd result(below->weights.rows(), count);
-    for (Index direction = 0; direction < result.rows(); ++direction)
-        result.row(direction) =
-            between(below->weights.row(direction).segment(firstMode, count),
-                    above->weights.row(direction).segment(firstMode, count), share);
-    return result;
-}
-
-/// Without its directions.
-RadiationTable tableOf(const std::vector<Task>& own,
-                       const std::vector<Task>& grid,
-                       const Eigen::VectorXd& frequenciesHz,
-                       const std::vector<double>& frequencyRatios) {
-    const Index modes = frequenciesHz.size(), directions = own.front().weights.rows();
-    const auto ratios = static_cast<Index>(frequencyRatios.size());
-    RadiationTable table{.directions = {}, .frequencyRatios = frequencyRatios, .weights = {}};
-    table.weights.resize(static_cast<std::size_t>(directions * ratios * modes));
-    const auto store = [&](Index ratio, Index mode, const Eigen::VectorXcd& weights) {
-        for (Index direction = 0; direction < directions; ++direction)
-            table.weights[static_cast<std::size_t>((direction * ratios + ratio) * modes + mode)] =
-                std::complex<float>(weights(direction));
-    };
-    for (Index ratio = 0; ratio < ratios; ++ratio) {
-        const double value = frequencyRatios[static_cast<std::size_t>(ratio)];
-        if (std::abs(value - 1) > 1e-9) {
-            for (Index first = 0, next = 0; first < modes; first = next) {
-                while (next < modes && frequenciesHz(next) <= frequenciesHz(first) * (1 + samePole))
-                    ++next;
-                const auto weights =
-                    interpolated(grid, audible(value * frequenciesHz(first)), first, next - first);
-                for (Index mode = first; mode < next; ++mode)
-                    store(ratio, mode, weights.col(mode - first));
-            }
-            continue;
-        }
-        for (const Task& task : own)
-            for (std::size_t k = 0; k < task.modes.size(); ++k)
-                store(ratio, task.modes[k], task.weights.col(static_cast<Index>(k)));
-    }
-    return table;
 }
 
 /// [points×3].
@@ -297,25 +213,25 @@ Result<Radiation> radiationOf(const RadiatingBody& body,
     const Effort& effort = isExact ? exactEffort : quickEffort;
     const Eigen::VectorXd frequenciesHz = body.eigenvalues.cwiseSqrt() / (2 * std::numbers::pi);
     const auto surface =
-        surfaceFor(body, effort, audible(frequenciesHz.maxCoeff()), control.quiet());
+        surfaceFor(body, effort, audibleHz(frequenciesHz.maxCoeff()), control.quiet());
     if (!surface)
         return failure(surface.error().message);
     auto symmetry = surfaceSymmetry(surface->mesh);
     const Index order = symmetry.order();
-    const BoundaryElements elements(surface->mesh, std::move(symmetry),
-                                    std::max<Index>(effort.unknowns / order, effort.unknowns / 4));
+    const BoundaryElements elements(surface->mesh, std::move(symmetry), unknownsOf(effort, order));
     const Hearing hearing{
         .elements = elements,
         .normalShapes = surface->normalShapes(body.shapes),
         .directions = rowsOf(settings.directions).rowwise().normalized(),
         .nearPointsMetres = rowsOf(settings.nearPointsMetres),
         .centreMetres = body.centreMetres,
-        .solvedHz = servedHz(surface->mesh, static_cast<double>(elements.unknownCount() * order))};
+        .solvedHz =
+            servedHz(surface->mesh, static_cast<double>(elements.unknownCount() * order), effort)};
 
     auto own = ownTasks(frequenciesHz, effort.sameFrequency);
     auto grid = gridTasks(frequenciesHz, settings.frequencyRatios);
-    std::vector<Task> tasks(std::make_move_iterator(own.begin()),
-                            std::make_move_iterator(own.end()));
+    std::vector<RadiationTask> tasks(std::make_move_iterator(own.begin()),
+                                     std::make_move_iterator(own.end()));
     tasks.insert(tasks.end(), std::make_move_iterator(grid.begin()),
                  std::make_move_iterator(grid.end()));
     if (const auto solved =
@@ -334,7 +250,7 @@ Result<Radiation> radiationOf(const RadiatingBody& body,
         const Eigen::RowVector3f unit = direction.cast<float>();
         result.table.directions.push_back({unit.x(), unit.y(), unit.z()});
     }
-    for (const Task& task : own)
+    for (const RadiationTask& task : own)
         result.nearPressures(Eigen::all, task.modes) = task.nearPressures;
     const Index above = (frequenciesHz.array() > result.solvedHz).count();
     if (isExact && above > 0)

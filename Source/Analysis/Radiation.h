@@ -59,11 +59,12 @@ struct Radiation {
 /// At the ratio 1 each mode is solved at its own frequency; quickly, within 3 % of it. All modes
 /// are solved on half octaves from 20 Hz on, and other ratios interpolated between: the logarithm
 /// of the size and the phase, the short way round, over the logarithm of frequency. The surface
-/// pressure has at most some 1800 unknowns, or 500, which triangles share where there are more.
+/// pressure has at most some 1800 unknowns, or 700, which triangles share where there are more.
 ///
 /// Closed components radiate from their outside; sheets from both faces and their rim. Above
-/// `solvedHz` every visible face acts as a part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y} dS,
-/// and faces that look away are not heard. The sum over equal poles of w times the shape depends
+/// `solvedHz` every visible face acts as a part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y},
+/// and faces that look away are not heard. So it does where faces touch or cross and the equations
+/// have no solution. The sum over equal poles of w times the shape depends
 /// neither on the signs of shapes nor on their basis.
 ///
 /// Errors: sizes that disagree, a surface without area, an open one without thickness, those of

@@ -149,19 +149,24 @@ SurfaceOrbits orbitsOf(const SurfaceSymmetry& symmetry, const Mesh& mesh) {
     std::iota(faces.begin(), faces.end(), 0);
     std::ranges::stable_sort(faces, std::greater{},
                              [&](int face) { return places[static_cast<std::size_t>(face)]; });
-    SurfaceOrbits result{{}, std::vector<int>(faces.size(), -1), std::vector<int>(faces.size(), 0)};
+    SurfaceOrbits result{
+        {}, std::vector<int>(faces.size(), -1), std::vector<int>(faces.size(), 0), {}};
     for (const int first : faces) {
         if (result.orbits[static_cast<std::size_t>(first)] >= 0)
             continue;
+        bool isFixed = false;
         for (std::size_t element = 0; element < symmetry.images.size(); ++element) {
             const auto image =
                 static_cast<std::size_t>(symmetry.images[element][static_cast<std::size_t>(first)]);
-            if (result.orbits[image] >= 0)
+            if (result.orbits[image] >= 0) {
+                isFixed = true;
                 continue;
+            }
             result.orbits[image] = static_cast<int>(result.firsts.size());
             result.elements[image] = static_cast<int>(element);
         }
         result.firsts.push_back(first);
+        result.areFixed.push_back(isFixed);
     }
     return result;
 }

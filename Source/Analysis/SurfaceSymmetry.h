@@ -35,6 +35,9 @@ struct SurfaceOrbits {
     std::vector<int> firsts;   ///< of each orbit one face; they lie side by side, as one sector
     std::vector<int> orbits;   ///< [F] which orbit a face is in
     std::vector<int> elements; ///< [F] an element that takes the orbit's first face there
+    /// [orbits] whether other elements than the identity leave its faces in place. Only functions
+    /// of characters that are 1 for these elements live there.
+    std::vector<bool> areFixed;
 };
 SurfaceOrbits orbitsOf(const SurfaceSymmetry& symmetry, const Mesh& mesh);
 

