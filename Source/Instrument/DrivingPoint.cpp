@@ -75,19 +75,19 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
     const double thickness = object.hasLiveThickness() ? settings.thicknessRatio : 1;
     const double perMass = live.gainRatio / thickness;
     rigidPerKg = perMass * rigidMobilityPerKg(object, point);
-    std::array<float, mostModes> struck; // projectShapes writes both
-    projectShapes(pointShapes(object, point), point.normal, point.normal, modes, struck.data(),
-                  squaredShapes.data());
+    std::array<float, mostModes> along, heard; // alike: the kernel projects twice
+    projectShapes(pointShapes(object, point), point.normal, point.normal, modes, along.data(),
+                  heard.data());
     for (std::size_t i = 0; i < modes; ++i) {
-        squaredShapes[i] = static_cast<float>(perMass) * struck[i] * struck[i];
+        squaredShapes[i] = perMass * std::pow(static_cast<double>(along[i]), 2);
         eigenvalues[i] = live.law.eigenvalueRatio * object.eigenvalueAt(i, thickness);
     }
 }
 
 double DrivingPoint::impulsiveMobilityPerKg() const noexcept {
     double sum = rigidPerKg;
-    for (const float square : std::span(squaredShapes).first(modes))
-        sum += static_cast<double>(square);
+    for (const double square : std::span(squaredShapes).first(modes))
+        sum += square;
     return sum;
 }
 
@@ -96,7 +96,7 @@ DrivingPoint::Yielding DrivingPoint::yieldingIn(double contactSeconds) const noe
     double mobility = rigidPerKg, compliance = 0;
     for (std::size_t i = 0; i < modes; ++i) {
         const double ratio = perSquare * eigenvalues[i];
-        const double share = static_cast<double>(squaredShapes[i]) / (1 + ratio * ratio);
+        const double share = squaredShapes[i] / (1 + ratio * ratio);
         mobility += share;
         compliance += ratio * share;
     }
@@ -106,8 +106,7 @@ DrivingPoint::Yielding DrivingPoint::yieldingIn(double contactSeconds) const noe
 double DrivingPoint::impulseMobilityPerKg(double contactSeconds) const noexcept {
     double sum = rigidPerKg;
     for (std::size_t i = 0; i < modes; ++i)
-        sum += static_cast<double>(squaredShapes[i]) *
-               pulsePower(std::sqrt(eigenvalues[i]) / (2 * pi) * contactSeconds);
+        sum += squaredShapes[i] * pulsePower(std::sqrt(eigenvalues[i]) / (2 * pi) * contactSeconds);
     return sum;
 }
 

@@ -70,8 +70,8 @@ private:
 
     double rigidPerKg = 0; ///< 1/M and rotation
     std::size_t modes = 0;
-    std::array<float, mostModes> squaredShapes; ///< [modes] φ² [1/kg]
-    std::array<double, mostModes> eigenvalues; ///< [modes] λ = ω² [rad²/s²], not all ascending
+    std::array<double, mostModes> squaredShapes; ///< [modes] φ² [1/kg]
+    std::array<double, mostModes> eigenvalues;   ///< [modes] λ = ω² [rad²/s²]
 };
 
 } // namespace idiophone
