@@ -71,7 +71,9 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
                            const SynthesisSettings& settings,
                            double slotSizeRatio) noexcept
     : modes(std::min(object.modeCount(), mostModes)) {
-    const auto live = liveConditions(object.material, settings, slotSizeRatio);
+    auto untuned = settings;
+    untuned.frequencyRatio = 1;
+    const auto live = liveConditions(object.material, untuned, slotSizeRatio);
     const double thickness = object.hasLiveThickness() ? settings.thicknessRatio : 1;
     const double perMass = live.gainRatio / thickness;
     rigidPerKg = perMass * rigidMobilityPerKg(object, point);

@@ -48,10 +48,11 @@ Striker striker(const KeyMallet& key, const ParameterValues& parameters, double 
                         .headRadiusMetres = parameters[malletRadius] * 1e-3,
                         .effectiveModulusPa = parameters[malletHardness] * 1e6,
                         .forceExponent = parameters[malletExponent]};
-    Mallet head = racked != nullptr ? *racked : custom;
-    head.effectiveModulusPa *=
+    const Mallet& head = racked != nullptr ? *racked : custom;
+    const double followed =
         std::pow(key.pitchRatio, parameters[malletFollow] / 100 * (head.forceExponent + 1));
-    const double modulusPa = contactModulusPa(head, racked != nullptr ? surfaceCompliance : 0);
+    const double modulusPa =
+        followed * contactModulusPa(head, racked != nullptr ? surfaceCompliance : 0);
     return {.massKg = head.massKg * std::pow(key.scale, 3),
             .restitution = headRestitution,
             .law = contactLaw(head.headRadiusMetres * key.scale, modulusPa, head.forceExponent)};

@@ -68,11 +68,13 @@ TEST_CASE("A mallet of the rack brings its own figures and meets the surface") {
 TEST_CASE("A rack mallet made custom strikes as before") {
     const auto& wood = *findMaterial("Rosewood");
     for (int choice = firstRackMallet; choice < firstRackMallet + 7; ++choice) {
-        const auto values = racked(choice);
-        const auto before = striker({}, values, surfaceCompliancePerPa(wood, values));
+        auto values = racked(choice);
+        values.set(malletFollow, 60);
+        const KeyMallet key{.pitchRatio = 2.5};
+        const auto before = striker(key, values, surfaceCompliancePerPa(wood, values));
         const auto custom = withCustom(values, figureChoices[1], &wood);
         CHECK(custom[mallet] == double{customMallet});
-        const auto after = striker({}, custom, surfaceCompliancePerPa(wood, custom));
+        const auto after = striker(key, custom, surfaceCompliancePerPa(wood, custom));
         for (const double speed : {0.3, 3.0})
             CHECK(rigidMilliseconds(after, speed) == Approx(rigidMilliseconds(before, speed)));
         CHECK(after.massKg == Approx(before.massKg));
