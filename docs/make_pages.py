@@ -37,8 +37,8 @@ MALLETS = """# Mallets
 The rack, as the parameter `mallet` has it after *Custom*. [How contact times follow](../presets.md#mallets). This page is made by
 `./dev pages`.
 
-| mallet | mass, g | radius, mm | E* of the head, MPa | force exponent | restitution | where the figures come from |
-|---|---|---|---|---|---|---|
+| mallet | mass, g | radius, mm | E* of the head, MPa | force exponent | where the figures come from |
+|---|---|---|---|---|---|
 """
 
 
@@ -70,8 +70,7 @@ def presets_page(presets):
 
 def mallet_row(mallet):
     return (f"| {mallet['name']} | {mallet['mass_kg'] * 1e3:g} | {mallet['head_radius_m'] * 1e3:g} | "
-            f"{mallet['effective_modulus_pa'] * 1e-6:g} | {mallet['force_exponent']:g} | "
-            f"{mallet['restitution']:g} | {mallet['source']} |\n")
+            f"{mallet['effective_modulus_pa'] * 1e-6:g} | {mallet['force_exponent']:g} | {mallet['source']} |\n")
 
 
 def mallets_page(mallets):

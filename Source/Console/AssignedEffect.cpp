@@ -71,7 +71,6 @@ constexpr Condition conditions[]{
     {malletMass, isStruck, whileStruck},
     {malletRadius, isStruck, whileStruck},
     {malletExponent, isStruck, whileStruck},
-    {malletRestitution, isStruck, whileStruck},
     {malletFollow, isStruck, whileStruck},
     {malletSpeed, isStruck, whileStruck},
     {velocityCurve, isStruck, whileStruck},
@@ -97,10 +96,10 @@ constexpr Condition conditions[]{
 
 /// Where no mallets play.
 constexpr std::array ofMallets{
-    strikeAlong,    strikeAcross,      strikeSpread,  malletHardness, malletMass,   malletRadius,
-    malletExponent, malletRestitution, malletFollow,  malletSpeed,    mallet,       velocityCurve,
-    chatter,        modalPulse,        matchLoudness, contact,        contactForce, contactSpeed,
-    roughness,      rollCoupling,      letRing,       releaseTime};
+    strikeAlong,    strikeAcross,  strikeSpread, malletHardness, malletMass,    malletRadius,
+    malletExponent, malletFollow,  malletSpeed,  mallet,         velocityCurve, chatter,
+    modalPulse,     matchLoudness, contact,      contactForce,   contactSpeed,  roughness,
+    rollCoupling,   letRing,       releaseTime};
 /// Nor keys.
 constexpr std::array ofKeys{bendRange, mpe, mpeBendRange, motorSpeed, motorDepth, motorSync};
 

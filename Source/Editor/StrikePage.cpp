@@ -9,9 +9,7 @@ constexpr int rackHeight = 62;
 
 std::vector<ParameterGroup> groups() {
     using enum ParameterId;
-    return {{"Mallet",
-             0,
-             {malletHardness, malletMass, malletRadius, malletExponent, malletRestitution}},
+    return {{"Mallet", 0, {malletHardness, malletMass, malletRadius, malletExponent}},
             {"Place", 1}};
 }
 

@@ -33,8 +33,9 @@ public:
     static constexpr std::size_t mostModes = 512;
 
     DrivingPoint() = default;
-    /// Under these settings, for an object scaled by `slotSizeRatio` > 0 beside them. The point's
-    /// rows are the object's.
+    /// Under the material, size and thickness of these settings, for an object scaled by
+    /// `slotSizeRatio` > 0 beside them. Tunings and bends move what sounds, not what is struck. The
+    /// point's rows are the object's.
     DrivingPoint(const ModalObject& object,
                  const StrikePoint& point,
                  const SynthesisSettings& settings,

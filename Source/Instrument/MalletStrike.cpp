@@ -11,6 +11,10 @@ namespace {
 
 using enum ParameterId;
 
+/// Of every head, on something rigid and heavy. Estimated: wound and solid balls rebound at 0.5 to
+/// 0.9 of their speed, and (1 + e) varies by 1 dB either way.
+constexpr double headRestitution = 0.7;
+
 StrikePlace placeBeside(double keyAlong, double along, double across) {
     along = std::clamp(along, -1.0, 1.0);
     return {.along = keyAlong + along * (along > 0 ? 1 - keyAlong : keyAlong),
@@ -43,14 +47,14 @@ Striker striker(const KeyMallet& key, const ParameterValues& parameters, double 
     const Mallet custom{.massKg = parameters[malletMass] * 1e-3,
                         .headRadiusMetres = parameters[malletRadius] * 1e-3,
                         .effectiveModulusPa = parameters[malletHardness] * 1e6,
-                        .forceExponent = parameters[malletExponent],
-                        .restitution = parameters[malletRestitution] / 100};
-    Mallet head = racked != nullptr ? *racked : custom;
-    head.effectiveModulusPa *=
+                        .forceExponent = parameters[malletExponent]};
+    const Mallet& head = racked != nullptr ? *racked : custom;
+    const double followed =
         std::pow(key.pitchRatio, parameters[malletFollow] / 100 * (head.forceExponent + 1));
-    const double modulusPa = contactModulusPa(head, racked != nullptr ? surfaceCompliance : 0);
+    const double modulusPa =
+        followed * contactModulusPa(head, racked != nullptr ? surfaceCompliance : 0);
     return {.massKg = head.massKg * std::pow(key.scale, 3),
-            .restitution = head.restitution,
+            .restitution = headRestitution,
             .law = contactLaw(head.headRadiusMetres * key.scale, modulusPa, head.forceExponent)};
 }
 

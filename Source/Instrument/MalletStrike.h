@@ -26,9 +26,9 @@ strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t st
 double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters);
 
 /// The chosen mallet as a key has it, on a surface of that compliance [1/Pa]; 0 is rigid. The
-/// custom mallet's hardness is the modulus of the whole contact, whatever it meets. A head that
-/// follows the keys by a share q has pitchRatio^(q (p+1)) times the modulus, so its contact time on
-/// something rigid falls as pitchRatio^q. Any thread.
+/// custom mallet's hardness is the modulus of the whole contact, whatever it meets. A mallet that
+/// follows the keys by a share q has a contact of pitchRatio^(q (p+1)) times the modulus, so its
+/// contact time on something heavy falls as pitchRatio^q. Any thread.
 Striker
 striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance = 0);
 

@@ -47,7 +47,6 @@ ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, d
     values.set(malletMass, played.massKg * 1e3);
     values.set(malletRadius, played.headRadiusMetres * 1e3);
     values.set(malletExponent, played.forceExponent);
-    values.set(malletRestitution, played.restitution * 100);
     return values;
 }
 

@@ -20,8 +20,7 @@ inline constexpr std::array materialFigures{
 
 /// What the custom mallet has.
 inline constexpr std::array malletFigures{ParameterId::malletHardness, ParameterId::malletMass,
-                                          ParameterId::malletRadius, ParameterId::malletExponent,
-                                          ParameterId::malletRestitution};
+                                          ParameterId::malletRadius, ParameterId::malletExponent};
 
 /// A choice of whose custom entry there are figures.
 struct FigureChoice {

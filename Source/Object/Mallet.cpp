@@ -26,7 +26,6 @@ struct Rack {
                                .headRadiusMetres = mallet.at("head_radius_m"),
                                .effectiveModulusPa = mallet.at("effective_modulus_pa"),
                                .forceExponent = mallet.at("force_exponent"),
-                               .restitution = mallet.at("restitution"),
                                .colour = parseColour(text(mallet.at("colour"))).value()});
     }
 };

@@ -9,12 +9,11 @@ namespace idiophone {
 
 struct Mallet {
     std::string_view name = {};
-    std::string_view source = {};  ///< where the figures come from
+    std::string_view source = {}; ///< where the figures come from
     double massKg = 0;
     double headRadiusMetres = 0;
     double effectiveModulusPa = 0; ///< E/(1 − ν²) of the head by itself
     double forceExponent = 0;      ///< p of F ∝ d^p: 1.5 is Hertz, wound heads have more
-    double restitution = 0;        ///< 0 to 1: rebound over approach on something rigid and heavy
     std::uint32_t colour = 0;      ///< of the head in the window, 0xRRGGBB
 };
 

@@ -289,7 +289,7 @@ class Render(ConsoleTest):
                              for mass in ((), ["mallet_mass=25"], ["mallet_mass=250"]))
         loudest = max(map(abs, own))
         self.assertLess(max(abs(a - b) for a, b in zip(own, light)), 1e-4 * loudest)
-        self.assertGreater(max(map(abs, heavy)), 3 * loudest)
+        self.assertGreater(max(map(abs, heavy)), 1.5 * loudest)  # the bar's own mass bounds it
 
     def test_what_cannot_act_is_named_and_has_no_effect(self):
         plate, dice = "Steel Plate", "Dice on Rosewood"

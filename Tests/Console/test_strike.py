@@ -60,8 +60,9 @@ class Strike(ConsoleTest):
         own = self.json("info", PLATE)["material"]
         ratio = math.sqrt(6.2e10 / 2600 * own["density_kg_per_m3"] / own["youngs_modulus_pa"])
         self.assertEqual(glass["material"], "Glass")
-        lowest = [min(m["frequency_hz"] for m in r["loudest_modes"]) for r in (steel, glass)]
-        self.assertAlmostEqual(lowest[1] / lowest[0], ratio, places=3)
+        # The lighter plate takes a shorter blow, so fainter modes come in another order.
+        for before, after in list(zip(steel["loudest_modes"], glass["loudest_modes"]))[:3]:
+            self.assertAlmostEqual(after["frequency_hz"] / before["frequency_hz"], ratio, places=3)
 
     def test_files_beside_the_output_stay_whatever_they_are_called(self):
         theirs = [self.write(name + ending, "theirs") for name in ("sound.wav", "map.ply")

@@ -304,12 +304,12 @@ TEST_CASE("With the preset's own material and mallet the gain is 0, whatever els
 
 TEST_CASE("The gain from one mallet to another is the opposite of the way back") {
     const auto& preset = factoryPresets().front();
-    const auto brass = with(preset.parameters, mallet, firstRackMallet + 6);
+    const auto rubber = with(preset.parameters, mallet, firstRackMallet + 2);
     const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
     LoudnessMatch there(instrument, {}, sampleRateHz, preset.parameters);
-    LoudnessMatch back(instrument, {}, sampleRateHz, brass);
-    const double gain = gainOf(there, brass);
-    CHECK(gain < -2);
+    LoudnessMatch back(instrument, {}, sampleRateHz, rubber);
+    const double gain = gainOf(there, rubber);
+    CHECK(gain > 3);
     CHECK(std::abs(gain + gainOf(back, preset.parameters)) < 1e-9);
 }
 

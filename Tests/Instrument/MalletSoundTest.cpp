@@ -158,6 +158,7 @@ TEST_CASE("On a softer live material of the same frequencies a brass mallet soun
     const auto instrument = xylophone();
     auto parameters = xylophoneWith(6);
     parameters.set(material, customMaterial);
+    parameters.set(radiation, 0); // from afar the tube is louder than all else
     const auto centroid = [&] {
         Player player(instrument, sampleRateHz);
         return spectralCentroidHz(render(player, {midi(0, 0x90, 72, 100)}, 32768, 480, parameters));
