@@ -44,15 +44,19 @@ BarSpecification xylophoneBar(const char* material, double frequencyHz, double s
     constexpr double lastTuned = 96;
     const double note = noteOf(frequencyHz);
     const bool isTuned = note < lastTuned + 0.5;
-    return {
-        .source = "undercut bar after concert xylophones, tuned 1:3 up to C7",
-        .shape = start({.widthMetres = {0.038, 0.032}, .heightMetres = {0.018, 0.020}}, share,
-                       isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.43, 0.85})),
-        .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
-        .material = *findMaterial(material),
-        .maxFrequencyHz = 16000,
-        .tube =
-            Tube{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.009, share)}};
+    return {.source = "undercut bar after concert xylophones, tuned 1:3 up to C7",
+            .shape = start(
+                {.widthMetres = {0.038, 0.032},
+                 .heightMetres = {0.018, 0.015},
+                 .archHalfLengthShare = 0.22},
+                share, isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.43, 0.85})),
+            .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
+            .material = *findMaterial(material),
+            .maxFrequencyHz = 16000,
+            .cords = CordSupport{},
+            .tube = Tube{.frequencyHz = frequencyHz,
+                         .radiusMetres = std::lerp(0.019, 0.016, share),
+                         .gapMetres = 0.005}};
 }
 
 BarSpecification rosewoodBar(double frequencyHz, double share) {
@@ -65,7 +69,7 @@ BarSpecification padaukBar(double frequencyHz, double share) {
 
 /// Three partials in the low octave, then two; at the top, as on real ones, one.
 BarSpecification marimbaBar(double frequencyHz, double share) {
-    constexpr double lastTuned = 72, lastOfThreePartials = 56;
+    constexpr double lastTuned = 84, lastOfThreePartials = 56;
     const double note = noteOf(frequencyHz);
     const bool isTuned = note < lastTuned + 0.5;
     UndercutBar shape =
@@ -74,7 +78,7 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
                .archHalfLengthShare = 0.36},
               share, isTuned ? 0.3 : untunedCentreShare(note, {lastTuned, 96}, {0.21, 0.75}));
     shape.archExponent = 3.4; // what 1:4:10 makes of the lowest bars
-    return {.source = "undercut bar after concert marimbas, tuned 1:4:10 up to G#3, 1:4 up to C5",
+    return {.source = "undercut bar after concert marimbas, tuned 1:4:10 up to G#3, 1:4 up to C6",
             .shape = shape,
             .targets = {.fundamentalHz = frequencyHz,
                         .secondRatio = isTuned ? 4.0 : 0.0,
@@ -82,7 +86,8 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
             .material = *findMaterial("Rosewood"),
             .maxFrequencyHz = 14000,
             .tube = Tube{.frequencyHz = frequencyHz,
-                                   .radiusMetres = std::lerp(0.029, 0.015, share)}};
+                         .radiusMetres = std::lerp(0.029, 0.012, share),
+                         .gapMetres = std::lerp(0.010, 0.035, share)}};
 }
 
 /// The measured sets' first overtone: two octaves up to F5, from there down to a ratio of 3.5.
@@ -99,8 +104,8 @@ BarSpecification vibraphoneBar(double frequencyHz, double share) {
             .maxFrequencyHz = 18000,
             // Drilled at the nodes. An estimate: no vibraphone was measured.
             .cords = CordSupport{.spreadOverLength = 0.02},
-            .tube = Tube{.frequencyHz = frequencyHz,
-                                   .radiusMetres = std::lerp(0.019, 0.013, share)}};
+            .tube =
+                Tube{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.013, share)}};
 }
 
 BarSpecification glockenspielBar(double frequencyHz, double share) {

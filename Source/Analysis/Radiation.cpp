@@ -181,7 +181,7 @@ unsigned threadsFor(const BoundaryElements& elements, unsigned threads) {
 std::vector<Eigen::Vector3d> stereoDirections() {
     constexpr double degree = std::numbers::pi / 180, elevation = 40 * degree;
     std::vector<Eigen::Vector3d> directions;
-    for (const double azimuth : {115 * degree, 65 * degree})
+    for (const double azimuth : {72 * degree, 58 * degree})
         directions.emplace_back(std::cos(elevation) * std::cos(azimuth),
                                 std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
     return directions;

@@ -22,8 +22,9 @@ struct RadiatingBody {
     Eigen::Vector3d centreMetres = Eigen::Vector3d::Zero(); ///< of mass
 };
 
-/// 25° to the left and to the right of +y, at 40° elevation: across the x axis, along which bars
-/// lie, so that a blow on their axis is heard differently on both sides.
+/// Left and right: 18° and 32° to the right of +y, at 40° elevation, as two ears 17 cm apart hear
+/// from 0.7 m. Bars lie along x. Both directions are to the right of a bar's middle: modes that are
+/// odd in x would cancel in the sum of two channels that mirror each other.
 std::vector<Eigen::Vector3d> stereoDirections();
 
 /// Those, then 26 all around: along the axes and halfway between two and three of them.

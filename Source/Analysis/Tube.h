@@ -24,7 +24,7 @@ struct Tube {
     /// By which the mouth stands off the bar's middle. In the very middle the second partial has a
     /// node, and a xylophone's twelfth would be left out.
     double offsetMetres = 0.01;
-    double gapMetres = 0.02; ///< from the bar's underside to the mouth
+    double gapMetres = 0.02; ///< from the bar's ends, at their lowest, down to the mouth
 
     double mouthM2() const;
     /// c/4f, with the air that moves before the mouth.

@@ -40,7 +40,8 @@ ModeFigures figuresOf(const ModalObject& object, std::size_t mode) {
 
 std::size_t countGroups(const ModalObject& object) {
     std::vector<std::int32_t> starts(object.modeCount() + 1);
-    return groupModes(object.eigenvalues, lawOf(object), 1, starts, object.dampings());
+    return groupModes(object.eigenvalues, lawOf(object), 1, starts, object.dampings(), {},
+                      object.gains);
 }
 
 /// JSON has no infinity, which is the T60 of a material without damping.

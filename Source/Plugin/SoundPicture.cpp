@@ -128,7 +128,7 @@ void SoundPicture::groupModesOf(const MonitoredSound& sound) {
         eigenvalues.push_back(object->eigenvalueAt(mode, groups.thicknessRatio));
     groupStarts.resize(object->modeCount() + 1);
     groupStarts.resize(groupModes(eigenvalues, groups.law, groups.compression, groupStarts,
-                                  object->dampings(), isSilenced) +
+                                  object->dampings(), isSilenced, object->gains) +
                        1);
 }
 

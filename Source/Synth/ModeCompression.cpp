@@ -16,9 +16,7 @@ constexpr double fullTurn = 2 * std::numbers::pi;
 
 /// The first mode of a group, with what all others are compared with.
 struct FirstMode {
-    FirstMode(const ModalPole& first,
-              const ModeDamping& firstDamping,
-              double compression) noexcept
+    FirstMode(const ModalPole& first, const ModeDamping& firstDamping, double compression) noexcept
         : pole(first), damping(firstDamping), oscillates(isOscillating(first)),
           frequency(oscillates ? dampedFrequency(first) : 0),
           noticeable(oscillates ? fullTurn * compression * discriminationHz(frequency / fullTurn)
@@ -29,8 +27,7 @@ struct FirstMode {
         if (!isAlike && (next.damping < leastLikeDecay * pole.damping ||
                          next.damping > mostLikeDecay * pole.damping))
             return false;
-        if (isAlike &&
-            std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
+        if (isAlike && std::abs(next.stiffness - pole.stiffness) <= samePole * pole.stiffness)
             return true;
         if (!oscillates || !isOscillating(next))
             return false;
@@ -62,7 +59,11 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        double compression,
                        std::span<std::int32_t> groupStarts,
                        std::span<const ModeDamping> dampings,
-                       std::span<const std::uint8_t> kinds) noexcept {
+                       std::span<const std::uint8_t> kinds,
+                       std::span<const std::complex<float>> gains) noexcept {
+    const auto isShared = [gains](std::size_t mode) {
+        return !gains.empty() && gains[mode] != std::complex<float>(1);
+    };
     std::size_t groups = 0;
     std::size_t start = 0;
     FirstMode first({}, {}, compression);
@@ -70,8 +71,8 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
         const ModeDamping damping = dampingOf(dampings, i);
         const ModalPole pole = law.pole(referenceEigenvalues[i], damping);
         const bool isOfKind = kinds.empty() || kinds[i] == kinds[start];
-        if (groups > 0 && isOfKind && i - start < largestGroup &&
-            first.canMerge(pole, damping))
+        if (groups > 0 && isOfKind && i - start < largestGroup && !isShared(start) &&
+            !isShared(i) && first.canMerge(pole, damping))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;

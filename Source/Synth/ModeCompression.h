@@ -28,13 +28,16 @@ double discriminationHz(double frequencyHz) noexcept;
 ///  - their dampings agree, or its decay over the first's is 0.75 to 1.4: decay times that far apart
 ///  sound alike (Järveläinen & Tolonen 2001).
 /// Modes whose λ agree within 1e-9, and whose dampings are equal, are one pole and always join, even
-/// at compression 0. Modes of different `kinds` (empty: all alike) never meet.
+/// at compression 0. Modes of different `kinds` (empty: all alike) never meet. Nor does a mode with
+/// a gain other than 1 meet any (`gains` empty: none has one): bar and tube share such modes in
+/// pairs, which cancel at first and grow apart into the bloom.
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
                        std::span<std::int32_t> groupStarts,
                        std::span<const ModeDamping> dampings = {},
-                       std::span<const std::uint8_t> kinds = {}) noexcept;
+                       std::span<const std::uint8_t> kinds = {},
+                       std::span<const std::complex<float>> gains = {}) noexcept;
 
 /// The reference eigenvalue that stands for a group: the square of the mean of √λ weighted by
 /// `weights` (each mode's mean-square shape), independent of where the object is struck. Exact

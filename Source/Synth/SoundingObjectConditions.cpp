@@ -88,7 +88,7 @@ void SoundingObject::movePoles() noexcept {
         partPairs(pairs, imperfection, modeEigenvalues);
     }
     const std::size_t groups = groupModes(modeEigenvalues, law, compression, scratch.groupStarts,
-                                          dampings, silencedModes);
+                                          dampings, silencedModes, object->gains);
     if (groups == bank.size() &&
         std::equal(groupStarts.begin(), groupStarts.begin() + static_cast<std::ptrdiff_t>(groups),
                    scratch.groupStarts.begin())) {
