@@ -5,6 +5,7 @@
 #include "Console/TextColumns.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
+#include "Instrument/Voicing.h"
 #include "Output/OutputStage.h"
 
 #include <algorithm>
@@ -109,10 +110,17 @@ Result<void> measure(const Options& options) {
         return failure(options.preset + ": its keys are silent");
     const double level = preset->parameters[ParameterId::level];
     const double matching = level + *gainDb;
-    if (options.json)
-        std::cout << jsonText(
-            {{"name", preset->name}, {"level_db", level}, {"matching_level_db", matching}});
-    else
+    if (options.json) {
+        auto voicing = evenVoicingDb(*preset, ObjectLibrary::shared(), sampleRateHz);
+        if (!voicing)
+            return tl::unexpected(voicing.error());
+        for (double& db : *voicing)
+            db = std::round(10 * db) / 10;
+        std::cout << jsonText({{"name", preset->name},
+                               {"level_db", level},
+                               {"matching_level_db", matching},
+                               {"even_voicing_db", *voicing}});
+    } else
         std::cout << std::fixed << std::setprecision(1) << preset->name
                   << ": as loud as the factory presets at a level of " << matching << " dB; it has "
                   << level << " dB\n";
@@ -137,7 +145,8 @@ void addPresets(CLI::App& program, Action& chosen) {
     command->add_option("PRESET", options->preset,
                         "A factory preset's name or a preset file: says the level at which it is "
                         "as loud as the factory's");
-    command->add_flag("--json", options->json, "As JSON");
+    command->add_flag("--json", options->json,
+                      "As JSON, and of one preset the voicing that makes its keys even");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return presets(*options); }; });
 }

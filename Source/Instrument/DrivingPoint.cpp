@@ -69,9 +69,10 @@ double pulsePower(double turns) noexcept {
 DrivingPoint::DrivingPoint(const ModalObject& object,
                            const StrikePoint& point,
                            const SynthesisSettings& settings,
-                           double slotSizeRatio) noexcept
+                           double slotSizeRatio,
+                           const PitchMode* pitch) noexcept
     : modes(std::min(object.modeCount(), mostModes)) {
-    const auto live = liveConditions(object.material, settings, slotSizeRatio);
+    const auto live = liveConditions(object.material, settings, slotSizeRatio, 1, pitch);
     const double thickness = object.hasLiveThickness() ? settings.thicknessRatio : 1;
     const double perMass = live.gainRatio / thickness;
     rigidPerKg = perMass * rigidMobilityPerKg(object, point);

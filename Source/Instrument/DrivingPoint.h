@@ -3,6 +3,7 @@
 
 #include "Instrument/ContactLaw.h"
 #include "Object/ModalObject.h"
+#include "Synth/LiveConditions.h"
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
 
@@ -34,12 +35,13 @@ public:
 
     DrivingPoint() = default;
     /// Under the material, size and thickness of these settings, for an object scaled by
-    /// `slotSizeRatio` > 0 beside them. Tunings and bends move what sounds, not what is struck. The
-    /// point's rows are the object's.
+    /// `slotSizeRatio` > 0 beside them, which keeps its pitch as these settings say. Tunings and
+    /// bends move what sounds, not what is struck. The point's rows are the object's.
     DrivingPoint(const ModalObject& object,
                  const StrikePoint& point,
                  const SynthesisSettings& settings,
-                 double slotSizeRatio = 1) noexcept;
+                 double slotSizeRatio = 1,
+                 const PitchMode* pitch = nullptr) noexcept;
 
     /// Σ [1/kg] of everything that moves in a blow too short for any mode to turn back.
     double impulsiveMobilityPerKg() const noexcept;

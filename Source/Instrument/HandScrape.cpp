@@ -72,13 +72,13 @@ void HandScrape::sound(const ParameterValues& parameters,
                        std::span<const CellOutput> cellsOfSlots) noexcept {
     for (Contact& contact : contacts)
         if (contact.isActive)
-            soundOne(contact, parameters, mallets[contact.slot].scale, synthesiser,
+            soundOne(contact, parameters, forceScale(mallets[contact.slot]), synthesiser,
                      cellsOfSlots[contact.slot]);
 }
 
 void HandScrape::soundOne(Contact& contact,
                           const ParameterValues& parameters,
-                          double malletScale,
+                          double forceRatio,
                           Synthesiser& synthesiser,
                           const CellOutput& cell) noexcept {
     const auto& slot = instrument.slots()[contact.slot];
@@ -90,7 +90,7 @@ void HandScrape::soundOne(Contact& contact,
     const ForcePlace start = contact.place;
     const double startGain = contact.gain;
     contact.place = contact.path.place(friction);
-    contact.gain = strengths[contact.slot] * parameters[roughness] * malletScale * malletScale;
+    contact.gain = strengths[contact.slot] * parameters[roughness] * forceRatio;
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses =

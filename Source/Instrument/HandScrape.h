@@ -76,7 +76,7 @@ private:
     SurfacePath::Point metresOf(const SurfaceTouch& touch) const noexcept;
     void soundOne(Contact& contact,
                   const ParameterValues& parameters,
-                  double malletScale,
+                  double forceRatio,
                   Synthesiser& synthesiser,
                   const CellOutput& cell) noexcept;
 

@@ -186,9 +186,8 @@ void HeldContacts::soundOne(Contact& contact,
     const StripStep start = contact.place;
     const double startGain = contact.gain;
     move(contact, key, parameters);
-    // What touches a scaled object is scaled with it, as mallets are: an area, s² of the force. The
-    // signal is the normal part of the force.
-    contact.gain = parameters[roughness] * key.mallet.scale * key.mallet.scale;
+    // The signal is the normal part of the force.
+    contact.gain = parameters[roughness] * forceScale(key.mallet);
 
     alignas(64) std::array<float, cellSamples> newtons;
     const bool presses = contact.force.render(

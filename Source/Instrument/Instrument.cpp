@@ -109,6 +109,7 @@ Result<std::shared_ptr<const Instrument>> Instrument::build(const KeyMap& keyMap
         return tl::unexpected(built.error());
     if (auto bounded = boundedSlots(instrument->slots(), inQuotes(keyMap.object)); !bounded)
         return tl::unexpected(bounded.error());
+    instrument->voice();
     if (keyMap.kind != KeyMapKind::zones)
         instrument->addResizedKeys();
     return std::shared_ptr<const Instrument>(instrument);
@@ -132,9 +133,8 @@ std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
             instrument->strips.push_back(
                 strikeStrip(*instrument->synthesiserSlots[static_cast<std::size_t>(slot)].object,
                             instrument->map));
-        instrument->keys[note] = {.slot = slot,
-                                  .strip = strip->second,
-                                  .along = instrument->map.strikeAt};
+        instrument->keys[note] = {
+            .slot = slot, .strip = strip->second, .along = instrument->map.strikeAt};
     }
     return instrument;
 }
@@ -170,6 +170,13 @@ Result<void> Instrument::buildBars(ObjectLibrary& library) {
         synthesiserSlots.push_back({.object = std::move(*object), .sizeRatio = 1, .pitch = pitch});
     }
     return {};
+}
+
+void Instrument::voice() {
+    auto note = static_cast<std::size_t>(map.lowestNote);
+    for (const double db : map.voicingDb)
+        if (note < keys.size())
+            keys[note++].mallet.gain = std::pow(10, db / 20);
 }
 
 /// Lets keys without an object play the nearest of the preset's own keys, resized to their pitch.

@@ -79,6 +79,7 @@ private:
 
     Result<void> buildBars(ObjectLibrary& library);
     Result<void> buildSingleObject(ObjectLibrary& library);
+    void voice();
     void addResizedKeys();
 
     std::uint64_t serial;

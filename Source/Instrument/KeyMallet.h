@@ -8,6 +8,13 @@ struct KeyMallet {
     double scale = 1;
     /// The key's frequency over that of the middle of its keyboard, for "mallet follows keys".
     double pitchRatio = 1;
+    /// By which its impulses and forces are multiplied: the keyboard's voicing.
+    double gain = 1;
 };
+
+/// Of what is dragged in its place: scaled as mallets are, s² of the force for the area.
+inline double forceScale(const KeyMallet& mallet) noexcept {
+    return mallet.gain * mallet.scale * mallet.scale;
+}
 
 } // namespace idiophone

@@ -80,10 +80,14 @@ Strike malletStrike(const StrikePoint& point,
                     const ParameterValues& parameters,
                     const SynthesiserSlot& struck) {
     const auto& object = *struck.object;
-    const DrivingPoint driven(object, point, synthesisSettings(parameters), struck.sizeRatio);
-    return malletStrike(
+    const DrivingPoint driven(object, point, synthesisSettings(parameters), struck.sizeRatio,
+                              struck.pitch ? &*struck.pitch : nullptr);
+    auto strike = malletStrike(
         point, striker(key, parameters, surfaceCompliancePerPa(object.material, parameters)),
         malletSpeedAt(velocity, parameters), driven);
+    for (float& component : strike.impulseNewtonSeconds)
+        component *= static_cast<float>(key.gain);
+    return strike;
 }
 
 } // namespace idiophone

@@ -21,9 +21,10 @@ struct RingingMode {
     std::array<std::array<std::complex<double>, 2>, PhraseMeter::notes> residues{};
 };
 
-/// The last few modes, with which the next one interferes: ∫ v_i v_j dt = Re(A_i A_j*) a/(a² + Δ²)/2,
-/// a = α_i + α_j, Δ = ω_i − ω_j, counts where they are close to one another, as the pairs of round
-/// objects and all modes of soft ones are. Modes come in ascending order. Does not allocate.
+/// The last few modes, with which the next one interferes: ∫ v_i v_j dt = Re(A_i A_j* (a + iΔ))/(a²
+/// + Δ²)/2, a = α_i + α_j, Δ = ω_i − ω_j, counts where they are close to one another, as the pairs
+/// of round objects and all modes of soft ones are. Modes come in ascending order. Does not
+/// allocate.
 template <std::size_t levels>
 class NearModes {
 public:
@@ -32,11 +33,11 @@ public:
     std::array<PhraseMeter::NoteFigures, levels>
     add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {
         std::array<PhraseMeter::NoteFigures, levels> powers{};
-        const auto interfere = [&](const RingingMode<levels>& other, double share) {
+        const auto interfere = [&](const RingingMode<levels>& other, std::complex<double> share) {
             std::array<std::complex<double>, levels> both;
             for (std::size_t level = 0; level < levels; ++level)
-                both[level] =
-                    share / 4 * product(mode.velocities[level], std::conj(other.velocities[level]));
+                both[level] = product(share / 4.0, product(mode.velocities[level],
+                                                           std::conj(other.velocities[level])));
             for (std::size_t note = firstNote; note < endNote; ++note) {
                 const auto residues =
                     product(mode.residues[note][0], std::conj(other.residues[note][0])) +
@@ -52,7 +53,8 @@ public:
             const double distance = mode.omega - other.omega;
             if (distance > farthest * width)
                 break;
-            interfere(other, 4 * mode.decay * width / (width * width + distance * distance));
+            interfere(other, 4 * mode.decay * std::complex(width, distance) /
+                                 (width * width + distance * distance));
         }
         recent[count++ % recent.size()] = mode;
         return powers;

@@ -138,9 +138,8 @@ void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
         return malletStrike(points[note], velocity, phrase->notes[note].key.mallet, values, slot());
     };
     const auto trainOf = [&](const Strike& strike, std::size_t note) {
-        const auto train =
-            contactTrain(strike, phrase->notes[note].key.mallet.scale, values[chatter],
-                         static_cast<std::uint32_t>(firstNote));
+        const auto train = contactTrain(strike, phrase->notes[note].key.mallet.scale,
+                                        values[chatter], static_cast<std::uint32_t>(firstNote));
         return values[modalPulse] != 0 ? withModalPulses(train, modes.span())
                                        : withFilledNulls(train);
     };
@@ -169,7 +168,7 @@ void PhrasePrediction::beginForce(const ParameterValues& values,
         points[note] = place.point;
         pushes[note] = draggedForce(place.point, place.direction, friction).direction;
         for (float& component : pushes[note])
-            component *= static_cast<float>(noteKey.mallet.scale * noteKey.mallet.scale);
+            component *= static_cast<float>(forceScale(noteKey.mallet));
     }
     const bool rolls = static_cast<int>(values[contact]) == rollContact;
     const ContactForceSettings kind{.kind = rolls ? ContactKind::roll : ContactKind::scrape,
@@ -238,9 +237,9 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
         for (std::size_t note = firstNote; note < endNote; ++note)
             if (note != middleNote)
                 for (auto& residue : mode.residues[note])
-                    residue *= std::abs(ringingVelocity(noteTrains[note], mode.decay, mode.omega)) /
-                               std::abs(ringingVelocity(trains[middleVelocity], mode.decay,
-                                                        mode.omega));
+                    residue *=
+                        std::abs(ringingVelocity(noteTrains[note], mode.decay, mode.omega)) /
+                        std::abs(ringingVelocity(trains[middleVelocity], mode.decay, mode.omega));
         for (std::size_t level = 0; level < levels; ++level) {
             mode.velocities[level] =
                 std::sqrt(weighting) * ringingVelocity(trains[level], mode.decay, mode.omega);
@@ -248,8 +247,8 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
                 pressed[level].velocity(pole.stiffness, mode.omega);
             for (std::size_t note = firstNote; note < endNote; ++note) {
                 const auto mean = (mode.residues[note][0] + mode.residues[note][1]) / 2.0;
-                pressedVelocities[level][note] +=
-                    velocity.real() * mean.real() + std::complex(0.0, velocity.imag()) * mean.imag();
+                pressedVelocities[level][note] += velocity.real() * mean.real() +
+                                                  std::complex(0.0, velocity.imag()) * mean.imag();
             }
         }
     }

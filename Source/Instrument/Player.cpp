@@ -34,6 +34,8 @@ std::vector<LowestModes> lowestModesOf(const Instrument& instrument) {
 
 std::vector<KeyMallet> malletsOf(const Instrument& instrument) {
     std::vector<KeyMallet> mallets(instrument.slots().size());
+    if (instrument.keyMap().kind == KeyMapKind::zones)
+        return mallets; // all keys share the slot
     for (int note = 0; note < 128; ++note)
         if (const auto& key = instrument.key(note); key.slot >= 0)
             mallets[static_cast<std::size_t>(key.slot)] = key.mallet;

@@ -63,6 +63,9 @@ KeyMap parseKeyMap(const JsonPlace& place) {
         map.strikeWidth = place.at("strikeWidth").number(0, 1);
     if (place.has("referenceNote"))
         map.referenceNote = place.at("referenceNote").number(0, 127);
+    if (place.has("voicingDb"))
+        for (const auto& key : place.at("voicingDb").list(128))
+            map.voicingDb.push_back(key.number(-40, 40));
     return map;
 }
 
@@ -178,6 +181,8 @@ std::string encodePreset(const Preset& preset) {
                         {"strikeWidth", map.strikeWidth}};
     if (map.referenceNote >= 0)
         keyMap["referenceNote"] = map.referenceNote;
+    if (!map.voicingDb.empty())
+        keyMap["voicingDb"] = map.voicingDb;
     ordered_json parameters = ordered_json::object();
     for (const auto& info : parameterTable())
         parameters[info.id] = preset.parameters[info.parameter];

@@ -49,6 +49,9 @@ struct KeyMap {
     /// `scaled`: which MIDI note the object sounds at its own size, by its lowest mode; found from
     /// the object where it is negative.
     double referenceNote = -1;
+    /// How much louder each key strikes than its mallet does, so that a keyboard is even: from the
+    /// lowest note on, in dB, ±40; empty: none. `idiophone presets` finds it.
+    std::vector<double> voicingDb = {};
 
     /// The object that a note plays: `object` with `{note}` replaced, where there is one for each.
     std::string objectFor(int midiNote) const;
