@@ -1,6 +1,8 @@
 #include "Console/LoudnessMeter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 
 namespace idiophone {
@@ -28,6 +30,25 @@ std::optional<double> LoudnessMeter::integratedLufs() const {
     if (ebur128_loudness_global(state.get(), &lufs) != EBUR128_SUCCESS || !std::isfinite(lufs))
         return std::nullopt;
     return lufs;
+}
+
+double LoudnessMeter::momentaryLufs() const {
+    double lufs = 0;
+    return ebur128_loudness_momentary(state.get(), &lufs) == EBUR128_SUCCESS
+               ? lufs
+               : -std::numeric_limits<double>::infinity();
+}
+
+double loudestMomentLufs(std::span<const float> interleaved, int channels, int sampleRateHz) {
+    const auto hop = static_cast<std::size_t>(channels * (sampleRateHz / 100));
+    LoudnessMeter meter(channels, sampleRateHz);
+    double loudest = -std::numeric_limits<double>::infinity();
+    for (std::size_t at = 0; at + hop <= interleaved.size(); at += hop) {
+        meter.add(interleaved.subspan(at, hop));
+        if (at >= 39 * hop)
+            loudest = std::max(loudest, meter.momentaryLufs());
+    }
+    return loudest;
 }
 
 } // namespace idiophone

@@ -19,6 +19,9 @@ public:
     /// Of all so far; nothing where it is fainter than the gate, -70 LUFS.
     std::optional<double> integratedLufs() const;
 
+    /// Of the last 400 ms; -infinity of silence.
+    double momentaryLufs() const;
+
 private:
     struct Free {
         void operator()(ebur128_state* state) const;
@@ -26,5 +29,8 @@ private:
 
     std::unique_ptr<ebur128_state, Free> state;
 };
+
+/// LUFS of the loudest 400 ms, looked for every 10 ms; -infinity of silence and of what is shorter.
+double loudestMomentLufs(std::span<const float> interleaved, int channels, int sampleRateHz);
 
 } // namespace idiophone

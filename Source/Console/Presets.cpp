@@ -3,9 +3,9 @@
 #include "Console/LoudnessMeter.h"
 #include "Console/PresetChoice.h"
 #include "Console/TextColumns.h"
+#include "Console/Voicing.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LoudnessPhrase.h"
-#include "Instrument/Voicing.h"
 #include "Output/OutputStage.h"
 
 #include <algorithm>
@@ -111,7 +111,7 @@ Result<void> measure(const Options& options) {
     const double level = preset->parameters[ParameterId::level];
     const double matching = level + *gainDb;
     if (options.json) {
-        auto voicing = evenVoicingDb(*preset, ObjectLibrary::shared(), sampleRateHz);
+        auto voicing = evenVoicingDb(*preset);
         if (!voicing)
             return tl::unexpected(voicing.error());
         for (double& db : *voicing)

@@ -1,17 +1,39 @@
-#include "Instrument/Voicing.h"
+#include "Console/Voicing.h"
 
+#include "Console/LoudnessMeter.h"
 #include "Instrument/Instrument.h"
-#include "Instrument/PhrasePrediction.h"
+#include "Instrument/Player.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace idiophone {
 namespace {
 
-constexpr double mostClimbDb = 6;
+constexpr double mostClimbDb = 3;
 constexpr double mostGainDb = 40;
+
+constexpr int sampleRateHz = 48000;
+constexpr std::size_t noteSamples = sampleRateHz;
+constexpr std::array velocities{40, 100};
+
+/// Of the loudest 400 ms; -infinity where nothing is heard.
+double loudestLufs(const Preset& preset,
+                   const std::shared_ptr<const Instrument>& instrument,
+                   int note,
+                   int velocity) {
+    Player player(instrument, sampleRateHz, preset.surface, preset.seed, preset.matched());
+    std::vector<float> left(noteSamples), right(noteSamples);
+    const MidiEvent struck{
+        .sampleOffset = 0,
+        .bytes = {0x90, static_cast<std::uint8_t>(note), static_cast<std::uint8_t>(velocity)}};
+    player.process({left, right}, std::array{struck}, preset.parameters);
+    std::vector<float> interleaved;
+    for (std::size_t i = 0; i < noteSamples; ++i)
+        interleaved.insert(interleaved.end(), {left[i], right[i]});
+    return loudestMomentLufs(interleaved, 2, sampleRateHz);
+}
 
 /// The line of least squares, with its slope held within the climb.
 std::vector<double> evenLine(const std::vector<double>& loudness) {
@@ -38,18 +60,17 @@ std::vector<double> evenLine(const std::vector<double>& loudness) {
 
 } // namespace
 
-Result<std::vector<double>>
-evenVoicingDb(Preset preset, ObjectLibrary& library, double sampleRateHz) {
+Result<std::vector<double>> evenVoicingDb(Preset preset) {
     preset.keyMap.voicingDb.clear();
-    const auto instrument = Instrument::build(preset.keyMap, library);
+    const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared());
     if (!instrument)
         return tl::unexpected(instrument.error());
     std::vector<double> loudness;
     for (int note = preset.keyMap.lowestNote; note <= preset.keyMap.highestNote; ++note) {
-        const auto lufs = predictedLoudness(
-            Phrase(*instrument, preset.surface, sampleRateHz, note, note), preset.parameters);
-        loudness.push_back(std::reduce(lufs.begin(), lufs.end()) /
-                           static_cast<double>(lufs.size()));
+        double sum = 0;
+        for (const int velocity : velocities)
+            sum += loudestLufs(preset, *instrument, note, velocity);
+        loudness.push_back(sum / static_cast<double>(velocities.size()));
     }
     auto gains = evenLine(loudness);
     for (std::size_t key = 0; key < gains.size(); ++key)
