@@ -12,7 +12,7 @@ namespace {
 
 /// What the prediction of scrapes leaves out, and how far below a blow they are to be: by
 /// measurement over the factory presets.
-constexpr double scrapeConstantDb = 34;
+constexpr double scrapeConstantDb = 31;
 
 constexpr int keysTried = 8;
 

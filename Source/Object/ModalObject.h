@@ -59,14 +59,14 @@ struct ModalObject {
     std::vector<std::int32_t> faces;         ///< [F,3] counter-clockwise seen from outside
     /// Empty, or [M] the part of λ that grows with the square of a shell's thickness (0 ≤ b ≤ λ).
     std::vector<double> bending;
-    /// Empty: modes decay by the material's law. Or [M] the α > 0 of each at the reference material,
-    /// as measured; another material changes it as the law says.
+    /// Empty: modes decay by the material's law. Or [M] the α > 0 of each at the reference
+    /// material, as measured; another material changes it as the law says.
     std::vector<double> decaysPerSecond;
     /// Empty, or [M] the α ≥ 0 that comes on top and does not follow the material: what cords and a
     /// tube take.
     std::vector<double> extraDecaysPerSecond;
     /// Empty: all 1. Or [M] what the velocity of the struck point is multiplied by: complex where a
-    /// bar and its tube share a mode (Analysis/Tube.h). The radiation has its own.
+    /// bar and its tube share a mode. The radiation has its own.
     std::vector<std::complex<float>> gains;
     RadiationTable radiation; ///< of the whole surface, or empty
 
@@ -104,12 +104,11 @@ struct ModalObject {
 
     /// How a mode's damping differs from the material's law, whatever the material. Any thread.
     ModeDamping damping(std::size_t mode) const noexcept {
-        return {.scale = decaysPerSecond.empty()
-                             ? 1
-                             : 2 * decaysPerSecond[mode] /
-                                   material.damping.perSecond(eigenvalues[mode]),
-                .extraPerSecond =
-                    extraDecaysPerSecond.empty() ? 0 : extraDecaysPerSecond[mode]};
+        return {.scale =
+                    decaysPerSecond.empty()
+                        ? 1
+                        : 2 * decaysPerSecond[mode] / material.damping.perSecond(eigenvalues[mode]),
+                .extraPerSecond = extraDecaysPerSecond.empty() ? 0 : extraDecaysPerSecond[mode]};
     }
 
     /// [M], or empty where all modes keep to the law. Any thread; allocates.

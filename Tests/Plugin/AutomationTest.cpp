@@ -237,6 +237,8 @@ const std::vector<Jump> jumpsWhileRinging{
     {malletSpeed, 3, 1, ofBlows},
     {velocityCurve, 1, 4, ofBlows},
     {malletRadius, 10, 50, ofBlows},
+    {malletExponent, 1.5, 2.5, ofBlows},
+    {malletFollow, 0, 100, ofBlows},
     {chatter, 0, 100, ofBlows},
     {radiation, 0, 100, ofBlows},
     {mallet, customMallet, firstRackMallet, ofBlows},
@@ -267,13 +269,12 @@ const std::vector<Jump> switchesWhileRinging{
 /// By how many decibels they are heard is measured.
 const std::vector<Jump> jumpsWhilePressed{
     {contactForce, 1, 30, asLevel},
-    {contactSpeed, 0.1, 1, asLevel},
+    {contactSpeed, 0.25, 1, asLevel},
     {roughness, 0.25, 4, asLevel},
     {rollCoupling, 0, 100, asLevel, {{contact, rollContact}}},
     {strikeAlong, -90, 90, asLevel},
     {strikeAcross, -90, 90, asLevel},
     {radiation, 0, 100, asLevel, {{strikeAlong, -100}, {strikeAcross, -100}}},
-    {size, 1, 2, asLevel},
     {thickness, 100, 200, asLevel},
 };
 
@@ -374,8 +375,10 @@ TEST_CASE("What a host moves while a key scrapes or rolls is heard gradually") {
 
 TEST_CASE("These are all the parameters that a host may move") {
     for (const auto& info : parameterTable()) {
-        // The first acts by a host's tempo (HostSongTest), the other on peaks (LimiterTest).
-        if (info.parameter == motorSync || info.parameter == limiter)
+        // The first acts by a host's tempo (HostSongTest), the second on peaks (LimiterTest), the
+        // last on pairs of modes (ImperfectionTest).
+        if (info.parameter == motorSync || info.parameter == limiter ||
+            info.parameter == imperfection)
             continue;
         INFO(info.name);
         const auto isOfIt = [&](const Jump& jump) { return jump.parameter == info.parameter; };
