@@ -49,7 +49,8 @@ std::shared_ptr<const ModalObject> onlyMode(const ModalObject& bar, std::size_t 
         object.decaysPerSecond = {bar.decaysPerSecond[mode]};
     if (!bar.extraDecaysPerSecond.empty())
         object.extraDecaysPerSecond = {bar.extraDecaysPerSecond[mode]};
-    object.gains = {};
+    if (!bar.gains.empty())
+        object.gains = {bar.gains[mode]};
     object.shapes.clear();
     for (std::size_t row = 0; row < bar.shapeVertexCount(); ++row) {
         const auto shape = bar.shapesAt(row).subspan(3 * mode, 3);

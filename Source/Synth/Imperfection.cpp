@@ -9,8 +9,8 @@ namespace idiophone {
 std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed) {
     constexpr double pairRatio = 1.001; // of eigenvalues: 0.05 % in frequency
     std::vector<ModePair> pairs;
-    std::minstd_rand random(seed + 1);
-    const auto drawn = [&random] { return static_cast<float>(random() / 2147483647.0); };
+    std::mt19937 random(seed); // whose first numbers differ from one small seed to the next
+    const auto drawn = [&random] { return static_cast<float>(random() / 4294967296.0); };
     for (std::size_t mode = 0; mode + 1 < object.modeCount(); ++mode) {
         const bool isShared =
             !object.gains.empty() && (object.gains[mode] != 1.0f || object.gains[mode + 1] != 1.0f);

@@ -151,7 +151,9 @@ class Impulses(ConsoleTest):
         own, same, damped = (self.render(file, "--seconds", 0.5, *figure, name=f"{i}.wav")[1]
                              for i, figure in enumerate(((), ("--set", "young=200"),
                                                          ("--set", "gamma=500"))))
-        self.assertEqual(own.read_bytes(), same.read_bytes())  # it is of steel
+        # It is of steel, but for a viscoelastic damping of 0, which the parameter cannot have.
+        self.assertAlmostEqual(Wave(same).level_at(539, 12000) / Wave(own).level_at(539, 12000), 1,
+                               places=3)
         self.assertLess(Wave(damped).level_at(539, 12000), 0.01 * Wave(own).level_at(539, 12000))
 
     def test_a_figure_makes_no_bodies_of_several_materials_alike(self):

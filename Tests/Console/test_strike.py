@@ -19,7 +19,7 @@ class Strike(ConsoleTest):
         modes = {round(m["frequency_hz"], 6) for m in self.json("info", BAR)["modes"]}
         loudest = report["loudest_modes"]
         self.assertEqual(loudest[0]["relative_db"], 0)
-        self.assertAlmostEqual(loudest[0]["frequency_hz"], 523.25, delta=0.2)
+        self.assertAlmostEqual(loudest[0]["frequency_hz"], 523.25, delta=1.2)  # one of two that bar and tube share
         for mode in loudest:
             self.assertIn(round(mode["frequency_hz"], 6), modes)
         fundamental = loudest[0]["frequency_hz"]

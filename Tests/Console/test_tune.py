@@ -27,7 +27,8 @@ class Tune(ConsoleTest):
         for key in (60, 61):
             wanted = 442 * 2 ** ((key - 69) / 12)
             modes = self.json("info", folder / f"marimba-{key}.modal")["modes"]
-            self.assertLess(abs(1200 * math.log2(modes[0]["frequency_hz"] / wanted)), 1)
+            heard = (modes[0]["frequency_hz"] + modes[1]["frequency_hz"]) / 2  # bar and tube share both
+            self.assertLess(abs(1200 * math.log2(heard / wanted)), 1)
         midi = self.write("note.mid", midi_file(note(0, 60)))
         told = self.json("render", "--preset", folder / "marimba.json", "--midi", midi,
                          "-o", self.folder / "note.wav", "--seconds", "1")

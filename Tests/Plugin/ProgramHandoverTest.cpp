@@ -173,7 +173,7 @@ TEST_CASE("What was answered before the host prepared again strikes nothing late
     processor.prepareToPlay(rateHz, blockSize); // no callback has taken its player
     render(processor, 4800, blockSize, struck(key));
     processor.setCurrentProgram(vibraphone);
-    render(processor, 4800, blockSize, {}); // in which what rang fades out
+    render(processor, 96000, blockSize, {}); // in which what rang fades out, in its room too
     CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("Where a program cannot be built, keys that sound already are not stru
         sound.append(render(processor, 24000, blockSize, {}));
         if (asks) { // and nothing later
             processor.setCurrentProgram(vibraphone);
-            render(processor, 4800, blockSize, {});
+            render(processor, 96000, blockSize, {}); // the room rings on
             CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
         }
         return sound;

@@ -57,6 +57,15 @@ TEST_CASE("A pair parts by half to all of the imperfection, whatever the seed") 
     }
 }
 
+TEST_CASE("Pairs of neighbouring seeds turn by angles all over") {
+    double aligned = 0;
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        const auto pair = modePairs(syntheticObject({200, 200}), seed).front();
+        aligned += static_cast<double>(pair.cosine * pair.cosine - pair.sine * pair.sine) / 100;
+    }
+    CHECK(std::abs(aligned) < 0.25);
+}
+
 TEST_CASE("Turning a pair keeps what both sound together while their frequencies agree") {
     const auto pairs = modePairs(syntheticObject({200, 200}), 7);
     std::vector<double> gains{0.3, -0.8}, weights{1.1, 0.4};
@@ -81,9 +90,9 @@ TEST_CASE("An imperfect ring warbles and a perfect one does not") {
         return most / least;
     };
     ModalObject alone = ring();
-    alone.shapes = ringingObject({440, 440, 1200}, 2, {1, 0, 0}).shapes;
+    alone = ringingObject({440, 440, 640, 640, 900, 900, 1200, 1200}, 2, {1, 0, 1, 0, 1, 0, 1, 0});
     CHECK(unevenness(struck(alone, 0)) < 1.1);
-    CHECK(unevenness(struck(alone, 0.005)) > 1.5);
+    CHECK(unevenness(struck(alone, 0.005)) > 1.2);
 }
 
 TEST_CASE("A change of the imperfection makes no step") {
