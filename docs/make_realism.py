@@ -76,8 +76,6 @@ The presets:
 - The glockenspiel's bar has other partials than the recorded one. The recordings have a loud pair, near 5.2 and 5.6
   times the fundamental at G6, 4.9 and 5.2 at C7. Ours has one at 5.2 and the next at 6.3 and 5.7. The recordings have a
   faint partial at 3.6 to 3.7 where ours has a louder one at 3.0 to 3.3.
-- The glockenspiel's partial at 2.7 is much louder than in the recordings, because the preset strikes a little beside the
-  middle of the bar. A strike at the middle (`strike_along` 0) weakens it by about 10 dB.
 - The marimba's F♯5 and C6 decay about twice as fast as the recordings. C6's partial at 4 is also too loud.
 - The xylophone's third partial lies at 8.4 in all recordings and near 9 in our bars. At C7 the partial at 5.8 lies at
   5.2 in ours. The preset tunes only the fundamental and the partial at 3.
@@ -98,8 +96,7 @@ The recordings:
 
 The measure:
 
-- A check looks only at the recording's partials. It does not notice a partial that only ours has, such as the
-  glockenspiel's at 2.7. The column *difference* and the pictures do.
+- A check looks only at the recording's partials. It does not notice a partial that only ours has. The column *difference* and the pictures do.
 - Within 7 % of one partial there may be another of ours, or its skirt. So a check of a faint partial beside a loud one
   (the glockenspiel's G6 at 5.35) says little.
 - Our notes include the preset's room. The pictures show it as faint noise between 0.03 and 0.15 s.

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double sampleRate = 48000;
 
-/// A pair as of a ring, whose second shape is at a node where the first is struck, and a mode alone.
+/// A pair as of a ring, whose second shape is at a node where the first is struck, and a mode
+/// alone.
 ModalObject ring() {
     ModalObject object = ringingObject({440, 440, 1200}, 2);
     for (std::size_t row = 0; row < object.shapeVertexCount(); ++row)
