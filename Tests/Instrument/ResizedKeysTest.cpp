@@ -154,7 +154,7 @@ TEST_CASE("Keys 24 to 108 sound on every keyboard preset, beside its own as loud
             const bool isBelow = note < preset.keyMap.lowestNote;
             if (isBelow || note > preset.keyMap.highestNote) {
                 const auto next = levels[static_cast<std::size_t>(isBelow ? note + 1 : note - 1)];
-                CHECK(std::abs(level - next) < 5); // a neighbour has a voicing of its own
+                CHECK(std::abs(level - next) < 8); // a contact may fall into the next dip
             }
         }
     }
