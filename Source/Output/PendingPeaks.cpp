@@ -12,24 +12,16 @@ namespace {
 constexpr double halfTaps = PendingPeaks::taps / 2.0;
 constexpr double kaiserBeta = 5;
 
-/// Modified Bessel function of the first kind and order 0, by its power series.
-double besselI0(double x) {
-    double sum = 1, term = 1;
-    for (int k = 1; k < 30; ++k) {
-        term *= (x / 2 / k) * (x / 2 / k);
-        sum += term;
-    }
-    return sum;
-}
-
 /// The interpolation kernel at a distance in samples.
 double kernel(double distance) {
+    using juce::dsp::SpecialFunctions;
     const double place = distance / halfTaps;
     if (std::abs(place) >= 1)
         return 0;
     const double angle = std::numbers::pi * distance;
     return (distance == 0 ? 1 : std::sin(angle) / angle) *
-           besselI0(kaiserBeta * std::sqrt(1 - place * place)) / besselI0(kaiserBeta);
+           SpecialFunctions::besselI0(kaiserBeta * std::sqrt(1 - place * place)) /
+           SpecialFunctions::besselI0(kaiserBeta);
 }
 
 /// The time of a pending value in samples after the next sample.
