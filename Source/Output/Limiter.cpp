@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace idiophone {
 namespace {
@@ -34,13 +33,9 @@ void Limiter::reset() noexcept {
     recent.fill({});
     quietSamples = PendingPeaks::taps;
     isPendingCurrent = false;
-    gain = lowestGain = 1;
+    gain = 1;
     heldSamples = 0;
     startsAtTarget = true;
-}
-
-float Limiter::takeLowestGain() noexcept {
-    return std::exchange(lowestGain, 1.0f);
 }
 
 void Limiter::process(std::span<float* const> channels,
@@ -67,7 +62,6 @@ void Limiter::process(std::span<float* const> channels,
             catchUp();
             gain = nextGain(frame, channelCount);
             const float applied = share == 1 ? gain : 1 - share * (1 - gain);
-            lowestGain = std::min(lowestGain, applied);
             for (std::size_t channel = 0; channel < channelCount; ++channel) {
                 channels[channel][i] = applied * frame[channel];
                 frame[channel] *= gain;
@@ -79,7 +73,7 @@ void Limiter::process(std::span<float* const> channels,
     }
 }
 
-/// Of the next frame.
+/// The gain at which the next frame keeps all channels within their limits.
 float Limiter::nextGain(const Frame& frame, std::size_t channelCount) noexcept {
     if (gain == 1 && passes(frame, channelCount))
         return 1;
@@ -95,8 +89,8 @@ float Limiter::nextGain(const Frame& frame, std::size_t channelCount) noexcept {
         next = pending[channel].mostGainWithin(actingBounds, frame[channel], next);
         highest = std::max(highest, std::abs(frame[channel]));
     }
-    // What passed at rest may have left values out of the bounds. Until they are within, the sound
-    // is taken to go on as predicted.
+    // Sound that passed at rest may have left values out of the bounds. Until they are within, the
+    // limiter trusts the prediction.
     if (!isWithinBounds(frame, channelCount, next))
         next = gainIfPredicted(frame, channelCount, most);
     next = std::max(next, std::min(most, actingBounds.reserve / highest));

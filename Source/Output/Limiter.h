@@ -10,10 +10,11 @@
 
 namespace idiophone {
 
-/// Sound whose true peak (ITU-R BS.1770-4) stays below `threshold` passes bit for bit. Louder sound
-/// gets one gain for all channels, which falls within the sample and returns to exactly 1. For the
-/// audio thread but for `prepare`, which is called while nothing processes; nothing allocates,
-/// locks or throws. The samples do not depend on block sizes.
+/// Sound whose true peak (ITU-R BS.1770-4) stays below `threshold` passes bit for bit. White noise
+/// just below it may not: the next samples decide, and the limiter cannot wait for them. Louder
+/// sound gets one gain for all channels, which falls within the sample and returns to exactly 1.
+/// For the audio thread but for `prepare`, which is called while nothing processes; nothing
+/// allocates, locks or throws. The samples do not depend on block sizes.
 class Limiter {
 public:
     static constexpr float threshold = 0.8912509f; ///< -1 dB of full scale
@@ -27,9 +28,6 @@ public:
 
     /// In place; at most `mostChannels` channels of `sampleCount` finite samples.
     void process(std::span<float* const> channels, std::size_t sampleCount, bool isOn) noexcept;
-
-    /// The lowest gain since the last call, for display.
-    float takeLowestGain() noexcept;
 
 private:
     using Frame = std::array<float, mostChannels>;
@@ -53,7 +51,6 @@ private:
     std::size_t holdSamples = 0, heldSamples = 0;
     float releasePerSample = 1;          ///< factor
     float share = 1, sharePerSample = 1; ///< of the gain reduction; 0: switched off
-    float lowestGain = 1;
     bool startsAtTarget = true;
 };
 

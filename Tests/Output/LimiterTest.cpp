@@ -175,9 +175,12 @@ TEST_CASE("The gain falls no further than 7.1 dB below what brings a peak to the
     for (const auto& sound : {chord(1, 6000), chord(2, 18000), sine(9600, 100), sine(9600, 1000),
                               sine(9600, 7000), noise(3, 9600)}) {
         const auto loud = atPeak(sound, decibels);
-        auto limiter = preparedLimiter();
-        limited(limiter, {loud, loud});
-        CHECK(20 * std::log10(limiter.takeLowestGain()) >= -1 - decibels - 7.1);
+        const auto heard = limited(loud);
+        float lowestGain = 1;
+        for (std::size_t i = 0; i < loud.size(); ++i)
+            if (std::abs(loud[i]) > 1e-3f) // below, rounding would count
+                lowestGain = std::min(lowestGain, heard[i] / loud[i]);
+        CHECK(20 * std::log10(lowestGain) >= -1 - decibels - 7.1);
     }
 }
 
@@ -257,14 +260,4 @@ TEST_CASE("One enormous sample does not silence the sound for longer than 0.4 s"
     const auto after = limited(limiter, {soft, soft}).left;
     const auto returned = static_cast<std::size_t>(0.4 * rateHz);
     CHECK(std::equal(soft.begin() + returned, soft.end(), after.begin() + returned));
-}
-
-TEST_CASE("The limiter tells its lowest gain since it was asked last") {
-    auto limiter = preparedLimiter();
-    CHECK(limiter.takeLowestGain() == 1);
-    const std::vector<float> loud(100, 2.0f);
-    const float last = limited(limiter, {loud, loud}).left.back();
-    CHECK(last < 1);
-    CHECK(limiter.takeLowestGain() <= last / 2 + 1e-6f);
-    CHECK(limiter.takeLowestGain() == 1);
 }
