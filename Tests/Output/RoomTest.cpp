@@ -1,5 +1,7 @@
 #include "Output/Room.h"
 
+#include "Output/DecayTime.h"
+
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -10,6 +12,7 @@
 #include <vector>
 
 using namespace idiophone;
+using namespace idiophone::test;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -92,19 +95,6 @@ std::vector<double> bandAbout8kHz(const std::vector<float>& samples, double rate
     return band;
 }
 
-/// After Schroeder: where what is still to come has fallen by 5 and by 35 dB.
-double decaySecondsOf(const std::vector<double>& samples, double rateHz) {
-    std::vector<double> left(samples.size());
-    double sum = 0;
-    for (std::size_t i = samples.size(); i-- > 0;)
-        left[i] = sum += samples[i] * samples[i];
-    const auto fallen = [&](double decibels) {
-        const double wanted = left.front() * std::pow(10, -decibels / 10);
-        return std::ranges::find_if(left, [&](double x) { return x < wanted; }) - left.begin();
-    };
-    return static_cast<double>(fallen(35) - fallen(5)) / rateHz * 60 / 30;
-}
-
 Stereo part(const Stereo& sound, std::size_t from, std::size_t count) {
     const auto of = [&](const std::vector<float>& side) {
         const auto first = side.begin() + static_cast<std::ptrdiff_t>(from);
@@ -136,7 +126,7 @@ TEST_CASE("A room fades by 60 dB in its decay time, at every sample rate") {
             const auto low = lowPart(heard.left, rateHz);
             const std::vector<double> tail(low.begin() + static_cast<int>(burst * rateHz),
                                            low.end());
-            CHECK_THAT(decaySecondsOf(tail, rateHz), WithinRel(decaySeconds, 0.2));
+            CHECK_THAT(decaySecondsOf(tail, rateHz, 35), WithinRel(decaySeconds, 0.2));
         }
 }
 
@@ -146,7 +136,7 @@ TEST_CASE("High tones die sooner in a room than low ones, at every sample rate a
         const auto heard = inNewRoom(noiseBurst(rateHz, 0.1, 2), rateHz, roomOf(100, 1.5), 512);
         const std::vector<float> tail(heard.left.begin() + static_cast<int>(0.1 * rateHz),
                                       heard.left.end());
-        seconds.push_back(decaySecondsOf(bandAbout8kHz(tail, rateHz), rateHz));
+        seconds.push_back(decaySecondsOf(bandAbout8kHz(tail, rateHz), rateHz, 35));
         INFO(rateHz << " Hz: " << seconds.back() << " s");
         CHECK(seconds.back() < 1.1);
         CHECK_THAT(seconds.back(), WithinRel(seconds.front(), 0.15));

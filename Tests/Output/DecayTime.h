@@ -1,0 +1,23 @@
+// The decay time of a room's answer.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace idiophone::test {
+
+/// T60 in seconds from Schroeder's backward integral, which falls by 5 and by `lowestDb` dB.
+inline double decaySecondsOf(const std::vector<double>& samples, double rateHz, double lowestDb) {
+    std::vector<double> left(samples.size());
+    double sum = 0;
+    for (std::size_t i = samples.size(); i-- > 0;)
+        left[i] = sum += samples[i] * samples[i];
+    const auto fallen = [&](double decibels) {
+        const double wanted = left.front() * std::pow(10, -decibels / 10);
+        return std::ranges::find_if(left, [&](double x) { return x < wanted; }) - left.begin();
+    };
+    return static_cast<double>(fallen(lowestDb) - fallen(5)) / rateHz * 60 / (lowestDb - 5);
+}
+
+} // namespace idiophone::test
