@@ -29,9 +29,9 @@ double greater(double a, double b) noexcept {
     return std::max(a, b);
 }
 
-/// Of a slot that keeps its pitch: at the reference thickness, and at any. Beside the pitch's λ
-/// that of each mode is a ratio of two linear functions of the thickness squared, and so least at
-/// an end.
+/// λ of the lowest mode of a slot that keeps its pitch, at the reference thickness and at any. Over
+/// the pitch's λ, each mode's is a ratio of two linear functions of the thickness squared, so its
+/// minimum lies at an end of the range.
 struct LowestKept {
     double atReference = 0, atAnyThickness = 0;
 };

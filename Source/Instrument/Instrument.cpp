@@ -35,8 +35,7 @@ std::optional<PitchMode> pitchMode(const ModalObject& object, std::size_t mode, 
                      .dampingScale = object.dampingScale(mode)};
 }
 
-/// The mode nearest to a frequency, by its pitch; nothing where that is half a semitone or more
-/// off.
+/// The mode nearest to a frequency in pitch, if it is less than half a semitone off.
 std::optional<std::size_t> modeNear(const ModalObject& object, double hz) {
     std::optional<std::size_t> nearest;
     double miss = 0.5 / 12;
@@ -48,9 +47,9 @@ std::optional<std::size_t> modeNear(const ModalObject& object, double hz) {
     return nearest;
 }
 
-/// The mode by which a bar sounds its key: the one there, or else, as tubular bells have their
-/// strike note an octave below a mode, the one an octave above. Of a bar in another tuning the
-/// lowest.
+/// The mode that gives a bar its pitch: the one at its key, or the one an octave above, as the
+/// strike note of tubular bells lies an octave below a mode. A bar in another tuning takes its
+/// lowest mode.
 std::size_t pitchModeOfBar(const ModalObject& bar, int midiNote) {
     const double hz = midiNoteHz(midiNote);
     if (const auto mode = modeNear(bar, hz))
@@ -65,7 +64,7 @@ std::size_t modesOf(std::span<const SynthesiserSlot> slots) {
     return modes;
 }
 
-/// Of two that are equally near the lower one; there is one.
+/// The nearest key with an object of its own, the lower of two that are equally near. One exists.
 int nearestOwn(const std::array<Key, 128>& keys, int note) {
     for (int distance = 0;; ++distance)
         for (const int near : {note - distance, note + distance})
@@ -172,7 +171,7 @@ Result<void> Instrument::buildBars(ObjectLibrary& library) {
     return {};
 }
 
-/// Each plays the nearest of the preset's own keys, of two the lower one.
+/// Lets keys without an object play the nearest of the preset's own keys, resized to their pitch.
 void Instrument::addResizedKeys() {
     const auto own = keys;
     auto resized = synthesiserSlots;

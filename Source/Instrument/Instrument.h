@@ -22,7 +22,7 @@ struct Key {
     int strip = 0;          ///< index into Instrument::strips
     double along = 0.5;     ///< its own place on the strip
     double malletScale = 1; ///< size of its mallet: time × this, impulse × this³
-    /// False where it plays a neighbour's object: the preset has none for it.
+    /// False if the preset has no object for the key, which then plays a neighbour's.
     bool isOwn = true;
 };
 

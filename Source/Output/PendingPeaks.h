@@ -29,9 +29,9 @@ public:
     /// fits the samples best.
     float highestIfPredicted(float next) const noexcept;
 
-    /// What pending values may reach. A value of which samples to come make up the share r, the sum
-    /// of their magnitudes in the kernel, may reach `ceiling` - r `reserve`: samples up to
-    /// `reserve` can then always follow.
+    /// Limits of the pending values. Samples to come contribute to a value with the share r, the
+    /// sum of their magnitudes in the kernel. The value may reach `ceiling` - r `reserve`, so that
+    /// samples up to `reserve` can always follow.
     struct Bounds {
         float ceiling, reserve;
     };

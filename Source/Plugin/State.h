@@ -1,4 +1,4 @@
-// What a host saves with its project, as bytes: versioned JSON ("format", "version", "parameters",
+// The bytes that a host saves with its project: versioned JSON ("format", "version", "parameters",
 // "preset", "objects", "controllers", "tuning"). Plain data; applying it is the processor's.
 #pragma once
 

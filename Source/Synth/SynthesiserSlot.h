@@ -13,7 +13,8 @@ namespace idiophone {
 struct SynthesiserSlot {
     std::shared_ptr<const ModalObject> object;
     double sizeRatio = 1; ///< > 0: the object scaled; λ ∝ 1/size², mass ∝ size³
-    /// What `SynthesisSettings::keepPitch` keeps; nothing: the slot follows material and size.
+    /// The pitch that `SynthesisSettings::keepPitch` keeps. Without it the slot follows material
+    /// and size.
     std::optional<PitchMode> pitch = {};
 };
 
