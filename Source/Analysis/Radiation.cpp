@@ -51,7 +51,7 @@ double servedHz(const Mesh& surface, double unknowns, const Effort& effort) {
            (effort.edgesPerWavelength * edgeMetresOf(surface, unknowns));
 }
 
-/// Of each system.
+/// How many unknowns one system may have.
 Index unknownsOf(const Effort& effort, Index symmetryOrder) {
     return std::max<Index>(effort.unknowns / symmetryOrder, effort.unknowns / 4);
 }

@@ -10,7 +10,8 @@
 
 namespace idiophone {
 
-/// Of each unknown. With one, weak modes of plates are off by up to 24 dB, with three by 4.
+/// The most equations of an unknown. With one, weak modes of plates are off by up to 24 dB, with
+/// three by 4.
 inline constexpr Eigen::Index mostCollocations = 3;
 
 /// An orbit at whose first face an equation is collocated, and how much it counts in that of its

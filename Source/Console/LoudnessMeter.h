@@ -19,7 +19,7 @@ public:
     /// Of all so far; nothing where it is fainter than the gate, -70 LUFS.
     std::optional<double> integratedLufs() const;
 
-    /// Of the last 400 ms; -infinity of silence.
+    /// The loudness of the last 400 ms. Silence has -infinity.
     double momentaryLufs() const;
 
 private:
@@ -30,7 +30,7 @@ private:
     std::unique_ptr<ebur128_state, Free> state;
 };
 
-/// LUFS of the loudest 400 ms, looked for every 10 ms; -infinity of silence and of what is shorter.
+/// The LUFS of the loudest 400 ms, tried every 10 ms. Silence and shorter sounds have -infinity.
 double loudestMomentLufs(std::span<const float> interleaved, int channels, int sampleRateHz);
 
 } // namespace idiophone

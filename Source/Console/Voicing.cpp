@@ -18,7 +18,7 @@ constexpr int sampleRateHz = 48000;
 constexpr std::size_t noteSamples = sampleRateHz;
 constexpr std::array velocities{40, 100};
 
-/// Of the loudest 400 ms; -infinity where nothing is heard.
+/// Plays a key for a second and measures its loudest 400 ms. A silent key has -infinity.
 double loudestLufs(const Preset& preset,
                    const std::shared_ptr<const Instrument>& instrument,
                    int note,

@@ -12,7 +12,7 @@ struct KeyMallet {
     double gain = 1;
 };
 
-/// Of what is dragged in its place: scaled as mallets are, s² of the force for the area.
+/// The factor of the force with which a key is scraped or rolled. A larger contact has s² the area.
 inline double forceScale(const KeyMallet& mallet) noexcept {
     return mallet.gain * mallet.scale * mallet.scale;
 }

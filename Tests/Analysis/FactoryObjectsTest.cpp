@@ -42,7 +42,7 @@ TEST_CASE("The factory makes just the objects that are stored, under 10 MB toget
 
 namespace {
 
-/// What is heard of a mode that bar and tube share: the mean of both, by their powers.
+/// The ear hears the mean of two modes that bar and tube share, weighted by their powers.
 double heardHz(const ModalObject& bar, std::size_t mode) {
     double powers = 0, sum = 0;
     const double lambda = bar.eigenvalues[mode];
