@@ -4,8 +4,8 @@
 
 #include "Analysis/CordSupport.h"
 #include "Analysis/Pitch.h"
-#include "Analysis/Tube.h"
 #include "Analysis/SolidBar.h"
+#include "Analysis/Tube.h"
 #include "Analysis/UndercutBar.h"
 #include "Object/ModalObject.h"
 #include "Object/WorkControl.h"
@@ -46,8 +46,8 @@ inline constexpr double fundamentalToleranceCents = 0.5, partialToleranceCents =
 /// `validated`, named after the bar; a band that does not hold the targets; `cancelledMessage`.
 Result<TunedBar> tuneBar(const BarSpecification& bar, const WorkControl& control = {});
 
-/// Which modes of a tuned bar's object bend up and down, ascending. Of two that share a shape with a
-/// tube, the one of the larger gain.
+/// Which modes of a tuned bar's object bend up and down, ascending. Of two that share a shape with
+/// a tube, the one of the larger gain.
 std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar);
 
 /// What the beam needs to know of a material whose grain runs along it.

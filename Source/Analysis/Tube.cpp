@@ -145,8 +145,8 @@ std::complex<double> Tube::relativeImpedance(double soundHz) const {
 TubeResonance Tube::resonance(int n) const {
     const double hz = (2 * n + 1) * frequencyHz;
     const double inertance = airDensityKgPerM3 * acousticLengthMetres() / (2 * mouthM2());
-    const double resistance = airDensityKgPerM3 * speedOfSoundMetresPerSecond / mouthM2() *
-                              relativeImpedance(hz).real();
+    const double resistance =
+        airDensityKgPerM3 * speedOfSoundMetresPerSecond / mouthM2() * relativeImpedance(hz).real();
     return {.omega = 2 * pi * hz,
             .decayPerSecond = resistance / (2 * inertance),
             .inertanceKgPerM4 = inertance};

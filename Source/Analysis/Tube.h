@@ -13,9 +13,9 @@ namespace idiophone {
 /// One resonance of a tube, seen from its mouth as mass, damping and spring of the air that moves
 /// through it.
 struct TubeResonance {
-    double omega = 0;              ///< undamped, rad/s
-    double decayPerSecond = 0;     ///< by the wall and by what the mouth radiates
-    double inertanceKgPerM4 = 0;   ///< M_a = ρ0 L/(2S): half of the air's, as in any standing wave
+    double omega = 0;            ///< undamped, rad/s
+    double decayPerSecond = 0;   ///< by the wall and by what the mouth radiates
+    double inertanceKgPerM4 = 0; ///< M_a = ρ0 L/(2S): half of the air's, as in any standing wave
 };
 
 struct Tube {
@@ -56,7 +56,8 @@ struct SharedMode {
 };
 
 /// The two modes of a bar's mode (undamped ω, decay) over a tube's resonance. `mouthKgPerM2` is the
-/// blocked pressure at the mouth over the modal acceleration. By reciprocity it also pushes the bar:
+/// blocked pressure at the mouth over the modal acceleration. By reciprocity it also pushes the
+/// bar:
 ///
 ///     q̈ + 2α q̇ + ω² q = F + p V̈,   M_a (V̈ + 2α_t V̇ + ω_t² V) = p q̈,
 ///

@@ -63,9 +63,9 @@ struct SoundFrame {
 
     std::vector<BodyNow> bodies; ///< of an instrument on a stage
 
-    double tauPascals = 0; ///< modes below are dropped
-    double slope = 1;              ///< S
-    double budgetModes = 0;        ///< Q
+    double tauPascals = 0;  ///< modes below are dropped
+    double slope = 1;       ///< S
+    double budgetModes = 0; ///< Q
 
     std::int32_t modesMixed = 0;   ///< groups that sound, of all slots
     std::int32_t modesDropped = 0; ///< of the slots that sound: groups in the band below τ

@@ -57,7 +57,8 @@ ParameterValues valuesThatMatter(const ParameterValues& values) noexcept {
             copyInto(result, values, {rollCoupling});
         return result;
     }
-    copyInto(result, values, {mallet, malletSpeed, malletFollow, velocityCurve, chatter, modalPulse});
+    copyInto(result, values,
+             {mallet, malletSpeed, malletFollow, velocityCurve, chatter, modalPulse});
     if (static_cast<int>(values[mallet]) == customMallet)
         copyInto(result, values, malletFigures);
     return result;

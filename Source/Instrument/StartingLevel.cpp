@@ -26,8 +26,8 @@ std::vector<std::size_t> rackFromSoftToHard() {
     std::vector<std::size_t> order(rack.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t k) {
-        const auto law = contactLaw(rack[k].headRadiusMetres, rack[k].effectiveModulusPa,
-                                    rack[k].forceExponent);
+        const auto law =
+            contactLaw(rack[k].headRadiusMetres, rack[k].effectiveModulusPa, rack[k].forceExponent);
         return contactSeconds(law, rack[k].massKg, 1);
     });
     for (auto& k : order)

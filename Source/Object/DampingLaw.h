@@ -33,7 +33,7 @@ struct DampingLaw {
 /// How a mode's damping differs from what its material's law makes of it (`PoleLaw::pole`).
 struct ModeDamping {
     double scale = 1;          ///< ≥ 0 of the law
-    double extraPerSecond = 0; ///< ≥ 0 more decay α at the reference frequency, whatever the material
+    double extraPerSecond = 0; ///< ≥ 0 more decay α, whatever the material
 
     bool operator==(const ModeDamping&) const = default;
 };

@@ -20,8 +20,7 @@ phasorBetween(std::complex<float> from, std::complex<float> to, float share) noe
     const float size = fromSize + share * (toSize - fromSize);
     if (!(fromSize > 0) || !(toSize > 0))
         return from + share * (to - from);
-    const std::complex<float> between =
-        (1 - share) / fromSize * from + share / toSize * to;
+    const std::complex<float> between = (1 - share) / fromSize * from + share / toSize * to;
     const float length = std::sqrt(std::norm(between));
     // Opposite phases have no short way.
     return length > 1e-6f ? size / length * between : size / toSize * to;
@@ -90,7 +89,9 @@ std::string faultOf(const RadiationTable& table, std::size_t modeCount) {
     if (std::ranges::adjacent_find(table.frequencyRatios, std::greater_equal{}) !=
         table.frequencyRatios.end())
         return "the frequency ratios of the radiation are not in ascending order";
-    if (!std::ranges::all_of(table.weights, [](std::complex<float> w) { return std::isfinite(w.real()) && std::isfinite(w.imag()); }))
+    if (!std::ranges::all_of(table.weights, [](std::complex<float> w) {
+            return std::isfinite(w.real()) && std::isfinite(w.imag());
+        }))
         return "a weight of the radiation is not a finite number";
     return {};
 }

@@ -113,13 +113,12 @@ std::size_t largestFileBytes(const ModalObject& object) {
     constexpr std::size_t largestHeader = 1 << 20;
     const auto& radiation = object.radiation;
     return largestHeader +
-           sizeof(double) * (object.eigenvalues.size() + object.bending.size() +
-                             object.decaysPerSecond.size() + object.extraDecaysPerSecond.size() +
-                             radiation.frequencyRatios.size()) +
+           sizeof(double) *
+               (object.eigenvalues.size() + object.bending.size() + object.decaysPerSecond.size() +
+                object.extraDecaysPerSecond.size() + radiation.frequencyRatios.size()) +
            sizeof(float) * (object.shapes.size() + object.vertices.size() + object.faces.size() +
                             object.shapeVertices.size() + 2 * radiation.weights.size() +
-                            2 * object.gains.size() +
-                            3 * radiation.directions.size());
+                            2 * object.gains.size() + 3 * radiation.directions.size());
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// The asymmetry of real bodies: no cast bell or thrown bowl is as round as its mesh, so its pairs of
-// equal modes part, and warble.
+// The asymmetry of real bodies: no cast bell or thrown bowl is as round as its mesh, so its pairs
+// of equal modes part, and warble.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -20,8 +20,8 @@ struct ModePair {
 };
 
 /// The pairs of an object: neighbours within 0.05 % in frequency, but not the two modes that a bar
-/// shares with its tube. Angles and parts are drawn from `seed`, so that a render repeats and no two
-/// keys are alike. Allocates.
+/// shares with its tube. Angles and parts are drawn from `seed`, so that a render repeats and no
+/// two keys are alike. Allocates.
 std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed);
 
 /// First-order perturbation of the mass: of each pair one eigenvalue falls and the other rises, so

@@ -144,8 +144,8 @@ void start(const KickModes& modes,
         auto loudest = hn::Zero(f);
         for (const KickChannel& channel : channels) {
             const Complex residue = storeHeard(channel, kick, g);
-            loudest = hn::Max(loudest, hn::MulAdd(residue.re, residue.re,
-                                                  hn::Mul(residue.im, residue.im)));
+            loudest = hn::Max(loudest,
+                              hn::MulAdd(residue.re, residue.re, hn::Mul(residue.im, residue.im)));
         }
         hn::Store(hn::Mul(loudest, energy), f, energies + g);
     }

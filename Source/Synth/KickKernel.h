@@ -50,8 +50,8 @@ void startKicks(const KickModes& modes,
                 KickChannels channels,
                 float* energies) noexcept;
 
-/// The forced part of a contact, to be gathered: states for residues of 1, and what of the force the
-/// imaginary parts of residues hear at once.
+/// The forced part of a contact, to be gathered: states for residues of 1, and what of the force
+/// the imaginary parts of residues hear at once.
 struct ForcedKicks {
     const float* x;
     const float* y;

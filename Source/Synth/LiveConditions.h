@@ -17,9 +17,9 @@ bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept;
 
 /// The mode whose frequency is the pitch of what a key plays.
 struct PitchMode {
-    double hz = 0;           ///< > 0, damped, under settings that change nothing
-    double eigenvalue = 0;   ///< λ of the object's reference, > 0
-    double bending = 0;      ///< ModalObject::bending, 0 without
+    double hz = 0;         ///< > 0, damped, under settings that change nothing
+    double eigenvalue = 0; ///< λ of the object's reference, > 0
+    double bending = 0;    ///< ModalObject::bending, 0 without
     ModeDamping damping = {};
 
     bool operator==(const PitchMode&) const = default;

@@ -122,9 +122,10 @@ public:
     void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
     /// Gives every mode the pole that `law` makes of its reference eigenvalue [size] and damping
-    /// ([size], or empty: the law's). States stay, so that the velocity does not step; where the coordinates change near critical
-    /// damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f < `highestHz` (natural
-    /// frequency) become inaudible, and so do `silenced` ones ([size] not 0, or empty: none).
+    /// ([size], or empty: the law's). States stay, so that the velocity does not step; where the
+    /// coordinates change near critical damping, velocity and displacement stay. Modes outside
+    /// `lowestHz` ≤ f < `highestHz` (natural frequency) become inaudible, and so do `silenced` ones
+    /// ([size] not 0, or empty: none).
     void movePoles(std::span<const double> referenceEigenvalues,
                    const PoleLaw& law,
                    double lowestHz,
@@ -171,8 +172,8 @@ public:
     /// Modes that do not oscillate have no phase: their residues become real, of the same size.
     void makeHeavyReal(ModeResidues& residues) const noexcept;
 
-    /// What an impulse sounds at once in each channel, beside the motion of the modes in `runs`: with
-    /// it, and half of the first sample of that motion, a force that rests sounds nothing, as
+    /// What an impulse sounds at once in each channel, beside the motion of the modes in `runs`:
+    /// with it, and half of the first sample of that motion, a force that rests sounds nothing, as
     /// velocity and acceleration are 0. About Σ Im r/(ω × the sample's time).
     std::array<float, mostChannels> directSound(const ModeResidues& residues,
                                                 std::span<const ModeRun> runs) const noexcept;

@@ -82,8 +82,8 @@ void ModalBank::forcedStates(const PulseInstant& pulse, UnitContact& unit) const
                              .steady = unit.steady.data(),
                              .swingRe = unit.swingRe.data(),
                              .swingIm = unit.swingIm.data(),
-                            .quadratureRe = unit.quadratureRe.data(),
-                            .quadratureIm = unit.quadratureIm.data()},
+                             .quadratureRe = unit.quadratureRe.data(),
+                             .quadratureIm = unit.quadratureIm.data()},
                             paddedSize());
     for (const HeavyMode& heavy : heavyModes) {
         const std::size_t g = index(heavy.mode);

@@ -68,7 +68,8 @@ double stiffnessSoundingAt(double dampedFrequency,
         const double alpha = mode.scale * damping.perSecond(stiffness) / 2 + extra;
         const double alphaSlope =
             mode.scale *
-                (damping.viscoelasticSeconds + damping.lossFactor / (2 * std::sqrt(stiffness))) / 2 +
+                (damping.viscoelasticSeconds + damping.lossFactor / (2 * std::sqrt(stiffness))) /
+                2 +
             extra / (2 * stiffness);
         const double miss = stiffness - alpha * alpha - target;
         const double slope = std::max(1 - 2 * alpha * alphaSlope, leastSlope);

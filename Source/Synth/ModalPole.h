@@ -27,9 +27,10 @@ struct PoleLaw {
     ModalPole pole(double referenceEigenvalue, const ModeDamping& mode = {}) const noexcept;
 };
 
-/// The λ at which a mode under this law sounds at `dampedFrequency` [rad/s] > 0: λ − d(λ)²/4 = ω². Its
-/// extra decay is that at `referenceEigenvalue` > 0. At most 2ω², ζ = 1/√2: a law that damps more
-/// leaves no pitch to keep. Continuous in all arguments. Takes at most twenty steps, mostly three.
+/// The λ at which a mode under this law sounds at `dampedFrequency` [rad/s] > 0: λ − d(λ)²/4 = ω².
+/// Its extra decay is that at `referenceEigenvalue` > 0. At most 2ω², ζ = 1/√2: a law that damps
+/// more leaves no pitch to keep. Continuous in all arguments. Takes at most twenty steps, mostly
+/// three.
 double stiffnessSoundingAt(double dampedFrequency,
                            const DampingLaw& damping,
                            const ModeDamping& mode = {},

@@ -25,12 +25,12 @@ double discriminationHz(double frequencyHz) noexcept;
 ///  everything);
 ///  - they do not beat audibly: |Δω| ≤ (α_i + α_j)/2, so that they decay within a beat;
 ///  - both oscillate (over-damped modes have no frequency to compare);
-///  - their dampings agree, or its decay over the first's is 0.75 to 1.4: decay times that far apart
-///  sound alike (Järveläinen & Tolonen 2001).
-/// Modes whose λ agree within 1e-9, and whose dampings are equal, are one pole and always join, even
-/// at compression 0. Modes of different `kinds` (empty: all alike) never meet. Nor does a mode with
-/// a gain other than 1 meet any (`gains` empty: none has one): bar and tube share such modes in
-/// pairs, which cancel at first and grow apart into the bloom.
+///  - their dampings agree, or its decay over the first's is 0.75 to 1.4: decay times that far
+///  apart sound alike (Järveläinen & Tolonen 2001).
+/// Modes whose λ agree within 1e-9, and whose dampings are equal, are one pole and always join,
+/// even at compression 0. Modes of different `kinds` (empty: all alike) never meet. Nor does a mode
+/// with a gain other than 1 meet any (`gains` empty: none has one): bar and tube share such modes
+/// in pairs, which cancel at first and grow apart into the bloom.
 std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        const PoleLaw& law,
                        double compression,
@@ -62,8 +62,8 @@ void findLostShares(std::span<const double> referenceEigenvalues,
                     std::span<float> shares,
                     std::span<const ModeDamping> dampings = {}) noexcept;
 
-/// The complex residue that stands for a group: |R|² = Σ_ij Re(r_i r_j*) a_ij²/(a_ij² + Δ_ij²), with
-/// the phase of Σr. Equal poles give Σr exactly.
+/// The complex residue that stands for a group: |R|² = Σ_ij Re(r_i r_j*) a_ij²/(a_ij² + Δ_ij²),
+/// with the phase of Σr. Equal poles give Σr exactly.
 std::complex<float> mergedResidue(std::span<const std::complex<float>> residues,
                                   std::span<const float> lostShares) noexcept;
 

@@ -24,9 +24,9 @@ struct SoundingGroups {
     explicit SoundingGroups(std::size_t modes)
         : starts(modes + 1), amplitudes(modes), standings(modes) {}
 
-    PoleLaw law;                   ///< of the poles that hold
-    double thicknessRatio = 1;     ///< of the shell to that of its reference
-    double tauPascals = 0; ///< amplitudes below are dropped
+    PoleLaw law;               ///< of the poles that hold
+    double thicknessRatio = 1; ///< of the shell to that of its reference
+    double tauPascals = 0;     ///< amplitudes below are dropped
     double compression = 1;
     /// The object is silent, and its groups are not yet those of `law` and `compression`.
     bool groupsAreBehind = false;

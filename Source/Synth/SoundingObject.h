@@ -37,9 +37,9 @@ public:
 
     /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
     /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
-    /// `modeWeights` [M] are the object's `summedSquareShapes`, which all its slots share. `seed` draws
-    /// its imperfection. `scratch` has room for this object and outlives it; objects on one thread
-    /// share it.
+    /// `modeWeights` [M] are the object's `summedSquareShapes`, which all its slots share. `seed`
+    /// draws its imperfection. `scratch` has room for this object and outlives it; objects on one
+    /// thread share it.
     SoundingObject(SynthesiserSlot slot,
                    ModeWeights modeWeights,
                    std::uint32_t seed,
@@ -116,8 +116,8 @@ public:
 private:
     /// One contact under way; its free part is in the states of the modes.
     struct Contact {
-        Strike strike;        ///< its duration cleared of resonances
-        Hearing heard;        ///< as of its start
+        Strike strike; ///< its duration cleared of resonances
+        Hearing heard; ///< as of its start
         std::int64_t startCell = 0;
         double startSample = 0;
         /// G0 and H over the modes mixed, for each channel.
@@ -269,7 +269,7 @@ private:
     std::int32_t radiationHeardFrom = -1;
     double compression = 1;
     double tauPascals = 0; ///< τ, at least the floor where states are flushed
-    double damping = 0;     ///< δ
+    double damping = 0;    ///< δ
     double dampingLogBase = 0;
     std::int64_t dampingSince = 0;
 
@@ -282,10 +282,10 @@ private:
     bool eigenvaluesAreBehind = false;        ///< both are not yet those of these two:
     double imperfection = 0;
     std::vector<ModePair> pairs;
-    std::vector<ModeDamping> dampings;        ///< [M], or empty: the law's
-    std::vector<ModeDamping> groupDampings;   ///< [G], or empty: the law's
-    std::vector<float> lostShares;            ///< of the pairs of every group (ModeCompression.h)
-    std::optional<PoleLaw> lostSharesLaw;     ///< for which they hold
+    std::vector<ModeDamping> dampings;      ///< [M], or empty: the law's
+    std::vector<ModeDamping> groupDampings; ///< [G], or empty: the law's
+    std::vector<float> lostShares;          ///< of the pairs of every group (ModeCompression.h)
+    std::optional<PoleLaw> lostSharesLaw;   ///< for which they hold
 
     ModalBank bank;
     ModeFader fader;

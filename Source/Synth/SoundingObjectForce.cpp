@@ -121,8 +121,8 @@ void SoundingObject::answer(const ForcePoint& at,
     response.version = responseVersion;
     response.at = at;
     response.heard = heard;
-    computeResidues({.strike = {.point = at.point, .impulseNewtonSeconds = at.direction},
-                     .heard = heard});
+    computeResidues(
+        {.strike = {.point = at.point, .impulseNewtonSeconds = at.direction}, .heard = heard});
     bank.impulseStates(scratch.contact);
     bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
     for (std::size_t c = 0; c < bank.channels(); ++c)

@@ -93,9 +93,8 @@ void SoundingObject::mergeResidues(ChannelResidues& residues) noexcept {
 /// It blends groups, whose sums do not depend on the basis of equal poles.
 void SoundingObject::blendNear(float farShare, ChannelResidues& residues) const noexcept {
     for (std::size_t g = 0; g < bank.size(); ++g) {
-        const auto between =
-            phasorBetween({scratch.nearResidues.re[g], scratch.nearResidues.im[g]},
-                          {residues.re[g], residues.im[g]}, farShare);
+        const auto between = phasorBetween({scratch.nearResidues.re[g], scratch.nearResidues.im[g]},
+                                           {residues.re[g], residues.im[g]}, farShare);
         residues.re[g] = between.real();
         residues.im[g] = between.imag();
     }

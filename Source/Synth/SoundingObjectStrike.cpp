@@ -79,10 +79,8 @@ bool SoundingObject::strike(const Strike& asked,
         return false;
     takeInKicks(cellIndex + 1);
     prepareBank();
-    Contact contact{.strike = asked,
-                    .heard = hearing,
-                    .startCell = cellIndex,
-                    .startSample = sampleInCell};
+    Contact contact{
+        .strike = asked, .heard = hearing, .startCell = cellIndex, .startSample = sampleInCell};
     widen(hearing.farShare);
     double& seconds = contact.strike.durationSeconds;
     seconds = isPulse ? contactSecondsClearOf(bank.resonances(), seconds) : 0;

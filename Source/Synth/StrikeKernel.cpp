@@ -179,10 +179,10 @@ void sum(const float* HWY_RESTRICT residuesRe,
     total.swing += std::complex<double>(sumOf(swingRe), sumOf(swingIm));
     for (; g < end; ++g) {
         const auto quadrature = static_cast<double>(residuesIm[g]);
-        const std::complex<double> heard(
-            static_cast<double>(residuesRe[g]) +
-                quadrature * static_cast<double>(arrays.quadratureRe[g]),
-            quadrature * static_cast<double>(arrays.quadratureIm[g]));
+        const std::complex<double> heard(static_cast<double>(residuesRe[g]) +
+                                             quadrature *
+                                                 static_cast<double>(arrays.quadratureRe[g]),
+                                         quadrature * static_cast<double>(arrays.quadratureIm[g]));
         total.steady += heard.real() * static_cast<double>(arrays.steady[g]);
         total.swing +=
             idiophone::product(heard, std::complex<double>(arrays.swingRe[g], arrays.swingIm[g]));

@@ -20,11 +20,11 @@ struct SynthesisScratch {
         : struckGains(modes), heardGains(modes), modeResidues(modes) {
         const std::size_t padded = (modes + modeBlock - 1) / modeBlock * modeBlock;
         for (std::size_t c = 0; c < channels; ++c) {
-                for (auto* array : {&kicks.x[c], &kicks.y[c]})
-                    array->resize(padded);
-                for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
-                    residues->resize(padded);
-            }
+            for (auto* array : {&kicks.x[c], &kicks.y[c]})
+                array->resize(padded);
+            for (auto* residues : {&groupResidues[c], &startResidues[c], &endResidues[c]})
+                residues->resize(padded);
+        }
         for (auto* array :
              {&contact.x, &contact.y, &contact.steady, &contact.swingRe, &contact.swingIm,
               &contact.quadratureRe, &contact.quadratureIm, &kicks.energies})
@@ -48,15 +48,15 @@ struct SynthesisScratch {
                 array->resize(padded);
     }
 
-    std::vector<float> struckGains;  ///< [M] φ·J
-    std::vector<float> heardGains;   ///< [M] φ·ℓ
+    std::vector<float> struckGains;                ///< [M] φ·J
+    std::vector<float> heardGains;                 ///< [M] φ·ℓ
     std::vector<std::complex<float>> modeResidues; ///< [M]
-    ModeResidues groupResidues;      ///< [G]
-    ChannelResidues nearResidues;    ///< [G]
-    UnitContact contact;             ///< [G]
-    ModeKicks kicks;                 ///< [G] that are not kept
-    ModeResidues startResidues;      ///< [G] where a force is at the start of a cell
-    ModeResidues endResidues;        ///< [G] where at the end
+    ModeResidues groupResidues;                    ///< [G]
+    ChannelResidues nearResidues;                  ///< [G]
+    UnitContact contact;                           ///< [G]
+    ModeKicks kicks;                               ///< [G] that are not kept
+    ModeResidues startResidues;                    ///< [G] where a force is at the start of a cell
+    ModeResidues endResidues;                      ///< [G] where at the end
     std::array<ForceResponses, forceCapacity> responses;
     std::uint64_t responseUses = 0;      ///< so far
     std::vector<std::uint16_t> aboveTau; ///< per block: modes above τ

@@ -1,10 +1,10 @@
 #include "Analysis/Tube.h"
 #include "Support/SyntheticObject.h"
 
+#include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -28,10 +28,10 @@ ModalObject bar(const std::vector<double>& frequenciesHz) {
     auto object = test::syntheticObject(frequenciesHz);
     object.bandHz = 1000;
     object.material.damping = {.fluidPerSecond = 8};
-    object.radiation = {.directions = {{0, 0, 1}},
-                        .frequencyRatios = {0.5, 1},
-                        .weights = std::vector<std::complex<float>>(2 * frequenciesHz.size(),
-                                                                    {0, barWeight})};
+    object.radiation = {
+        .directions = {{0, 0, 1}},
+        .frequencyRatios = {0.5, 1},
+        .weights = std::vector<std::complex<float>>(2 * frequenciesHz.size(), {0, barWeight})};
     return object;
 }
 
@@ -84,8 +84,8 @@ std::vector<Answer> simulated(double omega,
 Answer summed(const std::array<SharedMode, 2>& modes, double seconds) {
     Answer sum;
     for (const auto& mode : modes) {
-        const Complex state = Complex(1, -mode.pole.real() / mode.pole.imag()) *
-                              std::exp(mode.pole * seconds);
+        const Complex state =
+            Complex(1, -mode.pole.real() / mode.pole.imag()) * std::exp(mode.pole * seconds);
         sum.velocity += (mode.gain * state).real();
         sum.flow += (mode.flow * state).real();
     }
@@ -117,10 +117,9 @@ TEST_CASE("Near a resonance the oscillator of the air opposes as the tube does")
         const auto resonance = tube.resonance(n);
         for (const double ratio : {0.99, 1.0, 1.01}) {
             const double omega = ratio * resonance.omega;
-            const Complex oscillator =
-                resonance.inertanceKgPerM4 *
-                Complex(2 * resonance.decayPerSecond,
-                        omega - resonance.omega * resonance.omega / omega);
+            const Complex oscillator = resonance.inertanceKgPerM4 *
+                                       Complex(2 * resonance.decayPerSecond,
+                                               omega - resonance.omega * resonance.omega / omega);
             const Complex whole =
                 1.204 * 343 / tube.mouthM2() * tube.relativeImpedance(omega / (2 * pi));
             INFO(n << " at " << ratio);

@@ -46,8 +46,7 @@ void claimValues(const ModalObject& object) {
     claimFinite(summedSquareShapes(object), "squared shapes are finite");
     for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
         const double damping[] = {object.eigenvalueAt(mode, 1), object.decayPerSecond(mode),
-                                  object.damping(mode).scale,
-                                  object.damping(mode).extraPerSecond};
+                                  object.damping(mode).scale, object.damping(mode).extraPerSecond};
         claimFinite(damping, "damping is finite");
     }
     claim(nearestShapeRow(object, {0, 0, 0}) < object.shapeVertexCount(), "a row is nearest");

@@ -31,8 +31,7 @@ TEST_CASE("A mode is dropped at t_c of eq. 14, to one cell") {
     // 2|c||ω⁺| for a unit impulse from rest: c = 1/(2iω_d).
     const double natural = 2 * std::numbers::pi * 440;
     const double damped = std::sqrt(natural * natural - 20 * 20);
-    const double end =
-        std::log(natural / damped / (tau * pascalsPerTau)) / (20 + extraDamping);
+    const double end = std::log(natural / damped / (tau * pascalsPerTau)) / (20 + extraDamping);
     CHECK(std::abs(dropped - end * sampleRate / cellSamples) <= 1);
 }
 

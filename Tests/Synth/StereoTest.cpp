@@ -16,13 +16,13 @@ ModalObject radiatingObject() {
     object.radiation.directions = {{0.8f, -0.6f, 0}, {0.8f, 0.6f, 0}};
     object.radiation.frequencyRatios = {0.5, 1, 2};
     object.radiation.weights = {
-        0, 0, 0, {0.2f, 0.1f}, {0.1f, 0.5f}, {-0.1f, 0.3f}, 0.3f, 0.3f, 0.3f,
-        0, 0, 0, {0.6f, -0.2f}, 0.1f, {0, 0.4f},  0.3f, 0.3f, 0.3f};
+        0, 0, 0, {0.2f, 0.1f},  {0.1f, 0.5f}, {-0.1f, 0.3f}, 0.3f, 0.3f, 0.3f,
+        0, 0, 0, {0.6f, -0.2f}, 0.1f,         {0, 0.4f},     0.3f, 0.3f, 0.3f};
     return object;
 }
 
-const std::array<std::complex<float>, 9> thirdWeights{
-    0, 0, 0, {-0.7f, 0.1f}, {0, -0.2f}, 0.5f, 0.3f, 0.3f, 0.3f};
+const std::array<std::complex<float>, 9> thirdWeights{0,    0,    0,    {-0.7f, 0.1f}, {0, -0.2f},
+                                                      0.5f, 0.3f, 0.3f, 0.3f};
 
 void addThirdDirection(ModalObject& object) {
     object.radiation.directions.push_back({0, 0, 1});
@@ -56,8 +56,7 @@ double reference(const ModalObject& object, std::size_t direction, double share,
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto weight = -object.radiation.weights[9 * direction + 3 + i];
-        const std::complex<double> residue =
-            phasorBetween(1, weight, static_cast<float>(share));
+        const std::complex<double> residue = phasorBetween(1, weight, static_cast<float>(share));
         const double hz = std::sqrt(object.eigenvalues[i]) / (2 * std::numbers::pi);
         sum += impulseVelocity(referenceMode(object.material, hz, residue), sample / sampleRate);
     }
@@ -208,7 +207,8 @@ TEST_CASE("A second strike that is heard from afar leaves what rings as it was")
     CHECK(sound.left != sound.right);
 }
 
-TEST_CASE("A contact sounds the force at once and the motion it makes, as complex weights hear it") {
+TEST_CASE(
+    "A contact sounds the force at once and the motion it makes, as complex weights hear it") {
     const ModalObject object = radiatingObject();
     for (const double milliseconds : {0.4, 3.0, 20.0}) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
@@ -278,9 +278,8 @@ TEST_CASE("A complex gain turns what is heard near") {
     synthesiser.setSettings(exactSettings());
     const auto sound = render(synthesiser, {{0, unitStrike(0.002)}}, 40);
     const auto mode = referenceMode(object.material, 440, {0.5, -0.25});
-    CHECK(errorDb(sound, [&](double n) {
-              return pulseVelocity(mode, 0.002, n / sampleRate);
-          }) < -95);
+    CHECK(errorDb(sound, [&](double n) { return pulseVelocity(mode, 0.002, n / sampleRate); }) <
+          -95);
 }
 
 TEST_CASE("Weights are read where frequency times size now is") {
@@ -300,8 +299,10 @@ TEST_CASE("Weights are read where frequency times size now is") {
 TEST_CASE("Weights that move during a contact make no step") {
     ModalObject object = radiatingObject();
     for (std::size_t k = 0; k < 18; ++k)
-        object.radiation.weights[k] = std::complex<float>(
-            k / 3 % 3 == 1 ? 0.1f : k / 3 % 3 == 2 ? 0.9f : 0.0f, k / 3 % 3 == 2 ? 0.5f : 0.2f);
+        object.radiation.weights[k] = std::complex<float>(k / 3 % 3 == 1   ? 0.1f
+                                                          : k / 3 % 3 == 2 ? 0.9f
+                                                                           : 0.0f,
+                                                          k / 3 % 3 == 2 ? 0.5f : 0.2f);
     // The frequency moves weights and poles; with the size it moves the weights alone.
     for (const bool polesMove : {true, false}) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
