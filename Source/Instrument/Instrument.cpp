@@ -24,15 +24,39 @@ double modeHz(const ModalObject& object, std::size_t mode) {
            (2 * std::numbers::pi);
 }
 
-/// Nothing where damping leaves the mode no pitch (stiffnessSoundingAt).
+/// Whether a bar shares both modes with a resonance of its tube.
+bool areShared(const ModalObject& object, std::size_t a, std::size_t b) {
+    const auto isCoupled = [&](std::size_t mode) { return object.gains[mode] != 1.0f; };
+    return !object.gains.empty() && isCoupled(a) && isCoupled(b) &&
+           std::abs(object.eigenvalues[b] / object.eigenvalues[a] - 1) < 0.02;
+}
+
+/// Of modes that bar and tube share, their mean by power, which is the pitch that is heard. Nothing
+/// where damping leaves the mode no pitch (stiffnessSoundingAt).
 std::optional<PitchMode> pitchMode(const ModalObject& object, std::size_t mode, double sizeRatio) {
-    const double decay = object.decayPerSecond(mode);
-    if (2 * decay * decay > object.eigenvalues[mode])
+    PitchMode mean{.damping = {.scale = 0}};
+    double weights = 0, decay = 0;
+    for (std::size_t part = 0; part < object.modeCount(); ++part) {
+        if (part != mode && !areShared(object, mode, part))
+            continue;
+        const auto weight =
+            object.gains.empty() ? 1.0 : static_cast<double>(std::norm(object.gains[part]));
+        const auto add = [&, share = weight / (weights + weight)](double& sum, double value) {
+            sum += share * (value - sum);
+        };
+        const auto damping = object.damping(part);
+        add(mean.hz, modeHz(object, part));
+        add(decay, object.decayPerSecond(part));
+        add(mean.bending, object.hasLiveThickness() ? object.bending[part] : 0);
+        add(mean.damping.scale, damping.scale);
+        add(mean.damping.extraPerSecond, damping.extraPerSecond);
+        weights += weight;
+    }
+    mean.eigenvalue = std::pow(2 * std::numbers::pi * mean.hz, 2) + decay * decay;
+    if (2 * decay * decay > mean.eigenvalue)
         return std::nullopt;
-    return PitchMode{.hz = modeHz(object, mode) / sizeRatio,
-                     .eigenvalue = object.eigenvalues[mode],
-                     .bending = object.hasLiveThickness() ? object.bending[mode] : 0,
-                     .damping = object.damping(mode)};
+    mean.hz /= sizeRatio;
+    return mean;
 }
 
 /// The mode nearest to a frequency in pitch, if it is less than half a semitone off.

@@ -123,7 +123,7 @@ StereoSound renderAutomated(const std::shared_ptr<const Instrument>& instrument,
 
 TEST_CASE(
     "Every key of every keyboard keeps its pitch in all materials, sizes and thicknesses within "
-    "1 cent, and within 3 where a tube shares the fundamental") {
+    "1 cent") {
     int keyboards = 0;
     for (const auto& preset : keyedFactoryPresets()) {
         if (preset.keyMap.kind == KeyMapKind::zones)
@@ -137,17 +137,15 @@ TEST_CASE(
             all[k].set(thickness, std::array{100.0, 400.0, 25.0}[k % 3]);
         }
         double worst = 0;
-        bool hasTubes = false;
         for (int note = preset.keyMap.lowestNote; note <= preset.keyMap.highestNote; ++note) {
             const auto slot = static_cast<std::size_t>(instrument->key(note).slot);
             const auto fundamental = fundamentalOf(preset, *instrument->slots()[slot].object, note);
-            hasTubes = hasTubes || fundamental.partner != fundamental.mode;
             for (const auto& values : all)
                 worst =
                     std::max(worst, std::abs(missCents(*instrument, values, note, fundamental)));
         }
         INFO(preset.name << ": " << worst << " cents");
-        CHECK(worst < (hasTubes ? 3 : 1));
+        CHECK(worst < 1);
     }
     CHECK(keyboards >= 14);
 }
