@@ -81,8 +81,7 @@ std::shared_ptr<const ModalObject>
 longRingingObject(const ModalObject& body, std::size_t modes, double shiftHz) {
     ModalObject object = body;
     object.name = "long-ringing " + body.name;
-    object.material.damping.fluidPerSecond = 0.2;
-    object.material.damping.viscoelasticSeconds = 0;
+    object.material.damping = {.fluidPerSecond = 0.2};
     object.bending.clear();
     object.radiation = {};
     object.decaysPerSecond.clear();
