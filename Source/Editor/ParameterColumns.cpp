@@ -9,7 +9,7 @@ namespace idiophone {
 namespace {
 
 constexpr int columnCount = 2, gap = 16, headingHeight = 20;
-constexpr int lowestRow = 32, highestRow = 52;
+constexpr int lowestRow = 30, highestRow = 52;
 
 } // namespace
 
