@@ -19,7 +19,9 @@ double noteOf(double frequencyHz) {
 
 struct BarMeasures {
     Span widthMetres, heightMetres;
-    double archHalfLengthShare = 0.3;
+    Span archHalfLengthShare = {0.3, 0.3};
+    Span endHeightShare = {1, 1}; ///< of the height
+    double archExponent = 2;
 };
 
 UndercutBar start(const BarMeasures& measures, double share, double centreShare) {
@@ -28,8 +30,9 @@ UndercutBar start(const BarMeasures& measures, double share, double centreShare)
             .widthMetres = measures.widthMetres.at(share),
             .heightMetres = height,
             .centreHeightMetres = centreShare * height,
-            .endHeightMetres = height,
-            .archHalfLengthShare = measures.archHalfLengthShare};
+            .endHeightMetres = measures.endHeightShare.at(share) * height,
+            .archHalfLengthShare = measures.archHalfLengthShare.at(share),
+            .archExponent = measures.archExponent};
 }
 
 /// Where the second partial is no longer tuned the arch grows shallower, up to the highest bar.
@@ -38,7 +41,8 @@ double untunedCentreShare(double note, Span notes, Span centreShare) {
         std::clamp((note - notes.lowest) / (notes.highest - notes.lowest), 0.0, 1.0));
 }
 
-/// Quint tuning: twelfth and, nearly by itself, double octave and fifth; the highest octave is too
+/// Quint tuning: the twelfth by the arch's depth. Its steep edges and the thin ends bring the next
+/// two partials near 5.8 and 8.5, where a recorded xylophone has them. The highest octave is too
 /// short for it.
 BarSpecification xylophoneBar(const char* material, double frequencyHz, double share) {
     constexpr double lastTuned = 96;
@@ -46,17 +50,19 @@ BarSpecification xylophoneBar(const char* material, double frequencyHz, double s
     const bool isTuned = note < lastTuned + 0.5;
     return {.source = "undercut bar after concert xylophones, tuned 1:3 up to C7",
             .shape = start(
-                {.widthMetres = {0.038, 0.032},
-                 .heightMetres = {0.018, 0.015},
-                 .archHalfLengthShare = 0.22},
-                share, isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.43, 0.85})),
+                {.widthMetres = {0.038, 0.026},
+                 .heightMetres = {0.019, 0.016},
+                 .archHalfLengthShare = {0.20, 0.25},
+                 .endHeightShare = {0.65, 0.95},
+                 .archExponent = 4},
+                share, isTuned ? 0.8 : untunedCentreShare(note, {lastTuned, 108}, {0.65, 0.85})),
             .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
             .material = *findMaterial(material),
-            .maxFrequencyHz = 16000,
-            .cords = CordSupport{},
+            .maxFrequencyHz = std::lerp(16000, 18500, share),
+            .cords = CordSupport{.resistanceNsPerM = 7}, // a fit to recorded fundamentals
             .tube = Tube{.frequencyHz = frequencyHz,
-                         .radiusMetres = std::lerp(0.019, 0.016, share),
-                         .gapMetres = 0.005}};
+                         .radiusMetres = std::lerp(0.015, 0.016, share),
+                         .gapMetres = 0.010}};
 }
 
 BarSpecification rosewoodBar(double frequencyHz, double share) {
@@ -72,14 +78,13 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
     constexpr double lastTuned = 84, lastOfThreePartials = 56;
     const double note = noteOf(frequencyHz);
     const bool isTuned = note < lastTuned + 0.5;
-    UndercutBar shape =
-        start({.widthMetres = {0.064, 0.040},
-               .heightMetres = {0.022, 0.020},
-               .archHalfLengthShare = 0.36},
-              share, isTuned ? 0.3 : untunedCentreShare(note, {lastTuned, 96}, {0.21, 0.75}));
-    shape.archExponent = 3.4; // what 1:4:10 makes of the lowest bars
     return {.source = "undercut bar after concert marimbas, tuned 1:4:10 up to G#3, 1:4 up to C6",
-            .shape = shape,
+            .shape = start({.widthMetres = {0.064, 0.040},
+                            .heightMetres = {0.022, 0.020},
+                            .archHalfLengthShare = {0.36, 0.36},
+                            .archExponent = 3.4}, // what 1:4:10 makes of the lowest bars
+                           share,
+                           isTuned ? 0.3 : untunedCentreShare(note, {lastTuned, 96}, {0.21, 0.75})),
             .targets = {.fundamentalHz = frequencyHz,
                         .secondRatio = isTuned ? 4.0 : 0.0,
                         .thirdRatio = note < lastOfThreePartials + 0.5 ? 10.0 : 0.0},
@@ -87,7 +92,7 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
             .maxFrequencyHz = 14000,
             .tube = Tube{.frequencyHz = frequencyHz,
                          .radiusMetres = std::lerp(0.029, 0.012, share),
-                         .gapMetres = std::lerp(0.010, 0.035, share)}};
+                         .gapMetres = std::lerp(0.010, 0.045, share)}};
 }
 
 /// The measured sets' first overtone: two octaves up to F5, from there down to a ratio of 3.5.
@@ -96,7 +101,7 @@ BarSpecification vibraphoneBar(double frequencyHz, double share) {
     return {.source = "undercut bar after concert vibraphones, tuned 1:4, to 1:3.5 at the top",
             .shape = start({.widthMetres = {0.057, 0.040},
                             .heightMetres = {0.0127, 0.0127},
-                            .archHalfLengthShare = 0.34},
+                            .archHalfLengthShare = {0.34, 0.34}},
                            share, 0.4),
             .targets = {.fundamentalHz = frequencyHz,
                         .secondRatio = 4 - 0.5 * std::clamp((note - 77) / 12, 0.0, 1.0)},
@@ -109,9 +114,10 @@ BarSpecification vibraphoneBar(double frequencyHz, double share) {
 }
 
 BarSpecification glockenspielBar(double frequencyHz, double share) {
+    // 1 1/4 by 5/16 inches: they bring the twisting and sideways partials of the recorded bars.
     return {.source = "steel bar after orchestra bells, uniform",
             .shape =
-                start({.widthMetres = {0.030, 0.025}, .heightMetres = {0.007, 0.009}}, share, 1),
+                start({.widthMetres = {0.032, 0.032}, .heightMetres = {0.008, 0.008}}, share, 1),
             .targets = {.fundamentalHz = frequencyHz},
             .material = *findMaterial("Mild steel"),
             .cords = CordSupport{}};

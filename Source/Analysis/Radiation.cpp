@@ -179,11 +179,10 @@ unsigned threadsFor(const BoundaryElements& elements, unsigned threads) {
 } // namespace
 
 std::vector<Eigen::Vector3d> stereoDirections() {
-    constexpr double degree = std::numbers::pi / 180, elevation = 40 * degree;
+    constexpr double x = 0.33;
     std::vector<Eigen::Vector3d> directions;
-    for (const double azimuth : {72 * degree, 58 * degree})
-        directions.emplace_back(std::cos(elevation) * std::cos(azimuth),
-                                std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    for (const double y : {0.32, 0.42})
+        directions.emplace_back(x, y, std::sqrt(1 - x * x - y * y));
     return directions;
 }
 

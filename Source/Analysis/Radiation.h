@@ -22,9 +22,10 @@ struct RadiatingBody {
     Eigen::Vector3d centreMetres = Eigen::Vector3d::Zero(); ///< of mass
 };
 
-/// Left and right: 18° and 32° to the right of +y, at 40° elevation, as two ears 17 cm apart hear
-/// from 0.7 m. Bars lie along x. Both directions are to the right of a bar's middle: modes that are
-/// odd in x would cancel in the sum of two channels that mirror each other.
+/// Left and right, 6° apart and 60° above the horizon, as the player hears a bar who stands at its
+/// end, a step to one side. A bar lies along x. Its bending modes radiate as x² while they are
+/// small against the wavelength, so x is the same on both sides. Neither x nor y is 0 or mirrored:
+/// modes that are odd in it would be silent, or cancel in the sum of both channels.
 std::vector<Eigen::Vector3d> stereoDirections();
 
 /// Those, then 26 all around: along the axes and halfway between two and three of them.
