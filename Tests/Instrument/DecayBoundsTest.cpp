@@ -1,6 +1,7 @@
 #include "Instrument/DecayBounds.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/SettingsOfParameters.h"
 #include "Support/SyntheticObject.h"
 #include "Synth/LiveConditions.h"
 
@@ -86,6 +87,28 @@ TEST_CASE("No mode dies away more slowly than the bound, whatever the settings")
             const double below = between(0, 14);
             REQUIRE(slowestDecay(bounds, settings, below) <=
                     slowestOfAll(*instrument, settings, below) * (1 + 1e-9));
+        }
+    }
+}
+
+TEST_CASE("The bound is at least half the decay of a factory keyboard's slowest mode") {
+    const LiveMaterial steel{
+        .youngsModulusPa = 2e11, .densityKgPerM3 = 7850, .damping = {.lossFactor = 2e-4}};
+    for (const auto& preset : factoryPresets()) {
+        if (preset.keyMap.kind == KeyMapKind::scene)
+            continue;
+        CAPTURE(preset.name);
+        const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+        const auto bounds = decayBounds(*instrument);
+        for (const SynthesisSettings& settings :
+             {SynthesisSettings{}, synthesisSettings(preset.parameters),
+              SynthesisSettings{.sizeRatio = 2, .keepPitch = true},
+              SynthesisSettings{.sizeRatio = 0.5, .material = steel}}) {
+            const double bound = slowestDecay(bounds, settings, 0);
+            const double slowest = slowestOfAll(*instrument, settings, 0);
+            CAPTURE(bound, slowest);
+            CHECK(bound <= slowest * (1 + 1e-9));
+            CHECK(bound >= slowest / 2);
         }
     }
 }

@@ -47,13 +47,12 @@ TEST_CASE(
         processor.setCurrentProgram(factoryProgram(factoryPresetId(name)));
         processor.prepareToPlay(rateHz, blockSize);
         const double told = processor.getTailLengthSeconds();
-        REQUIRE(told <= 120);
+        REQUIRE(told < 100);
         const double rings = ringingSeconds(processor, told + 1);
         CAPTURE(told, rings);
         CHECK(rings > 0.5);
         CHECK(rings <= told);
-        if (name != "Marimba") // the bound does not count what tubes take
-            CHECK(told <= 6 * rings);
+        CHECK(told <= 3 * rings);
     }
 }
 
