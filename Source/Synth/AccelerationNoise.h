@@ -24,19 +24,20 @@ struct RigidRadiator {
 /// rigid-body modes is held, or was measured, and does not click. Neither allocates nor throws.
 RigidRadiator rigidRadiator(const ModalObject& object) noexcept;
 
-/// The seconds that the click of a contact of `contactSeconds` ≥ 0 takes: T² + (3.72 a/c)², where
-/// a is the radius of the sphere with the same volumes along the impulse. A sine of 3.72 a/c has
-/// its spectrum's maximum where a sphere's answer to an impulse has it, at ka = √2. Any thread.
+/// Returns the length of the click of a contact of T = `contactSeconds` ≥ 0: √(T² + (3.72 a/c)²),
+/// where a is the radius of the sphere with the same volumes along the impulse. A sine of length
+/// 3.72 a/c has the maximum of its spectrum where a sphere's answer to an impulse has it, at
+/// ka = √2. Any thread.
 double clickSeconds(const RigidRadiator& body,
                     const std::array<float, 3>& impulseNewtonSeconds,
                     double contactSeconds,
                     double sizeRatio) noexcept;
 
-/// The amplitude P [Pa·m] of the far pressure times the distance, in the direction `towards` (of
-/// length 1), of a click that lasts `seconds` > 0. The force on the air is that of a dipole,
-/// p r = ρ0/(4π c) towards · volumes · da/dt (Landau & Lifshitz, Fluid Mechanics, section 74), and
-/// a = (J/(M T))(1 − cos Ωt), Ω = 2π/T. So p r = P sin Ωt for 0 ≤ t ≤ T and nothing else. Any
-/// thread.
+/// Returns the amplitude P [Pa·m] of the far pressure times the distance, in the direction
+/// `towards` (of length 1), of a click that lasts `seconds` > 0. The force on the air is that of a
+/// dipole, p r = ρ0/(4π c) towards · volumes · da/dt (Landau & Lifshitz, Fluid Mechanics, section
+/// 74), and a = (J/(M T))(1 − cos Ωt), Ω = 2π/T. So p r = P sin Ωt for 0 ≤ t ≤ T and nothing else.
+/// Any thread.
 double clickPascalMetres(const RigidRadiator& body,
                          const std::array<float, 3>& impulseNewtonSeconds,
                          const std::array<float, 3>& towards,
