@@ -179,7 +179,8 @@ PhrasePrediction::Click PhrasePrediction::clickOf(const Strike& strike) const no
         return {};
     const double size = conditions.radiationGainRatio / conditions.gainRatio;
     const auto& impulse = strike.impulseNewtonSeconds;
-    Click click{.seconds = clickSeconds(body, impulse, strike.durationSeconds, size)};
+    Click click{.seconds = std::max(clickSeconds(body, impulse, strike.durationSeconds, size),
+                                    shortestClickSamples / phrase->sampleRateHz)};
     const double gain = listening * conditions.radiationGainRatio * size * size;
     const auto& directions = slot().object->radiation.directions;
     for (std::size_t channel = 0; channel < click.pascals.size(); ++channel)

@@ -9,6 +9,10 @@
 
 namespace idiophone {
 
+/// Shorter clicks are made to last this long: their spectrum at low frequencies stays as it is, and
+/// they do not alias.
+inline constexpr double shortestClickSamples = 4;
+
 /// A rigid body as a source of sound. Its rotation about the centre of mass moves no air as a
 /// whole, so it does not count.
 struct RigidRadiator {

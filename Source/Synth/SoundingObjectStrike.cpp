@@ -15,9 +15,6 @@ namespace {
 
 /// Within the band shorter contacts are impulses, and their force would alias.
 constexpr double shortestContactSamples = 2;
-/// Shorter clicks last this long: within the band their spectrum is the same, and it does not
-/// alias.
-constexpr double shortestClickSamples = 4;
 
 int firstSampleFrom(double time) noexcept {
     return static_cast<int>(std::ceil(time));
