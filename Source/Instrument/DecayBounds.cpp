@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace idiophone {
@@ -29,88 +30,156 @@ double greater(double a, double b) noexcept {
     return std::max(a, b);
 }
 
-/// λ of the lowest mode of a slot that keeps its pitch, at the reference thickness and at any. Over
-/// the pitch's λ, each mode's is a ratio of two linear functions of the thickness squared, so its
-/// minimum lies at an end of the range.
-struct LowestKept {
-    double atReference = 0, atAnyThickness = 0;
+/// Bounds the modes of both. Every law grows with the frequency, so each figure counts alone.
+ModeBound boundOfBoth(const ModeBound& a, const ModeBound& b) noexcept {
+    return {.eigenvalue = std::min(a.eigenvalue, b.eigenvalue),
+            .scale = std::min(a.scale, b.scale),
+            .extraPerSecond = std::min(a.extraPerSecond, b.extraPerSecond),
+            .specificStiffness = std::max(a.specificStiffness, b.specificStiffness),
+            .law = each(a.law, b.law, lesser)};
+}
+
+bool bounds(const ModeBound& slower, const ModeBound& faster) noexcept {
+    return boundOfBoth(slower, faster) == slower;
+}
+
+double ownDecay(const ModeBound& mode) noexcept {
+    return mode.scale * mode.law.perSecond(mode.eigenvalue) / 2 + mode.extraPerSecond;
+}
+
+/// The decay of both bounds' common bound as a share of the slower one's, at the objects' own
+/// materials: 1 where nothing is lost.
+double keptTogether(const ModeBound& a, const ModeBound& b) noexcept {
+    constexpr double nothing = 1e-9; // [1/s]
+    return (ownDecay(boundOfBoth(a, b)) + nothing) / (std::min(ownDecay(a), ownDecay(b)) + nothing);
+}
+
+/// The slowest modes of those that came in: the Pareto front of their figures.
+class SlowestModes {
+public:
+    void add(const ModeBound& mode) {
+        if (std::ranges::any_of(front, [&](const auto& other) { return bounds(other, mode); }))
+            return;
+        std::erase_if(front, [&](const auto& other) { return bounds(mode, other); });
+        front.push_back(mode);
+        if (front.size() > std::tuple_size_v<Modes>)
+            joinClosest();
+    }
+
+    using Modes = decltype(DecayBounds::slowest);
+    Modes modes() const {
+        Modes result;
+        std::ranges::copy(front, result.begin());
+        return result;
+    }
+
+private:
+    void joinClosest() {
+        std::size_t first = 0, second = 1;
+        double closest = 0;
+        for (std::size_t b = 1; b < front.size(); ++b)
+            for (std::size_t a = 0; a < b; ++a)
+                if (const double kept = keptTogether(front[a], front[b]); kept > closest) {
+                    closest = kept;
+                    first = a;
+                    second = b;
+                }
+        const auto joined = boundOfBoth(front[first], front[second]);
+        std::erase_if(front, [&](const auto& other) { return bounds(joined, other); });
+        front.push_back(joined);
+    }
+
+    std::vector<ModeBound> front;
 };
 
-LowestKept lowestKept(const ModalObject& object, const PitchMode& pitch) {
-    const auto& range = parameterInfo(ParameterId::thickness);
+/// Lowers the kept shares to those of a slot. Over the pitch's λ, each mode's is a ratio of two
+/// linear functions of the thickness squared, so its minimum lies at an end of the range.
+void addKept(DecayBounds& bounds, const SynthesiserSlot& slot) {
+    if (!slot.pitch) {
+        ++bounds.slotsWithoutPitch;
+        return;
+    }
+    const auto& object = *slot.object;
+    const auto& pitch = *slot.pitch;
     const double omega = 2 * std::numbers::pi * pitch.hz;
-    const auto lowestAt = [&](double thicknessRatio) {
+    const auto lowestShareAt = [&](double thicknessRatio) {
+        const double bent = (thicknessRatio * thicknessRatio - 1) * pitch.bending;
         double lowest = infinity;
         for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
-            lowest = std::min(lowest, object.eigenvalueAt(mode, thicknessRatio));
-        const double bent = (thicknessRatio * thicknessRatio - 1) * pitch.bending;
-        return omega * omega * lowest / (pitch.eigenvalue + bent);
+            lowest = std::min(lowest,
+                              object.eigenvalueAt(mode, thicknessRatio) / object.eigenvalues[mode]);
+        return lowest * omega * omega * slot.sizeRatio * slot.sizeRatio / (pitch.eigenvalue + bent);
     };
-    const double atReference = lowestAt(1);
-    if (!object.hasLiveThickness())
-        return {atReference, atReference};
-    return {atReference,
-            std::min({atReference, lowestAt(range.minimum / 100), lowestAt(range.maximum / 100)})};
+    const double atReference = lowestShareAt(1);
+    bounds.keptShare = std::min(bounds.keptShare, atReference);
+    bounds.keptShareAtAnyThickness = std::min(bounds.keptShareAtAnyThickness, atReference);
+    if (object.hasLiveThickness())
+        for (const auto& range = parameterInfo(ParameterId::thickness);
+             const double percent : {range.minimum, range.maximum})
+            bounds.keptShareAtAnyThickness =
+                std::min(bounds.keptShareAtAnyThickness, lowestShareAt(percent / 100));
 }
 
-double lowestWithKeptPitch(const DecayBounds& bounds, const SynthesisSettings& settings) noexcept {
-    return settings.thicknessRatio == 1 ? bounds.lowestKept : bounds.lowestKeptAtAnyThickness;
+/// What the settings multiply the figures of a bound by.
+struct Ratios {
+    double eigenvalue, extra;
+};
+
+Ratios keptRatios(const DecayBounds& bounds, double thicknessRatio, double tuning) noexcept {
+    return {.eigenvalue =
+                (thicknessRatio == 1 ? bounds.keptShare : bounds.keptShareAtAnyThickness) * tuning *
+                tuning,
+            .extra = std::sqrt(bounds.keptShare) * tuning / std::max(thicknessRatio, 1.0)};
 }
 
-double lowestOfMaterial(const DecayBounds& bounds, const SynthesisSettings& settings) noexcept {
+Ratios materialRatios(const ModeBound& mode,
+                      const SynthesisSettings& settings,
+                      double lowestShare,
+                      double tuning) noexcept {
     const auto& live = settings.material;
-    const double thin = std::min(settings.thicknessRatio, 1.0);
-    const double material = live ? live->youngsModulusPa / live->densityKgPerM3 : 1;
-    return material * (live ? bounds.lowestOfUnitMaterial : bounds.lowestEigenvalue) *
-           (1 + (thin * thin - 1) * bounds.mostBending) / (settings.sizeRatio * settings.sizeRatio);
+    const double material =
+        live ? live->youngsModulusPa / live->densityKgPerM3 / mode.specificStiffness : 1;
+    const double scaled = tuning / settings.sizeRatio;
+    return {.eigenvalue = material * lowestShare * scaled * scaled,
+            .extra = std::sqrt(material) * scaled};
 }
 
 } // namespace
 
 DecayBounds decayBounds(const Instrument& instrument, RingingKeys keys) {
-    DecayBounds bounds{.lowestEigenvalue = infinity,
-                       .lowestOfUnitMaterial = infinity,
-                       .lowestKept = infinity,
-                       .lowestKeptAtAnyThickness = infinity,
-                       .least = {infinity, infinity, infinity},
-                       .most = {},
-                       .leastScale = infinity,
-                       .mostScale = 0};
+    DecayBounds result;
+    SlowestModes slowest;
     const auto slots = instrument.slots();
     std::vector<bool> isResized(slots.size(), false);
     for (int note = 0; note < 128; ++note)
         if (const auto& key = instrument.key(note); key.slot >= 0 && !key.isOwn)
             isResized[static_cast<std::size_t>(key.slot)] = true;
     for (std::size_t index = 0; index < slots.size(); ++index) {
-        if (keys == RingingKeys::own && isResized[index])
-            continue;
         const auto& slot = slots[index];
         const auto& object = *slot.object;
-        const auto& material = object.material;
-        if (object.modeCount() == 0)
+        if (object.modeCount() == 0 || (keys == RingingKeys::own && isResized[index]))
             continue;
-        const double lowest = object.eigenvalues.front() / (slot.sizeRatio * slot.sizeRatio);
-        bounds.lowestEigenvalue = std::min(bounds.lowestEigenvalue, lowest);
-        bounds.lowestOfUnitMaterial =
-            std::min(bounds.lowestOfUnitMaterial,
-                     lowest * material.densityKgPerM3 / material.youngsModulusPa);
-        const auto kept = slot.pitch ? lowestKept(object, *slot.pitch) : LowestKept{};
-        bounds.lowestKept = std::min(bounds.lowestKept, kept.atReference);
-        bounds.lowestKeptAtAnyThickness =
-            std::min(bounds.lowestKeptAtAnyThickness, kept.atAnyThickness);
-        bounds.least = each(bounds.least, material.damping, lesser);
-        bounds.most = each(bounds.most, material.damping, greater);
+        const auto& material = object.material;
+        addKept(result, slot);
+        result.most = each(result.most, material.damping, greater);
         for (std::size_t mode = 0; mode < object.modeCount(); ++mode) {
+            const double eigenvalue = object.eigenvalues[mode];
             const ModeDamping damping = object.damping(mode);
-            bounds.leastScale = std::min(bounds.leastScale, damping.scale);
-            bounds.mostScale = std::max(bounds.mostScale, damping.scale);
-            bounds.mostExtra = std::max(bounds.mostExtra, damping.extraPerSecond);
+            slowest.add({.eigenvalue = eigenvalue / (slot.sizeRatio * slot.sizeRatio),
+                         .scale = damping.scale,
+                         .extraPerSecond = damping.extraPerSecond / slot.sizeRatio,
+                         .specificStiffness = material.youngsModulusPa / material.densityKgPerM3,
+                         .law = material.damping});
+            result.mostScale = std::max(result.mostScale, damping.scale);
+            result.mostExtraShare =
+                std::max(result.mostExtraShare, damping.extraPerSecond / std::sqrt(eigenvalue));
             if (object.hasLiveThickness())
-                bounds.mostBending =
-                    std::max(bounds.mostBending, object.bending[mode] / object.eigenvalues[mode]);
+                result.mostBending =
+                    std::max(result.mostBending, object.bending[mode] / eigenvalue);
         }
     }
-    return bounds;
+    result.slowest = slowest.modes();
+    return result;
 }
 
 double slowestDecay(const DecayBounds& bounds,
@@ -118,22 +187,35 @@ double slowestDecay(const DecayBounds& bounds,
                     double semitonesBelow) noexcept {
     const auto& live = settings.material;
     const double tuning = settings.frequencyRatio * std::exp2(-semitonesBelow / 12);
-    constexpr double lowestOmega = 2 * std::numbers::pi * lowestSoundingHz;
-    const double lowest = settings.keepPitch && bounds.lowestKept > 0
-                              ? lowestWithKeptPitch(bounds, settings)
-                              : lowestOfMaterial(bounds, settings);
-    // Of the lowest mode; what lies below the band does not sound.
-    const double eigenvalue = std::max(lowest * tuning * tuning, lowestOmega * lowestOmega);
-    if (!std::isfinite(eigenvalue))
+    const double thin = std::min(settings.thicknessRatio, 1.0);
+    const double lowestShare = 1 + (thin * thin - 1) * bounds.mostBending;
+    double lowestEigenvalue = infinity, slowest = infinity;
+    const auto include = [&](const ModeBound& mode, const Ratios& ratios) {
+        constexpr double lowestOmega = 2 * std::numbers::pi * lowestSoundingHz;
+        // A mode below the band does not sound, but those that it bounds may.
+        const double eigenvalue =
+            std::max(mode.eigenvalue * ratios.eigenvalue, lowestOmega * lowestOmega);
+        if (!std::isfinite(eigenvalue))
+            return;
+        const auto& law = live ? live->damping : mode.law;
+        lowestEigenvalue = std::min(lowestEigenvalue, eigenvalue);
+        slowest = std::min(slowest, mode.scale * law.perSecond(eigenvalue) / 2 +
+                                        mode.extraPerSecond * ratios.extra);
+    };
+    for (const auto& mode : bounds.slowest) {
+        if (settings.keepPitch)
+            include(mode, keptRatios(bounds, settings.thicknessRatio, tuning));
+        if (!settings.keepPitch || bounds.slotsWithoutPitch > 0)
+            include(mode, materialRatios(mode, settings, lowestShare, tuning));
+    }
+    if (!std::isfinite(lowestEigenvalue))
         return infinity;
-    const double least =
-        bounds.leastScale * (live ? live->damping : bounds.least).perSecond(eigenvalue);
+    // Modes that oscillate have d/2. The slower root of an over-damped one is above λ/d, which
+    // grows with λ.
     const double most =
-        bounds.mostScale * (live ? live->damping : bounds.most).perSecond(eigenvalue) +
-        2 * bounds.mostExtra * std::sqrt(eigenvalue / bounds.lowestEigenvalue);
-    // All laws damp higher modes more: a mode that oscillates has at least d/2. The slower root of
-    // one that is over-damped is above λ/d, and that grows with λ too.
-    return std::min(least / 2, eigenvalue / most);
+        bounds.mostScale * (live ? live->damping : bounds.most).perSecond(lowestEigenvalue) +
+        2 * bounds.mostExtraShare * std::sqrt(lowestEigenvalue / lowestShare);
+    return std::min(slowest, lowestEigenvalue / most);
 }
 
 double semitonesBelowEqual(const Instrument& instrument, const KeyTuning& tuning) {

@@ -1,5 +1,5 @@
-// How slowly anything of an instrument can die away, from a few figures of its objects: no mode is
-// looked at when it is asked.
+// How slowly anything of an instrument can die away, from a few figures of its objects. Asking it
+// looks at no mode.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -7,21 +7,40 @@
 #include "Object/DampingLaw.h"
 #include "Synth/SynthesisSettings.h"
 
+#include <array>
+#include <limits>
+
 namespace idiophone {
 
-/// Of all modes of all slots, as their objects were analysed. Numbers and nothing else, so that
-/// they can cross threads one by one.
+/// Bounds of one or more modes: none of them dies away more slowly than a mode of these figures,
+/// under any settings. The default bounds no mode.
+struct ModeBound {
+    double eigenvalue = std::numeric_limits<double>::infinity(); ///< minimum of λ/size²
+    double scale = 1;                                            ///< minimum of ModeDamping::scale
+    double extraPerSecond = 0; ///< minimum of ModeDamping::extraPerSecond/size
+    /// Maximum of Y/ρ [m²/s²] of the objects' own materials: another material makes λ/size² of
+    /// these modes lower in inverse proportion.
+    double specificStiffness = 0;
+    DampingLaw law; ///< minimum of each figure of the objects' own materials
+
+    bool operator==(const ModeBound&) const = default;
+};
+
+/// Figures of all modes of all slots, as their objects were analysed. It holds doubles only, so
+/// that they can cross threads one by one.
 struct DecayBounds {
-    double lowestEigenvalue = 0; ///< λ/size²
-    /// The same, times the density over Young's modulus of the object's own material.
-    double lowestOfUnitMaterial = 0;
-    /// λ of the lowest mode where every slot keeps its pitch, at the thickness that was analysed
-    /// and at any thickness of the parameter; 0 where slots have no pitch.
-    double lowestKept = 0, lowestKeptAtAnyThickness = 0;
-    double mostBending = 0;               ///< what the thickness acts on, to λ: 0 to 1
-    DampingLaw least, most;               ///< of the objects' own materials
-    double leastScale = 1, mostScale = 1; ///< ModeDamping::scale
-    double mostExtra = 0;                 ///< ModeDamping::extraPerSecond
+    /// Modes of which each may be the slowest under some settings. Where there are more than fit,
+    /// one bound stands for several that are close to each other.
+    std::array<ModeBound, 16> slowest;
+    /// Minimum of λ of a slot that keeps its pitch, over λ/size², at the thickness that was
+    /// analysed and at any thickness of the parameter; infinite where no slot has a pitch.
+    double keptShare = std::numeric_limits<double>::infinity();
+    double keptShareAtAnyThickness = std::numeric_limits<double>::infinity();
+    double slotsWithoutPitch = 0;
+    double mostBending = 0;    ///< maximum of the share of λ on which the thickness acts: 0 to 1
+    double mostScale = 0;      ///< maximum of ModeDamping::scale
+    double mostExtraShare = 0; ///< maximum of ModeDamping::extraPerSecond/√λ
+    DampingLaw most;           ///< maximum of each figure of the objects' own materials
 };
 
 enum class RingingKeys { own, all };

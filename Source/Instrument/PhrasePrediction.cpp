@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -45,6 +46,7 @@ Phrase::Phrase(std::shared_ptr<const Instrument> played,
             continue;
         const auto& slot = instrument->slots()[static_cast<std::size_t>(notes[i].key.slot)];
         notes[i].lowestModes = LowestModes(*slot.object);
+        notes[i].rigidBody = rigidRadiator(*slot.object);
     }
 }
 
@@ -149,11 +151,61 @@ void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
         trains[level] = trainOf(strike, middleNote);
         pressed[level] = PressedMotion(strike);
         pressedVelocities[level] = {};
+        clicks[level] = clickOf(strike);
     }
-    for (std::size_t note = firstNote; note < endNote; ++note)
-        noteTrains[note] = note == middleNote
-                               ? trains[middleVelocity]
-                               : trainOf(strikeOf(note, velocities[middleVelocity]), note);
+    clickShares = {};
+    const double middleClick =
+        std::hypot(clicks[middleVelocity].pascals[0], clicks[middleVelocity].pascals[1]);
+    for (std::size_t note = firstNote; note < endNote; ++note) {
+        const auto strike = strikeOf(note, velocities[middleVelocity]);
+        noteTrains[note] = note == middleNote ? trains[middleVelocity] : trainOf(strike, note);
+        const auto click = clickOf(strike);
+        if (middleClick > 0)
+            clickShares[note] = std::hypot(click.pascals[0], click.pascals[1]) / middleClick;
+    }
+    // Most of a click's energy lies near the maximum of its spectrum, at 0.84/T.
+    for (std::size_t level = 0; level < levels; ++level)
+        for (std::size_t note = 0; note < PhraseMeter::notes; ++note) {
+            const auto& [seconds, pascals] = clicks[level];
+            const double amplitude = clickShares[note] * std::hypot(pascals[0], pascals[1]);
+            clickEnergies[level][note] =
+                amplitude * amplitude / 2 * seconds / 2 * kWeightingPower(0.84 / seconds);
+        }
+}
+
+PhrasePrediction::Click PhrasePrediction::clickOf(const Strike& strike) const noexcept {
+    const auto& body = phrase->notes[firstNote].rigidBody;
+    if (!(listening > 0) || !(body.massKg > 0))
+        return {};
+    const double size = conditions.radiationGainRatio / conditions.gainRatio;
+    const auto& impulse = strike.impulseNewtonSeconds;
+    Click click{.seconds = std::max(clickSeconds(body, impulse, strike.durationSeconds, size),
+                                    shortestClickSamples / phrase->sampleRateHz)};
+    const double gain = listening * conditions.radiationGainRatio * size * size;
+    const auto& directions = slot().object->radiation.directions;
+    for (std::size_t channel = 0; channel < click.pascals.size(); ++channel)
+        click.pascals[channel] =
+            gain * clickPascalMetres(body, impulse,
+                                     directions[std::min(channel, directions.size() - 1)],
+                                     click.seconds);
+    return click;
+}
+
+/// Adds the energy of the interference with a mode Re(A e^{pt}): 2 ∫ P sin Ωt Re(A e^{pt}) dt =
+/// 2 P Re(A Ω (1 − e^{pT})/(p² + Ω²)).
+void PhrasePrediction::addClick(const RingingMode<levels>& mode, double weighting) noexcept {
+    const std::complex<double> pole(-mode.decay, mode.omega);
+    for (std::size_t level = 0; level < levels; ++level) {
+        const auto& [seconds, pascals] = clicks[level];
+        const double omega = 2 * std::numbers::pi / seconds;
+        const auto overlap = omega * (1.0 - std::exp(pole * seconds)) /
+                             (pole * pole + omega * omega) * mode.velocities[level];
+        for (std::size_t note = firstNote; note < endNote; ++note)
+            for (std::size_t channel = 0; channel < pascals.size(); ++channel)
+                clickEnergies[level][note] += std::sqrt(weighting) * clickShares[note] *
+                                              pascals[channel] *
+                                              product(overlap, mode.residues[note][channel]).real();
+    }
 }
 
 void PhrasePrediction::beginForce(const ParameterValues& values,
@@ -188,7 +240,8 @@ void PhrasePrediction::endObject() noexcept {
     for (std::size_t level = 0; level < levels; ++level) {
         PhraseMeter::NoteFigures energies;
         for (std::size_t note = 0; note < energies.size(); ++note)
-            energies[note] = pressed[level].energy(std::abs(pressedVelocities[level][note]));
+            energies[note] = pressed[level].energy(std::abs(pressedVelocities[level][note])) +
+                             clickEnergies[level][note];
         meters[level].addTransients(energies);
     }
 }
@@ -252,6 +305,8 @@ void PhrasePrediction::addMode(RingingMode<levels>& mode, const ModalPole& pole)
             }
         }
     }
+    if (!held)
+        addClick(mode, weighting);
     const auto powers = nearModes.add(mode, firstNote, endNote);
     for (std::size_t level = 0; level < levels; ++level)
         meters[level].addMode(held ? PhraseMeter::Note::sustained : PhraseMeter::Note::struck,

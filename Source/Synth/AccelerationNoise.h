@@ -1,32 +1,50 @@
-// The click of a rigid body: what its acceleration radiates while a contact lasts (acceleration
-// noise, Chadwick, Zheng & James 2012), for bodies small against the wavelengths of the pulse.
+// The click of a rigid body: what its acceleration radiates when it is struck (acceleration noise,
+// Chadwick, Zheng & James 2012). It is the share of the mode of frequency 0, which objects do not
+// store among their modes.
 #pragma once
 
-#include <numbers>
+#include "Object/ModalObject.h"
+
+#include <array>
 
 namespace idiophone {
 
-/// A rigid body as a source. Its rotation about the centre of mass moves no air as a whole, so it
-/// does not count.
+/// Shorter clicks are made to last this long: their spectrum at low frequencies stays as it is, and
+/// they do not alias.
+inline constexpr double shortestClickSamples = 4;
+
+/// A rigid body as a source of sound. Its rotation about the centre of mass moves no air as a
+/// whole, so it does not count.
 struct RigidRadiator {
-    double massKg = 0;                 ///< > 0
-    double volumeCubicMetres = 0;      ///< displaced
-    double addedVolumeCubicMetres = 0; ///< added mass of the air along the impulse, over ρ0
+    double massKg = 0; ///< 0: nothing clicks
+    /// [3,3] symmetric: displaced volume V plus that of the air that moves along [m³]. An
+    /// acceleration a pushes the air around with the force ρ0 · volumes · a.
+    std::array<double, 9> volumes{};
 };
 
-/// The amplitude P [Pa·m] of the far pressure times the distance in the direction of the impulse,
-/// of a raised-cosine contact of that length > 0. The force on the air is that of a dipole,
-/// p r = ρ0 (V + V_added)/(4π c) da/dt cos θ (Landau & Lifshitz, Fluid Mechanics, section 74), and
-/// a = (J/(M T))(1 − cos Ωt), Ω = 2π/T. So p r = P cos θ sin Ωt for 0 ≤ t ≤ T and nothing else.
-/// A sphere has V + V_added = 2π a³. Any thread; neither allocates nor throws.
-inline double clickPascalMetres(const RigidRadiator& body,
-                                double impulseNewtonSeconds,
-                                double contactSeconds) noexcept {
-    constexpr double airDensityKgPerM3 = 1.2, soundMetresPerSecond = 343;
-    const double accelerationRate = impulseNewtonSeconds / body.massKg * 2 * std::numbers::pi /
-                                    (contactSeconds * contactSeconds);
-    return airDensityKgPerM3 / (4 * std::numbers::pi * soundMetresPerSecond) *
-           (body.volumeCubicMetres + body.addedVolumeCubicMetres) * accelerationRate;
-}
+/// Returns the radiator of an object at its reference size. V is mass/density. The air that moves
+/// along is that of the ellipsoid with the object's moments of inertia (Lamb, Hydrodynamics,
+/// section 114), which is exact for spheres: V/2. An object whose analysis left out no six
+/// rigid-body modes is held, or was measured, and does not click. Neither allocates nor throws.
+RigidRadiator rigidRadiator(const ModalObject& object) noexcept;
+
+/// Returns the length of the click of a contact of T = `contactSeconds` ≥ 0: √(T² + (3.72 a/c)²),
+/// where a is the radius of the sphere with the same volumes along the impulse. A sine of length
+/// 3.72 a/c has the maximum of its spectrum where a sphere's answer to an impulse has it, at
+/// ka = √2. Any thread.
+double clickSeconds(const RigidRadiator& body,
+                    const std::array<float, 3>& impulseNewtonSeconds,
+                    double contactSeconds,
+                    double sizeRatio) noexcept;
+
+/// Returns the amplitude P [Pa·m] of the far pressure times the distance, in the direction
+/// `towards` (of length 1), of a click that lasts `seconds` > 0. The force on the air is that of a
+/// dipole, p r = ρ0/(4π c) towards · volumes · da/dt (Landau & Lifshitz, Fluid Mechanics, section
+/// 74), and a = (J/(M T))(1 − cos Ωt), Ω = 2π/T. So p r = P sin Ωt for 0 ≤ t ≤ T and nothing else.
+/// Any thread.
+double clickPascalMetres(const RigidRadiator& body,
+                         const std::array<float, 3>& impulseNewtonSeconds,
+                         const std::array<float, 3>& towards,
+                         double seconds) noexcept;
 
 } // namespace idiophone

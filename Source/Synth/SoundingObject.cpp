@@ -44,6 +44,8 @@ SoundingObject::SoundingObject(SynthesiserSlot slot,
     mixedModes.reserve(modes);
     mixedRuns.reserve(modes);
     contacts.reserve(contactCapacity);
+    clicks.reserve(contactCapacity);
+    rigidBody = rigidRadiator(*object);
     kicks = bank.emptyKicks();
     requestedSilences.reserve(modes);
     silencedModes.reserve(modes);
@@ -246,6 +248,7 @@ void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
         renderCell({cell[0].data(), cell[bank.channels() - 1].data()});
     }
     soundContacts(cell);
+    soundClicks(cell);
 }
 
 void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
@@ -292,6 +295,7 @@ void SoundingObject::reset() noexcept {
     mixedRuns.clear();
     mixedIsRinging = true;
     contacts.clear();
+    clicks.clear();
     keptKicks.reset();
     forcedCell = never;
     ++responseVersion;

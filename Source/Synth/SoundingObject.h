@@ -2,6 +2,7 @@
 // and which of them are mixed. It renders cells and takes strikes; the budget comes from outside.
 #pragma once
 
+#include "Synth/AccelerationNoise.h"
 #include "Synth/CellOutput.h"
 #include "Synth/ForceCell.h"
 #include "Synth/Imperfection.h"
@@ -99,7 +100,9 @@ public:
     /// What is heard of its groups of modes, as of the cell begun last.
     void report(SoundingGroups& groups) const noexcept;
 
-    bool ringing() const noexcept { return !activeBlocks.empty() || !contacts.empty(); }
+    bool ringing() const noexcept {
+        return !activeBlocks.empty() || !contacts.empty() || !clicks.empty();
+    }
     bool silent() const noexcept { return !ringing() && !fader.active(); }
     std::int32_t modesRinging() const noexcept { return demanded.modes; }
     std::int32_t modesMixed() const noexcept { return mixedLastCell; }
@@ -188,6 +191,8 @@ private:
     void listWanted(std::size_t most) noexcept;
     void admit(std::size_t g) noexcept;
     void soundContacts(const CellOutput& cell) noexcept;
+    void addClick(const Contact& contact, const CellOutput& cell) noexcept;
+    void soundClicks(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
     void startKicks(double sign, double at) noexcept;
     void finishKicks(const Contact& contact, double end) noexcept;
@@ -250,6 +255,7 @@ private:
     bool controlsChanged = true;
     std::vector<std::int32_t> activeBlocks; ///< ascending
     std::vector<Contact> contacts;
+    std::vector<Contact> clicks;       ///< of the rigid body, as contacts that answer with a sine
     std::optional<KickMove> keptKicks; ///< on their way to the grid point where states take them in
 
     // What was asked for, and what holds now.
@@ -262,6 +268,8 @@ private:
     PoleLaw law;
     bool polesBehind = false; ///< the bank is not yet that of `law` and `compression`
     Hearing hearing;          ///< of strikes from now on
+    RigidRadiator rigidBody;  ///< at the reference
+    double sizeNow = 1;       ///< over the reference's, as of strikes from now on
     /// Frequency times size over the reference's: where the radiation table is to be read, and
     /// where and for which `StrikePoint::heardFrom` it was.
     double wantedRadiationRatio = 1;

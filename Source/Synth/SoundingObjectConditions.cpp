@@ -22,6 +22,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     hearing = {.nearGain = contactMicrophonePascals * live.gainRatio / thickness,
                .farGain = live.radiationGainRatio / thickness,
                .farShare = object->radiation.empty() ? 0 : settings.radiation};
+    sizeNow = slotSizeRatio * settings.sizeRatio;
 
     const bool polesMove = live.law != law || settings.compression != compression ||
                            thickness != thicknessRatio || silencesChange ||

@@ -111,7 +111,45 @@ bool SoundingObject::strike(const Strike& asked,
     }
     addKicks(from, cellSamples, cell);
     keepKicks(from);
+    addClick(contact, cell);
     return true;
+}
+
+/// Starts the click of the rigid body. It is heard from afar only.
+void SoundingObject::addClick(const Contact& struck, const CellOutput& cell) noexcept {
+    if (!(struck.heard.farShare > 0) || !(rigidBody.massKg > 0) || clicks.size() == contactCapacity)
+        return;
+    Contact click = struck;
+    const auto& impulse = click.strike.impulseNewtonSeconds;
+    double& seconds = click.strike.durationSeconds;
+    seconds = std::max(clickSeconds(rigidBody, impulse, seconds, sizeNow),
+                       shortestClickSamples / sampleRate);
+    // The volumes go as the cube of the size and over the mass, beside it, farGain as 1/size².
+    const double gain = struck.heard.farShare * struck.heard.farGain * sizeNow * sizeNow;
+    const auto amplitude = [&](std::size_t direction) {
+        return gain * clickPascalMetres(rigidBody, impulse, object->radiation.directions[direction],
+                                        seconds);
+    };
+    const std::int32_t from = click.strike.point.heardFrom;
+    const std::size_t left = from < 0 ? 0 : static_cast<std::size_t>(from);
+    const std::size_t right =
+        from < 0 ? std::min(object->radiation.directions.size(), mostChannels) - 1 : left;
+    std::array<double, mostChannels> pascals{amplitude(left), amplitude(right)};
+    if (outputChannels == 1)
+        pascals[0] = (pascals[0] + pascals[1]) / 2;
+    click.steadyVelocity = {};
+    for (std::size_t c = 0; c < mostChannels; ++c) {
+        if (!(std::abs(pascals[c]) <= static_cast<double>(largestResidue)))
+            return;
+        click.swing[c] = {0, -pascals[c]}; // Re(−i P e^{iΩt}) = P sin Ωt
+    }
+    if (addForced(click, cell) > cellSamples)
+        clicks.push_back(click);
+}
+
+void SoundingObject::soundClicks(const CellOutput& cell) noexcept {
+    std::erase_if(clicks,
+                  [&](const Contact& click) { return addForced(click, cell) <= cellSamples; });
 }
 
 BeforeSample SoundingObject::beforeSample(double at) const noexcept {

@@ -1,6 +1,7 @@
 #include "Instrument/DecayBounds.h"
 
 #include "Instrument/FactoryContent.h"
+#include "Instrument/SettingsOfParameters.h"
 #include "Support/SyntheticObject.h"
 #include "Synth/LiveConditions.h"
 
@@ -34,11 +35,34 @@ double slowestOfAll(const Instrument& instrument,
     return slowest;
 }
 
+/// One object of which far more modes than the bounds keep are the slowest under some settings: the
+/// higher, the less of the law they keep or the less decay comes on top.
+std::shared_ptr<const Instrument> manySlowModes() {
+    std::vector<double> frequenciesHz, decays, extras;
+    std::mt19937 random(5);
+    for (int mode = 0; mode < 300; ++mode) {
+        frequenciesHz.push_back(100 + 10 * mode);
+        const double share = std::uniform_real_distribution<double>(0, 1)(random);
+        decays.push_back(std::exp2(-4 * share) * std::sqrt(100 / frequenciesHz.back()));
+        extras.push_back(std::exp2(4 * share) * std::sqrt(100 / frequenciesHz.back()));
+    }
+    auto object = syntheticObject(frequenciesHz);
+    object.decaysPerSecond = decays;
+    object.extraDecaysPerSecond = extras;
+    ObjectLibrary library;
+    const auto kept = library.add("many", object);
+    return Instrument::build(
+               {.kind = KeyMapKind::scaled, .lowestNote = 60, .highestNote = 63, .object = "many"},
+               library)
+        .value();
+}
+
 std::vector<std::shared_ptr<const Instrument>> instruments() {
     std::vector<std::shared_ptr<const Instrument>> all;
     for (const auto& preset : factoryPresets())
         if (preset.keyMap.kind != KeyMapKind::scene)
             all.push_back(Instrument::build(preset.keyMap, ObjectLibrary::shared()).value());
+    all.push_back(manySlowModes());
     // Measured decays, a live thickness, and materials that differ from key to key.
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
@@ -88,6 +112,37 @@ TEST_CASE("No mode dies away more slowly than the bound, whatever the settings")
                     slowestOfAll(*instrument, settings, below) * (1 + 1e-9));
         }
     }
+}
+
+TEST_CASE("The bound is at least half the decay of a factory keyboard's slowest mode") {
+    const LiveMaterial steel{
+        .youngsModulusPa = 2e11, .densityKgPerM3 = 7850, .damping = {.lossFactor = 2e-4}};
+    for (const auto& preset : factoryPresets()) {
+        if (preset.keyMap.kind == KeyMapKind::scene)
+            continue;
+        CAPTURE(preset.name);
+        const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
+        const auto bounds = decayBounds(*instrument);
+        for (const SynthesisSettings& settings :
+             {SynthesisSettings{}, synthesisSettings(preset.parameters),
+              SynthesisSettings{.sizeRatio = 2, .keepPitch = true},
+              SynthesisSettings{.sizeRatio = 0.5, .material = steel}}) {
+            const double bound = slowestDecay(bounds, settings, 0);
+            const double slowest = slowestOfAll(*instrument, settings, 0);
+            CAPTURE(bound, slowest);
+            CHECK(bound <= slowest * (1 + 1e-9));
+            CHECK(bound >= slowest / 2);
+        }
+    }
+}
+
+TEST_CASE("Where more modes may be the slowest than are kept, the bound is at least half of it") {
+    const auto instrument = manySlowModes();
+    const auto bounds = decayBounds(*instrument);
+    for (const SynthesisSettings& settings :
+         {SynthesisSettings{}, SynthesisSettings{.sizeRatio = 2},
+          SynthesisSettings{.frequencyRatio = 2, .keepPitch = true}})
+        CHECK(slowestDecay(bounds, settings, 0) >= slowestOfAll(*instrument, settings, 0) / 2);
 }
 
 TEST_CASE("Of one material that is lightly damped the bound is the lowest mode's decay") {

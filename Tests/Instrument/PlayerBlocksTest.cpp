@@ -3,6 +3,7 @@
 #include "SameInAllBlocks.h"
 #include "Support/Level.h"
 #include "Support/RenderNotes.h"
+#include "Support/RigidBall.h"
 #include "TestInstruments.h"
 
 #include <array>
@@ -34,6 +35,15 @@ TEST_CASE("Stereo renders are bit-identical for block sizes 1, 7, 64, 480 and 40
                                            busyEvents(20000), 20000, parameters);
     CHECK(peak(sound.left) > 0.001f);
     CHECK(sound.left != sound.right);
+}
+
+TEST_CASE("Clicks of a rigid body are bit-identical for block sizes 1, 7, 64, 480 and 4096") {
+    ParameterValues parameters;
+    parameters.set(ParameterId::radiation, 60);
+    const auto sound = checkSameInBlocksOf({1, 7, 64, 480, 4096},
+                                           keysOn(rigidBall(0.02, 2500), KeyMapKind::zones, 60, 72),
+                                           sampleRateHz, busyEvents(10000), 10000, parameters);
+    CHECK(peak(sound.left) > 1e-4f);
 }
 
 TEST_CASE("After a reset the same events sound the same to the last bit") {

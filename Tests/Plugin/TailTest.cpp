@@ -37,14 +37,17 @@ double ringingSeconds(Processor& processor, double longestSeconds) {
 
 } // namespace
 
-TEST_CASE(
-    "The tail that hosts are told of a factory preset is what rings, and not several times that") {
+TEST_CASE("The tail that hosts are told of a factory preset is what rings where it is struck, and "
+          "at most twice that") {
     for (const std::string name : {"Glockenspiel", "Tubular Bells", "Ammunition Shell", "Marimba",
                                    "Steel Plate", "Glass Bowls"}) {
         CAPTURE(name);
         Processor processor;
         processor.setNonRealtime(true);
         processor.setCurrentProgram(factoryProgram(factoryPresetId(name)));
+        // From afar the slowest modes may be faint: a tubular bell's lowest has 60 Hz and radiates
+        // next to nothing.
+        processor.setValue(ParameterId::radiation, 0);
         processor.prepareToPlay(rateHz, blockSize);
         const double told = processor.getTailLengthSeconds();
         REQUIRE(told <= 120);
@@ -52,8 +55,7 @@ TEST_CASE(
         CAPTURE(told, rings);
         CHECK(rings > 0.5);
         CHECK(rings <= told);
-        if (name != "Marimba") // the bound does not count what tubes take
-            CHECK(told <= 6 * rings);
+        CHECK(told <= 2 * rings);
     }
 }
 
