@@ -92,6 +92,13 @@ struct BeforeSample {
 /// Where each channel is added to.
 using ChannelOutputs = std::array<float*, mostChannels>;
 
+/// A cell of each channel.
+using CellSound = std::array<std::array<float, cellSize>, mostChannels>;
+
+inline ChannelOutputs outputsOf(CellSound& sound) noexcept {
+    return {sound[0].data(), sound[1].data()};
+}
+
 /// Memory is reserved by the constructor; every other member is for the audio thread. Modes are
 /// held in blocks of `modeBlock`; those beyond `size` are silent.
 class ModalBank {
@@ -156,11 +163,14 @@ public:
     void clearFaint(std::size_t block, double faintest) noexcept;
 
     /// Adds a cell of the modes in `runs` to `output` and takes the states of `blocks` (ascending,
-    /// holding all of `runs`) on by a cell, times `scale`.
+    /// holding all of `runs`) on by a cell, times `scale`. Those of `apart` are added to
+    /// `apartOutputs` too.
     void render(std::span<const std::int32_t> blocks,
                 std::span<const ModeRun> runs,
                 double scale,
-                const ChannelOutputs& outputs) noexcept;
+                const ChannelOutputs& outputs,
+                std::span<const ModeRun> apart = {},
+                const ChannelOutputs& apartOutputs = {}) noexcept;
 
     /// The same from other states, which are taken on; their energies are not kept.
     void renderFrom(ModeStates& from,
@@ -238,7 +248,9 @@ private:
                       std::span<const std::int32_t> blocks,
                       std::span<const ModeRun> runs,
                       double scale,
-                      const ChannelOutputs& outputs) noexcept;
+                      const ChannelOutputs& outputs,
+                      std::span<const ModeRun> apart,
+                      const ChannelOutputs& apartOutputs) noexcept;
     void advanceBatch(ModeStates& from,
                       std::size_t channel,
                       std::size_t first,

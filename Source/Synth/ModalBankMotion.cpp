@@ -34,8 +34,10 @@ void ModalBank::advanceBlock(std::size_t block,
 void ModalBank::render(std::span<const std::int32_t> blocks,
                        std::span<const ModeRun> runs,
                        double scale,
-                       const ChannelOutputs& outputs) noexcept {
-    renderStates(states, energy.data(), blocks, runs, scale, outputs);
+                       const ChannelOutputs& outputs,
+                       std::span<const ModeRun> apart,
+                       const ChannelOutputs& apartOutputs) noexcept {
+    renderStates(states, energy.data(), blocks, runs, scale, outputs, apart, apartOutputs);
 }
 
 void ModalBank::renderFrom(ModeStates& from,
@@ -46,7 +48,7 @@ void ModalBank::renderFrom(ModeStates& from,
     const std::size_t first = index(runs.front().first) / modeBlock;
     const std::size_t last = index(runs.back().first + runs.back().count - 1) / modeBlock;
     renderStates(from, nullptr, std::span(blockNumbers).subspan(first, last - first + 1), runs, 1,
-                 outputs);
+                 outputs, {}, {});
 }
 
 ModeRotations ModalBank::rotations(std::size_t first) const noexcept {
@@ -88,7 +90,9 @@ void ModalBank::renderStates(ModeStates& from,
                              std::span<const std::int32_t> blocks,
                              std::span<const ModeRun> runs,
                              double scale,
-                             const ChannelOutputs& outputs) noexcept {
+                             const ChannelOutputs& outputs,
+                             std::span<const ModeRun> apart,
+                             const ChannelOutputs& apartOutputs) noexcept {
     SubBlockStates ahead;
     for (std::size_t b = 0; b < blocks.size();) {
         // A batch is as many consecutive blocks as it holds.
@@ -106,6 +110,7 @@ void ModalBank::renderStates(ModeStates& from,
         for (std::size_t c = 0; c < channelCount; ++c) {
             advanceBatch(from, c, first, end - first, scale, energies, ahead);
             mixRuns(runs, first, end, ahead, subBlocks, outputs[c]);
+            mixRuns(apart, first, end, ahead, subBlocks, apartOutputs[c]);
         }
     }
 }

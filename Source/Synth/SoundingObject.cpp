@@ -48,6 +48,7 @@ SoundingObject::SoundingObject(SynthesiserSlot slot,
     requestedSilences.reserve(modes);
     silencedModes.reserve(modes);
     bank.resize(modes);
+    findShared();
     applySettings({});
     movePoles();
 }
@@ -147,8 +148,8 @@ void SoundingObject::chooseModes(std::int32_t share) noexcept {
     }
     mixedIsRinging = all;
     if (!scratch.leaving.empty() || !scratch.joining.empty()) {
-        fader.leave(bank, scratch.leaving);
-        fader.enter(bank, scratch.joining);
+        fade(scratch.leaving, 1);
+        fade(scratch.joining, -1);
         listMixed();
     }
     retireBlocks(cellIndex);
@@ -245,15 +246,22 @@ void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
     } else {
         renderCell({cell[0].data(), cell[bank.channels() - 1].data()});
     }
+    if (tubesPulse())
+        closeTubes(scratch.sharedSound, 0, cellSamples, cell);
     soundContacts(cell);
 }
 
 void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
     const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
-    bank.render(activeBlocks, mixedRuns, fallen, outputs);
+    const ChannelOutputs shared = outputsOf(scratch.sharedSound);
+    if (tubesPulse())
+        scratch.sharedSound = {};
+    bank.render(activeBlocks, mixedRuns, fallen, outputs, pulsing(), shared);
     fader.addCell(outputs);
     if (damping > 0) {
         fadeByDamper(outputs, cellSamples);
+        if (tubesPulse())
+            fadeByDamper(shared, cellSamples);
         fader.scale(static_cast<float>(fallen));
     }
 }
@@ -281,6 +289,43 @@ void SoundingObject::addToCell(const ChannelOutputs& sound,
         for (std::size_t k = 0; k < count; ++k)
             output[k] += heard[k];
     }
+}
+
+/// What bar and tube share was added with the tubes open: the discs take their part of it away.
+/// States know nothing of the discs, so that no gain steps.
+void SoundingObject::closeTubes(CellSound& shared,
+                                std::size_t from,
+                                std::size_t count,
+                                const CellOutput& cell) const noexcept {
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        for (std::size_t k = 0; k < count; ++k)
+            shared[c][k] *= scratch.tubes.at(from + k) - 1;
+    addToCell(outputsOf(shared), from, count, cell);
+}
+
+/// Of ascending runs, the modes that bar and tube share. Valid until it is asked for others.
+std::span<const ModeRun> SoundingObject::sharedOf(std::span<const ModeRun> runs) const noexcept {
+    scratch.sharedRuns.clear();
+    for (const std::int32_t mode : sharedModes) {
+        while (!runs.empty() && runs.front().first + runs.front().count <= mode)
+            runs = runs.subspan(1);
+        if (!runs.empty() && runs.front().first <= mode)
+            scratch.sharedRuns.push_back({mode, 1});
+    }
+    return scratch.sharedRuns;
+}
+
+/// The discs' gain of a group where the states stand.
+float SoundingObject::openingNow(std::size_t g) const noexcept {
+    const bool isShared = std::ranges::binary_search(sharedModes, static_cast<std::int32_t>(g));
+    return isShared ? scratch.tubesNow : 1;
+}
+
+/// A share of 1 leaves, −1 returns. In the 3 ms of a fade the discs hardly move.
+void SoundingObject::fade(std::span<const std::int32_t> modes, float share) noexcept {
+    for (std::size_t k = 0; k < modes.size(); ++k)
+        scratch.fadingShares[k] = share * openingNow(static_cast<std::size_t>(modes[k]));
+    fader.change(bank, modes, scratch.fadingShares);
 }
 
 void SoundingObject::reset() noexcept {

@@ -114,15 +114,20 @@ public:
     }
 
 private:
+    /// G0 and H of a contact over some modes, for each channel.
+    struct ForcedMotion {
+        std::array<double, mostChannels> steadyVelocity{};
+        std::array<std::complex<double>, mostChannels> swing{};
+    };
+
     /// One contact under way; its free part is in the states of the modes.
     struct Contact {
         Strike strike; ///< its duration cleared of resonances
         Hearing heard; ///< as of its start
         std::int64_t startCell = 0;
         double startSample = 0;
-        /// G0 and H over the modes mixed, for each channel.
-        std::array<double, mostChannels> steadyVelocity{};
-        std::array<std::complex<double>, mostChannels> swing{};
+        ForcedMotion mixed;  ///< of the modes mixed
+        ForcedMotion shared; ///< of these, the ones that the bar shares with its tube
     };
 
     /// One block of the bank's modes, a bit each. A block of which nothing rings is not active: its
@@ -146,6 +151,14 @@ private:
     void retireBlocks(std::int64_t grid) noexcept;
     void wakeBlocks() noexcept;
     void renderCell(const ChannelOutputs& outputs) noexcept;
+    void fade(std::span<const std::int32_t> modes, float share) noexcept;
+    /// Whether a motor changes what is heard in the cell begun last.
+    bool tubesPulse() const noexcept { return !sharedModes.empty() && !scratch.tubes.isFull(); }
+    std::span<const ModeRun> sharedOf(std::span<const ModeRun> runs) const noexcept;
+    std::span<const ModeRun> pulsing() const noexcept {
+        return tubesPulse() ? sharedOf(mixedRuns) : std::span<const ModeRun>();
+    }
+    float openingNow(std::size_t g) const noexcept;
     void fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept;
     void activate(std::size_t block) noexcept;
     bool bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
@@ -173,6 +186,7 @@ private:
     void regroup(std::size_t groups) noexcept;
     void nameGroups(std::size_t groups) noexcept;
     void shareGroups(std::size_t groups) noexcept;
+    void findShared() noexcept;
     void handOnFlags() noexcept;
     void fadeChanges() noexcept;
     void rebuildBlocks() noexcept;
@@ -189,6 +203,12 @@ private:
     void admit(std::size_t g) noexcept;
     void soundContacts(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
+    void soundForced(const Contact& contact,
+                     const ForcedMotion& motion,
+                     int from,
+                     std::size_t samples,
+                     CellSound& sound) const noexcept;
+    void soundKicks(std::span<const ModeRun> runs, std::size_t samples, CellSound& sound) noexcept;
     void startKicks(double sign, double at) noexcept;
     void finishKicks(const Contact& contact, double end) noexcept;
     BeforeSample beforeSample(double at) const noexcept;
@@ -198,6 +218,10 @@ private:
                    std::size_t from,
                    std::size_t count,
                    const CellOutput& cell) const noexcept;
+    void closeTubes(CellSound& shared,
+                    std::size_t from,
+                    std::size_t count,
+                    const CellOutput& cell) const noexcept;
     void keepKicks(int from) noexcept;
     void takeInKicks(std::int64_t grid) noexcept;
     bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
@@ -213,6 +237,8 @@ private:
 
     // SoundingObjectContact.cpp: contacts under way.
     void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
+    void
+    addMotion(std::span<const ModeRun> modes, double factor, ForcedMotion& motion) const noexcept;
     /// What a contact adds to the residue of every mode, over what the other one does; 0 where that
     /// differs from mode to mode.
     static double shareOfResidues(const Contact& contact, const Contact& other) noexcept;
@@ -223,6 +249,11 @@ private:
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
     // SoundingObjectForce.cpp: continuous contact.
+    /// What the object answers within a cell.
+    struct Answer {
+        alignas(64) CellSound sound;
+        alignas(64) CellSound shared; ///< of this, what pulses; filled only while tubes pulse
+    };
     void admitForced(std::int32_t allowance) noexcept;
     bool valid(const ForcePlace& place) const noexcept;
     void answer(const ForcePoint& at, const Hearing& heard, ForceResponse& response) noexcept;
@@ -232,10 +263,11 @@ private:
                   const Hearing& heard,
                   ForceResponses& known,
                   ModeResidues& residues,
-                  ForceSound& sound) noexcept;
+                  Answer& answer) noexcept;
+    void soundAnswer(std::span<const ModeRun> runs, CellSound& sound) noexcept;
     void soundForce(std::span<const float, cellSamples> impulses,
-                    const ForceSound& start,
-                    const ForceSound& end,
+                    const Answer& start,
+                    const Answer& end,
                     const CellOutput& cell) const noexcept;
 
     std::shared_ptr<const ModalObject> object;
@@ -284,6 +316,7 @@ private:
     std::vector<ModePair> pairs;
     std::vector<ModeDamping> dampings;      ///< [M], or empty: the law's
     std::vector<ModeDamping> groupDampings; ///< [G], or empty: the law's
+    std::vector<std::int32_t> sharedModes;  ///< ascending: groups that bar and tube share
     std::vector<float> lostShares;          ///< of the pairs of every group (ModeCompression.h)
     std::optional<PoleLaw> lostSharesLaw;   ///< for which they hold
 

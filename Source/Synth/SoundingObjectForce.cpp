@@ -40,7 +40,7 @@ bool SoundingObject::applyForce(const ForceCell& force,
     for (std::size_t k = 0; k < cellSamples; ++k)
         impulses[k] = force.newtons[k] * secondsPerSample;
     ForceResponses& known = scratch.responses[force.contact];
-    alignas(64) ForceSound start, end;
+    Answer start, end;
     const bool changes = !stays || heardAtStart != heardAtEnd;
     answerAt(force.start, heardAtStart, known, scratch.startResidues, start);
     if (changes)
@@ -72,12 +72,14 @@ void SoundingObject::answerAt(const ForcePlace& place,
                               const Hearing& heard,
                               ForceResponses& known,
                               ModeResidues& residues,
-                              ForceSound& sound) noexcept {
+                              Answer& answer) noexcept {
     const ForceResponse& first = responseAt(place.points[0], heard, known);
     if (place.way == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
             residues[c].copyFrom(first.residues[c], bank.paddedSize());
-        sound = first.sound;
+        answer.sound = first.sound;
+        if (tubesPulse())
+            answer.shared = first.shared;
         return;
     }
     const ForceResponse& second = responseAt(place.points[1], heard, known);
@@ -87,7 +89,10 @@ void SoundingObject::answerAt(const ForcePlace& place,
         blendResponses(first.residues[c].im.data(), second.residues[c].im.data(), place.way,
                        bank.paddedSize(), residues[c].im.data());
         blendResponses(first.sound[c].data(), second.sound[c].data(), place.way, cellSamples,
-                       sound[c].data());
+                       answer.sound[c].data());
+        if (tubesPulse())
+            blendResponses(first.shared[c].data(), second.shared[c].data(), place.way, cellSamples,
+                           answer.shared[c].data());
     }
 }
 
@@ -97,7 +102,8 @@ const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
                                                 ForceResponses& known) noexcept {
     const auto isAnswer = [&](const ForceResponse& response) {
         return response.object == this && response.version == responseVersion &&
-               response.heard == heard && response.at == at;
+               response.heard == heard && response.at == at &&
+               (response.knowsShared || !tubesPulse());
     };
     ForceResponse* chosen = &known.front();
     for (ForceResponse& response : known) {
@@ -127,24 +133,37 @@ void SoundingObject::answer(const ForcePoint& at,
     bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
     for (std::size_t c = 0; c < bank.channels(); ++c)
         response.residues[c].copyFrom(scratch.groupResidues[c], bank.paddedSize());
-    response.sound = {};
-    bank.sound(scratch.kicks, mixedRuns, subBlocks,
-               {response.sound[0].data(), response.sound[1].data()});
-    const auto direct = bank.directSound(scratch.groupResidues, mixedRuns);
+    soundAnswer(mixedRuns, response.sound);
+    response.knowsShared = tubesPulse();
+    if (response.knowsShared)
+        soundAnswer(pulsing(), response.shared);
+}
+
+/// What some modes sound of the impulse at hand.
+void SoundingObject::soundAnswer(std::span<const ModeRun> runs, CellSound& sound) noexcept {
+    sound = {};
+    bank.sound(scratch.kicks, runs, subBlocks, outputsOf(sound));
+    const auto direct = bank.directSound(scratch.groupResidues, runs);
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
+        sound[c][0] = sound[c][0] / 2 + direct[c];
     if (damping > 0)
-        fadeByDamper({response.sound[0].data(), response.sound[1].data()}, cellSamples);
+        fadeByDamper(outputsOf(sound), cellSamples);
 }
 
 void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
-                                const ForceSound& start,
-                                const ForceSound& end,
+                                const Answer& start,
+                                const Answer& end,
                                 const CellOutput& cell) const noexcept {
-    alignas(64) ForceSound sound{};
+    alignas(64) CellSound sound{};
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        convolveForce(impulses, start[c], end[c], sound[c]);
-    addToCell({sound[0].data(), sound[1].data()}, 0, cellSamples, cell);
+        convolveForce(impulses, start.sound[c], end.sound[c], sound[c]);
+    addToCell(outputsOf(sound), 0, cellSamples, cell);
+    if (!tubesPulse())
+        return;
+    sound = {};
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        convolveForce(impulses, start.shared[c], end.shared[c], sound[c]);
+    closeTubes(sound, 0, cellSamples, cell);
 }
 
 } // namespace idiophone

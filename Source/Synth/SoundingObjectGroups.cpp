@@ -30,6 +30,7 @@ void SoundingObject::regroup(std::size_t groups) noexcept {
     nameGroups(groups);
     handOnFlags();
     fadeChanges();
+    findShared();
     bank.regroup(groups, scratch.groupShares, scratch.states);
     rebuildBlocks();
 }
@@ -72,6 +73,16 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
     }
 }
 
+/// Each is a group of its own.
+void SoundingObject::findShared() noexcept {
+    sharedModes.clear();
+    if (object->gains.empty())
+        return;
+    for (std::size_t g = 0; static_cast<std::size_t>(groupStarts[g]) < object->modeCount(); ++g)
+        if (isShared(object->gains, static_cast<std::size_t>(groupStarts[g])))
+            sharedModes.push_back(static_cast<std::int32_t>(g));
+}
+
 /// In `scratch`, as the old ones are needed for the fades: a group sounds where any of it did.
 void SoundingObject::handOnFlags() noexcept {
     std::fill(scratch.aboveTau.begin(), scratch.aboveTau.end(), std::uint16_t{0});
@@ -105,7 +116,7 @@ void SoundingObject::fadeChanges() noexcept {
     for (std::size_t g = 0; g < bank.size(); ++g) {
         if (!(std::abs(fading[g]) > smallestFade && bank.energies()[g] > 0))
             continue;
-        fading[scratch.leaving.size()] = fading[g];
+        fading[scratch.leaving.size()] = fading[g] * openingNow(g);
         scratch.leaving.push_back(static_cast<std::int32_t>(g));
     }
     fader.change(bank, scratch.leaving, fading);

@@ -311,7 +311,7 @@ class Render(ConsoleTest):
                 (XYLOPHONE, "release=2", ("let_ring=off",)),
                 ("Scraped Plate", "release=2", ("let_ring=off",)),
                 (XYLOPHONE, "motor_speed=9", ("motor_depth=100",)),
-                (XYLOPHONE, "motor_sync=1/4", None), (XYLOPHONE, "room_decay=5", ("room=50",)),
+                (XYLOPHONE, "motor_sync=1/4", None), (plate, "motor_depth=90", None), (XYLOPHONE, "room_decay=5", ("room=50",)),
                 (XYLOPHONE, "thickness=50", None),
                 (plate, "keep_pitch=off", None), (dice, "keep_pitch=off", None),
                 (plate, "width=0", ("radiation=100", "strike_across=50")),
