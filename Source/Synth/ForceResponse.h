@@ -26,10 +26,10 @@ struct ForceResponse {
     std::uint64_t lastUse = 0;
     ForcePoint at;
     Hearing heard;
-    ModeResidues residues;          ///< [G]
-    alignas(64) CellSound sound{};  ///< within a cell
-    alignas(64) CellSound shared{}; ///< of this, what the bar shares with its tube
-    bool knowsShared = false;
+    ModeResidues residues;         ///< [G]
+    alignas(64) CellSound sound{}; ///< within a cell
+    alignas(64) CellSound tube{};  ///< of this, what the tube adds
+    bool knowsTube = false;
 };
 
 /// A contact's at the two points around where it starts a cell, and where it ends it.

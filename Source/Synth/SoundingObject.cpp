@@ -1,6 +1,7 @@
 #include "Synth/SoundingObject.h"
 
 #include "Synth/ModeCompression.h"
+#include "Synth/TubeShares.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +49,8 @@ SoundingObject::SoundingObject(SynthesiserSlot slot,
     requestedSilences.reserve(modes);
     silencedModes.reserve(modes);
     bank.resize(modes);
-    findShared();
+    tubeShares = idiophone::tubeShares(*object);
+    findTubeParts();
     applySettings({});
     movePoles();
 }
@@ -247,21 +249,21 @@ void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
         renderCell({cell[0].data(), cell[bank.channels() - 1].data()});
     }
     if (tubesPulse())
-        closeTubes(scratch.sharedSound, 0, cellSamples, cell);
+        closeTubes(scratch.tubeSound, 0, cellSamples, cell);
     soundContacts(cell);
 }
 
 void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
     const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
-    const ChannelOutputs shared = outputsOf(scratch.sharedSound);
+    const ChannelOutputs tube = outputsOf(scratch.tubeSound);
     if (tubesPulse())
-        scratch.sharedSound = {};
-    bank.render(activeBlocks, mixedRuns, fallen, outputs, pulsing(), shared);
+        scratch.tubeSound = {};
+    bank.render(activeBlocks, mixedRuns, fallen, outputs, pulsing(), tube);
     fader.addCell(outputs);
     if (damping > 0) {
         fadeByDamper(outputs, cellSamples);
         if (tubesPulse())
-            fadeByDamper(shared, cellSamples);
+            fadeByDamper(tube, cellSamples);
         fader.scale(static_cast<float>(fallen));
     }
 }
@@ -291,34 +293,37 @@ void SoundingObject::addToCell(const ChannelOutputs& sound,
     }
 }
 
-/// What bar and tube share was added with the tubes open: the discs take their part of it away.
-/// States know nothing of the discs, so that no gain steps.
-void SoundingObject::closeTubes(CellSound& shared,
+/// What tubes add was heard with the discs open: takes away what they close. States know nothing of
+/// the discs, so that no gain steps.
+void SoundingObject::closeTubes(CellSound& tube,
                                 std::size_t from,
                                 std::size_t count,
                                 const CellOutput& cell) const noexcept {
     for (std::size_t c = 0; c < bank.channels(); ++c)
         for (std::size_t k = 0; k < count; ++k)
-            shared[c][k] *= scratch.tubes.at(from + k) - 1;
-    addToCell(outputsOf(shared), from, count, cell);
+            tube[c][k] *= scratch.tubes.at(from + k) - 1;
+    addToCell(outputsOf(tube), from, count, cell);
 }
 
-/// Of ascending runs, the modes that bar and tube share. Valid until it is asked for others.
-std::span<const ModeRun> SoundingObject::sharedOf(std::span<const ModeRun> runs) const noexcept {
-    scratch.sharedRuns.clear();
-    for (const std::int32_t mode : sharedModes) {
-        while (!runs.empty() && runs.front().first + runs.front().count <= mode)
+/// Of the modes in ascending runs. Valid until it is asked for others.
+std::span<const ModePart>
+SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
+    scratch.tubeParts.clear();
+    for (const ModePart& part : tubeParts) {
+        while (!runs.empty() && runs.front().first + runs.front().count <= part.mode)
             runs = runs.subspan(1);
-        if (!runs.empty() && runs.front().first <= mode)
-            scratch.sharedRuns.push_back({mode, 1});
+        if (!runs.empty() && runs.front().first <= part.mode)
+            scratch.tubeParts.push_back(part);
     }
-    return scratch.sharedRuns;
+    return scratch.tubeParts;
 }
 
-/// The discs' gain of a group where the states stand.
+/// What the discs leave of a group where the states stand.
 float SoundingObject::openingNow(std::size_t g) const noexcept {
-    const bool isShared = std::ranges::binary_search(sharedModes, static_cast<std::int32_t>(g));
-    return isShared ? scratch.tubesNow : 1;
+    const auto mode = static_cast<std::int32_t>(g);
+    const auto part = std::ranges::lower_bound(tubeParts, mode, {}, &ModePart::mode);
+    return part != tubeParts.end() && part->mode == mode ? 1 + part->share * (scratch.tubesNow - 1)
+                                                         : 1;
 }
 
 /// A share of 1 leaves, −1 returns. In the 3 ms of a fade the discs hardly move.

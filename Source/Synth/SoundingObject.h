@@ -126,8 +126,8 @@ private:
         Hearing heard; ///< as of its start
         std::int64_t startCell = 0;
         double startSample = 0;
-        ForcedMotion mixed;  ///< of the modes mixed
-        ForcedMotion shared; ///< of these, the ones that the bar shares with its tube
+        ForcedMotion mixed{}; ///< of the modes mixed
+        ForcedMotion tube{};  ///< of these, what the tube adds
     };
 
     /// One block of the bank's modes, a bit each. A block of which nothing rings is not active: its
@@ -153,10 +153,10 @@ private:
     void renderCell(const ChannelOutputs& outputs) noexcept;
     void fade(std::span<const std::int32_t> modes, float share) noexcept;
     /// Whether a motor changes what is heard in the cell begun last.
-    bool tubesPulse() const noexcept { return !sharedModes.empty() && !scratch.tubes.isFull(); }
-    std::span<const ModeRun> sharedOf(std::span<const ModeRun> runs) const noexcept;
-    std::span<const ModeRun> pulsing() const noexcept {
-        return tubesPulse() ? sharedOf(mixedRuns) : std::span<const ModeRun>();
+    bool tubesPulse() const noexcept { return !tubeParts.empty() && !scratch.tubes.isFull(); }
+    std::span<const ModePart> tubePartsOf(std::span<const ModeRun> runs) const noexcept;
+    std::span<const ModePart> pulsing() const noexcept {
+        return tubesPulse() ? tubePartsOf(mixedRuns) : std::span<const ModePart>();
     }
     float openingNow(std::size_t g) const noexcept;
     void fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept;
@@ -186,7 +186,7 @@ private:
     void regroup(std::size_t groups) noexcept;
     void nameGroups(std::size_t groups) noexcept;
     void shareGroups(std::size_t groups) noexcept;
-    void findShared() noexcept;
+    void findTubeParts() noexcept;
     void handOnFlags() noexcept;
     void fadeChanges() noexcept;
     void rebuildBlocks() noexcept;
@@ -208,7 +208,6 @@ private:
                      int from,
                      std::size_t samples,
                      CellSound& sound) const noexcept;
-    void soundKicks(std::span<const ModeRun> runs, std::size_t samples, CellSound& sound) noexcept;
     void startKicks(double sign, double at) noexcept;
     void finishKicks(const Contact& contact, double end) noexcept;
     BeforeSample beforeSample(double at) const noexcept;
@@ -218,7 +217,7 @@ private:
                    std::size_t from,
                    std::size_t count,
                    const CellOutput& cell) const noexcept;
-    void closeTubes(CellSound& shared,
+    void closeTubes(CellSound& tube,
                     std::size_t from,
                     std::size_t count,
                     const CellOutput& cell) const noexcept;
@@ -252,7 +251,7 @@ private:
     /// What the object answers within a cell.
     struct Answer {
         alignas(64) CellSound sound;
-        alignas(64) CellSound shared; ///< of this, what pulses; filled only while tubes pulse
+        alignas(64) CellSound tube; ///< of this, what the tube adds; only while tubes pulse
     };
     void admitForced(std::int32_t allowance) noexcept;
     bool valid(const ForcePlace& place) const noexcept;
@@ -264,7 +263,6 @@ private:
                   ForceResponses& known,
                   ModeResidues& residues,
                   Answer& answer) noexcept;
-    void soundAnswer(std::span<const ModeRun> runs, CellSound& sound) noexcept;
     void soundForce(std::span<const float, cellSamples> impulses,
                     const Answer& start,
                     const Answer& end,
@@ -316,7 +314,8 @@ private:
     std::vector<ModePair> pairs;
     std::vector<ModeDamping> dampings;      ///< [M], or empty: the law's
     std::vector<ModeDamping> groupDampings; ///< [G], or empty: the law's
-    std::vector<std::int32_t> sharedModes;  ///< ascending: groups that bar and tube share
+    std::vector<float> tubeShares;          ///< [M] (TubeShares.h)
+    std::vector<ModePart> tubeParts;        ///< ascending: of the groups that bar and tube share
     std::vector<float> lostShares;          ///< of the pairs of every group (ModeCompression.h)
     std::optional<PoleLaw> lostSharesLaw;   ///< for which they hold
 

@@ -12,7 +12,10 @@ void SoundingObject::hold(Contact& contact,
                           std::span<const ModeRun> modes,
                           double factor) noexcept {
     addMotion(modes, factor, contact.mixed);
-    addMotion(sharedOf(modes), factor, contact.shared);
+    for (const ModePart& part : tubePartsOf(modes)) {
+        const ModeRun mode{part.mode, 1};
+        addMotion({&mode, 1}, factor * static_cast<double>(part.share), contact.tube);
+    }
 }
 
 void SoundingObject::addMotion(std::span<const ModeRun> modes,
@@ -93,7 +96,7 @@ void SoundingObject::moveContact(Contact& contact, double factor, Forced become)
                      become == Forced::freed ? factor : -factor, 1 - phase.real(), scratch.kicks);
     if (become == Forced::freed)
         return;
-    contact.mixed = contact.shared = {};
+    contact.mixed = contact.tube = {};
     hold(contact, mixedRuns, factor);
 }
 

@@ -79,7 +79,7 @@ void SoundingObject::answerAt(const ForcePlace& place,
             residues[c].copyFrom(first.residues[c], bank.paddedSize());
         answer.sound = first.sound;
         if (tubesPulse())
-            answer.shared = first.shared;
+            answer.tube = first.tube;
         return;
     }
     const ForceResponse& second = responseAt(place.points[1], heard, known);
@@ -91,8 +91,8 @@ void SoundingObject::answerAt(const ForcePlace& place,
         blendResponses(first.sound[c].data(), second.sound[c].data(), place.way, cellSamples,
                        answer.sound[c].data());
         if (tubesPulse())
-            blendResponses(first.shared[c].data(), second.shared[c].data(), place.way, cellSamples,
-                           answer.shared[c].data());
+            blendResponses(first.tube[c].data(), second.tube[c].data(), place.way, cellSamples,
+                           answer.tube[c].data());
     }
 }
 
@@ -103,7 +103,7 @@ const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
     const auto isAnswer = [&](const ForceResponse& response) {
         return response.object == this && response.version == responseVersion &&
                response.heard == heard && response.at == at &&
-               (response.knowsShared || !tubesPulse());
+               (response.knowsTube || !tubesPulse());
     };
     ForceResponse* chosen = &known.front();
     for (ForceResponse& response : known) {
@@ -133,21 +133,25 @@ void SoundingObject::answer(const ForcePoint& at,
     bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
     for (std::size_t c = 0; c < bank.channels(); ++c)
         response.residues[c].copyFrom(scratch.groupResidues[c], bank.paddedSize());
-    soundAnswer(mixedRuns, response.sound);
-    response.knowsShared = tubesPulse();
-    if (response.knowsShared)
-        soundAnswer(pulsing(), response.shared);
-}
-
-/// What some modes sound of the impulse at hand.
-void SoundingObject::soundAnswer(std::span<const ModeRun> runs, CellSound& sound) noexcept {
-    sound = {};
-    bank.sound(scratch.kicks, runs, subBlocks, outputsOf(sound));
-    const auto direct = bank.directSound(scratch.groupResidues, runs);
-    for (std::size_t c = 0; c < bank.channels(); ++c)
-        sound[c][0] = sound[c][0] / 2 + direct[c];
+    response.sound = response.tube = {};
+    response.knowsTube = tubesPulse();
+    const auto parts = pulsing();
+    bank.sound(scratch.kicks, mixedRuns, subBlocks, outputsOf(response.sound), parts,
+               outputsOf(response.tube));
+    const auto direct = bank.directSound(scratch.groupResidues, mixedRuns);
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
+        response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
+        response.tube[c][0] /= 2;
+    }
+    for (const ModePart& part : parts) {
+        const ModeRun mode{part.mode, 1};
+        const auto ofPart = bank.directSound(scratch.groupResidues, {&mode, 1});
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            response.tube[c][0] += part.share * ofPart[c];
+    }
     if (damping > 0)
-        fadeByDamper(outputsOf(sound), cellSamples);
+        for (CellSound* sound : {&response.sound, &response.tube})
+            fadeByDamper(outputsOf(*sound), cellSamples);
 }
 
 void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
@@ -162,7 +166,7 @@ void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
         return;
     sound = {};
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        convolveForce(impulses, start.shared[c], end.shared[c], sound[c]);
+        convolveForce(impulses, start.tube[c], end.tube[c], sound[c]);
     closeTubes(sound, 0, cellSamples, cell);
 }
 

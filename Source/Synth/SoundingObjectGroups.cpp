@@ -12,6 +12,7 @@ namespace {
 
 // Of a mode: far below hearing, far above what sums of shares differ from 1.
 constexpr float smallestFade = 1e-6f;
+constexpr float smallestTubeShare = 1e-3f; // not heard to pulse
 
 double sum(std::span<const double> weights) noexcept {
     double total = 0;
@@ -30,8 +31,8 @@ void SoundingObject::regroup(std::size_t groups) noexcept {
     nameGroups(groups);
     handOnFlags();
     fadeChanges();
-    findShared();
     bank.regroup(groups, scratch.groupShares, scratch.states);
+    findTubeParts();
     rebuildBlocks();
 }
 
@@ -73,14 +74,14 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
     }
 }
 
-/// Each is a group of its own.
-void SoundingObject::findShared() noexcept {
-    sharedModes.clear();
-    if (object->gains.empty())
-        return;
-    for (std::size_t g = 0; static_cast<std::size_t>(groupStarts[g]) < object->modeCount(); ++g)
-        if (isShared(object->gains, static_cast<std::size_t>(groupStarts[g])))
-            sharedModes.push_back(static_cast<std::int32_t>(g));
+/// Modes that bar and tube share are groups of their own.
+void SoundingObject::findTubeParts() noexcept {
+    tubeParts.clear();
+    for (std::size_t g = 0; !tubeShares.empty() && g < bank.size(); ++g) {
+        const float share = tubeShares[static_cast<std::size_t>(groupStarts[g])];
+        if (std::abs(share) > smallestTubeShare)
+            tubeParts.push_back({static_cast<std::int32_t>(g), share});
+    }
 }
 
 /// In `scratch`, as the old ones are needed for the fades: a group sounds where any of it did.

@@ -57,7 +57,7 @@ void SoundingObject::widen(double farShare) noexcept {
     ++responseVersion;
     fader.widen();
     for (Contact& contact : contacts)
-        for (ForcedMotion* motion : {&contact.mixed, &contact.shared}) {
+        for (ForcedMotion* motion : {&contact.mixed, &contact.tube}) {
             motion->steadyVelocity[1] = motion->steadyVelocity[0];
             motion->swing[1] = motion->swing[0];
         }
@@ -213,7 +213,7 @@ double SoundingObject::addForced(const Contact& contact, const CellOutput& cell)
     soundForced(contact, contact.mixed, from, samples, sound);
     addToCell(outputsOf(sound), first, samples, cell);
     if (tubesPulse()) {
-        soundForced(contact, contact.shared, from, samples, sound);
+        soundForced(contact, contact.tube, from, samples, sound);
         closeTubes(sound, first, samples, cell);
     }
     return end;
@@ -238,23 +238,21 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
     const auto first = static_cast<std::size_t>(from);
     const auto samples = static_cast<std::size_t>(until - from);
     alignas(64) CellSound sound;
-    soundKicks(mixedRuns, samples, sound);
-    addToCell(outputsOf(sound), first, samples, cell);
-    if (tubesPulse()) {
-        soundKicks(pulsing(), samples, sound);
-        closeTubes(sound, first, samples, cell);
-    }
-}
-
-/// The first samples that some modes sound from the kicks.
-void SoundingObject::soundKicks(std::span<const ModeRun> runs,
-                                std::size_t samples,
-                                CellSound& sound) noexcept {
     for (std::size_t c = 0; c < bank.channels(); ++c)
         sound[c].fill(0);
-    bank.sound(kicks, runs, (samples + subBlockSamples - 1) / subBlockSamples, outputsOf(sound));
+    const bool pulses = tubesPulse();
+    const ChannelOutputs tube = outputsOf(scratch.tubeSound);
+    if (pulses)
+        scratch.tubeSound = {};
+    bank.sound(kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
+               outputsOf(sound), pulsing(), tube);
     if (damping > 0)
         fadeByDamper(outputsOf(sound), samples);
+    if (damping > 0 && pulses)
+        fadeByDamper(tube, samples);
+    addToCell(outputsOf(sound), first, samples, cell);
+    if (pulses)
+        closeTubes(scratch.tubeSound, first, samples, cell);
 }
 
 /// Leaves the kicks, which stand at sample `from`, to be taken in at the next grid point: a cell

@@ -41,7 +41,7 @@ struct SynthesisScratch {
         for (auto* list : {&candidates, &joining, &leaving})
             list->reserve(modes);
         joiningRuns.reserve(modes);
-        sharedRuns.reserve(modes);
+        tubeParts.reserve(modes);
         groupStarts.resize(modes + 1);
         groupShares.reserve(2 * modes);
         fadingShares.resize(modes);
@@ -69,10 +69,10 @@ struct SynthesisScratch {
     std::vector<std::int32_t> leaving;
     std::vector<ModeRun> joiningRuns;
 
-    TubeOpening tubes;                 ///< of the cell begun last
-    float tubesNow = 1;                ///< of these, the gain at the grid point where states stand
-    std::vector<ModeRun> sharedRuns;   ///< of the modes that a bar shares with its tube
-    alignas(64) CellSound sharedSound; ///< what they sound
+    TubeOpening tubes;               ///< of the cell begun last
+    float tubesNow = 1;              ///< its gain at the grid point where states stand
+    std::vector<ModePart> tubeParts; ///< of the modes at hand, what tubes add
+    alignas(64) CellSound tubeSound; ///< what they sound
 
     // Where groups change.
     std::vector<std::uint8_t> silencedGroups; ///< [G]

@@ -7,8 +7,8 @@
 
 namespace idiophone {
 
-/// A gain of the modes that a bar shares with its tube, from 1 (open) to 0 (closed). It follows a
-/// line that begins at the last sample of the cell before.
+/// A gain of what comes out of the tubes, from 1 (open) to 0 (closed). It follows a line that
+/// begins at the last sample of the cell before.
 struct TubeOpening {
     float start = 1;
     float end = 1;

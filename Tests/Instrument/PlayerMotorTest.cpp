@@ -22,15 +22,15 @@ namespace {
 constexpr double sampleRateHz = 48000;
 constexpr int key = 66;
 
-/// Keys 60 to 72: a fundamental, which a bar shares with its tube as a pair, and two modes of its
-/// own.
+/// Keys 60 to 72: a fundamental, which a bar shares with its tube as a pair and the tube alone
+/// radiates, and two modes of its own.
 std::shared_ptr<const Instrument> barsOverTubes(bool withTubes = true) {
     auto bar = syntheticObject({440, 446, 1500, 2700}, {0.7f, 0.7f, 1, 1});
     if (withTubes)
         bar.gains = {{2, 0.5f}, {-1, -0.5f}, 1, 1};
     bar.radiation = {.directions = {{-0.6f, 0, 0.8f}, {0.6f, 0, 0.8f}},
                      .frequencyRatios = {1},
-                     .weights = {0.2f, -0.1f, 0.3f, 0.2f, 0.2f, 0.1f, -0.2f, 0.3f}};
+                     .weights = {0.2f, -0.2f, 0.3f, 0.2f, 0.1f, -0.1f, -0.2f, 0.3f}};
     return keysOn(std::move(bar), KeyMapKind::scaled, 60, 72);
 }
 

@@ -1,8 +1,10 @@
-// Discs over the tubes: the modes that a bar shares with its tube pulse, and no others.
+// Discs over the tubes: what tubes add to the sound of their bars pulses, and nothing else.
 #include "ModalReference.h"
+#include "Synth/TubeShares.h"
 
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <random>
 
 using namespace idiophone;
@@ -88,6 +90,29 @@ TubeOpening closed(int) {
 
 } // namespace
 
+TEST_CASE("A tube's share is what it radiates of a mode that it shares, and none of others") {
+    auto bar = barOverTube();
+    CHECK(tubeShares(ownAlone()).empty());
+    CHECK(tubeShares(bar) == std::vector<float>{1, 1, 0});
+
+    const std::complex<float> gain{0.7f, 0.2f}, otherGain = 1.0f - gain;
+    bar.gains = {gain, otherGain, 1};
+    bar.radiation.directions = {{0, 0, 1}, {1, 0, 0}};
+    bar.radiation.frequencyRatios = {1};
+    const auto radiate = [&](std::complex<float> ofBar, std::complex<float> ofTube) {
+        bar.radiation.weights = {gain * ofBar + ofTube, otherGain * ofBar - ofTube, 0.3f,
+                                 gain * ofBar + ofTube, otherGain * ofBar - ofTube, 0.1f};
+        return tubeShares(bar);
+    };
+    for (const float share : radiate(0, {0.5f, -0.2f}))
+        CHECK((share == 0 || std::abs(share - 1) < 1e-6f));
+    CHECK(std::abs(radiate({0.4f, 0.3f}, 0)[0]) < 1e-6f);
+    // In phase with the bar's own.
+    const auto half = radiate(1.0f / gain, 1);
+    CHECK_THAT(half[0], Catch::Matchers::WithinAbs(0.5, 1e-6));
+    CHECK(half[2] == 0);
+}
+
 TEST_CASE("Discs multiply what bar and tube share by their opening, and leave all else as it is") {
     const double contactSeconds = GENERATE(0.0, 4e-4, 0.03);
     const double damping = GENERATE(0.0, 20.0);
@@ -128,6 +153,39 @@ TEST_CASE("Discs multiply what bar and tube share of a continuous force") {
     CHECK(errorDb(sound, [&](double sample) {
               const auto k = static_cast<std::size_t>(sample);
               return double(own[k]) + openingAt(sample) * double(shared[k]);
+          }) < -105);
+}
+
+TEST_CASE("From afar discs close what the tube radiates, and what the bar radiates stays") {
+    const double contactSeconds = GENERATE(0.0, 0.03);
+    auto bar = barOverTube();
+    const std::complex<float> gain{0.7f, 0.2f}, otherGain = 1.0f - gain;
+    const auto ofBar = 0.1f / gain, otherOfBar = ofBar * otherGain;
+    bar.gains = {gain, otherGain, 1};
+    bar.radiation.directions = {{0, 0, 1}};
+    bar.radiation.frequencyRatios = {1};
+    bar.radiation.weights = {0.1f + 0.4f, otherOfBar - 0.4f, 0.3f};
+    const auto shares = tubeShares(bar);
+    CHECK_THAT(shares[0], Catch::Matchers::WithinAbs(0.8, 1e-6));
+
+    auto settings = exactSettings();
+    settings.radiation = 1;
+    const std::vector<TimedStrike> strikes{{5.5, unitStrike(contactSeconds)}};
+    const auto sound = struck(bar, strikes, openingOf, 0, settings);
+    std::vector<std::vector<float>> ofModes; // with open tubes
+    for (std::size_t heard = 0; heard < 3; ++heard) {
+        auto alone = bar;
+        for (std::size_t mode = 0; mode < 3; ++mode)
+            if (mode != heard)
+                alone.radiation.weights[mode] = 0;
+        ofModes.push_back(struck(alone, strikes, full, 0, settings));
+    }
+    CHECK(errorDb(sound, [&](double sample) {
+              double sum = 0;
+              for (std::size_t mode = 0; mode < 3; ++mode)
+                  sum += (1 + double(shares[mode]) * (openingAt(sample) - 1)) *
+                         double(ofModes[mode][static_cast<std::size_t>(sample)]);
+              return sum;
           }) < -105);
 }
 
