@@ -29,6 +29,10 @@ bool isHeld(const ParameterValues& values, const Played&) {
 bool isRolled(const ParameterValues& values, const Played&) {
     return static_cast<int>(values[contact]) == rollContact;
 }
+bool hasTubes(const ParameterValues&, const Played& played) {
+    return std::ranges::any_of(played.slots,
+                               [](const auto& slot) { return !slot.object->gains.empty(); });
+}
 bool motorModulates(const ParameterValues& values, const Played&) {
     return values[motorDepth] > 0;
 }
@@ -63,6 +67,7 @@ bool isStereo(const ParameterValues& values, const Played& played) {
 
 constexpr const char* whileStruck = "it acts with contact=Strike";
 constexpr const char* whileHeld = "it acts with contact=Scrape or contact=Roll";
+constexpr const char* overTubes = "no object is a bar over a tube";
 constexpr const char* onPaths = "there is one point to strike";
 
 constexpr Condition conditions[]{
@@ -86,6 +91,9 @@ constexpr Condition conditions[]{
     {strikeSpread, hasPath, onPaths},
     {releaseTime, keysDamp,
      "it acts with let_ring=off, and where pressure damps keys that are struck"},
+    {motorDepth, hasTubes, overTubes},
+    {motorSpeed, hasTubes, overTubes},
+    {motorSync, hasTubes, overTubes},
     {motorSpeed, motorModulates, "it acts with motor_depth above 0"},
     {motorSync, isFree, "there is no host with a tempo; motor_speed acts"},
     {roomDecay, hasRoom, "it acts with room above 0"},

@@ -12,9 +12,8 @@ float Motor::advance(double turnsPerSecond, double depth) {
     depthNow += (depth - depthNow) * (1 - std::exp(-cellSeconds / smoothingSeconds));
     if (std::abs(depth - depthNow) < 1e-6)
         depthNow = depth;
-    if (depthNow == 0)
-        return 1;
-    return static_cast<float>(1 - depthNow * (1 - std::cos(4 * std::numbers::pi * turn)) / 2);
+    gainNow = static_cast<float>(1 - depthNow * (1 - std::cos(4 * std::numbers::pi * turn)) / 2);
+    return gainNow;
 }
 
 void Motor::keepTo(double turns, bool isAtOnce) {
@@ -31,6 +30,7 @@ void Motor::keepTo(double turns, bool isAtOnce) {
 
 void Motor::reset() {
     turn = depthNow = 0;
+    gainNow = 1;
 }
 
 } // namespace idiophone

@@ -196,12 +196,13 @@ void Player::beginCell(std::optional<double> beats) {
     synth.setSettings(settingsNow());
     slotTuning.apply(bend, synth);
     updateDampers();
+    turnMotor(beats);
     soundCell(cell(), slotCells);
     addRemains();
     ++cellIndex;
     if (performance)
         playStage();
-    updateGain(beats);
+    updateGain();
     cellPosition = 0;
 }
 
@@ -232,6 +233,7 @@ void Player::forgetSilenced() {
     updateDampers();
     // Before the first cell nothing has sounded, nor is there a damper.
     if (cellIndex >= 0 && !std::exchange(hasRemains, true)) {
+        synth.setTubeOpening({.start = motor.gain(), .end = motor.gain()});
         soundCell(remainsOfSlots.front(), remainsOfSlots);
         if (performance)
             performance->release(synth, remainsOfSlots);
@@ -296,21 +298,24 @@ void Player::prepare(const ParameterValues& parameters, int awaitedWheel) {
     loudness.prepare(parameters, awaitedWheel);
 }
 
-/// Once a cell, on the grid: what matches loudness, which moves when a prediction is complete, and
-/// the motor.
-void Player::updateGain(std::optional<double> beats) {
+void Player::turnMotor(std::optional<double> beats) {
+    if (const auto turns = beats && tempo > 0 ? motorTurnsAt(current, *beats) : std::nullopt)
+        motor.keepTo(*turns, silent());
+    const float before = motor.gain();
+    const float after =
+        motor.advance(motorTurnsPerSecond(current, tempo), current[motorDepth] / 100);
+    synth.setTubeOpening({.start = before, .end = after});
+}
+
+/// Once a cell, on the grid: what matches loudness, which moves when a prediction is complete.
+void Player::updateGain() {
     loudness.advance(glide.goalValues());
     // What is predicted is what keys strike with mallets.
     const auto goal = performance ? 1.0f : static_cast<float>(std::pow(10, loudness.gainDb() / 20));
-    const float before = cellIndex == 0 ? goal : gainAtCellEnd;
-    matchingGain = cellIndex == 0 ? goal : matchingGain + matchingShare * (goal - matchingGain);
-    if (std::abs(goal - matchingGain) < 1e-5f * goal)
-        matchingGain = goal;
-    gainAtCellStart = before;
-    if (const auto turns = beats && tempo > 0 ? motorTurnsAt(current, *beats) : std::nullopt)
-        motor.keepTo(*turns, silent());
-    gainAtCellEnd = matchingGain *
-                    motor.advance(motorTurnsPerSecond(current, tempo), current[motorDepth] / 100);
+    gainAtCellStart = cellIndex == 0 ? goal : gainAtCellEnd;
+    gainAtCellEnd = cellIndex == 0 ? goal : gainAtCellEnd + matchingShare * (goal - gainAtCellEnd);
+    if (std::abs(goal - gainAtCellEnd) < 1e-5f * goal)
+        gainAtCellEnd = goal;
 }
 
 /// Copies what is next in the cell to the output, with its gain.

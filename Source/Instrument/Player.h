@@ -189,7 +189,8 @@ private:
     void forgetSilenced();
     void addRemains();
     void updateDampers();
-    void updateGain(std::optional<double> beats);
+    void turnMotor(std::optional<double> beats);
+    void updateGain();
     void forgetSound();
     void copyOut(const StereoSpan& output, int position, int count) const;
     CellOutput cell() { return {leftCell, rightCell}; }
@@ -221,11 +222,10 @@ private:
     std::optional<std::size_t> playedLast;
 
     LoudnessMatch loudness;
-    float matchingGain = 1;
     Motor motor;
     double tempo = 0;                             ///< beats a minute, or 0
     std::optional<double> songPlace;              ///< in beats
-    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< of both; it is linear in between
+    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< that matches; it is linear in between
 
     std::array<std::bitset<128>, 16> keysDown; ///< of each channel
     std::bitset<128> keysSustained;            ///< released under the sustain pedal

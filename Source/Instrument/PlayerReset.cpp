@@ -41,7 +41,7 @@ void Player::forgetSound() {
     cellPosition = cellSamples;
     cellIndex = -1;
     strikeCount = firstStrikeNumber;
-    matchingGain = gainAtCellStart = gainAtCellEnd = 1;
+    gainAtCellStart = gainAtCellEnd = 1;
     motor.reset();
     pending.clear();
     held.forgetAll();

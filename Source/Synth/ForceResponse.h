@@ -20,17 +20,16 @@ struct Hearing {
     bool operator==(const Hearing&) const = default;
 };
 
-/// What is heard of it within a cell, in each channel.
-using ForceSound = std::array<std::array<float, cellSamples>, mostChannels>;
-
 struct ForceResponse {
     const void* object = nullptr; ///< whose it is
     std::uint64_t version = 0;    ///< of what it depends on besides
     std::uint64_t lastUse = 0;
     ForcePoint at;
     Hearing heard;
-    ModeResidues residues; ///< [G]
-    alignas(64) ForceSound sound{};
+    ModeResidues residues;         ///< [G]
+    alignas(64) CellSound sound{}; ///< within a cell
+    alignas(64) CellSound tube{};  ///< of this, what the tube adds
+    bool knowsTube = false;
 };
 
 /// A contact's at the two points around where it starts a cell, and where it ends it.

@@ -26,6 +26,12 @@ struct ModeRun {
 /// Replaces `runs` by the runs of consecutive numbers in ascending `modes`.
 void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) noexcept;
 
+/// A part of what a mode sounds.
+struct ModePart {
+    std::int32_t mode = 0;
+    float share = 1;
+};
+
 /// States of all modes of a bank for each channel.
 struct ModeStates {
     std::array<AlignedVector<double>, mostChannels> x;
@@ -92,6 +98,13 @@ struct BeforeSample {
 /// Where each channel is added to.
 using ChannelOutputs = std::array<float*, mostChannels>;
 
+/// A cell of each channel.
+using CellSound = std::array<std::array<float, cellSize>, mostChannels>;
+
+inline ChannelOutputs outputsOf(CellSound& sound) noexcept {
+    return {sound[0].data(), sound[1].data()};
+}
+
 /// Memory is reserved by the constructor; every other member is for the audio thread. Modes are
 /// held in blocks of `modeBlock`; those beyond `size` are silent.
 class ModalBank {
@@ -156,11 +169,14 @@ public:
     void clearFaint(std::size_t block, double faintest) noexcept;
 
     /// Adds a cell of the modes in `runs` to `output` and takes the states of `blocks` (ascending,
-    /// holding all of `runs`) on by a cell, times `scale`.
+    /// holding all of `runs`) on by a cell, times `scale`. `parts` (ascending) of these modes are
+    /// added to `partOutputs` besides.
     void render(std::span<const std::int32_t> blocks,
                 std::span<const ModeRun> runs,
                 double scale,
-                const ChannelOutputs& outputs) noexcept;
+                const ChannelOutputs& outputs,
+                std::span<const ModePart> parts = {},
+                const ChannelOutputs& partOutputs = {}) noexcept;
 
     /// The same from other states, which are taken on; their energies are not kept.
     void renderFrom(ModeStates& from,
@@ -207,11 +223,14 @@ public:
     /// Adds moved kicks to the states.
     void join(const ModeKicks& kicks, const KickMove& move) noexcept;
 
-    /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from kicks.
+    /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from kicks,
+    /// and `parts` of them as `render` does.
     void sound(const ModeKicks& kicks,
                std::span<const ModeRun> runs,
                std::size_t subBlockCount,
-               const ChannelOutputs& outputs) noexcept;
+               const ChannelOutputs& outputs,
+               std::span<const ModePart> parts = {},
+               const ChannelOutputs& partOutputs = {}) noexcept;
 
     /// Adds to the states, at the end of a cell, what 64 impulses did to them, one at each sample,
     /// with residues that go from start to end (ForceKernel.h).
@@ -238,7 +257,9 @@ private:
                       std::span<const std::int32_t> blocks,
                       std::span<const ModeRun> runs,
                       double scale,
-                      const ChannelOutputs& outputs) noexcept;
+                      const ChannelOutputs& outputs,
+                      std::span<const ModePart> parts,
+                      const ChannelOutputs& partOutputs) noexcept;
     void advanceBatch(ModeStates& from,
                       std::size_t channel,
                       std::size_t first,
@@ -276,6 +297,12 @@ private:
                  const SubBlockStates& ahead,
                  std::size_t subBlockCount,
                  float* output) const noexcept;
+    void mixParts(std::span<const ModePart> parts,
+                  std::size_t first,
+                  std::size_t end,
+                  SubBlockStates& ahead,
+                  std::size_t subBlockCount,
+                  float* output) const noexcept;
     ModeRotations rotations(std::size_t first) const noexcept;
     void correctHeavy(std::size_t g) noexcept;
     void measure(std::size_t g) noexcept;

@@ -200,7 +200,9 @@ void ModalBank::join(const ModeKicks& kicks, const KickMove& move) noexcept {
 void ModalBank::sound(const ModeKicks& kicks,
                       std::span<const ModeRun> runs,
                       std::size_t subBlockCount,
-                      const ChannelOutputs& outputs) noexcept {
+                      const ChannelOutputs& outputs,
+                      std::span<const ModePart> parts,
+                      const ChannelOutputs& partOutputs) noexcept {
     if (runs.empty())
         return;
     SubBlockStates ahead;
@@ -216,6 +218,7 @@ void ModalBank::sound(const ModeKicks& kicks,
             for (const HeavyMode& heavy : heavyHere)
                 lookAtHeavy(heavy, c, index(heavy.mode) - first, ahead);
             mixRuns(runs, first, first + modes, ahead, subBlockCount, outputs[c]);
+            mixParts(parts, first, first + modes, ahead, subBlockCount, partOutputs[c]);
         }
     }
 }

@@ -34,8 +34,10 @@ void ModalBank::advanceBlock(std::size_t block,
 void ModalBank::render(std::span<const std::int32_t> blocks,
                        std::span<const ModeRun> runs,
                        double scale,
-                       const ChannelOutputs& outputs) noexcept {
-    renderStates(states, energy.data(), blocks, runs, scale, outputs);
+                       const ChannelOutputs& outputs,
+                       std::span<const ModePart> parts,
+                       const ChannelOutputs& partOutputs) noexcept {
+    renderStates(states, energy.data(), blocks, runs, scale, outputs, parts, partOutputs);
 }
 
 void ModalBank::renderFrom(ModeStates& from,
@@ -46,7 +48,7 @@ void ModalBank::renderFrom(ModeStates& from,
     const std::size_t first = index(runs.front().first) / modeBlock;
     const std::size_t last = index(runs.back().first + runs.back().count - 1) / modeBlock;
     renderStates(from, nullptr, std::span(blockNumbers).subspan(first, last - first + 1), runs, 1,
-                 outputs);
+                 outputs, {}, {});
 }
 
 ModeRotations ModalBank::rotations(std::size_t first) const noexcept {
@@ -83,12 +85,34 @@ void ModalBank::mixRuns(std::span<const ModeRun> runs,
     }
 }
 
+/// The same for parts of modes; the states in `ahead` become theirs.
+void ModalBank::mixParts(std::span<const ModePart> parts,
+                         std::size_t first,
+                         std::size_t end,
+                         SubBlockStates& ahead,
+                         std::size_t subBlockCount,
+                         float* output) const noexcept {
+    for (const ModePart& part : parts) {
+        const std::size_t g = index(part.mode);
+        if (g < first || g >= end)
+            continue;
+        const std::size_t place = g - first;
+        for (std::size_t b = 0; b < subBlockCount; ++b) {
+            ahead.x[b][place] *= part.share;
+            ahead.y[b][place] *= part.share;
+        }
+        mixModes(tables.data() + 2 * subBlockSamples * g, ahead, place, 1, subBlockCount, output);
+    }
+}
+
 void ModalBank::renderStates(ModeStates& from,
                              float* energies,
                              std::span<const std::int32_t> blocks,
                              std::span<const ModeRun> runs,
                              double scale,
-                             const ChannelOutputs& outputs) noexcept {
+                             const ChannelOutputs& outputs,
+                             std::span<const ModePart> parts,
+                             const ChannelOutputs& partOutputs) noexcept {
     SubBlockStates ahead;
     for (std::size_t b = 0; b < blocks.size();) {
         // A batch is as many consecutive blocks as it holds.
@@ -106,6 +130,7 @@ void ModalBank::renderStates(ModeStates& from,
         for (std::size_t c = 0; c < channelCount; ++c) {
             advanceBatch(from, c, first, end - first, scale, energies, ahead);
             mixRuns(runs, first, end, ahead, subBlocks, outputs[c]);
+            mixParts(parts, first, end, ahead, subBlocks, partOutputs[c]);
         }
     }
 }

@@ -61,9 +61,6 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
                        std::span<const ModeDamping> dampings,
                        std::span<const std::uint8_t> kinds,
                        std::span<const std::complex<float>> gains) noexcept {
-    const auto isShared = [gains](std::size_t mode) {
-        return !gains.empty() && gains[mode] != std::complex<float>(1);
-    };
     std::size_t groups = 0;
     std::size_t start = 0;
     FirstMode first({}, {}, compression);
@@ -71,8 +68,8 @@ std::size_t groupModes(std::span<const double> referenceEigenvalues,
         const ModeDamping damping = dampingOf(dampings, i);
         const ModalPole pole = law.pole(referenceEigenvalues[i], damping);
         const bool isOfKind = kinds.empty() || kinds[i] == kinds[start];
-        if (groups > 0 && isOfKind && i - start < largestGroup && !isShared(start) &&
-            !isShared(i) && first.canMerge(pole, damping))
+        if (groups > 0 && isOfKind && i - start < largestGroup && !isShared(gains, start) &&
+            !isShared(gains, i) && first.canMerge(pole, damping))
             continue;
         groupStarts[groups++] = static_cast<std::int32_t>(i);
         start = i;

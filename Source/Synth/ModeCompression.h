@@ -18,6 +18,11 @@ inline constexpr std::size_t largestGroup = 32;
 /// (22000, 300), continued beyond. At a dense spectrum 962 windows cover 20 to 22000 Hz.
 double discriminationHz(double frequencyHz) noexcept;
 
+/// Whether a bar and its tube share this mode (`gains` empty: none).
+inline bool isShared(std::span<const std::complex<float>> gains, std::size_t mode) noexcept {
+    return !gains.empty() && gains[mode] != std::complex<float>(1);
+}
+
 /// Groups modes in ascending order into contiguous runs and returns the number G of groups; group g
 /// is the modes groupStarts[g] to groupStarts[g+1] − 1 (`groupStarts` has room for M + 1).
 /// A mode joins the group of the last one where all of this holds against the group's FIRST mode:

@@ -26,18 +26,6 @@ ModeFader::ModeFader(const ModalBank& bank, double sampleRateHz) : states(bank.e
     }
 }
 
-void ModeFader::leave(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
-    for (const std::int32_t mode : modes)
-        take(bank, mode, 1);
-    fade(bank, modes);
-}
-
-void ModeFader::enter(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
-    for (const std::int32_t mode : modes)
-        take(bank, mode, -1);
-    fade(bank, modes);
-}
-
 void ModeFader::change(ModalBank& bank,
                        std::span<const std::int32_t> modes,
                        std::span<const float> shares) noexcept {

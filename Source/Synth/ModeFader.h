@@ -19,14 +19,9 @@ public:
     /// For modes of this bank.
     ModeFader(const ModalBank& bank, double sampleRateHz);
 
-    /// From the next sample to be played on, modes that are no longer rendered fade out.
-    void leave(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
-
-    /// Modes that are rendered in full from the next sample on fade in: what a fade would hold back
-    /// is taken away.
-    void enter(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
-
-    /// The same for the share of each mode that is no longer rendered; a negative one fades in.
+    /// Fades out, from the next sample to be played on, the share of each mode that is no longer
+    /// rendered. A share below 0 fades in: the mode is rendered in full from there on, and what the
+    /// fade holds back is taken away.
     void change(ModalBank& bank,
                 std::span<const std::int32_t> modes,
                 std::span<const float> shares) noexcept;

@@ -1,6 +1,7 @@
 #include "Synth/SoundingObject.h"
 
 #include "Synth/ModeCompression.h"
+#include "Synth/TubeShares.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +51,8 @@ SoundingObject::SoundingObject(SynthesiserSlot slot,
     requestedSilences.reserve(modes);
     silencedModes.reserve(modes);
     bank.resize(modes);
+    tubeShares = idiophone::tubeShares(*object);
+    findTubeParts();
     applySettings({});
     movePoles();
 }
@@ -149,8 +152,8 @@ void SoundingObject::chooseModes(std::int32_t share) noexcept {
     }
     mixedIsRinging = all;
     if (!scratch.leaving.empty() || !scratch.joining.empty()) {
-        fader.leave(bank, scratch.leaving);
-        fader.enter(bank, scratch.joining);
+        fade(scratch.leaving, 1);
+        fade(scratch.joining, -1);
         listMixed();
     }
     retireBlocks(cellIndex);
@@ -247,16 +250,23 @@ void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
     } else {
         renderCell({cell[0].data(), cell[bank.channels() - 1].data()});
     }
+    if (tubesPulse())
+        closeTubes(scratch.tubeSound, 0, cellSamples, cell);
     soundContacts(cell);
     soundClicks(cell);
 }
 
 void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
     const double fallen = damping > 0 ? std::exp(-damping * cellSeconds) : 1;
-    bank.render(activeBlocks, mixedRuns, fallen, outputs);
+    const ChannelOutputs tube = outputsOf(scratch.tubeSound);
+    if (tubesPulse())
+        scratch.tubeSound = {};
+    bank.render(activeBlocks, mixedRuns, fallen, outputs, pulsing(), tube);
     fader.addCell(outputs);
     if (damping > 0) {
         fadeByDamper(outputs, cellSamples);
+        if (tubesPulse())
+            fadeByDamper(tube, cellSamples);
         fader.scale(static_cast<float>(fallen));
     }
 }
@@ -284,6 +294,46 @@ void SoundingObject::addToCell(const ChannelOutputs& sound,
         for (std::size_t k = 0; k < count; ++k)
             output[k] += heard[k];
     }
+}
+
+/// What tubes add was heard with the discs open: takes away what they close. States know nothing of
+/// the discs, so that no gain steps.
+void SoundingObject::closeTubes(CellSound& tube,
+                                std::size_t from,
+                                std::size_t count,
+                                const CellOutput& cell) const noexcept {
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        for (std::size_t k = 0; k < count; ++k)
+            tube[c][k] *= scratch.tubes.at(from + k) - 1;
+    addToCell(outputsOf(tube), from, count, cell);
+}
+
+/// Of the modes in ascending runs. Valid until it is asked for others.
+std::span<const ModePart>
+SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
+    scratch.tubeParts.clear();
+    for (const ModePart& part : tubeParts) {
+        while (!runs.empty() && runs.front().first + runs.front().count <= part.mode)
+            runs = runs.subspan(1);
+        if (!runs.empty() && runs.front().first <= part.mode)
+            scratch.tubeParts.push_back(part);
+    }
+    return scratch.tubeParts;
+}
+
+/// What the discs leave of a group where the states stand.
+float SoundingObject::openingNow(std::size_t g) const noexcept {
+    const auto mode = static_cast<std::int32_t>(g);
+    const auto part = std::ranges::lower_bound(tubeParts, mode, {}, &ModePart::mode);
+    return part != tubeParts.end() && part->mode == mode ? 1 + part->share * (scratch.tubesNow - 1)
+                                                         : 1;
+}
+
+/// A share of 1 leaves, −1 returns. In the 3 ms of a fade the discs hardly move.
+void SoundingObject::fade(std::span<const std::int32_t> modes, float share) noexcept {
+    for (std::size_t k = 0; k < modes.size(); ++k)
+        scratch.fadingShares[k] = share * openingNow(static_cast<std::size_t>(modes[k]));
+    fader.change(bank, modes, scratch.fadingShares);
 }
 
 void SoundingObject::reset() noexcept {

@@ -117,15 +117,20 @@ public:
     }
 
 private:
+    /// G0 and H of a contact over some modes, for each channel.
+    struct ForcedMotion {
+        std::array<double, mostChannels> steadyVelocity{};
+        std::array<std::complex<double>, mostChannels> swing{};
+    };
+
     /// One contact under way; its free part is in the states of the modes.
     struct Contact {
         Strike strike; ///< its duration cleared of resonances
         Hearing heard; ///< as of its start
         std::int64_t startCell = 0;
         double startSample = 0;
-        /// G0 and H over the modes mixed, for each channel.
-        std::array<double, mostChannels> steadyVelocity{};
-        std::array<std::complex<double>, mostChannels> swing{};
+        ForcedMotion mixed{}; ///< of the modes mixed
+        ForcedMotion tube{};  ///< of these, what the tube adds
     };
 
     /// One block of the bank's modes, a bit each. A block of which nothing rings is not active: its
@@ -149,6 +154,14 @@ private:
     void retireBlocks(std::int64_t grid) noexcept;
     void wakeBlocks() noexcept;
     void renderCell(const ChannelOutputs& outputs) noexcept;
+    void fade(std::span<const std::int32_t> modes, float share) noexcept;
+    /// Whether a motor changes what is heard in the cell begun last.
+    bool tubesPulse() const noexcept { return !tubeParts.empty() && !scratch.tubes.isFull(); }
+    std::span<const ModePart> tubePartsOf(std::span<const ModeRun> runs) const noexcept;
+    std::span<const ModePart> pulsing() const noexcept {
+        return tubesPulse() ? tubePartsOf(mixedRuns) : std::span<const ModePart>();
+    }
+    float openingNow(std::size_t g) const noexcept;
     void fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept;
     void activate(std::size_t block) noexcept;
     bool bringUpToDate(std::size_t block, std::int64_t grid) noexcept;
@@ -176,6 +189,7 @@ private:
     void regroup(std::size_t groups) noexcept;
     void nameGroups(std::size_t groups) noexcept;
     void shareGroups(std::size_t groups) noexcept;
+    void findTubeParts() noexcept;
     void handOnFlags() noexcept;
     void fadeChanges() noexcept;
     void rebuildBlocks() noexcept;
@@ -194,6 +208,11 @@ private:
     void addClick(const Contact& contact, const CellOutput& cell) noexcept;
     void soundClicks(const CellOutput& cell) noexcept;
     double addForced(const Contact& contact, const CellOutput& cell) const noexcept;
+    void soundForced(const Contact& contact,
+                     const ForcedMotion& motion,
+                     int from,
+                     std::size_t samples,
+                     CellSound& sound) const noexcept;
     void startKicks(double sign, double at) noexcept;
     void finishKicks(const Contact& contact, double end) noexcept;
     BeforeSample beforeSample(double at) const noexcept;
@@ -203,6 +222,10 @@ private:
                    std::size_t from,
                    std::size_t count,
                    const CellOutput& cell) const noexcept;
+    void closeTubes(CellSound& tube,
+                    std::size_t from,
+                    std::size_t count,
+                    const CellOutput& cell) const noexcept;
     void keepKicks(int from) noexcept;
     void takeInKicks(std::int64_t grid) noexcept;
     bool allMixed() const noexcept { return mixedModes.size() == bank.audibleCount(); }
@@ -218,6 +241,8 @@ private:
 
     // SoundingObjectContact.cpp: contacts under way.
     void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
+    void
+    addMotion(std::span<const ModeRun> modes, double factor, ForcedMotion& motion) const noexcept;
     /// What a contact adds to the residue of every mode, over what the other one does; 0 where that
     /// differs from mode to mode.
     static double shareOfResidues(const Contact& contact, const Contact& other) noexcept;
@@ -228,6 +253,11 @@ private:
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
     // SoundingObjectForce.cpp: continuous contact.
+    /// What the object answers within a cell.
+    struct Answer {
+        alignas(64) CellSound sound;
+        alignas(64) CellSound tube; ///< of this, what the tube adds; only while tubes pulse
+    };
     void admitForced(std::int32_t allowance) noexcept;
     bool valid(const ForcePlace& place) const noexcept;
     void answer(const ForcePoint& at, const Hearing& heard, ForceResponse& response) noexcept;
@@ -237,10 +267,10 @@ private:
                   const Hearing& heard,
                   ForceResponses& known,
                   ModeResidues& residues,
-                  ForceSound& sound) noexcept;
+                  Answer& answer) noexcept;
     void soundForce(std::span<const float, cellSamples> impulses,
-                    const ForceSound& start,
-                    const ForceSound& end,
+                    const Answer& start,
+                    const Answer& end,
                     const CellOutput& cell) const noexcept;
 
     std::shared_ptr<const ModalObject> object;
@@ -292,6 +322,8 @@ private:
     std::vector<ModePair> pairs;
     std::vector<ModeDamping> dampings;      ///< [M], or empty: the law's
     std::vector<ModeDamping> groupDampings; ///< [G], or empty: the law's
+    std::vector<float> tubeShares;          ///< [M] (TubeShares.h)
+    std::vector<ModePart> tubeParts;        ///< ascending: of the groups that bar and tube share
     std::vector<float> lostShares;          ///< of the pairs of every group (ModeCompression.h)
     std::optional<PoleLaw> lostSharesLaw;   ///< for which they hold
 

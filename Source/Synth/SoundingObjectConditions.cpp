@@ -137,7 +137,7 @@ void SoundingObject::fadeInaudible() noexcept {
     }
     if (scratch.leaving.empty())
         return;
-    fader.leave(bank, scratch.leaving);
+    fade(scratch.leaving, 1);
     listMixed();
     retireBlocks(cellIndex);
 }

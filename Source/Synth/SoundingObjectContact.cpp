@@ -11,6 +11,16 @@ namespace idiophone {
 void SoundingObject::hold(Contact& contact,
                           std::span<const ModeRun> modes,
                           double factor) noexcept {
+    addMotion(modes, factor, contact.mixed);
+    for (const ModePart& part : tubePartsOf(modes)) {
+        const ModeRun mode{part.mode, 1};
+        addMotion({&mode, 1}, factor * static_cast<double>(part.share), contact.tube);
+    }
+}
+
+void SoundingObject::addMotion(std::span<const ModeRun> modes,
+                               double factor,
+                               ForcedMotion& motion) const noexcept {
     const ForcedAmplitudes parts = scratch.contact.amplitudes();
     for (std::size_t c = 0; c < bank.channels(); ++c) {
         ForcedSum sum;
@@ -18,8 +28,8 @@ void SoundingObject::hold(Contact& contact,
             sumForced(scratch.groupResidues[c].re.data(), scratch.groupResidues[c].im.data(), parts,
                       static_cast<std::size_t>(run.first), static_cast<std::size_t>(run.count),
                       sum);
-        contact.steadyVelocity[c] += factor * sum.steady;
-        contact.swing[c] += factor * sum.swing;
+        motion.steadyVelocity[c] += factor * sum.steady;
+        motion.swing[c] += factor * sum.swing;
     }
 }
 
@@ -86,8 +96,7 @@ void SoundingObject::moveContact(Contact& contact, double factor, Forced become)
                      become == Forced::freed ? factor : -factor, 1 - phase.real(), scratch.kicks);
     if (become == Forced::freed)
         return;
-    contact.steadyVelocity = {};
-    contact.swing = {};
+    contact.mixed = contact.tube = {};
     hold(contact, mixedRuns, factor);
 }
 

@@ -40,7 +40,7 @@ bool SoundingObject::applyForce(const ForceCell& force,
     for (std::size_t k = 0; k < cellSamples; ++k)
         impulses[k] = force.newtons[k] * secondsPerSample;
     ForceResponses& known = scratch.responses[force.contact];
-    alignas(64) ForceSound start, end;
+    Answer start, end;
     const bool changes = !stays || heardAtStart != heardAtEnd;
     answerAt(force.start, heardAtStart, known, scratch.startResidues, start);
     if (changes)
@@ -72,12 +72,14 @@ void SoundingObject::answerAt(const ForcePlace& place,
                               const Hearing& heard,
                               ForceResponses& known,
                               ModeResidues& residues,
-                              ForceSound& sound) noexcept {
+                              Answer& answer) noexcept {
     const ForceResponse& first = responseAt(place.points[0], heard, known);
     if (place.way == 0) {
         for (std::size_t c = 0; c < bank.channels(); ++c)
             residues[c].copyFrom(first.residues[c], bank.paddedSize());
-        sound = first.sound;
+        answer.sound = first.sound;
+        if (tubesPulse())
+            answer.tube = first.tube;
         return;
     }
     const ForceResponse& second = responseAt(place.points[1], heard, known);
@@ -87,7 +89,10 @@ void SoundingObject::answerAt(const ForcePlace& place,
         blendResponses(first.residues[c].im.data(), second.residues[c].im.data(), place.way,
                        bank.paddedSize(), residues[c].im.data());
         blendResponses(first.sound[c].data(), second.sound[c].data(), place.way, cellSamples,
-                       sound[c].data());
+                       answer.sound[c].data());
+        if (tubesPulse())
+            blendResponses(first.tube[c].data(), second.tube[c].data(), place.way, cellSamples,
+                           answer.tube[c].data());
     }
 }
 
@@ -97,7 +102,8 @@ const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
                                                 ForceResponses& known) noexcept {
     const auto isAnswer = [&](const ForceResponse& response) {
         return response.object == this && response.version == responseVersion &&
-               response.heard == heard && response.at == at;
+               response.heard == heard && response.at == at &&
+               (response.knowsTube || !tubesPulse());
     };
     ForceResponse* chosen = &known.front();
     for (ForceResponse& response : known) {
@@ -127,24 +133,41 @@ void SoundingObject::answer(const ForcePoint& at,
     bank.startKicks(scratch.contact, scratch.groupResidues, {}, scratch.kicks);
     for (std::size_t c = 0; c < bank.channels(); ++c)
         response.residues[c].copyFrom(scratch.groupResidues[c], bank.paddedSize());
-    response.sound = {};
-    bank.sound(scratch.kicks, mixedRuns, subBlocks,
-               {response.sound[0].data(), response.sound[1].data()});
+    response.sound = response.tube = {};
+    response.knowsTube = tubesPulse();
+    const auto parts = pulsing();
+    bank.sound(scratch.kicks, mixedRuns, subBlocks, outputsOf(response.sound), parts,
+               outputsOf(response.tube));
     const auto direct = bank.directSound(scratch.groupResidues, mixedRuns);
-    for (std::size_t c = 0; c < bank.channels(); ++c)
+    for (std::size_t c = 0; c < bank.channels(); ++c) {
         response.sound[c][0] = response.sound[c][0] / 2 + direct[c];
+        response.tube[c][0] /= 2;
+    }
+    for (const ModePart& part : parts) {
+        const ModeRun mode{part.mode, 1};
+        const auto ofPart = bank.directSound(scratch.groupResidues, {&mode, 1});
+        for (std::size_t c = 0; c < bank.channels(); ++c)
+            response.tube[c][0] += part.share * ofPart[c];
+    }
     if (damping > 0)
-        fadeByDamper({response.sound[0].data(), response.sound[1].data()}, cellSamples);
+        for (CellSound* sound : {&response.sound, &response.tube})
+            fadeByDamper(outputsOf(*sound), cellSamples);
 }
 
 void SoundingObject::soundForce(std::span<const float, cellSamples> impulses,
-                                const ForceSound& start,
-                                const ForceSound& end,
+                                const Answer& start,
+                                const Answer& end,
                                 const CellOutput& cell) const noexcept {
-    alignas(64) ForceSound sound{};
+    alignas(64) CellSound sound{};
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        convolveForce(impulses, start[c], end[c], sound[c]);
-    addToCell({sound[0].data(), sound[1].data()}, 0, cellSamples, cell);
+        convolveForce(impulses, start.sound[c], end.sound[c], sound[c]);
+    addToCell(outputsOf(sound), 0, cellSamples, cell);
+    if (!tubesPulse())
+        return;
+    sound = {};
+    for (std::size_t c = 0; c < bank.channels(); ++c)
+        convolveForce(impulses, start.tube[c], end.tube[c], sound[c]);
+    closeTubes(sound, 0, cellSamples, cell);
 }
 
 } // namespace idiophone

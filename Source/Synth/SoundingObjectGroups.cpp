@@ -12,6 +12,7 @@ namespace {
 
 // Of a mode: far below hearing, far above what sums of shares differ from 1.
 constexpr float smallestFade = 1e-6f;
+constexpr float smallestTubeShare = 1e-3f; // not heard to pulse
 
 double sum(std::span<const double> weights) noexcept {
     double total = 0;
@@ -31,6 +32,7 @@ void SoundingObject::regroup(std::size_t groups) noexcept {
     handOnFlags();
     fadeChanges();
     bank.regroup(groups, scratch.groupShares, scratch.states);
+    findTubeParts();
     rebuildBlocks();
 }
 
@@ -72,6 +74,16 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
     }
 }
 
+/// Modes that bar and tube share are groups of their own.
+void SoundingObject::findTubeParts() noexcept {
+    tubeParts.clear();
+    for (std::size_t g = 0; !tubeShares.empty() && g < bank.size(); ++g) {
+        const float share = tubeShares[static_cast<std::size_t>(groupStarts[g])];
+        if (std::abs(share) > smallestTubeShare)
+            tubeParts.push_back({static_cast<std::int32_t>(g), share});
+    }
+}
+
 /// In `scratch`, as the old ones are needed for the fades: a group sounds where any of it did.
 void SoundingObject::handOnFlags() noexcept {
     std::fill(scratch.aboveTau.begin(), scratch.aboveTau.end(), std::uint16_t{0});
@@ -105,7 +117,7 @@ void SoundingObject::fadeChanges() noexcept {
     for (std::size_t g = 0; g < bank.size(); ++g) {
         if (!(std::abs(fading[g]) > smallestFade && bank.energies()[g] > 0))
             continue;
-        fading[scratch.leaving.size()] = fading[g];
+        fading[scratch.leaving.size()] = fading[g] * openingNow(g);
         scratch.leaving.push_back(static_cast<std::int32_t>(g));
     }
     fader.change(bank, scratch.leaving, fading);

@@ -56,10 +56,11 @@ void SoundingObject::widen(double farShare) noexcept {
     bank.setChannels(mostChannels);
     ++responseVersion;
     fader.widen();
-    for (Contact& contact : contacts) {
-        contact.steadyVelocity[1] = contact.steadyVelocity[0];
-        contact.swing[1] = contact.swing[0];
-    }
+    for (Contact& contact : contacts)
+        for (ForcedMotion* motion : {&contact.mixed, &contact.tube}) {
+            motion->steadyVelocity[1] = motion->steadyVelocity[0];
+            motion->swing[1] = motion->swing[0];
+        }
 }
 
 bool SoundingObject::computeForced(const Contact& contact) noexcept {
@@ -137,11 +138,12 @@ void SoundingObject::addClick(const Contact& struck, const CellOutput& cell) noe
     std::array<double, mostChannels> pascals{amplitude(left), amplitude(right)};
     if (outputChannels == 1)
         pascals[0] = (pascals[0] + pascals[1]) / 2;
-    click.steadyVelocity = {};
+    click.mixed = {};
+    click.tube = {};
     for (std::size_t c = 0; c < mostChannels; ++c) {
         if (!(std::abs(pascals[c]) <= static_cast<double>(largestResidue)))
             return;
-        click.swing[c] = {0, -pascals[c]}; // Re(−i P e^{iΩt}) = P sin Ωt
+        click.mixed.swing[c] = {0, -pascals[c]}; // Re(−i P e^{iΩt}) = P sin Ωt
     }
     if (addForced(click, cell) > cellSamples)
         clicks.push_back(click);
@@ -199,7 +201,7 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     for (const std::int32_t mode : scratch.joining)
         admit(static_cast<std::size_t>(mode));
     // What the budget had left out comes back under a fade from the next grid point on.
-    fader.enter(bank, scratch.leaving);
+    fade(scratch.leaving, -1);
     findRuns(scratch.joining, scratch.joiningRuns);
     for (Contact& contact : contacts) {
         computeForced(contact);
@@ -244,30 +246,52 @@ double SoundingObject::addForced(const Contact& contact, const CellOutput& cell)
     const int until = firstSampleFrom(std::min(end, double(cellSamples)));
     if (from >= until)
         return end;
+    const auto first = static_cast<std::size_t>(from);
+    const auto samples = static_cast<std::size_t>(until - from);
+    alignas(64) CellSound sound;
+    soundForced(contact, contact.mixed, from, samples, sound);
+    addToCell(outputsOf(sound), first, samples, cell);
+    if (tubesPulse()) {
+        soundForced(contact, contact.tube, from, samples, sound);
+        closeTubes(sound, first, samples, cell);
+    }
+    return end;
+}
+
+void SoundingObject::soundForced(const Contact& contact,
+                                 const ForcedMotion& motion,
+                                 int from,
+                                 std::size_t samples,
+                                 CellSound& sound) const noexcept {
     const std::complex<double> phase = phaseAt(contact, cellIndex, from);
     const double radians = 2 * std::numbers::pi / (sampleRate * contact.strike.durationSeconds);
-    const auto samples = static_cast<std::size_t>(until - from);
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound;
     for (std::size_t c = 0; c < bank.channels(); ++c)
-        raisedCosine(contact.steadyVelocity[c], contact.swing[c] * phase, radians, samples,
+        raisedCosine(motion.steadyVelocity[c], motion.swing[c] * phase, radians, samples,
                      sound[c].data());
-    addToCell({sound[0].data(), sound[1].data()}, static_cast<std::size_t>(from), samples, cell);
-    return end;
 }
 
 /// Adds what the kicks, which stand at sample `from`, sound up to `until`.
 void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexcept {
     if (from >= until)
         return;
+    const auto first = static_cast<std::size_t>(from);
     const auto samples = static_cast<std::size_t>(until - from);
-    alignas(64) std::array<std::array<float, cellSamples>, mostChannels> sound;
+    alignas(64) CellSound sound;
     for (std::size_t c = 0; c < bank.channels(); ++c)
         sound[c].fill(0);
+    const bool pulses = tubesPulse();
+    const ChannelOutputs tube = outputsOf(scratch.tubeSound);
+    if (pulses)
+        scratch.tubeSound = {};
     bank.sound(kicks, mixedRuns, (samples + subBlockSamples - 1) / subBlockSamples,
-               {sound[0].data(), sound[1].data()});
+               outputsOf(sound), pulsing(), tube);
     if (damping > 0)
-        fadeByDamper({sound[0].data(), sound[1].data()}, samples);
-    addToCell({sound[0].data(), sound[1].data()}, static_cast<std::size_t>(from), samples, cell);
+        fadeByDamper(outputsOf(sound), samples);
+    if (damping > 0 && pulses)
+        fadeByDamper(tube, samples);
+    addToCell(outputsOf(sound), first, samples, cell);
+    if (pulses)
+        closeTubes(scratch.tubeSound, first, samples, cell);
 }
 
 /// Leaves the kicks, which stand at sample `from`, to be taken in at the next grid point: a cell

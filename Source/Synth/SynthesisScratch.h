@@ -1,10 +1,12 @@
 // What a sounding object works with while it works: shared by all objects of a synthesiser, so that
-// it stays in the cache from one strike to the next. Nothing in it outlives a call but the
-// responses to forces, which say whose they are.
+// it stays in the cache from one strike to the next. Only two things in it outlive a call: the
+// responses to forces, which say whose they are, and the opening of the tubes, which the
+// synthesiser sets.
 #pragma once
 
 #include "Synth/ForceResponse.h"
 #include "Synth/ModalBank.h"
+#include "Synth/TubeOpening.h"
 
 #include <array>
 #include <complex>
@@ -39,6 +41,7 @@ struct SynthesisScratch {
         for (auto* list : {&candidates, &joining, &leaving})
             list->reserve(modes);
         joiningRuns.reserve(modes);
+        tubeParts.reserve(modes);
         groupStarts.resize(modes + 1);
         groupShares.reserve(2 * modes);
         fadingShares.resize(modes);
@@ -65,6 +68,11 @@ struct SynthesisScratch {
     std::vector<std::int32_t> joining;
     std::vector<std::int32_t> leaving;
     std::vector<ModeRun> joiningRuns;
+
+    TubeOpening tubes;               ///< of the cell begun last
+    float tubesNow = 1;              ///< its gain at the grid point where states stand
+    std::vector<ModePart> tubeParts; ///< of the modes at hand, what tubes add
+    alignas(64) CellSound tubeSound; ///< what they sound
 
     // Where groups change.
     std::vector<std::uint8_t> silencedGroups; ///< [G]

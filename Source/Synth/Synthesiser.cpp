@@ -154,6 +154,10 @@ void Synthesiser::setSilencedModes(std::size_t slot,
         implementation->objects[slot].setSilencedModes(silenced);
 }
 
+void Synthesiser::setTubeOpening(const TubeOpening& opening) noexcept {
+    implementation->scratch->tubes = opening;
+}
+
 void Synthesiser::beginCell(const CellOutput& cell) noexcept {
     clear(cell);
     mixInto([&cell](std::size_t) -> const CellOutput& { return cell; });
@@ -168,6 +172,7 @@ void Synthesiser::beginCell(std::span<const CellOutput> cellsOfSlots) noexcept {
 template <class CellOf>
 void Synthesiser::mixInto(CellOf cellOf) noexcept {
     auto& all = *implementation;
+    all.scratch->tubesNow = all.scratch->tubes.start;
     all.listSounding();
     all.mixedNow = 0;
     shareModeBudget(all.demands, all.settings.modeBudget, all.settings.qualitySlope, all.ranking,
@@ -178,6 +183,7 @@ void Synthesiser::mixInto(CellOf cellOf) noexcept {
         all.objects[slot].mix(all.shares[k], cellOf(slot));
         all.mixedNow += all.objects[slot].modesMixedNow();
     }
+    all.scratch->tubesNow = all.scratch->tubes.end;
     all.report();
 }
 

@@ -8,6 +8,7 @@
 #include "Synth/Strike.h"
 #include "Synth/SynthesisSettings.h"
 #include "Synth/SynthesiserSlot.h"
+#include "Synth/TubeOpening.h"
 
 #include <cstdint>
 #include <memory>
@@ -50,6 +51,10 @@ public:
     /// From the next `beginCell` on modes of one slot that are not 0 here ([modes of its object],
     /// or empty: none) are not heard: they fade out and in within 3 ms and ring on in between.
     void setSilencedModes(std::size_t slot, std::span<const std::uint8_t> silenced) noexcept;
+
+    /// How far the tubes are open, 0 to 1, at the start and at the end of the cell begun next and
+    /// of those after it: a gain of what tubes add (TubeShares.h), and of nothing else.
+    void setTubeOpening(const TubeOpening& opening) noexcept;
 
     /// Advances by one cell and writes what rings into `cell`, over what was in it.
     void beginCell(const CellOutput& cell) noexcept;

@@ -120,7 +120,10 @@ using Cells = std::vector<HostSound>;
 
 /// A chord in which the parameter jumps or does not, from the jump's cell before on.
 Cells ringing(const Jump& jump, bool jumps) {
-    AutomatedHost host(ringingState(jump.heard == Heard::asPole), jump);
+    auto state = ringingState(jump.heard == Heard::asPole);
+    if (jump.parameter == motorDepth || jump.parameter == motorSpeed)
+        state = overTubes(std::move(state));
+    AutomatedHost host(std::move(state), jump);
     Cells cells;
     for (int cell = 0; cell < endCell; ++cell) {
         if (cell == jumpCell && jumps)

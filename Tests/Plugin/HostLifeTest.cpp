@@ -65,7 +65,7 @@ TEST_CASE("The motor opens once in every note of the host's tempo, and without o
     TempoOnly host;
     const auto played = [&](double sync, double speed) {
         Processor processor;
-        restore(processor, testState());
+        restore(processor, overTubes(testState()));
         processor.setPlayHead(&host);
         processor.prepareToPlay(rateHz, blockSize);
         processor.changeParameter(ParameterId::motorDepth, 90);

@@ -49,7 +49,7 @@ TEST_CASE("A tempo told once holds while the host says no more, until it prepare
     const auto played = [](Told told, bool preparesAgain) {
         SparingHost host;
         Processor processor;
-        restore(processor, testState());
+        restore(processor, overTubes(testState()));
         processor.setPlayHead(&host);
         processor.prepareToPlay(rateHz, blockSize);
         processor.changeParameter(ParameterId::motorDepth, 90);

@@ -42,6 +42,17 @@ inline State testState(const std::string& folder = "test", double transpose = 1)
     return state;
 }
 
+/// The same with a tube under every key, which shares the lowest mode.
+inline State overTubes(State state) {
+    for (auto& object : state.objects) {
+        auto bar = readModalObject(object.modal, object.name).value();
+        bar.gains.assign(bar.modeCount(), 1);
+        bar.gains.front() = {1.5f, 0.5f};
+        object.modal = encodeModalObject(bar);
+    }
+    return state;
+}
+
 inline void restore(Processor& processor, const State& state) {
     const auto bytes = encodeState(state);
     processor.setStateInformation(bytes.data(), static_cast<int>(bytes.size()));

@@ -18,7 +18,8 @@ TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing 
     bank.setState(0, {1, 0});
     ModeFader fader(bank, sampleRate);
     const std::vector<std::int32_t> mode{0};
-    fader.leave(bank, mode);
+    const std::vector<float> all{1}, none{-1};
+    fader.change(bank, mode, all);
     std::size_t sample = 0;
     while (fader.active()) {
         std::array<float, cellSamples> cell{};
@@ -34,8 +35,8 @@ TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing 
     CHECK(sample == 192); // 133 samples in whole cells
     CHECK(bank.state(0).x == 1.0);
 
-    fader.leave(bank, mode);
-    fader.enter(bank, mode);
+    fader.change(bank, mode, all);
+    fader.change(bank, mode, none);
     std::array<float, cellSamples> cell{};
     fader.addCell({cell.data(), nullptr});
     for (const float value : cell)

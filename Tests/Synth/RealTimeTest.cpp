@@ -17,6 +17,8 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting, silen
     object.radiation.directions = {{1, 0, 0}, {0, 1, 0}};
     object.radiation.frequencyRatios = {1};
     object.radiation.weights.assign(400, 0.1f);
+    object.gains.assign(200, 1);
+    object.gains[2] = object.gains[7] = object.gains[90] = 2;
     Synthesiser synthesiser({slotOf(object), slotOf(syntheticObject(frequencies), 0.7)}, 48000, 2);
     std::array<float, cellSamples> left{}, right{}, newtons;
     newtons.fill(0.1f);
@@ -45,6 +47,10 @@ TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting, silen
             silenced[step % 200] ^= 1;
             synthesiser.setSilencedModes(step / 60 % 2, silenced);
         }
+        if (step % 3 == 0)
+            synthesiser.setTubeOpening({.start = 0.5f, .end = step % 900 < 450 ? 0.5f : 1});
+        else
+            synthesiser.setTubeOpening({});
         synthesiser.beginCell(cell);
         if (step % 20 == 0)
             synthesiser.report(step / 20 % 2, groups);
