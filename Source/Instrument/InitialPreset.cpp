@@ -10,7 +10,7 @@ Preset initialPreset() {
                      .lowestNote = 65,
                      .highestNote = 108,
                      .object = "xylophone-{note}"};
-    preset.parameters.set(ParameterId::level, -8.9);
+    preset.parameters.set(ParameterId::level, -8.7);
     return preset;
 }
 
