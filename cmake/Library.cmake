@@ -34,7 +34,7 @@ install_rooms(IdiophoneTargets
         Object/OrthotropicElasticity Object/RadiationTable Object/Result Object/WorkControl
         Synth/CellOutput Synth/ContactForce Synth/ForceCell Synth/LiveConditions Synth/ModalPole Synth/Reson
         Synth/SoundingGroups Synth/Strike Synth/StrikePoints Synth/Surface Synth/SurfaceProfile Synth/Synthesiser
-        Synth/SynthesiserSlot Synth/SynthesisSettings)
+        Synth/SynthesiserSlot Synth/SynthesisSettings Synth/TubeOpening)
 # To make them of meshes. A component of its own, as it wants Eigen.
 install_rooms(IdiophoneAnalysisTargets
     TARGETS idiophone_geometry idiophone_analysis idiophone_tetgen

@@ -53,7 +53,7 @@ public:
     void setSilencedModes(std::size_t slot, std::span<const std::uint8_t> silenced) noexcept;
 
     /// How far the tubes are open, 0 to 1, at the start and at the end of the cell begun next and
-    /// of those after it: a gain of what tubes add (TubeShares.h), and of nothing else.
+    /// of those after it: a gain of what tubes add, and of nothing else.
     void setTubeOpening(const TubeOpening& opening) noexcept;
 
     /// Advances by one cell and writes what rings into `cell`, over what was in it.
