@@ -272,13 +272,12 @@ const std::vector<Jump> switchesWhileRinging{
 /// By how many decibels they are heard is measured.
 const std::vector<Jump> jumpsWhilePressed{
     {contactForce, 1, 30, asLevel},
-    {contactSpeed, 0.1, 1, asLevel},
+    {contactSpeed, 0.25, 1, asLevel},
     {roughness, 0.25, 4, asLevel},
     {rollCoupling, 0, 100, asLevel, {{contact, rollContact}}},
     {strikeAlong, -90, 90, asLevel},
     {strikeAcross, -90, 90, asLevel},
     {radiation, 0, 100, asLevel, {{strikeAlong, -100}, {strikeAcross, -100}}},
-    {size, 1, 2, asLevel},
     {thickness, 100, 200, asLevel},
 };
 
