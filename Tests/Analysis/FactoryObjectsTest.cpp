@@ -121,7 +121,7 @@ namespace {
 
 /// What is heard of a bar's fundamental on the left after an impulse on its middle.
 struct HeardFundamental {
-    double t60Seconds = 0; ///< from where it is loudest to 20 dB below, times three
+    double t60Seconds = 0; ///< from 5 to 25 dB below where it is loudest, times three
     double levelDb = 0;    ///< of the first quarter of a second
 };
 
@@ -146,9 +146,13 @@ HeardFundamental heardFundamental(const ModalObject& bar) {
             energy += std::norm(sum);
     }
     const auto loudest = std::ranges::max_element(envelope);
-    const auto faint =
-        std::find_if(loudest, envelope.end(), [&](double level) { return level < 0.1 * *loudest; });
-    return {3 * stepSeconds * static_cast<double>(faint - loudest), 10 * std::log10(energy)};
+    const auto fallenBy = [&](double db) {
+        return std::find_if(loudest, envelope.end(), [&](double level) {
+            return level < *loudest * std::pow(10, -db / 20);
+        });
+    };
+    return {3 * stepSeconds * static_cast<double>(fallenBy(25) - fallenBy(5)),
+            10 * std::log10(energy)};
 }
 
 } // namespace
