@@ -6,7 +6,7 @@ import struct
 
 from console import OBJECTS, ConsoleTest, Wave
 
-BAR = OBJECTS / "xylophone-72.modal"
+BAR = OBJECTS / "stones-72.modal"  # no tube: modes that share one are closer than a fit can tell
 PLACES = ("0,0,0", "0.02,0.01,0", "0.035,0,0", "0.06,0.015,0", "0.09,0,0")
 # A hard, light mallet excites all modes.
 HARD = ("--set", "hardness=100000", "--set", "mallet_mass=1", "--set", "tau=0.001")
