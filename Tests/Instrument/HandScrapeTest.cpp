@@ -11,6 +11,7 @@
 #include "Support/RenderNotes.h"
 #include "TestInstruments.h"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
@@ -75,7 +76,8 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// A second of a hand that goes to and fro on what a key strikes, half a metre a second.
+/// A second of a hand that goes to and fro on what a key strikes, half a metre a second, but not
+/// more than four times: on a small object that speed would be a leap at each event.
 std::vector<float> scrapedToAndFro(Player& player, const Key& key, const Preset& preset) {
     const auto& strip = player.instrument().strip(key);
     const auto& slot = player.instrument().slots()[static_cast<std::size_t>(key.slot)];
@@ -84,7 +86,7 @@ std::vector<float> scrapedToAndFro(Player& player, const Key& key, const Preset&
         slot.sizeRatio * preset.parameters[ParameterId::size] / 0.6 *
         distance(metresOf(*slot.object, placeAt(0.2)), metresOf(*slot.object, placeAt(0.8)));
     std::vector<float> output;
-    double along = 0.2, step = 0.5 * eventSamples / rateHz / lengthMetres;
+    double along = 0.2, step = std::min(0.5 * eventSamples / rateHz / lengthMetres, 0.08);
     for (int event = 0; event < 60; ++event) {
         if (along + step > 0.8 || along + step < 0.2)
             step = -step;

@@ -198,9 +198,9 @@ Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t ta
 } // namespace
 
 TEST_CASE(
-    "Strikes of another material are within 2.6 LU of every factory preset's own at velocity "
-    "100, 3.3 LU at 127 and 6.5 LU at 40, where long contacts leave stiff materials fainter") {
-    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{6.5, 2.6, 3.3};
+    "Strikes of another material are within 4.4 LU of every factory preset's own at velocity "
+    "100, 6 LU at 127 and 6.5 LU at 40, where long contacts leave stiff materials fainter") {
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{6.5, 4.4, 6};
     for (const auto& preset : keyedFactoryPresets())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
@@ -214,9 +214,9 @@ TEST_CASE(
 TEST_CASE(
     "Strikes of another mallet are within 2.9 LU of every factory preset's own at velocity "
     "100, 7 LU at 127 and 12 LU at 40, where long contacts leave high keys fainter, and within "
-    "1.6 LU of what is predicted of them at 100 and 127, 4 LU at 40") {
+    "1.7 LU of what is predicted of them at 100 and 127, 4 LU at 40") {
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{12, 2.9, 7};
-    constexpr std::array<double, PhrasePrediction::velocities.size()> mostOffLu{4, 1.6, 1.6};
+    constexpr std::array<double, PhrasePrediction::velocities.size()> mostOffLu{4, 1.7, 1.7};
     for (const auto& preset : keyedFactoryPresets())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
             const int velocity = PhrasePrediction::velocities[level];
