@@ -73,15 +73,14 @@ MISSING = """
 
 The presets:
 
-- The glockenspiel's bar has other partials than the recorded one. The recordings have a loud pair, near 5.2 and 5.6
-  times the fundamental at G6, 4.9 and 5.2 at C7. Ours has one at 5.2 and the next at 6.3 and 5.7. The recordings have a
-  faint partial at 3.6 to 3.7 where ours has a louder one at 3.0 to 3.3.
-- The marimba's F♯5 and C6 decay about twice as fast as the recordings. C6's partial at 4 is also too loud.
-- The xylophone's third partial lies at 8.4 in all recordings and near 9 in our bars. At C7 the partial at 5.8 lies at
-  5.2 in ours. The preset tunes only the fundamental and the partial at 3.
+- The marimba's F♯5 and C6 decay faster than the recordings, whose sound the font loops there. C3 starts twice as bright:
+  our mallet has one hardness over four octaves.
+- The xylophone's overtones die about 1.5 times as fast as the recorded ones, since its cords damp them too. The fourth
+  bending mode lies 2 % too high.
 - The xylophone's F♯3 and C4 are below the preset's lowest bar, F4, which is resized for them. They ring longer than the
   recordings.
-- The glockenspiel's recordings start with about 20 ms of noise of wide band, a knock. Our strike excites modes only.
+- The glockenspiel's recordings start with about 20 ms of noise of wide band, a knock. Ours have the click of the bar's
+  body, which is shorter.
 
 The recordings:
 
