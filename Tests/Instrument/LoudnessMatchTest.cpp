@@ -197,9 +197,8 @@ Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t ta
 
 } // namespace
 
-TEST_CASE(
-    "Strikes of another material are within 4.4 LU of every factory preset's own at velocity "
-    "100, 6 LU at 127 and 6.5 LU at 40, where long contacts leave stiff materials fainter") {
+TEST_CASE("Strikes of another material are within 4.4 LU of every factory preset's own at velocity "
+          "100, 6 LU at 127 and 6.5 LU at 40, where long contacts leave stiff materials fainter") {
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{6.5, 4.4, 6};
     for (const auto& preset : keyedFactoryPresets())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
