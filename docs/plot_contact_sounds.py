@@ -689,7 +689,7 @@ def main():
     page = DOCS / "contact-sounds.md"
     text = page.read_text()
     with tempfile.TemporaryDirectory() as folder:
-        console = Console(sys.argv[1], folder)
+        console = Console(sys.argv[1], folder, room=0)
         for show in (mallet_force, mallet_centroid, mallet_sounds, chatter, modal_pulse, position,
                      scrape, scrape_level, roll, gesture, radiation, width, loudness,
                      loudness_octaves):

@@ -33,10 +33,11 @@ def standard_midi_file(events):
 
 
 class Console:
-    """The `idiophone` command, in a folder that goes away with it."""
+    """The `idiophone` command, in a folder that goes away with it, and what it always sets."""
 
-    def __init__(self, program, folder):
+    def __init__(self, program, folder, **always):
         self.program, self.folder, self.number = program, pathlib.Path(folder), 0
+        self.always = {"limiter": 0, **always}
 
     def run(self, *arguments):
         done = subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True)
@@ -51,7 +52,7 @@ class Console:
                           "--seconds", seconds,
                           *itertools.chain.from_iterable(
                               ("--set", f"{name}={value}")
-                              for name, value in {"limiter": 0, **parameters}.items()))
+                              for name, value in {**self.always, **parameters}.items()))
         samples = soundfile.read(wav, always_2d=True)[0]
         wav.unlink()
         return samples, json.loads(report)
