@@ -120,7 +120,7 @@ void addKept(DecayBounds& bounds, const SynthesiserSlot& slot) {
                 std::min(bounds.keptShareAtAnyThickness, lowestShareAt(percent / 100));
 }
 
-/// What the settings multiply the figures of a bound by.
+/// Factors by which the settings multiply the figures of a bound.
 struct Ratios {
     double eigenvalue, extra;
 };

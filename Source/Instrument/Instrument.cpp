@@ -31,8 +31,8 @@ bool areShared(const ModalObject& object, std::size_t a, std::size_t b) {
            std::abs(object.eigenvalues[b] / object.eigenvalues[a] - 1) < 0.02;
 }
 
-/// Of modes that bar and tube share, their mean by power, which is the pitch that is heard. Nothing
-/// where damping leaves the mode no pitch (stiffnessSoundingAt).
+/// Returns the mean by power of the modes that bar and tube share, which is the pitch that is
+/// heard. Returns nothing where damping leaves the mode no pitch (stiffnessSoundingAt).
 std::optional<PitchMode> pitchMode(const ModalObject& object, std::size_t mode, double sizeRatio) {
     PitchMode mean{.damping = {.scale = 0}};
     double weights = 0, decay = 0;

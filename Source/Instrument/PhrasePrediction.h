@@ -63,9 +63,10 @@ public:
     std::size_t advance(std::size_t modes) noexcept;
     bool complete() const noexcept { return phrase == nullptr; }
 
-    /// What a complete prediction says. −infinity: nothing sounds. Left out: `spread`,
-    /// `imperfection`, and what τ and the mode budget drop. Keys that scrape or roll are predicted
-    /// up to a constant that depends on speed, force and roughness, and for all velocities alike.
+    /// Returns the loudness once it is complete; −infinity if nothing sounds. It leaves out
+    /// `spread`, `imperfection`, and what τ and the mode budget drop. Keys that scrape or roll are
+    /// predicted up to a constant that depends on speed, force and roughness, and for all
+    /// velocities alike.
     Loudness lufs() const noexcept;
 
 private:

@@ -188,9 +188,9 @@ public:
     /// Modes that do not oscillate have no phase: their residues become real, of the same size.
     void makeHeavyReal(ModeResidues& residues) const noexcept;
 
-    /// What an impulse sounds at once in each channel, beside the motion of the modes in `runs`:
-    /// with it, and half of the first sample of that motion, a force that rests sounds nothing, as
-    /// velocity and acceleration are 0. About Σ Im r/(ω × the sample's time).
+    /// Returns the sound of an impulse at once in each channel, beside the motion of the modes in
+    /// `runs`: with it, and half of the first sample of that motion, a force that rests sounds
+    /// nothing, as velocity and acceleration are 0. About Σ Im r/(ω × the sample's time).
     std::array<float, mostChannels> directSound(const ModeResidues& residues,
                                                 std::span<const ModeRun> runs) const noexcept;
 

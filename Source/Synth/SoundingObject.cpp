@@ -296,8 +296,8 @@ void SoundingObject::addToCell(const ChannelOutputs& sound,
     }
 }
 
-/// What tubes add was heard with the discs open: takes away what they close. States know nothing of
-/// the discs, so that no gain steps.
+/// Takes away what the discs close of `tube`, which the cell has as with open discs. States know
+/// nothing of the discs, so that no gain steps.
 void SoundingObject::closeTubes(CellSound& tube,
                                 std::size_t from,
                                 std::size_t count,
@@ -308,7 +308,7 @@ void SoundingObject::closeTubes(CellSound& tube,
     addToCell(outputsOf(tube), from, count, cell);
 }
 
-/// Of the modes in ascending runs. Valid until it is asked for others.
+/// Returns the tube's parts of the modes in ascending runs, valid until it is asked for others.
 std::span<const ModePart>
 SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
     scratch.tubeParts.clear();
@@ -321,7 +321,7 @@ SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
     return scratch.tubeParts;
 }
 
-/// What the discs leave of a group where the states stand.
+/// Returns the share of a group that the discs leave where the states stand.
 float SoundingObject::openingNow(std::size_t g) const noexcept {
     const auto mode = static_cast<std::int32_t>(g);
     const auto part = std::ranges::lower_bound(tubeParts, mode, {}, &ModePart::mode);

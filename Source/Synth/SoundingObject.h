@@ -253,7 +253,7 @@ private:
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
     // SoundingObjectForce.cpp: continuous contact.
-    /// What the object answers within a cell.
+    /// The object's answer within a cell.
     struct Answer {
         alignas(64) CellSound sound;
         alignas(64) CellSound tube; ///< of this, what the tube adds; only while tubes pulse
