@@ -155,13 +155,14 @@ void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
     }
     clickShares = {};
     const double middleClick =
-        std::hypot(clicks[middleVelocity].pascals[0], clicks[middleVelocity].pascals[1]);
+        std::hypot(clicks[middleVelocity].pascalMetres[0], clicks[middleVelocity].pascalMetres[1]);
     for (std::size_t note = firstNote; note < endNote; ++note) {
         const auto strike = strikeOf(note, velocities[middleVelocity]);
         noteTrains[note] = note == middleNote ? trains[middleVelocity] : trainOf(strike, note);
         const auto click = clickOf(strike);
         if (middleClick > 0)
-            clickShares[note] = std::hypot(click.pascals[0], click.pascals[1]) / middleClick;
+            clickShares[note] =
+                std::hypot(click.pascalMetres[0], click.pascalMetres[1]) / middleClick;
     }
     // Most of a click's energy lies near the maximum of its spectrum, at 0.84/T.
     for (std::size_t level = 0; level < levels; ++level)
@@ -173,21 +174,17 @@ void PhrasePrediction::beginBlows(const ParameterValues& values) noexcept {
         }
 }
 
-PhrasePrediction::Click PhrasePrediction::clickOf(const Strike& strike) const noexcept {
+RigidClick PhrasePrediction::clickOf(const Strike& strike) const noexcept {
     const auto& body = phrase->notes[firstNote].rigidBody;
     if (!(listening > 0) || !(body.massKg > 0))
         return {};
     const double size = conditions.radiationGainRatio / conditions.gainRatio;
-    const auto& impulse = strike.impulseNewtonSeconds;
-    Click click{.seconds = std::max(clickSeconds(body, impulse, strike.durationSeconds, size),
-                                    shortestClickSamples / phrase->sampleRateHz)};
-    const double gain = listening * conditions.radiationGainRatio * size * size;
     const auto& directions = slot().object->radiation.directions;
-    for (std::size_t channel = 0; channel < click.pascals.size(); ++channel)
-        click.pascals[channel] =
-            gain * clickPascalMetres(body, impulse,
-                                     directions[std::min(channel, directions.size() - 1)],
-                                     click.seconds);
+    const std::size_t right = std::min<std::size_t>(directions.size(), 2) - 1;
+    auto click = rigidClick(body, strike.impulseNewtonSeconds, strike.durationSeconds, size,
+                            phrase->sampleRateHz, {directions[0], directions[right]});
+    for (double& channel : click.pascalMetres)
+        channel *= listening * conditions.radiationGainRatio * size * size;
     return click;
 }
 

@@ -73,15 +73,9 @@ private:
     static constexpr std::size_t chunk = 16;
     static constexpr std::size_t levels = velocities.size();
 
-    /// The sine of the rigid body's click, left and right [Pa at 1 m].
-    struct Click {
-        double seconds = 1;
-        std::array<double, 2> pascals{};
-    };
-
     void beginObject() noexcept;
     void beginBlows(const ParameterValues& parameters) noexcept;
-    Click clickOf(const Strike& strike) const noexcept;
+    RigidClick clickOf(const Strike& strike) const noexcept;
     void addClick(const RingingMode<levels>& mode, double weighting) noexcept;
     void beginForce(const ParameterValues& parameters, const SynthesisSettings& settings) noexcept;
     void endObject() noexcept;
@@ -112,7 +106,7 @@ private:
     std::array<PressedMotion, levels> pressed;
     /// Complex, mean of the channels.
     std::array<std::array<std::complex<double>, PhraseMeter::notes>, levels> pressedVelocities{};
-    std::array<Click, levels> clicks;       ///< of the middle note
+    std::array<RigidClick, levels> clicks;  ///< of the middle note
     PhraseMeter::NoteFigures clickShares{}; ///< of each note, of the middle one's
     /// K-weighted, mean of the channels: with what the modes add to them or take.
     std::array<PhraseMeter::NoteFigures, levels> clickEnergies{};

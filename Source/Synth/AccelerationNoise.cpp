@@ -112,4 +112,19 @@ double clickPascalMetres(const RigidRadiator& body,
            between(towards, body.volumes, impulse) / body.massKg * 2 * pi / (seconds * seconds);
 }
 
+RigidClick rigidClick(const RigidRadiator& body,
+                      const std::array<float, 3>& impulse,
+                      double contactSeconds,
+                      double sizeRatio,
+                      double sampleRateHz,
+                      const std::array<std::array<float, 3>, 2>& towards) noexcept {
+    // A longer click keeps its spectrum at low frequencies and does not alias.
+    constexpr double shortestSamples = 4;
+    const double seconds = std::max(clickSeconds(body, impulse, contactSeconds, sizeRatio),
+                                    shortestSamples / sampleRateHz);
+    return {.seconds = seconds,
+            .pascalMetres = {clickPascalMetres(body, impulse, towards[0], seconds),
+                             clickPascalMetres(body, impulse, towards[1], seconds)}};
+}
+
 } // namespace idiophone

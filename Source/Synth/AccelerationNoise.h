@@ -9,10 +9,6 @@
 
 namespace idiophone {
 
-/// Shorter clicks are made to last this long: their spectrum at low frequencies stays as it is, and
-/// they do not alias.
-inline constexpr double shortestClickSamples = 4;
-
 /// A rigid body as a source of sound. Its rotation about the centre of mass moves no air as a
 /// whole, so it does not count.
 struct RigidRadiator {
@@ -46,5 +42,20 @@ double clickPascalMetres(const RigidRadiator& body,
                          const std::array<float, 3>& impulseNewtonSeconds,
                          const std::array<float, 3>& towards,
                          double seconds) noexcept;
+
+/// A click p r = P sin Ωt for 0 ≤ t ≤ T, Ω = 2π/T.
+struct RigidClick {
+    double seconds = 1;                   ///< T
+    std::array<double, 2> pascalMetres{}; ///< P to the left and to the right
+};
+
+/// Returns the click of a strike, towards two directions of length 1, at least 4 samples long. The
+/// body's size does not change P, as its volumes go with its mass. Any thread.
+RigidClick rigidClick(const RigidRadiator& body,
+                      const std::array<float, 3>& impulseNewtonSeconds,
+                      double contactSeconds,
+                      double sizeRatio,
+                      double sampleRateHz,
+                      const std::array<std::array<float, 3>, 2>& towards) noexcept;
 
 } // namespace idiophone

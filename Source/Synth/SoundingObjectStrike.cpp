@@ -121,21 +121,16 @@ void SoundingObject::addClick(const Contact& struck, const CellOutput& cell) noe
     if (!(struck.heard.farShare > 0) || !(rigidBody.massKg > 0) || clicks.size() == contactCapacity)
         return;
     Contact click = struck;
-    const auto& impulse = click.strike.impulseNewtonSeconds;
-    double& seconds = click.strike.durationSeconds;
-    seconds = std::max(clickSeconds(rigidBody, impulse, seconds, sizeNow),
-                       shortestClickSamples / sampleRate);
-    // The volumes go as the cube of the size and over the mass, beside it, farGain as 1/size².
-    const double gain = struck.heard.farShare * struck.heard.farGain * sizeNow * sizeNow;
-    const auto amplitude = [&](std::size_t direction) {
-        return gain * clickPascalMetres(rigidBody, impulse, object->radiation.directions[direction],
-                                        seconds);
-    };
+    const auto& directions = object->radiation.directions;
     const std::int32_t from = click.strike.point.heardFrom;
     const std::size_t left = from < 0 ? 0 : static_cast<std::size_t>(from);
-    const std::size_t right =
-        from < 0 ? std::min(object->radiation.directions.size(), mostChannels) - 1 : left;
-    std::array<double, mostChannels> pascals{amplitude(left), amplitude(right)};
+    const std::size_t right = from < 0 ? std::min(directions.size(), mostChannels) - 1 : left;
+    auto [seconds, pascals] =
+        rigidClick(rigidBody, click.strike.impulseNewtonSeconds, click.strike.durationSeconds,
+                   sizeNow, sampleRate, {directions[left], directions[right]});
+    click.strike.durationSeconds = seconds;
+    for (double& channel : pascals) // farGain goes as 1/size²
+        channel *= struck.heard.farShare * struck.heard.farGain * sizeNow * sizeNow;
     if (outputChannels == 1)
         pascals[0] = (pascals[0] + pascals[1]) / 2;
     click.mixed = {};
