@@ -195,6 +195,24 @@ std::vector<double> summedSquareShapes(const ModalObject& object) {
     return sums;
 }
 
+std::optional<std::size_t> sharingPartner(const ModalObject& object, std::size_t mode) noexcept {
+    const auto isPartner = [&](std::size_t other) {
+        if (other == mode || !object.isShared(other) ||
+            std::abs(object.gains[mode] + object.gains[other]) < 0.5f)
+            return false;
+        for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
+            const auto shapes = object.shapesAt(row);
+            if (!std::ranges::equal(shapes.subspan(3 * mode, 3), shapes.subspan(3 * other, 3)))
+                return false;
+        }
+        return true;
+    };
+    for (std::size_t other = 0; object.isShared(mode) && other < object.modeCount(); ++other)
+        if (isPartner(other))
+            return other;
+    return std::nullopt;
+}
+
 std::size_t nearestShapeRow(const ModalObject& object, const std::array<double, 3>& pointMetres) {
     std::size_t nearest = 0;
     double nearestSquared = std::numeric_limits<double>::infinity();

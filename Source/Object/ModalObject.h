@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -120,6 +121,9 @@ struct ModalObject {
         return result;
     }
 
+    /// Whether a bar and its tube share a mode. Any thread.
+    bool isShared(std::size_t mode) const noexcept { return !gains.empty() && gains[mode] != 1.0f; }
+
     /// [M,3] shapes of all modes at row `shapeRow` of `shapeVertices`.
     std::span<const float> shapesAt(std::size_t shapeRow) const {
         return {shapes.data() + shapeRow * modeCount() * 3, modeCount() * 3};
@@ -137,6 +141,11 @@ std::vector<float> vertexNormals(const ModalObject& object);
 /// [M] Σ |φ|² over the vertices that carry shapes, in 1/kg: how far a mode moves the object as a
 /// whole.
 std::vector<double> summedSquareShapes(const ModalObject& object);
+
+/// Returns the other one of the two modes that a bar's mode makes with its tube (Analysis/Tube.h):
+/// it has the same shape, and the two gains add up to 1. Returns nothing for a mode of the bar
+/// alone.
+std::optional<std::size_t> sharingPartner(const ModalObject& object, std::size_t mode) noexcept;
 
 /// The row of `shapeVertices` whose vertex is nearest to a point in metres, of those that there
 /// are. Takes time with their number; any thread.

@@ -12,8 +12,7 @@ std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed) {
     std::mt19937 random(seed); // whose first numbers differ from one small seed to the next
     const auto drawn = [&random] { return static_cast<float>(random() / 4294967296.0); };
     for (std::size_t mode = 0; mode + 1 < object.modeCount(); ++mode) {
-        const bool isShared =
-            !object.gains.empty() && (object.gains[mode] != 1.0f || object.gains[mode + 1] != 1.0f);
+        const bool isShared = object.isShared(mode) || object.isShared(mode + 1);
         if (isShared || object.eigenvalues[mode + 1] > pairRatio * object.eigenvalues[mode])
             continue;
         const float angle = std::numbers::pi_v<float> * drawn();

@@ -1,8 +1,5 @@
 #include "Synth/TubeShares.h"
 
-#include "Synth/ModeCompression.h"
-
-#include <algorithm>
 #include <complex>
 #include <cstddef>
 
@@ -11,15 +8,6 @@ namespace idiophone {
 namespace {
 
 using Complex = std::complex<double>;
-
-bool haveOneShape(const ModalObject& object, std::size_t a, std::size_t b) {
-    for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
-        const auto shapes = object.shapesAt(row);
-        if (!std::ranges::equal(shapes.subspan(3 * a, 3), shapes.subspan(3 * b, 3)))
-            return false;
-    }
-    return true;
-}
 
 /// Of mode `a`, whose other one is `b`, where the object has its reference size and pitch.
 double tubeShare(const ModalObject& object, std::size_t a, std::size_t b) {
@@ -40,19 +28,11 @@ double tubeShare(const ModalObject& object, std::size_t a, std::size_t b) {
 
 std::vector<float> tubeShares(const ModalObject& object) {
     std::vector<float> shares;
-    if (object.gains.empty())
-        return shares;
-    for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
-        shares.push_back(isShared(object.gains, mode) ? 1.0f : 0.0f);
-    if (object.radiation.empty())
-        return shares;
-    for (std::size_t a = 0; a < shares.size(); ++a)
-        for (std::size_t b = a + 1; b < shares.size(); ++b)
-            if (isShared(object.gains, a) && isShared(object.gains, b) &&
-                std::abs(object.gains[a] + object.gains[b]) > 0.5f && haveOneShape(object, a, b)) {
-                shares[a] = static_cast<float>(tubeShare(object, a, b));
-                shares[b] = static_cast<float>(tubeShare(object, b, a));
-            }
+    for (std::size_t mode = 0; !object.gains.empty() && mode < object.modeCount(); ++mode) {
+        shares.push_back(object.isShared(mode) ? 1.0f : 0.0f);
+        if (const auto partner = sharingPartner(object, mode); partner && !object.radiation.empty())
+            shares.back() = static_cast<float>(tubeShare(object, mode, *partner));
+    }
     return shares;
 }
 

@@ -44,15 +44,7 @@ Fundamental fundamentalOf(const Preset& preset, const ModalObject& object, int n
     for (std::size_t mode = 0; mode < object.modeCount(); ++mode)
         if (miss(mode) < miss(found.mode))
             found.mode = mode;
-    found.partner = found.mode;
-    const auto isShared = [&](std::size_t mode) {
-        return !object.gains.empty() && object.gains[mode] != 1.0f &&
-               object.eigenvalues[mode] < 1.02 * object.eigenvalues[found.mode] &&
-               object.eigenvalues[mode] > 0.98 * object.eigenvalues[found.mode];
-    };
-    for (std::size_t mode = 0; isShared(found.mode) && mode < object.modeCount(); ++mode)
-        if (mode != found.mode && isShared(mode))
-            found.partner = mode;
+    found.partner = sharingPartner(object, found.mode).value_or(found.mode);
     return found;
 }
 
