@@ -24,20 +24,13 @@ double modeHz(const ModalObject& object, std::size_t mode) {
            (2 * std::numbers::pi);
 }
 
-/// Whether a bar shares both modes with a resonance of its tube.
-bool areShared(const ModalObject& object, std::size_t a, std::size_t b) {
-    const auto isCoupled = [&](std::size_t mode) { return object.gains[mode] != 1.0f; };
-    return !object.gains.empty() && isCoupled(a) && isCoupled(b) &&
-           std::abs(object.eigenvalues[b] / object.eigenvalues[a] - 1) < 0.02;
-}
-
 /// Returns the mean by power of the modes that bar and tube share, which is the pitch that is
 /// heard. Returns nothing where damping leaves the mode no pitch (stiffnessSoundingAt).
 std::optional<PitchMode> pitchMode(const ModalObject& object, std::size_t mode, double sizeRatio) {
     PitchMode mean{.damping = {.scale = 0}};
     double weights = 0, decay = 0;
-    for (std::size_t part = 0; part < object.modeCount(); ++part) {
-        if (part != mode && !areShared(object, mode, part))
+    for (const std::size_t part : {mode, sharingPartner(object, mode).value_or(mode)}) {
+        if (weights > 0 && part == mode)
             continue;
         const auto weight =
             object.gains.empty() ? 1.0 : static_cast<double>(std::norm(object.gains[part]));
@@ -157,8 +150,9 @@ std::shared_ptr<const Instrument> Instrument::onStage(KeyMap keyMap,
             instrument->strips.push_back(
                 strikeStrip(*instrument->synthesiserSlots[static_cast<std::size_t>(slot)].object,
                             instrument->map));
-        instrument->keys[note] = {
-            .slot = slot, .strip = strip->second, .along = instrument->map.strikeAt};
+        instrument->keys[note] = {.slot = slot,
+                                  .strip = strip->second,
+                                  .along = instrument->map.strikePlace(static_cast<int>(note))};
     }
     return instrument;
 }
@@ -188,7 +182,7 @@ Result<void> Instrument::buildBars(ObjectLibrary& library) {
             strips.push_back(strikeStrip(**object, map));
         keys[static_cast<std::size_t>(note)] = {.slot = static_cast<int>(synthesiserSlots.size()),
                                                 .strip = strip->second,
-                                                .along = map.strikeAt,
+                                                .along = map.strikePlace(note),
                                                 .mallet = {.pitchRatio = pitchRatio}};
         const auto pitch = pitchMode(**object, pitchModeOfBar(**object, note), 1);
         synthesiserSlots.push_back({.object = std::move(*object), .sizeRatio = 1, .pitch = pitch});
@@ -241,14 +235,10 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
 
     const double referenceHz =
         map.referenceNote >= 0 ? midiNoteHz(map.referenceNote) : modeHz(**object, 0);
-    const int range = map.highestNote - map.lowestNote;
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         auto& key = keys[static_cast<std::size_t>(note)];
         if (map.kind == KeyMapKind::zones) {
-            key = {.slot = 0,
-                   .strip = 0,
-                   .along = range > 0 ? static_cast<double>(note - map.lowestNote) / range
-                                      : map.strikeAt};
+            key = {.slot = 0, .strip = 0, .along = map.strikePlace(note)};
             continue;
         }
         // The mallet is scaled with the object: every key is the same event at another size, where
@@ -256,7 +246,7 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
         const double sizeRatio = referenceHz / midiNoteHz(note);
         key = {.slot = static_cast<int>(synthesiserSlots.size()),
                .strip = 0,
-               .along = map.strikeAt,
+               .along = map.strikePlace(note),
                .mallet = {.scale = sizeRatio}};
         synthesiserSlots.push_back({.object = *object,
                                     .sizeRatio = sizeRatio,

@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace idiophone {
 namespace {
 
@@ -45,6 +48,17 @@ std::vector<std::array<double, 3>> parsePath(const JsonPlace& path) {
     return points;
 }
 
+std::vector<double> parseStrikeAt(const JsonPlace& place) {
+    if (!place.json().is_array())
+        return {place.number(0, 1)};
+    std::vector<double> places;
+    for (const auto& key : place.list(128))
+        places.push_back(key.number(0, 1));
+    if (places.empty())
+        place.fail("is empty");
+    return places;
+}
+
 KeyMap parseKeyMap(const JsonPlace& place) {
     KeyMap map;
     map.kind = parseKind(place.at("kind"));
@@ -58,7 +72,7 @@ KeyMap parseKeyMap(const JsonPlace& place) {
     if (place.has("strikePath"))
         map.strikePath = parsePath(place.at("strikePath"));
     if (place.has("strikeAt"))
-        map.strikeAt = place.at("strikeAt").number(0, 1);
+        map.strikeAt = parseStrikeAt(place.at("strikeAt"));
     if (place.has("strikeWidth"))
         map.strikeWidth = place.at("strikeWidth").number(0, 1);
     if (place.has("referenceNote"))
@@ -108,6 +122,11 @@ ordered_json matchedToJson(const Preset& preset) {
     return differing;
 }
 
+ordered_json strikeAtToJson(const KeyMap& map) {
+    return map.strikeAt.size() == 1 ? ordered_json(map.strikeAt.front())
+                                    : ordered_json(map.strikeAt);
+}
+
 ModeSet parseMutedModes(const JsonPlace& place) {
     ModeSet muted;
     for (const auto& [name, modes] : place.members())
@@ -150,6 +169,17 @@ Preset parse(const JsonPlace& root) {
 
 } // namespace
 
+double KeyMap::strikePlace(int midiNote) const {
+    const int range = std::max(1, highestNote - lowestNote);
+    const double share = std::clamp(static_cast<double>(midiNote - lowestNote) / range, 0.0, 1.0);
+    if (kind == KeyMapKind::zones && highestNote > lowestNote)
+        return share;
+    const double place = share * static_cast<double>(strikeAt.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, strikeAt.size() - 1);
+    return std::lerp(strikeAt[below], strikeAt[above], place - static_cast<double>(below));
+}
+
 std::string KeyMap::objectFor(int midiNote) const {
     constexpr std::string_view mark = "{note}";
     std::string name = object;
@@ -177,7 +207,7 @@ std::string encodePreset(const Preset& preset) {
     ordered_json keyMap{{"kind", kindName(map.kind)},     {"lowestNote", map.lowestNote},
                         {"highestNote", map.highestNote}, {"resizedFrom", map.resizedFrom},
                         {"resizedTo", map.resizedTo},     {"object", map.object},
-                        {"strikePath", map.strikePath},   {"strikeAt", map.strikeAt},
+                        {"strikePath", map.strikePath},   {"strikeAt", strikeAtToJson(map)},
                         {"strikeWidth", map.strikeWidth}};
     if (map.referenceNote >= 0)
         keyMap["referenceNote"] = map.referenceNote;

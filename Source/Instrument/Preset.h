@@ -43,7 +43,9 @@ struct KeyMap {
     /// nearest one on the surface. `zones` spread the keys along the path; the other maps
     /// strike at `strikeAt` of the way.
     std::vector<std::array<double, 3>> strikePath{{-1, 0, 0}, {1, 0, 0}};
-    double strikeAt = 0.5; ///< 0 to 1
+    /// 0 to 1: one place for all keys, or places for evenly spread keys from the lowest to the
+    /// highest, between which the others strike. Not empty.
+    std::vector<double> strikeAt{0.5};
     /// How far beside the path "strike position across" reaches, in units of the bounding box.
     double strikeWidth = 1; ///< 0 to 1
     /// `scaled`: which MIDI note the object sounds at its own size, by its lowest mode; found from
@@ -55,6 +57,8 @@ struct KeyMap {
 
     /// The object that a note plays: `object` with `{note}` replaced, where there is one for each.
     std::string objectFor(int midiNote) const;
+    /// Where on the path a note strikes: 0 to 1.
+    double strikePlace(int midiNote) const;
 
     bool operator==(const KeyMap&) const = default;
 };

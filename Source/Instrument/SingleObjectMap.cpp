@@ -86,10 +86,10 @@ KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMa
                .highestNote = highestKey,
                .object = name,
                .strikePath = pathOverTop(object),
-               .strikeAt = 0.5,
+               .strikeAt = {0.5},
                .strikeWidth = 1,
                .referenceNote = -1};
-    map.strikeAt = liveliestPlace(object, map);
+    map.strikeAt.front() = liveliestPlace(object, map);
     return map;
 }
 

@@ -8,7 +8,9 @@ namespace {
 void claimKeys(const KeyMap& map) {
     claim(0 <= map.lowestNote && map.lowestNote <= map.highestNote && map.highestNote <= 127,
           "keys are MIDI notes");
-    claim(map.strikeAt >= 0 && map.strikeAt <= 1 && map.strikeWidth >= 0 && map.strikeWidth <= 1,
+    claim(!map.strikeAt.empty() &&
+              std::ranges::all_of(map.strikeAt, [](double x) { return x >= 0 && x <= 1; }) &&
+              map.strikeWidth >= 0 && map.strikeWidth <= 1,
           "strikes are on the path");
     claim(0 <= map.resizedFrom && map.resizedFrom <= 127 && 0 <= map.resizedTo &&
               map.resizedTo <= 127,

@@ -226,7 +226,7 @@ TEST_CASE("CC74 moves where bars and scaled objects are struck, with MPE those o
     values.set(ParameterId::strikeSpread, 0);
     const auto struck = [&](double strikeAt, std::vector<MidiEvent> events) {
         KeyMap map{.kind = kind, .lowestNote = 65, .highestNote = 72, .object = object};
-        map.strikeAt = strikeAt;
+        map.strikeAt = {strikeAt};
         Player player(Instrument::build(map, ObjectLibrary::shared()).value(), sampleRateHz);
         events.push_back(midi(1, 0x93, 68, 100));
         return render(player, events, 4800, 256, values);

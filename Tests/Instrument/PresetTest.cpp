@@ -2,8 +2,10 @@
 #include "Instrument/JsonPlace.h"
 
 #include <catch2/catch_test_macros.hpp>
+#include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 using namespace idiophone;
+using Catch::Matchers::WithinAbs;
 
 namespace {
 
@@ -20,7 +22,7 @@ Preset example() {
                      .resizedTo = 90,
                      .object = "/a/bowl.modal",
                      .strikePath = {{-1, 0.1, 0}, {0.25, 1, -1}},
-                     .strikeAt = 0.3,
+                     .strikeAt = {0.3, 0.6, 0.5},
                      .strikeWidth = 0.5,
                      .referenceNote = 60.5};
     preset.parameters.set(ParameterId::tau, 0.123456789012345);
@@ -144,6 +146,22 @@ TEST_CASE("A key map that makes no sense is refused with its fault and where tha
     refuse(open + R"(,"strikePath":[[0,0]]})",
            "keyMap.strikePath[0] is not a list of three numbers [x, y, z]");
     refuse(open + R"(,"strikeAt":"low"})", "keyMap.strikeAt is not a number");
+    refuse(open + R"(,"strikeAt":[0,1.1]})", "keyMap.strikeAt[1] is not between 0 and 1");
+    refuse(open + R"(,"strikeAt":[]})", "keyMap.strikeAt is empty");
+}
+
+TEST_CASE("Keys strike between the places of the key map") {
+    KeyMap map{.kind = KeyMapKind::bars, .lowestNote = 40, .highestNote = 50, .strikeAt = {0.2}};
+    CHECK(map.strikePlace(47) == 0.2);
+    map.strikeAt = {0.2, 0.4, 0.3};
+    CHECK(map.strikePlace(40) == 0.2);
+    CHECK_THAT(map.strikePlace(44), WithinAbs(0.36, 1e-12));
+    CHECK_THAT(map.strikePlace(48), WithinAbs(0.34, 1e-12));
+    CHECK(map.strikePlace(50) == 0.3);
+    map.kind = KeyMapKind::zones;
+    CHECK_THAT(map.strikePlace(42), WithinAbs(0.2, 1e-12));
+    map.highestNote = 40;
+    CHECK(map.strikePlace(40) == 0.2);
 }
 
 TEST_CASE("Muted modes that make no sense are refused with their fault and where that stands") {

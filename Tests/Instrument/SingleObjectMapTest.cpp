@@ -78,7 +78,7 @@ TEST_CASE("Every layout of an object can be built, scaled ones struck where it m
     ObjectLibrary library;
     const auto kept = library.add("sheet", object);
     const auto scaled = singleObjectMap(object, "sheet", KeyMapKind::scaled);
-    CHECK(std::abs(scaled.strikeAt - 0.5) > 0.35);
+    CHECK(std::abs(scaled.strikeAt.front() - 0.5) > 0.35);
     CHECK(Instrument::build(scaled, library));
     CHECK(Instrument::build(singleObjectMap(object, "sheet", KeyMapKind::zones), library));
 }
