@@ -18,6 +18,7 @@ using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 /// A tube that is farther off than this shares no mode.
 constexpr double wholeTone = 1.122;
+constexpr double leastSharedGain = 1e-3;
 
 double waveNumber(double omega) {
     return omega / speedOfSoundMetresPerSecond;
@@ -114,9 +115,11 @@ modesOver(const ModalObject& bar, const Tube& tube, std::span<const double> mout
         const auto mode = sharingMode(bar, resonance, mouthKgPerM2);
         if (!mode || isShared[*mode])
             continue;
+        const auto pair = sharingModes(bar, *mode, resonance, mouthKgPerM2[*mode]);
+        if (std::min(std::abs(pair[0].gain), std::abs(pair[1].gain)) < leastSharedGain)
+            continue;
         isShared[*mode] = true;
-        for (const Mode& shared : sharingModes(bar, *mode, resonance, mouthKgPerM2[*mode]))
-            modes.push_back(shared);
+        modes.insert(modes.end(), pair.begin(), pair.end());
     }
     for (std::size_t mode = 0; mode < bar.modeCount(); ++mode)
         if (!isShared[mode])

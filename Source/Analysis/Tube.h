@@ -69,7 +69,8 @@ std::array<SharedMode, 2> sharedModes(double barOmega,
                                       double mouthKgPerM2);
 
 /// Puts the tube under the bar. Each resonance in the band shares the mode that it couples to most,
-/// if that lies within a whole tone: the object has two modes of that shape then, with gains. All
+/// if that lies within a whole tone: the object has two modes of that shape then, with gains. A pair
+/// of which one has a gain below 0.001 hardly differs from the bar's own mode, which stays. All
 /// other modes drive the tube as it is at their frequency, which costs them decay. What flows
 /// through the mouth radiates as a monopole there. Like the bar's own, the tube's poles keep their
 /// ratio to the fundamental when size or material change: it is cut anew for the bar.

@@ -194,6 +194,20 @@ TEST_CASE("A tube shares the modes at its odd multiples and leaves the others") 
         }
 }
 
+TEST_CASE("The two modes that a bar and its tube share are each other's partners") {
+    const auto object = withTube(bar({200, 400}));
+    REQUIRE(object.modeCount() == 3);
+    CHECK(sharingPartner(object, 0) == 1);
+    CHECK(sharingPartner(object, 1) == 0);
+    CHECK_FALSE(sharingPartner(object, 2));
+}
+
+TEST_CASE("A tube that hardly couples leaves the bar its own mode") {
+    const auto object = withTube(bar({200}), 1e-6);
+    REQUIRE(object.modeCount() == 1);
+    CHECK(object.gains[0] == 1.0f);
+}
+
 TEST_CASE("What a mode off resonance radiates is what it loses less what the wall keeps") {
     const auto object = withTube(bar({330}));
     const double omega = std::sqrt(object.eigenvalues[0]), hz = omega / (2 * pi);
