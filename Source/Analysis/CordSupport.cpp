@@ -75,7 +75,10 @@ void addCordLoss(ModalObject& bar, const CordSupport& cords) {
             squares +=
                 (top.meanSquare(x - spreadMetres, mode) + top.meanSquare(x + spreadMetres, mode)) /
                 2;
-        bar.extraDecaysPerSecond[mode] += cords.resistanceNsPerM / 2 * squares;
+        const double resistance =
+            cords.resistanceNsPerM *
+            std::pow(bar.dampedFrequencyHz(mode) / 1000, cords.resistanceExponent);
+        bar.extraDecaysPerSecond[mode] += resistance / 2 * squares;
     }
 }
 

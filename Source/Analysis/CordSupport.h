@@ -7,13 +7,15 @@
 
 namespace idiophone {
 
-/// Each cord resists the bar's vertical velocity v with the force R v. The cords lie near the nodes
-/// of the fundamental, so that they damp the other partials more.
+/// Each cord resists the bar's vertical velocity v with the force R v, R = R₁ (f/1 kHz)ⁿ. The cords
+/// lie near the nodes of the fundamental, so that they damp the other partials more.
 ///
 /// The defaults are a fit to the bending partials of three recorded glockenspiel bars, within a
 /// factor of 1.6 each (docs/materials.md).
 struct CordSupport {
-    double resistanceNsPerM = 2.0; ///< R ≥ 0, of one cord
+    double resistanceNsPerM = 2.0; ///< R₁ ≥ 0, of one cord at 1 kHz
+    /// n, −1 to 0: 0 for a dashpot, −1 for a spring with a constant loss factor.
+    double resistanceExponent = 0;
     /// How far a cord touches the bar from the fundamental's node, over the bar's length: 0 to 0.1.
     double spreadOverLength = 0.06;
 };
@@ -22,9 +24,10 @@ struct CordSupport {
 /// ascending. Empty if the bar has no bending mode. `bar` is a tuned bar's object (BarTuning.h).
 std::vector<double> cordPlacesMetres(const ModalObject& bar);
 
-/// Adds the cords' loss to each mode's decay, Δα = R/2 Σ φ². The sum runs over the cords. φ² is the
-/// vertical shape squared, a mean over the bar's width and over both sides of the node at the
-/// spread's distance. `bar` is a tuned bar's object with two nodes; another one stays as it is.
+/// Adds the cords' loss to each mode's decay, Δα = R(f)/2 Σ φ², at each mode's own f. The sum runs
+/// over the cords. φ² is the vertical shape squared, a mean over the bar's width and over both
+/// sides of the node at the spread's distance. `bar` is a tuned bar's object with two nodes;
+/// another one stays as it is.
 void addCordLoss(ModalObject& bar, const CordSupport& cords);
 
 } // namespace idiophone

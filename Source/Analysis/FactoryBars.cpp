@@ -59,7 +59,8 @@ BarSpecification xylophoneBar(const char* material, double frequencyHz, double s
             .targets = {.fundamentalHz = frequencyHz, .secondRatio = isTuned ? 3.0 : 0.0},
             .material = *findMaterial(material),
             .maxFrequencyHz = std::lerp(16000, 18500, share),
-            .cords = CordSupport{.resistanceNsPerM = 7}, // a fit to recorded fundamentals
+            // A fit to recorded decays: the fundamental loses most.
+            .cords = CordSupport{.resistanceNsPerM = 10, .resistanceExponent = -0.5},
             .tube = Tube{.frequencyHz = frequencyHz,
                          .radiusMetres = std::lerp(0.015, 0.016, share),
                          .gapMetres = 0.010}};

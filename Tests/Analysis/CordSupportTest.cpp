@@ -94,6 +94,15 @@ TEST_CASE("Cords beside the nodes damp the fundamental by its mean square on bot
     CHECK_THAT(added[second], WithinRel(expected(secondShape), 5e-3));
 }
 
+TEST_CASE("Cords that lose like springs damp a mode by the power of its frequency") {
+    const auto dashpot = addedBy({.resistanceNsPerM = 3});
+    const auto spring = addedBy({.resistanceNsPerM = 3, .resistanceExponent = -1});
+    const auto object = bar();
+    for (const std::size_t mode : {fundamental, second, twist})
+        CHECK_THAT(spring[mode],
+                   WithinRel(dashpot[mode] * 1000 / object.dampedFrequencyHz(mode), 1e-6));
+}
+
 TEST_CASE("Cord loss adds to decays that are there already") {
     auto object = bar();
     object.extraDecaysPerSecond = {1, 2, 3, 4};
