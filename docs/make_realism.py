@@ -73,12 +73,10 @@ MISSING = """
 
 The presets:
 
-- The marimba's F♯5 and C6 decay faster than the recordings, whose sound the font loops there. C3 starts twice as bright:
-  our mallet has one hardness over four octaves.
-- The xylophone's overtones die about 1.5 times as fast as the recorded ones, since its cords damp them too. The fourth
-  bending mode lies 2 % too high.
-- The xylophone's F♯3 and C4 are below the preset's lowest bar, F4, which is resized for them. They ring longer than the
-  recordings.
+- The marimba's F♯5 and C6 decay faster than the recordings, whose sound the font loops there.
+- The xylophone's partial at 3 dies two to three times as fast as the recorded one, since its cords damp it too. C7's partial
+  at 8.4 is too weak.
+- The xylophone's F♯3 and C4 are below the preset's lowest bar, F4, which is resized for them.
 - The glockenspiel's recordings start with about 20 ms of noise of wide band, a knock. Ours have the click of the bar's
   body, which is shorter.
 
