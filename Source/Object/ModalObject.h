@@ -142,9 +142,8 @@ std::vector<float> vertexNormals(const ModalObject& object);
 /// whole.
 std::vector<double> summedSquareShapes(const ModalObject& object);
 
-/// Returns the other one of the two modes that a bar's mode makes with its tube (Analysis/Tube.h):
-/// it has the same shape, and the two gains add up to 1. Returns nothing for a mode of the bar
-/// alone.
+/// Returns the other one of the two modes that a bar's mode makes with its tube: it has the same
+/// shape, and the two gains add up to 1. Returns nothing for a mode of the bar alone.
 std::optional<std::size_t> sharingPartner(const ModalObject& object, std::size_t mode) noexcept;
 
 /// The row of `shapeVertices` whose vertex is nearest to a point in metres, of those that there

@@ -151,7 +151,7 @@ TEST_CASE("A key map that makes no sense is refused with its fault and where tha
 }
 
 TEST_CASE("Keys strike between the places of the key map") {
-    KeyMap map{.kind = KeyMapKind::bars, .lowestNote = 40, .highestNote = 50};
+    KeyMap map{.kind = KeyMapKind::bars, .lowestNote = 40, .highestNote = 50, .object = "bar"};
     CHECK(map.strikePlace(47) == 0.5);
     map.strikeAt = {0.2, 0.4, 0.3};
     CHECK(map.strikePlace(40) == 0.2);
