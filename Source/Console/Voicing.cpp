@@ -11,7 +11,6 @@
 namespace idiophone {
 namespace {
 
-constexpr double mostClimbDb = 3;
 constexpr double mostGainDb = 40;
 
 constexpr int sampleRateHz = 48000;
@@ -35,27 +34,15 @@ double loudestLufs(const Preset& preset,
     return loudestMomentLufs(interleaved, 2, sampleRateHz);
 }
 
-/// The line of least squares, with its slope held within the climb.
-std::vector<double> evenLine(const std::vector<double>& loudness) {
-    double count = 0, places = 0, sum = 0, squares = 0, products = 0;
-    for (std::size_t key = 0; key < loudness.size(); ++key)
-        if (const auto place = static_cast<double>(key); std::isfinite(loudness[key])) {
-            count += 1;
-            places += place;
-            sum += loudness[key];
-            squares += place * place;
-            products += place * loudness[key];
+/// The mean of the keys that are heard.
+double meanLufs(const std::vector<double>& loudness) {
+    double sum = 0, count = 0;
+    for (const double key : loudness)
+        if (std::isfinite(key)) {
+            sum += key;
+            ++count;
         }
-    if (count == 0)
-        return std::vector<double>(loudness.size(), 0.0);
-    const double spread = count * squares - places * places;
-    const double slope = spread > 0 ? (count * products - places * sum) / spread : 0;
-    const double steepest = mostClimbDb / std::max(1.0, static_cast<double>(loudness.size()) - 1);
-    const double held = std::clamp(slope, -steepest, steepest);
-    std::vector<double> line;
-    for (std::size_t key = 0; key < loudness.size(); ++key)
-        line.push_back(sum / count + held * (static_cast<double>(key) - places / count));
-    return line;
+    return count > 0 ? sum / count : 0;
 }
 
 } // namespace
@@ -72,11 +59,10 @@ Result<std::vector<double>> evenVoicingDb(Preset preset) {
             sum += loudestLufs(preset, *instrument, note, velocity);
         loudness.push_back(sum / static_cast<double>(velocities.size()));
     }
-    auto gains = evenLine(loudness);
-    for (std::size_t key = 0; key < gains.size(); ++key)
-        gains[key] = std::isfinite(loudness[key])
-                         ? std::clamp(gains[key] - loudness[key], -mostGainDb, mostGainDb)
-                         : 0;
+    const double mean = meanLufs(loudness);
+    std::vector<double> gains;
+    for (const double key : loudness)
+        gains.push_back(std::isfinite(key) ? std::clamp(mean - key, -mostGainDb, mostGainDb) : 0);
     return gains;
 }
 

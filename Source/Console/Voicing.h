@@ -8,11 +8,10 @@
 
 namespace idiophone {
 
-/// The `voicingDb` with which a preset's keys lie on a straight line of loudness over the keyboard,
-/// which climbs or falls by at most 3 dB: the line of least squares through their own. A key is as
-/// loud as the loudest 400 ms of its note, the mean over a soft and a loud velocity, without level
-/// and room. A voicing that the preset has counts for nothing. A silent key has 0 dB. Errors: those
-/// of Instrument::build.
+/// Returns the `voicingDb` that makes a preset's keys equally loud. The loudness of a key is that
+/// of the loudest 400 ms of its note, the mean over a soft and a loud velocity, without level and
+/// room. The preset's own voicing is ignored. A silent key has 0 dB. Errors: those of
+/// Instrument::build.
 Result<std::vector<double>> evenVoicingDb(Preset preset);
 
 } // namespace idiophone
