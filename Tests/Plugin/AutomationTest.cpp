@@ -1,5 +1,5 @@
-// Every parameter that a host may move while something sounds, moved in one jump, as a host does
-// that hands over one value a block: what is heard of it comes gradually, without a step.
+// Moves every parameter in one jump while something sounds, as a host does that sends one value a
+// block. The sound must follow gradually, without a step.
 #include "Support/Level.h"
 #include "Support/TestSound.h"
 
@@ -23,22 +23,22 @@ namespace {
 
 constexpr double rateHz = 48000;
 constexpr int cellSize = 64;
-// A motor that turns once a second has shut the discs a quarter of a second in.
+// At one turn a second the motor has shut the discs after a quarter of a second.
 constexpr int struckCell = 150, releasedCell = 160, jumpCell = 188, endCell = 260;
-// Of the farthest that a jump gets, the most that may be there after each of its first 64 samples,
-// twice: what glides in 10 ms has come an eighth and a quarter of the way, what jumps all of it.
-// Modes that leave or return, at once and all together, are faded in 3 ms, which is 2.25 cells.
+// Largest allowed distance after the first and second 64 samples, as a fraction of the largest
+// distance. A 10 ms glide has covered an eighth and a quarter by then, a jump all of it. Modes that
+// leave or return together are faded over 3 ms, which is 2.25 cells.
 constexpr double mostAtOnce = 0.3, mostFaded = 0.8;
-// And of its largest sample, the most above 14 kHz, where no mode is: a hundredth or more of what
-// steps is there, in whichever cell. Rooms echo a blow's noise.
+// Largest allowed sample above 14 kHz, as a fraction of the largest sample. No mode lies there, and
+// a step leaves a hundredth or more. Rooms echo a strike's noise.
 constexpr double mostOfStep = 0.002, mostOfStepInRoom = 0.02;
-// What is another frequency from one sample to the next has no step, but a kink.
+// A frequency that changes between two samples leaves a kink, not a step.
 constexpr double mostOfKink = 0.006;
 
 enum class Heard {
-    asPole,  ///< in the frequency and the decay of what rings
-    asLevel, ///< in what is heard of what rings
-    ofBlows, ///< in the blows that follow, and not in what rings
+    asPole,  ///< changes the frequency and decay of what rings
+    asLevel, ///< changes the level of what rings
+    ofBlows, ///< changes later strikes only
 };
 
 struct Jump {
@@ -46,11 +46,11 @@ struct Jump {
     double from, to;
     Heard heard;
     std::vector<std::pair<ParameterId, double>> with = {};
-    std::vector<juce::MidiMessage> played = {}; ///< with the chord, too
+    std::vector<juce::MidiMessage> played = {}; ///< sent with the chord
 };
 
-/// Objects of one mode, or of twelve in pairs that are as good as one; not everywhere alike, heard
-/// unlike on both sides, and as thick as is liked.
+/// Objects of one mode, or of twelve modes in close pairs. Shapes differ over the surface,
+/// radiation differs between the sides, and the thickness can be scaled.
 State ringingState(bool inOneMode) {
     auto state = testState();
     state.objects.clear();
@@ -79,7 +79,7 @@ State ringingState(bool inOneMode) {
     state.preset.parameters.set(viscoelasticDamping, 0.0001);
     state.preset.parameters.set(lossFactor, 0);
     state.preset.parameters.set(radiation, 100);
-    state.preset.parameters.set(keepPitch, 0); // so that figures and extents are heard
+    state.preset.parameters.set(keepPitch, 0); // so that material values and sizes are heard
     state.preset.parameters.set(tau, parameterInfo(tau).minimum);
     return state;
 }
@@ -118,7 +118,7 @@ juce::MidiMessage noteOn(int note, int velocity = 100) {
 
 using Cells = std::vector<HostSound>;
 
-/// A chord in which the parameter jumps or does not, from the jump's cell before on.
+/// Cells of a chord, with or without the jump, from one cell before it on.
 Cells ringing(const Jump& jump, bool jumps) {
     auto state = ringingState(jump.heard == Heard::asPole);
     if (jump.parameter == motorDepth || jump.parameter == motorSpeed)
@@ -145,8 +145,7 @@ Cells ringing(const Jump& jump, bool jumps) {
     return cells;
 }
 
-/// [1/s] The pole of a lone mode, from samples in which it stays: s(n+1) = 2 Re z s(n) − |z|²
-/// s(n−1).
+/// [1/s] Returns the pole of a single steady mode, from s(n+1) = 2 Re z s(n) − |z|² s(n−1).
 std::complex<double> poleOf(const std::vector<float>& samples) {
     double aa = 0, ab = 0, bb = 0, ac = 0, bc = 0;
     for (std::size_t n = 1; n + 1 < samples.size(); ++n) {
@@ -160,7 +159,7 @@ std::complex<double> poleOf(const std::vector<float>& samples) {
            std::log(std::complex(twiceReal / 2, std::sqrt(square - twiceReal * twiceReal / 4)));
 }
 
-/// How far each cell is from where it would be.
+/// Returns how far each cell is from the same cell without the jump.
 std::vector<double> distances(const Jump& jump, const Cells& moved, const Cells& still) {
     std::vector<double> result;
     for (std::size_t cell = 0; cell < moved.size(); ++cell) {
@@ -179,8 +178,8 @@ std::vector<double> distances(const Jump& jump, const Cells& moved, const Cells&
     return result;
 }
 
-/// Of the largest sample of what the jump changes, the largest above 14 kHz, which is all that a
-/// step in it leaves; by a windowed sinc.
+/// Returns the largest sample above 14 kHz of what the jump changes, as a fraction of its largest
+/// sample. Only a step reaches that band. The filter is a windowed sinc.
 double shareOfSteps(const Cells& moved, const Cells& still) {
     constexpr int reach = 32;
     constexpr double pi = std::numbers::pi, corner = 14000 / rateHz;
@@ -191,7 +190,7 @@ double shareOfSteps(const Cells& moved, const Cells& still) {
         const double turn = pi * n / reach;
         response[static_cast<std::size_t>(n + reach)] =
             sinc * (0.35875 + 0.48829 * std::cos(turn) + 0.14128 * std::cos(2 * turn) +
-                    0.01168 * std::cos(3 * turn)); // of Blackman and Harris
+                    0.01168 * std::cos(3 * turn)); // Blackman-Harris window
     }
     double largest = 0, largestHigh = 0;
     for (const auto side : {&HostSound::left, &HostSound::right}) {
@@ -253,7 +252,7 @@ const std::vector<juce::MidiMessage> wheelUp{juce::MidiMessage::pitchWheel(1, 16
 const std::vector<juce::MidiMessage> bentOfItsOwn{juce::MidiMessage::pitchWheel(2, 16383),
                                                   juce::MidiMessage::noteOn(2, 62, 1.0f)};
 
-/// What has no values between, and so may not glide.
+/// Parameters without values in between, which cannot glide.
 const std::vector<Jump> switchesWhileRinging{
     {material,
      customMaterial,
@@ -269,7 +268,7 @@ const std::vector<Jump> switchesWhileRinging{
     {bypass, 0, 1, asLevel},
 };
 
-/// By how many decibels they are heard is measured.
+/// Compared by level in decibels.
 const std::vector<Jump> jumpsWhilePressed{
     {contactForce, 1, 30, asLevel},
     {contactSpeed, 0.25, 1, asLevel},
@@ -281,7 +280,7 @@ const std::vector<Jump> jumpsWhilePressed{
     {thickness, 100, 200, asLevel},
 };
 
-/// Without what is far below the mode's frequency.
+/// Differences remove what is far below the mode's frequency.
 double energyOfSteps(const std::vector<float>& samples) {
     double sum = 0;
     for (std::size_t n = 1; n < samples.size(); ++n)
@@ -289,11 +288,12 @@ double energyOfSteps(const std::vector<float>& samples) {
     return sum;
 }
 
-/// Decibels of a scrape or roll, cell by cell, in the mean over many jumps; first the cell before.
+/// Returns the level in decibels of each cell of a scrape or roll, averaged over many jumps. The
+/// first cell is the one before the jump.
 std::vector<double> pressedDb(const Jump& jump) {
     constexpr int repeats = 150, stay = 75; // cells
     auto state = ringingState(true);
-    state.preset.parameters.set(fluidDamping, 1000); // so that it follows the force
+    state.preset.parameters.set(fluidDamping, 1000); // so that the sound follows the force
     state.preset.parameters.set(contact, scrapeContact);
     AutomatedHost host(state, jump);
     host.cell({juce::MidiMessage::controllerEvent(1, 1, 127), noteOn(60, 127)});
@@ -314,7 +314,7 @@ std::vector<double> pressedDb(const Jump& jump) {
 
 } // namespace
 
-TEST_CASE("What a host moves while keys ring is heard gradually") {
+TEST_CASE("A parameter that the host moves while keys ring changes the sound gradually") {
     for (const auto& jump : jumpsWhileRinging) {
         if (jump.heard == ofBlows)
             continue;
@@ -329,13 +329,13 @@ TEST_CASE("What a host moves while keys ring is heard gradually") {
         CHECK(found[2] < (jump.parameter == tau ? mostFaded : mostAtOnce) * farthest);
         const bool isRoom = jump.parameter == room || jump.parameter == roomDecay;
         CHECK(shareOfSteps(moved, still) < (isRoom ? mostOfStepInRoom : mostOfStep));
-        // The chord's own beats hide what comes of a level from cell to cell.
+        // For levels the beats of the chord hide the change from cell to cell.
         for (std::size_t cell = 1; jump.heard == asPole && cell < found.size(); ++cell)
             CHECK(std::abs(found[cell] - found[cell - 1]) < mostAtOnce * farthest);
     }
 }
 
-TEST_CASE("What a host switches while keys ring leaves no step") {
+TEST_CASE("A switch that the host moves while keys ring leaves no step") {
     for (const auto& jump : switchesWhileRinging) {
         const auto moved = ringing(jump, true), still = ringing(jump, false);
         INFO(parameterInfo(jump.parameter).name);
@@ -345,7 +345,7 @@ TEST_CASE("What a host switches while keys ring leaves no step") {
     }
 }
 
-TEST_CASE("What a host moves of blows leaves what rings as it was") {
+TEST_CASE("A strike parameter that the host moves leaves what rings unchanged") {
     for (const auto& jump : jumpsWhileRinging) {
         if (jump.heard != ofBlows)
             continue;
@@ -364,22 +364,22 @@ TEST_CASE("What a host moves of blows leaves what rings as it was") {
     }
 }
 
-TEST_CASE("What a host moves while a key scrapes or rolls is heard gradually") {
+TEST_CASE("A parameter that the host moves during a scrape or roll changes the sound gradually") {
     for (const auto& jump : jumpsWhilePressed) {
         const auto found = pressedDb(jump);
         const double way = found.back() - found.front();
         CAPTURE(parameterInfo(jump.parameter).name, way);
         CHECK(std::abs(way) > 1);
-        // Nor may a step of the force click on the way.
+        // Steps of the force must not click either.
         for (std::size_t cell = 1; cell <= 2; ++cell)
             CHECK(std::abs(found[cell] - found.front()) < mostAtOnce * std::abs(way));
     }
 }
 
-TEST_CASE("These are all the parameters that a host may move") {
+TEST_CASE("The jump tables cover every parameter that a host may move") {
     for (const auto& info : parameterTable()) {
-        // The first acts by a host's tempo (HostSongTest), the second on peaks (LimiterTest), the
-        // last on pairs of modes (ImperfectionTest).
+        // Tested elsewhere: motorSync in HostSongTest, limiter in LimiterTest, imperfection in
+        // ImperfectionTest.
         if (info.parameter == motorSync || info.parameter == limiter ||
             info.parameter == imperfection)
             continue;

@@ -40,8 +40,7 @@ const auto change = message(0xc0, 2);
 
 } // namespace
 
-TEST_CASE(
-    "Keys that go down after a program change, and are down still, are struck again in order") {
+TEST_CASE("Keys pressed after a program change and still held are struck again in order") {
     CHECK(takenAfter({message(0x90, 50, 9), change, message(0x93, 60, 100), message(0x90, 62, 90),
                       message(0x90, 64, 80), message(0x80, 62), message(0x90, 60, 70)}) ==
           std::vector<Struck>{{3, 60, 100}, {0, 64, 80}, {0, 60, 70}});
@@ -50,13 +49,13 @@ TEST_CASE(
                       message(0x90, 60, 50)}) == std::vector<Struck>{{0, 60, 50}});
 }
 
-TEST_CASE("Nothing is struck again where no program was asked for that there is") {
+TEST_CASE("Without a request for an existing program nothing is struck again") {
     CHECK(takenAfter({message(0x90, 60, 100)}).empty());
     CHECK(takenAfter({message(0xc0, programs), message(0x90, 60, 100)}).empty());
     CHECK(takenAfter({change, message(0x90, 60, 100), message(0xc9, programs)}).size() == 1);
 }
 
-TEST_CASE("The last program that there is and that was asked for is told once") {
+TEST_CASE("The last requested program that exists is returned once") {
     AwaitingKeys keys(programs);
     CHECK_FALSE(keys.takeProgram());
     keys.follow(std::vector{message(0xc0, 0), message(0xc3, 2), message(0xc9, programs),
@@ -65,7 +64,7 @@ TEST_CASE("The last program that there is and that was asked for is told once") 
     CHECK_FALSE(keys.takeProgram());
 }
 
-TEST_CASE("Once taken, keys are waited for no longer") {
+TEST_CASE("After take, no key is pending") {
     AwaitingKeys keys(programs);
     const std::vector messages{change, message(0x90, 60, 100)};
     keys.follow(messages);
@@ -75,7 +74,7 @@ TEST_CASE("Once taken, keys are waited for no longer") {
     CHECK(taken(keys).empty());
 }
 
-TEST_CASE("Where keys are forgotten, those that go down later are still waited for") {
+TEST_CASE("After forgetKeys, later keys are still pending") {
     AwaitingKeys keys(programs);
     keys.follow(std::vector{change, message(0x90, 60, 100)});
     keys.forgetKeys();
@@ -83,7 +82,7 @@ TEST_CASE("Where keys are forgotten, those that go down later are still waited f
     CHECK(taken(keys) == std::vector<Struck>{{0, 62, 90}});
 }
 
-TEST_CASE("Another program change starts anew, and what lets all keys go lets these go") {
+TEST_CASE("A second program change and All Notes Off clear the pending keys") {
     CHECK(takenAfter({change, message(0x90, 60, 100), message(0xc0, 0)}).empty());
     for (const int controller : {120, 123, 124, 127})
         CHECK(takenAfter({change, message(0x90, 60, 100), message(0xb0, controller)}).empty());
@@ -91,7 +90,7 @@ TEST_CASE("Another program change starts anew, and what lets all keys go lets th
     CHECK(takenAfter({change, message(0x90, 60, 100), message(0xe0, 123)}).size() == 1);
 }
 
-TEST_CASE("Of more keys than there is room for the first are struck") {
+TEST_CASE("If the queue of pending keys is full, the first keys are kept") {
     AwaitingKeys keys(programs);
     keys.follow(std::vector{change});
     for (int channel = 0; channel < 16; ++channel)

@@ -1,4 +1,4 @@
-// What hosts and MIDI's controllers hear of each other where both move a parameter.
+// Keeps the host and MIDI controllers consistent where both move a parameter.
 #include "Plugin/ListeningHost.h"
 #include "Support/GestureLog.h"
 #include "Support/TestSound.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr double rateHz = 48000;
 constexpr int blockSize = 512;
 
-/// Where the controller that moves a parameter puts it.
+/// Turns the controller to `value` and returns the parameter's normalised value.
 float turned(Processor& processor, const juce::AudioProcessorParameter& parameter, int value) {
     juce::MidiBuffer midi;
     midi.addEvent(juce::MidiMessage::controllerEvent(1, 21, value), 0);
@@ -25,7 +25,7 @@ float turned(Processor& processor, const juce::AudioProcessorParameter& paramete
 
 } // namespace
 
-TEST_CASE("A host's late echo of what a controller did takes nothing back") {
+TEST_CASE("A host's late echo of a controller change is ignored") {
     ListeningHost host(ParameterId::density);
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
@@ -38,14 +38,14 @@ TEST_CASE("A host's late echo of what a controller did takes nothing back") {
     REQUIRE(host.heard == std::vector{first});
 
     const float second = turn(90);
-    parameter.setValue(first); // the echo
+    parameter.setValue(first); // a late echo
     CHECK(parameter.getValue() == second);
     followTimers(150);
     CHECK(host.heard == std::vector{first, second});
     parameter.setValue(second);
     CHECK(parameter.getValue() == second);
 
-    // With nothing to tell it is no echo; and another value never is.
+    // With nothing unreported it is no echo, and another value never is one.
     for (const float value : {first, second}) {
         parameter.setValue(value);
         CHECK(parameter.getValue() == value);
@@ -54,14 +54,14 @@ TEST_CASE("A host's late echo of what a controller did takes nothing back") {
     parameter.setValue(0.125f);
     CHECK(parameter.getValue() == 0.125f);
     followTimers(150);
-    CHECK(host.heard == std::vector{first, second}); // the host knows best where it is now
+    CHECK(host.heard == std::vector{first, second}); // the host already knows its own value
     turn(20);
     followTimers(150);
     CHECK(host.heard == std::vector{first, second, first});
     processor.removeListener(&host);
 }
 
-TEST_CASE("A controller that moves what a hand holds leaves the hand's gesture open") {
+TEST_CASE("A controller that moves a parameter held by the mouse leaves that gesture open") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
@@ -83,8 +83,7 @@ TEST_CASE("A controller that moves what a hand holds leaves the hand's gesture o
     processor.removeListener(&host);
 }
 
-TEST_CASE(
-    "The host hears that there is something to save when a controller is learned or forgotten") {
+TEST_CASE("The host is told of unsaved changes when a controller is learned or forgotten") {
     struct Host final : juce::AudioProcessorListener {
         void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {}
         void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails& details) override {
@@ -108,7 +107,7 @@ TEST_CASE(
     CHECK(host.timesChanged == 2);
 }
 
-TEST_CASE("Automation of a bounce is no echo of what a controller did before it") {
+TEST_CASE("Automation during a bounce is never taken for an echo of an earlier controller change") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     auto& parameter = *processor.getParameters()[static_cast<int>(ParameterId::density)];
@@ -127,7 +126,8 @@ TEST_CASE("Automation of a bounce is no echo of what a controller did before it"
     isFollowed(parameter.getValue());
 }
 
-TEST_CASE("The host is not told of a controller where something else moved the parameter since") {
+TEST_CASE(
+    "A controller change is not sent to the host if something else has moved the parameter since") {
     ListeningHost host(ParameterId::density);
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);

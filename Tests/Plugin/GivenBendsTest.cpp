@@ -1,5 +1,4 @@
-// Zones of MPE and bend ranges that MIDI gives: shown, told to the host, saved, and ended by a
-// state.
+// MPE zones and bend ranges set by MIDI: shown, sent to the host, saved, and reset by a state.
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -13,7 +12,7 @@ namespace {
 constexpr double rateHz = 48000;
 constexpr int blockSize = 480;
 
-/// Channels from 1, as JUCE has them.
+/// Sends a registered parameter. Channels count from 1, as in JUCE.
 void give(juce::MidiBuffer& midi, int channel, int registered, int value) {
     for (const auto& [number, data] : {std::pair{101, 0}, {100, registered}, {6, value}})
         midi.addEvent(juce::MidiMessage::controllerEvent(channel, number, data), 0);
@@ -21,7 +20,7 @@ void give(juce::MidiBuffer& midi, int channel, int registered, int value) {
 
 constexpr int bendRange = 0, zone = 6; // registered parameters
 
-/// Two notes whose channels' wheels are apart, and what all wheels of their own do.
+/// Notes on three channels whose pitch wheels differ.
 juce::MidiBuffer bentNotes() {
     juce::MidiBuffer midi;
     for (const auto& [channel, note, wheel] :
@@ -54,7 +53,7 @@ struct CountingHost final : juce::AudioProcessorListener {
 
 } // namespace
 
-TEST_CASE("Zones and bend ranges that MIDI gives are parameters' values, and are saved") {
+TEST_CASE("Zones and bend ranges set by MIDI become parameter values and are saved") {
     Instance before(testState());
     juce::MidiBuffer setup;
     give(setup, 1, zone, 15);
@@ -65,7 +64,7 @@ TEST_CASE("Zones and bend ranges that MIDI gives are parameters' values, and are
 
     Instance reopened(testState()), plain(testState());
     restoreBytes(reopened.processor, saved(before.processor));
-    reopened.send({}); // takes the restored sound over
+    reopened.send({}); // takes the restored sound
     const auto sound = reopened.playBent();
     CHECK(sound != plain.playBent());
     Instance fresh(testState());
@@ -78,7 +77,7 @@ TEST_CASE("Zones and bend ranges that MIDI gives are parameters' values, and are
     CHECK(before.value(ParameterId::mpe) == 0);
 }
 
-TEST_CASE("The host is told of what MIDI gives, and only where it is something else") {
+TEST_CASE("The host is told of zones and bend ranges set by MIDI only if they change a value") {
     CountingHost host;
     Instance instance(testState());
     instance.processor.addListener(&host);
@@ -93,11 +92,11 @@ TEST_CASE("The host is told of what MIDI gives, and only where it is something e
         }
     }
     const std::vector<std::pair<int, float>> once{{static_cast<int>(ParameterId::mpe), 1.0f}};
-    CHECK(host.heard == once); // the members' range was 48 already, the others' is the preset's
+    CHECK(host.heard == once); // the members' range was 48 already, the other is the preset's
     instance.processor.removeListener(&host);
 }
 
-TEST_CASE("A bend range that MIDI gives holds in the next preset, and moves nothing of it") {
+TEST_CASE("A bend range set by MIDI holds in the next preset and changes none of its values") {
     constexpr int marimba = 8;
     juce::MidiBuffer setup;
     give(setup, 1, bendRange, 12);
@@ -118,10 +117,10 @@ TEST_CASE("A bend range that MIDI gives holds in the next preset, and moves noth
     CHECK(sound != played({}, {}));
 }
 
-TEST_CASE("A restored state ends zones and bend ranges that MIDI gave before") {
+TEST_CASE("A restored state resets zones and bend ranges set by MIDI") {
     auto state = testState();
-    SECTION("where it has none of them") {}
-    SECTION("where it has a zone") {
+    SECTION("without zones") {}
+    SECTION("with a zone") {
         state.parameters.set(ParameterId::mpe, 1);
         state.parameters.set(ParameterId::mpeBendRange, 12);
     }
@@ -140,7 +139,7 @@ TEST_CASE("A restored state ends zones and bend ranges that MIDI gave before") {
     CHECK(configured.playBent() == fresh.playBent());
 }
 
-TEST_CASE("Zones and fractions of a bend range that no parameter has hold while nothing moves") {
+TEST_CASE("Zones and bend-range fractions without a parameter hold while no parameter moves") {
     Instance atOnce(testState()), later(testState());
     juce::MidiBuffer setup;
     give(setup, 1, zone, 6);
@@ -153,7 +152,7 @@ TEST_CASE("Zones and fractions of a bend range that no parameter has hold while 
     for (int block = 0; block < 10; ++block)
         later.send({});
     later.send({});
-    for (int block = 0; block < 4; ++block) // to a point of the grid, as the other
+    for (int block = 0; block < 4; ++block) // up to a grid point, like the other
         atOnce.send({});
     CHECK(render(atOnce.processor, 9600, blockSize, notes) == later.playBent());
 }

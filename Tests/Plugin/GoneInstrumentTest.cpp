@@ -1,5 +1,5 @@
-// What is on its way between threads when its instrument goes: it is none of another's that comes
-// to lie at the same address.
+// Messages pending between threads when their instrument goes. They must not act on another
+// instrument that is later placed at the same address.
 #include "Instrument/SilencedModes.h"
 #include "Plugin/ModeSilencer.h"
 #include "Plugin/SoundMonitor.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double sampleRateHz = 48000;
 
-/// At one address, one after the other.
+/// Places instruments one after the other at one address.
 class OneAddress {
 public:
     std::shared_ptr<const Instrument> place(const Instrument& like) {
@@ -32,7 +32,7 @@ private:
     alignas(Instrument) std::byte storage[sizeof(Instrument)];
 };
 
-/// Another one each time, on the same object.
+/// Returns a new instrument each time, on the same object.
 std::shared_ptr<const Instrument> keys() {
     static ObjectLibrary library;
     static const auto kept = library.add("plate", syntheticObject({440}));
@@ -42,7 +42,7 @@ std::shared_ptr<const Instrument> keys() {
         .value();
 }
 
-/// Strikes one slot, over and over.
+/// Strikes one slot over and over.
 class StrikingStage final : public Stage {
 public:
     explicit StrikingStage(std::size_t slot) : struck{.slot = slot, .strike = {}} {}
@@ -90,7 +90,7 @@ std::shared_ptr<const Instrument> stageOf(std::size_t slots) {
 
 } // namespace
 
-TEST_CASE("A blow for an instrument that has gone does not strike another one at its address") {
+TEST_CASE("A strike on an instrument that has gone does not reach another one at its address") {
     OneAddress address;
     SurfaceHand hand;
     hand.strike(address.place(*keys()), 0, {0, 0, 0}, 100);
@@ -99,7 +99,7 @@ TEST_CASE("A blow for an instrument that has gone does not strike another one at
     CHECK(player.silent());
 }
 
-TEST_CASE("Modes of an instrument that has gone are not silenced in another one at its address") {
+TEST_CASE("Modes silenced in an instrument that has gone are heard in another one at its address") {
     OneAddress address;
     const auto like = keys();
     ModeSilencer silencer;
@@ -113,7 +113,7 @@ TEST_CASE("Modes of an instrument that has gone are not silenced in another one 
     CHECK(heard(address.place(*keys())));
 }
 
-TEST_CASE("What a stage did that has gone is not kept as another's at its address") {
+TEST_CASE("Strikes of a scene that has gone are not kept for another one at its address") {
     OneAddress address;
     StageCapture capture;
     {
@@ -131,8 +131,7 @@ TEST_CASE("What a stage did that has gone is not kept as another's at its addres
     CHECK(capture.count() == 1);
 }
 
-TEST_CASE(
-    "What was seen of an instrument that has gone is not taken for another's at its address") {
+TEST_CASE("The view of an instrument that has gone is not taken for another one at its address") {
     OneAddress address;
     Handoff<Player> handoff;
     PlayerCrossfade sound(handoff);

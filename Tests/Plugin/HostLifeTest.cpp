@@ -1,5 +1,5 @@
-// What a long session in a host brings that validators do not try: crowds of notes and of
-// instances, values that are no numbers, a tempo that changes.
+// Long host sessions beyond what validators try: many notes, many instances, values that are not
+// numbers, and a changing tempo.
 #include "Support/Level.h"
 #include "Support/Sanitizers.h"
 #include "Support/TestSound.h"
@@ -33,13 +33,13 @@ public:
     std::optional<double> beatsPerMinute;
 };
 
-/// Whether a number too small to be a normal one is nothing on this thread.
+/// Returns whether this thread flushes subnormal results to zero.
 bool flushesSubnormals() {
     volatile float small = std::numeric_limits<float>::min(); // hidden from the optimiser
     return small * 0.5f == 0;
 }
 
-/// Sees the processor's callback from within: it asks for the position there.
+/// Runs inside the processor's callback, which asks for the position.
 class FloatingPointWitness final : public juce::AudioPlayHead {
 public:
     juce::Optional<PositionInfo> getPosition() const override {
@@ -50,7 +50,7 @@ public:
     mutable int asked = 0, flushed = 0;
 };
 
-/// [KiB] Of this process, in memory; 0 where the system does not tell.
+/// [KiB] Resident memory of this process, 0 where the system does not report it.
 double residentKibibytes() {
     std::ifstream file("/proc/self/statm");
     double pages = 0;
@@ -60,8 +60,9 @@ double residentKibibytes() {
 
 } // namespace
 
-TEST_CASE("The motor opens once in every note of the host's tempo, and without one at its speed") {
-    constexpr double quarter = 4; // of the choices
+TEST_CASE(
+    "The motor opens once per note of the host's tempo, or at its own speed without a tempo") {
+    constexpr double quarter = 4; // index of the choice
     TempoOnly host;
     const auto played = [&](double sync, double speed) {
         Processor processor;
@@ -87,7 +88,8 @@ TEST_CASE("The motor opens once in every note of the host's tempo, and without o
 }
 
 TEST_CASE("A parameter that moves within a callback acts from the next one on") {
-    struct Moving final : juce::AudioPlayHead { // asked behind the values, in the callback
+    struct Moving final
+        : juce::AudioPlayHead { // the callback asks for the position after it takes the values
         juce::Optional<PositionInfo> getPosition() const override {
             if (moves)
                 processor.changeParameter(ParameterId::level, -60);
@@ -97,7 +99,7 @@ TEST_CASE("A parameter that moves within a callback acts from the next one on") 
         Processor& processor;
         bool moves = false;
     };
-    constexpr int longBlock = 8192; // of many pieces
+    constexpr int longBlock = 8192; // many pieces
     const auto played = [&](bool moves) {
         Processor processor;
         Moving host(processor);
@@ -116,7 +118,7 @@ TEST_CASE("A parameter that moves within a callback acts from the next one on") 
     CHECK(std::abs(moved.second) < 0.01f * std::abs(still.second));
 }
 
-TEST_CASE("Two hundred notes a second for half a minute: bounded, and silent when it is over") {
+TEST_CASE("Two hundred notes a second for 30 s stay bounded, and silence follows") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     constexpr int samples = 30 * static_cast<int>(rateHz), spacing = 240;
@@ -139,15 +141,15 @@ TEST_CASE("Two hundred notes a second for half a minute: bounded, and silent whe
     REQUIRE(processor.timesNotFinite() == 0);
     CHECK(levelDb(0) > -60);
     INFO(levelDb(0) << " dB, " << levelDb(10) << " dB, " << levelDb(20) << " dB");
-    CHECK(std::abs(levelDb(10) - levelDb(0)) < 0.5); // nothing piles up, and nothing is lost
+    CHECK(std::abs(levelDb(10) - levelDb(0)) < 0.5); // nothing piles up or gets lost
     CHECK(std::abs(levelDb(20) - levelDb(10)) < 0.5);
     processor.changeParameter(ParameterId::letRing, 0);
     render(processor, 3 * static_cast<int>(rateHz), blockSize, {});
     CHECK(loudest(render(processor, blockSize, blockSize, {})) == 0);
 }
 
-TEST_CASE("Automation that is no number or next to none leaves a sound that is finite") {
-    Processor processor; // whose channels differ
+TEST_CASE("Automation with NaN, infinite or extreme values leaves the sound finite") {
+    Processor processor; // its channels differ
     processor.prepareToPlay(rateHz, 64);
     const auto music = testMusic(2048, 97, processor.keyRange());
     using Float = std::numeric_limits<float>;
@@ -169,8 +171,7 @@ TEST_CASE("Automation that is no number or next to none leaves a sound that is f
     REQUIRE(parseState(saved(processor)));
 }
 
-TEST_CASE("Numbers too small to be normal cost a callback no time, and are the host's own again "
-          "behind it") {
+TEST_CASE("Subnormals are flushed in a callback, and the host's own mode returns afterwards") {
     FloatingPointWitness witness;
     Processor processor;
     processor.setPlayHead(&witness);
@@ -182,7 +183,7 @@ TEST_CASE("Numbers too small to be normal cost a callback no time, and are the h
     CHECK_FALSE(flushesSubnormals());
 }
 
-TEST_CASE("The faintest sound in the longest tail of the room ends in silence") {
+TEST_CASE("The faintest sound in the longest room tail ends in silence") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(rateHz, blockSize);
@@ -198,7 +199,7 @@ TEST_CASE("The faintest sound in the longest tail of the room ends in silence") 
     CHECK(sound.right.back() == 0);
 }
 
-TEST_CASE("Two hundred instances play in one process and share what they can") {
+TEST_CASE("Two hundred instances play in one process and share their objects") {
     constexpr int count = 200, measuredFrom = 20;
     std::vector<std::unique_ptr<Processor>> instances;
     juce::MidiBuffer chord;
@@ -214,14 +215,14 @@ TEST_CASE("Two hundred instances play in one process and share what they can") {
     }
     const double each = (residentKibibytes() - before) / (count - measuredFrom);
     WARN("each further instance takes " << each << " KiB");
-    if (!IDIOPHONE_SANITIZED) // with 88 keys, which have a bank each
+    if (!IDIOPHONE_SANITIZED) // 88 keys with one bank each
         CHECK(each < 9 * 1024);
     const auto& first = instances.front()->loadedInstrument()->slots().front().object;
     for (const auto& instance : instances)
         REQUIRE(instance->loadedInstrument()->slots().front().object == first);
 }
 
-TEST_CASE("A plugin goes on a thread of the host's while the message thread looks after it") {
+TEST_CASE("A plugin may be destroyed on a host thread while the message thread polls it") {
     std::atomic<bool> isOver{false};
     std::thread host([&] {
         std::mt19937 random(4);
@@ -230,7 +231,7 @@ TEST_CASE("A plugin goes on a thread of the host's while the message thread look
             processor.prepareToPlay(48000, 256);
             juce::MidiBuffer program;
             program.addEvent(juce::MidiMessage::programChange(1, 9), 0);
-            render(processor, 256, 256, program); // which the next look loads
+            render(processor, 256, 256, program); // the next poll loads it
             juce::Thread::sleep(48 + static_cast<int>(random() % 10));
         }
         isOver = true;

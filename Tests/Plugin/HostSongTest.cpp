@@ -1,4 +1,4 @@
-// What a host tells of its song: a pass over the same place sounds the same again.
+// The host's song position: every pass over the same place renders the same samples.
 #include "Plugin/HostTransport.h"
 #include "Plugin/RealTimeTrap.h"
 #include "Support/TestSound.h"
@@ -15,7 +15,7 @@ using Catch::Approx;
 namespace {
 
 constexpr double rateHz = 48000;
-constexpr int blockSize = 480; // no whole number of cells of the grid
+constexpr int blockSize = 480; // not a whole number of cells
 constexpr double beatsPerMinute = 120, beatsPerBlock = blockSize * beatsPerMinute / 60 / rateHz;
 constexpr int samplesPerBeat = 24000;
 
@@ -36,13 +36,13 @@ public:
 
 enum class Playing { syncedMotor, freeMotor, scraping, inRoom, onStage };
 
-/// A vibraphone, damped and spread, or falling dice, and the song that it plays in.
+/// A damped vibraphone with spread strikes, or falling dice, and the song that it plays in.
 struct PlayedSong {
     explicit PlayedSong(Playing playing = Playing::syncedMotor) {
         constexpr int vibraphone = 9, dice = 18;
-        constexpr double eighth = 6; // of the motor's choices
+        constexpr double eighth = 6; // index of the motor's choice
         processor.setCurrentProgram(playing == Playing::onStage ? dice : vibraphone);
-        processor.setNonRealtime(playing == Playing::onStage); // no blow comes late
+        processor.setNonRealtime(playing == Playing::onStage); // so that no strike comes late
         const auto set = [this](ParameterId id, double value) {
             processor.changeParameter(id, value);
         };
@@ -58,7 +58,7 @@ struct PlayedSong {
         processor.prepareToPlay(rateHz, blockSize);
     }
 
-    /// Plays on from where the song is.
+    /// Plays on from the current song position.
     HostSound pass(const juce::MidiBuffer& midi, int samples) {
         song.plays = true;
         return run(midi, samples);
@@ -69,7 +69,7 @@ struct PlayedSong {
         return pass(midi, samples);
     }
 
-    /// Until nothing sounds, by a number of samples that is none of blocks.
+    /// Renders until nothing sounds, by a length that is not a whole number of blocks.
     void fallSilent(bool plays) {
         song.plays = plays;
         run({}, 96000 - 137);
@@ -94,7 +94,7 @@ private:
     }
 };
 
-/// Chords of the vibraphone's, each held for a while.
+/// Overlapping notes in the vibraphone's range.
 juce::MidiBuffer chords(int samples = 24000) {
     juce::MidiBuffer midi;
     int note = 60;
@@ -107,16 +107,16 @@ juce::MidiBuffer chords(int samples = 24000) {
 
 } // namespace
 
-TEST_CASE("A second pass over a place of the song is the first one again, to the last bit") {
+TEST_CASE("A second pass over a place of the song is bit-identical to the first") {
     const auto playing = GENERATE(Playing::syncedMotor, Playing::freeMotor, Playing::scraping,
                                   Playing::inRoom, Playing::onStage);
     const double from = GENERATE(0.0, 8.0, 9.75);
     CAPTURE(static_cast<int>(playing), from);
     PlayedSong played(playing);
-    constexpr int samples = 72000; // at whose end the room is silent
+    constexpr int samples = 72000; // the room has faded out by then
     const auto first = played.passFrom(from, chords(), samples);
     REQUIRE(loudest(first) > 1e-4f);
-    SECTION("begun again") {
+    SECTION("started again") {
         played.fallSilent(false);
     }
     SECTION("looped") {
@@ -124,19 +124,19 @@ TEST_CASE("A second pass over a place of the song is the first one again, to the
     }
     CHECK((played.passFrom(from, chords(), samples) == first));
     played.fallSilent(false);
-    if (playing != Playing::scraping) // other beats have another spread of strikes
+    if (playing != Playing::scraping) // at other beats the strikes spread differently
         CHECK((played.passFrom(from + 1, chords(), samples) != first));
 }
 
-TEST_CASE("A bounce is what was heard live at its place of the song") {
+TEST_CASE("A bounce equals the live sound at the same song position") {
     PlayedSong live, bounce;
-    live.fallSilent(false); // the host's callbacks come long before it plays
+    live.fallSilent(false); // callbacks come long before the transport starts
     const auto heard = live.passFrom(4, chords());
     bounce.processor.setNonRealtime(true);
     CHECK((bounce.passFrom(4, chords()) == heard));
 }
 
-TEST_CASE("Where the host tells no place, or does not play, strikes are counted on") {
+TEST_CASE("Without a song position or while stopped, the strike counter runs on") {
     const bool tellsPlace = GENERATE(true, false);
     CAPTURE(tellsPlace);
     PlayedSong played, alone;
@@ -151,11 +151,11 @@ TEST_CASE("Where the host tells no place, or does not play, strikes are counted 
     CHECK((passOf(played) != first));
 }
 
-TEST_CASE("A pass that begins while something rings has its strikes where the first one had them") {
-    constexpr int length = 9600; // of cells of the grid, and of blocks
+TEST_CASE("A pass that starts while something rings strikes at the same points as the first") {
+    constexpr int length = 9600; // a whole number of cells and of blocks
     juce::MidiBuffer blow;
     blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 10);
-    /// Of what a second blow adds to the first one's ringing, from the first one's own sound.
+    /// Returns how far the second strike's share of the sound is from the first strike's sound.
     const auto farthest = [&](double second) {
         PlayedSong struck, ringing;
         for (auto* each : {&struck, &ringing})
@@ -169,30 +169,30 @@ TEST_CASE("A pass that begins while something rings has its strikes where the fi
             most = std::max(most, std::abs(both.left[i] - ring.left[i] - first.left[i]));
         return most / loudest(first);
     };
-    CHECK(farthest(16) < 0.2); // faint modes are left out otherwise where others ring
+    CHECK(farthest(16) < 0.2); // a limit, as other faint modes are dropped while something rings
     CHECK(farthest(17) > 0.4);
 }
 
-TEST_CASE("Wherever a song begins its motor opens at the same places of it") {
+TEST_CASE("The motor's phase depends on the song position only, not on where playback starts") {
     const auto noteAtNine = [](double from) {
         PlayedSong played;
         const int before = static_cast<int>((9 - from) * samplesPerBeat);
         juce::MidiBuffer blow;
         played.passFrom(from, {}, before);
-        // The count of strikes is that of where it began.
+        // The strike counter depends on where playback started.
         played.processor.changeParameter(ParameterId::strikeSpread, 0);
         blow.addEvent(juce::MidiMessage::noteOn(1, 64, juce::uint8{90}), 64);
         return played.pass(blow, 24000);
     };
     const auto expected = noteAtNine(8);
-    const auto later = noteAtNine(8.6); // 150 cells of the grid before it
+    const auto later = noteAtNine(8.6); // 150 cells earlier
     float farthest = 0;
     for (std::size_t i = 0; i < expected.left.size(); ++i)
         farthest = std::max(farthest, std::abs(expected.left[i] - later.left[i]));
     CHECK(farthest < 1e-5f * loudest(expected));
 }
 
-TEST_CASE("The callback in a song that starts, jumps and stops stays real-time safe") {
+TEST_CASE("The callback stays real-time safe while the song starts, jumps and stops") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     PlayedSong played(GENERATE(Playing::syncedMotor, Playing::onStage));
@@ -217,7 +217,7 @@ TEST_CASE("The callback in a song that starts, jumps and stops stays real-time s
     }
 }
 
-TEST_CASE("A song begins where the host starts to play or goes back, and nowhere else") {
+TEST_CASE("A pass begins where the host starts or goes back, and nowhere else") {
     Song song;
     HostTransport transport;
     const auto beginsAt = [&](double beats) {
@@ -225,14 +225,14 @@ TEST_CASE("A song begins where the host starts to play or goes back, and nowhere
         transport.follow(&song, blockSize, rateHz);
         return transport.begins();
     };
-    CHECK_FALSE(beginsAt(3)); // does not play
+    CHECK_FALSE(beginsAt(3)); // not playing
     CHECK_FALSE(transport.songPlace());
     song.plays = true;
     CHECK(beginsAt(3));
     CHECK(transport.songPlace() == 3);
     CHECK(transport.tempo() == beatsPerMinute);
     CHECK_FALSE(beginsAt(3 + beatsPerBlock));
-    CHECK_FALSE(beginsAt(3 + 2.1 * beatsPerBlock)); // as hosts round
+    CHECK_FALSE(beginsAt(3 + 2.1 * beatsPerBlock)); // hosts round the position
     CHECK(beginsAt(2.5));
     CHECK_FALSE(beginsAt(8)); // callbacks were left out
     song.plays = false;
@@ -259,7 +259,7 @@ TEST_CASE("A host that leaves out silent callbacks changes no strike") {
     PlayedSong called, leftOut;
     for (auto* each : {&called, &leftOut})
         each->processor.changeParameter(ParameterId::room, 0);
-    constexpr int silence = 96000, cells = 24000; // whole blocks and cells of the grid
+    constexpr int silence = 96000, cells = 24000; // whole blocks and cells
     for (auto* each : {&called, &leftOut})
         each->passFrom(0, chords(), cells);
     called.pass({}, 2 * silence);
@@ -268,7 +268,7 @@ TEST_CASE("A host that leaves out silent callbacks changes no strike") {
     CHECK((leftOut.pass(chords(), cells) == called.pass(chords(), cells)));
 }
 
-TEST_CASE("A song goes on where tempo or block size change, and in a callback without samples") {
+TEST_CASE("A pass goes on through changes of tempo and block size and through empty callbacks") {
     Song song;
     HostTransport transport;
     song.plays = true;
@@ -278,7 +278,7 @@ TEST_CASE("A song goes on where tempo or block size change, and in a callback wi
         return !transport.begins();
     };
     REQUIRE_FALSE(goesOn(4, samplesPerBeat));
-    song.tempo = 60; // from somewhere in the last block on
+    song.tempo = 60; // takes effect somewhere within the last block
     CHECK(goesOn(4.7, samplesPerBeat));
     CHECK(goesOn(5.2, samplesPerBeat));
     song.tellsPlace = false;
@@ -286,16 +286,17 @@ TEST_CASE("A song goes on where tempo or block size change, and in a callback wi
     song.tellsPlace = true;
     CHECK(goesOn(5.7, samplesPerBeat));
     CHECK(goesOn(6.5, samplesPerBeat));
-    CHECK_FALSE(goesOn(6.6, samplesPerBeat)); // a beat further were 7
+    CHECK_FALSE(goesOn(6.6, samplesPerBeat)); // a full beat would end at 7
 }
 
-TEST_CASE("A place that stands still is none: strikes are counted and the motor turns by tempo") {
+TEST_CASE(
+    "A song position that stands still is ignored: strikes count on, the motor follows the tempo") {
     Song song;
     HostTransport transport;
     song.plays = true;
     int begins = 0, places = 0;
     for (int block = 0; block < 400; ++block) {
-        song.beats = std::floor(block * beatsPerBlock); // as some hosts tell it
+        song.beats = std::floor(block * beatsPerBlock); // some hosts report whole beats only
         transport.follow(&song, blockSize, rateHz);
         begins += transport.begins();
         places += transport.songPlace().has_value();
@@ -305,7 +306,7 @@ TEST_CASE("A place that stands still is none: strikes are counted and the motor 
     CHECK(transport.tempo() == beatsPerMinute);
 }
 
-TEST_CASE("A host that says nothing of a block plays on from where it was") {
+TEST_CASE("If a host reports no position for a block, the transport advances by itself") {
     struct Sparing final : juce::AudioPlayHead {
         juce::Optional<PositionInfo> getPosition() const override { return position; }
         juce::Optional<PositionInfo> position;

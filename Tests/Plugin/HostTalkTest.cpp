@@ -1,4 +1,4 @@
-// What hosts say once and not again, and what is to happen when.
+// Hosts that send a value only once, and the thread on which each request takes effect.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/ListeningHost.h"
 #include "Support/TestSound.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr double rateHz = 48000;
 constexpr int blockSize = 512;
 
-/// Tells a tempo where it says anything.
+/// Reports a tempo only after a call of `tell`.
 class SparingHost final : public juce::AudioPlayHead {
 public:
     juce::Optional<PositionInfo> getPosition() const override { return position; }
@@ -43,8 +43,8 @@ juce::MidiBuffer programChange(int program, int stamp = 0) {
 
 } // namespace
 
-TEST_CASE("A tempo told once holds while the host says no more, until it prepares again") {
-    constexpr double eighth = 6; // of the choices
+TEST_CASE("A tempo reported once holds until the next prepare") {
+    constexpr double eighth = 6; // index of the choice
     enum class Told { never, once, always };
     const auto played = [](Told told, bool preparesAgain) {
         SparingHost host;
@@ -69,7 +69,7 @@ TEST_CASE("A tempo told once holds while the host says no more, until it prepare
     CHECK((played(Told::once, true) == played(Told::never, true)));
 }
 
-TEST_CASE("Nothing of what is played is left in the buffer to be sent on") {
+TEST_CASE("A callback leaves the MIDI buffer empty") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     juce::AudioBuffer<float> sound(2, blockSize);
@@ -78,8 +78,7 @@ TEST_CASE("Nothing of what is played is left in the buffer to be sent on") {
     CHECK(midi.isEmpty());
 }
 
-TEST_CASE(
-    "A program change in real time waits for one look of the message thread, after a rest too") {
+TEST_CASE("A program change in real time loads at the next poll of the message thread") {
     struct Clock final : juce::Timer {
         void timerCallback() override { ++ticks; }
         int ticks = 0;
@@ -94,12 +93,11 @@ TEST_CASE(
         clock.startTimer(50);
         while (processor.getCurrentProgram() != program && clock.ticks < 10)
             followTimers(5);
-        CHECK(clock.ticks <= 2); // at most one early, where the machine is busy
+        CHECK(clock.ticks <= 2); // one poll may come early on a busy machine
     }
 }
 
-TEST_CASE(
-    "Offline the callback alone loads the program, and in real time the message thread alone") {
+TEST_CASE("Offline only the callback loads the program, in real time only the message thread") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(2));
@@ -111,8 +109,9 @@ TEST_CASE(
     CHECK(processor.getCurrentProgram() == 2);
 }
 
-TEST_CASE("A key held since the program change is struck in the new preset, and let go there") {
-    constexpr int wok = 15, vibraphone = 9, note = 40; // no key of the wok's
+TEST_CASE(
+    "A key pressed after the program change strikes in the new preset and is released there") {
+    constexpr int wok = 15, vibraphone = 9, note = 40; // a key that the wok lacks
     const auto struck = [](int stamp) {
         juce::MidiBuffer midi;
         midi.addEvent(juce::MidiMessage::noteOn(1, note, juce::uint8{100}), stamp);
@@ -143,10 +142,8 @@ TEST_CASE("A key held since the program change is struck in the new preset, and 
     CHECK(loudest(played(true, true)) == 0);
 }
 
-TEST_CASE(
-    "Of the programs that MIDI asks for the last that there is is loaded, and keys wait for it "
-    "whatever comes before it") {
-    constexpr int wok = 15, vibraphone = 9, key = 40; // no key of the wok's
+TEST_CASE("The last existing program that MIDI asks for is loaded, and keys wait for it") {
+    constexpr int wok = 15, vibraphone = 9, key = 40; // a key that the wok lacks
     REQUIRE(factoryPresets().size() <= 120);
     Processor processor;
     processor.setCurrentProgram(wok);
@@ -155,21 +152,22 @@ TEST_CASE(
     midi.addEvent(juce::MidiMessage::programChange(10, 120), 10);
     midi.addEvent(juce::MidiMessage::noteOn(1, key, juce::uint8{100}), 20);
     render(processor, blockSize, blockSize, midi);
-    processor.setCurrentProgram(wok); // the host's own, before the message thread's next look
+    processor.setCurrentProgram(wok); // by the host, before the next poll of the message thread
     CHECK(loudest(render(processor, blockSize, blockSize, {})) == 0);
     for (int looks = 0; looks < 1000 && processor.getCurrentProgram() != vibraphone; ++looks)
         followTimers(5);
     REQUIRE(processor.getCurrentProgram() == vibraphone);
     CHECK(loudest(render(processor, 4800, blockSize, {})) > 0.001f);
 
-    // And once: a load that nobody asked MIDI for strikes nothing.
+    // The key strikes only once: a later load without a MIDI request strikes nothing.
     processor.setCurrentProgram(vibraphone);
-    render(processor, 4800, blockSize, {}); // in which what rang fades out
+    render(processor, 4800, blockSize, {}); // the old sound fades out
     processor.reset();
     CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
 }
 
-TEST_CASE("A VST3 has 128 programs, and the last is the sound that is none of the factory's") {
+TEST_CASE(
+    "A VST3 has 128 programs, and the last one stands for a sound outside the factory presets") {
     juce::AudioProcessor::setTypeOfNextNewPlugin(juce::AudioProcessor::wrapperType_VST3);
     Processor processor;
     juce::AudioProcessor::setTypeOfNextNewPlugin(juce::AudioProcessor::wrapperType_Undefined);
@@ -182,11 +180,11 @@ TEST_CASE("A VST3 has 128 programs, and the last is the sound that is none of th
         processor.setCurrentProgram(program);
         CHECK(processor.getCurrentProgram() == std::min(program, presets - 1));
     }
-    CHECK(names.size() == 128); // by which some hosts choose
+    CHECK(names.size() == 128); // some hosts choose programs by name
     CHECK(names.count({}) == 0);
     CHECK(processor.getProgramName(128).isEmpty());
 
-    // Hosts are kept from choosing what is current.
+    // Choosing the current program changes nothing.
     restore(processor, testState());
     CHECK(processor.getCurrentProgram() == own);
     const auto before = saved(processor);
@@ -196,14 +194,14 @@ TEST_CASE("A VST3 has 128 programs, and the last is the sound that is none of th
     CHECK(processor.getCurrentProgram() == 0);
 }
 
-TEST_CASE("Elsewhere there are no more programs than presets") {
+TEST_CASE("Other formats have as many programs as factory presets") {
     Processor processor;
     CHECK(processor.getNumPrograms() == static_cast<int>(factoryPresets().size()));
     restore(processor, testState());
     CHECK(processor.getCurrentProgram() == 0);
 }
 
-TEST_CASE("The tail is no shorter with dampers, which a pedal may hold up") {
+TEST_CASE("Dampers do not shorten the tail, because a pedal may hold them up") {
     Processor processor;
     auto state = testState();
     state.parameters.set(ParameterId::letRing, 1);
@@ -215,7 +213,7 @@ TEST_CASE("The tail is no shorter with dampers, which a pedal may hold up") {
     CHECK(processor.getTailLengthSeconds() == ringing);
 }
 
-TEST_CASE("What was clicked while the host did not process is not heard when it goes on") {
+TEST_CASE("Clicks during a pause of the host are not heard afterwards") {
     const auto clicked = [](auto&& pause) {
         Processor processor;
         processor.prepareToPlay(rateHz, blockSize);
@@ -233,23 +231,24 @@ TEST_CASE("What was clicked while the host did not process is not heard when it 
     CHECK(clicked([](Processor& processor) { processor.prepareToPlay(rateHz, blockSize); }) == 0);
 }
 
-TEST_CASE("Where no callbacks come nothing is struck or touched, but keys and hands are lifted") {
+TEST_CASE("While no callbacks come, strikes and scrapes are ignored, but releases take effect") {
     constexpr int vibraphone = 9, key = 60;
-    constexpr std::size_t bar = 7; // of that key
+    constexpr std::size_t bar = 7; // the slot of that key
     Processor processor;
     processor.setCurrentProgram(vibraphone);
     processor.prepareToPlay(rateHz, blockSize);
     const auto soundFor = [&](double seconds, const juce::MidiBuffer& midi = {}) {
         return loudest(render(processor, static_cast<int>(seconds * rateHz), blockSize, midi));
     };
-    const auto ringsOn = [&] { // when another channel taps the key: somebody holds its bar
-        juce::MidiBuffer tap;
-        tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
-        tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);
-        const float tapped = soundFor(0.1, tap);
-        soundFor(1);
-        return soundFor(0.1) > 0.05f * tapped;
-    };
+    const auto ringsOn =
+        [&] { // another channel taps the key: its bar rings on only if somebody holds it
+            juce::MidiBuffer tap;
+            tap.addEvent(juce::MidiMessage::noteOn(2, key, juce::uint8{100}), 0);
+            tap.addEvent(juce::MidiMessage::noteOff(2, key), 100);
+            const float tapped = soundFor(0.1, tap);
+            soundFor(1);
+            return soundFor(0.1) > 0.05f * tapped;
+        };
     const auto pause = [&] {
         for (int waits = 0; waits < 1000 && processor.isProcessing(); ++waits)
             followTimers(5);
@@ -265,7 +264,7 @@ TEST_CASE("Where no callbacks come nothing is struck or touched, but keys and ha
         pause();
         grip(true);
         CHECK_FALSE(ringsOn());
-        grip(true); // callbacks have come again
+        grip(true); // callbacks have resumed
         CHECK(ringsOn());
         pause();
         grip(false);
@@ -273,8 +272,7 @@ TEST_CASE("Where no callbacks come nothing is struck or touched, but keys and ha
     }
 }
 
-TEST_CASE(
-    "A program that another thread chooses is shown by the message thread, after its values") {
+TEST_CASE("The message thread shows a program that another thread chose, after its values") {
     struct Host final : juce::AudioProcessorListener {
         void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
             valuesTold += juce::MessageManager::existsAndIsCurrentThread() ? 1 : 0;
@@ -300,7 +298,7 @@ TEST_CASE(
     processor.setNonRealtime(false);
     followTimers(300);
     constexpr int each = static_cast<int>(parameterCount);
-    std::vector expected{each, 2 * each}; // the second time for wrappers that are late
+    std::vector expected{each, 2 * each}; // sent twice, for wrappers that apply it late
     CHECK(host.valuesToldBefore == expected);
     elsewhere();
     processor.setCurrentProgram(5);
@@ -310,7 +308,7 @@ TEST_CASE(
     CHECK(host.valuesToldBefore == expected);
 }
 
-TEST_CASE("A plugin that another thread makes tells nothing of the values that it begins with") {
+TEST_CASE("A plugin made on another thread reports none of its initial values") {
     ListeningHost host(ParameterId::level);
     std::unique_ptr<Processor> processor;
     std::thread thread([&] { processor = std::make_unique<Processor>(); });
@@ -321,8 +319,7 @@ TEST_CASE("A plugin that another thread makes tells nothing of the values that i
     CHECK(host.heard.empty());
 }
 
-TEST_CASE(
-    "What a host moves while it is told of another program it is told again, and then no more") {
+TEST_CASE("A parameter that the host moves during a program change is sent to it once more") {
     ListeningHost host(ParameterId::tau);
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
@@ -331,7 +328,7 @@ TEST_CASE(
     CHECK(host.heard.size() == 1);
     host.heard.clear();
     auto* tau = processor.getParameters()[static_cast<int>(ParameterId::tau)];
-    tau->setValue(0.9f); // as a host does, which then reads values from before
+    tau->setValue(0.9f); // as a host does that still reads the former values
     followTimers(300);
     CHECK(host.heard == std::vector{tau->getValue()});
     tau->setValue(0.8f);

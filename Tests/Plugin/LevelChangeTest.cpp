@@ -1,5 +1,5 @@
-// Sounds have levels tens of decibels apart, and one after the other: what is heard across a change
-// is never louder than the two would be by themselves.
+// Changes between sounds whose levels are tens of decibels apart. The change must never be louder
+// than the two sounds by themselves.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/HistorySteps.h"
 #include "Support/Level.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double rateHz = 48000;
 constexpr int blockSize = 256;
-constexpr int shortly = 20 * blockSize; // in which all that fades has faded
+constexpr int shortly = 20 * blockSize; // every fade is over by then
 constexpr int note = 65;
 
 juce::MidiBuffer strike(int stamp = 0) {
@@ -27,7 +27,7 @@ juce::MidiBuffer strike(int stamp = 0) {
     return midi;
 }
 
-/// Like every other one but in its level, and in shapes that are as much larger as that is lower.
+/// Sounds of different level parameter but about equal loudness: a lower level has larger shapes.
 State soundOf(const std::string& folder, double levelDb, double roomPercent) {
     auto state = testState(folder);
     const auto gain = static_cast<float>(0.2 * std::pow(10, -levelDb / 40));
@@ -47,7 +47,7 @@ State soundOf(const std::string& folder, double levelDb, double roomPercent) {
     return state;
 }
 
-/// What a sound is by itself, struck.
+/// Returns the peak of a strike of one sound by itself.
 float aloneWhere(const std::function<void(Processor&)>& load) {
     Processor processor;
     load(processor);
@@ -55,7 +55,7 @@ float aloneWhere(const std::function<void(Processor&)>& load) {
     return loudest(render(processor, shortly, blockSize, strike()));
 }
 
-/// What still sounds at its end, on either side.
+/// Returns the peak of the last 2400 samples of both channels.
 float atEndOf(const HostSound& sound) {
     return std::max(peak(std::span(sound.left).last(2400)),
                     peak(std::span(sound.right).last(2400)));
@@ -67,12 +67,12 @@ int programOf(const std::string& name) {
     return program;
 }
 
-/// 3 dB: what rings beats, and goes on in the room.
+/// 3 dB, for beats and the room.
 constexpr float margin = 1.4f;
 
 } // namespace
 
-TEST_CASE("Across a change of level, in either direction, nothing is louder than its own sound") {
+TEST_CASE("A change of level in either direction is never louder than the two sounds alone") {
     const auto [before, after] =
         GENERATE(std::pair{-55.0, 5.3}, std::pair{5.3, -41.0}, std::pair{-41.0, -55.0});
     const double roomPercent = GENERATE(0.0, 80.0);
@@ -96,7 +96,7 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
         CHECK(heard <= margin * nextAlone);
         CHECK(heard >= nextAlone / margin);
     }
-    SECTION("the former rings") {
+    SECTION("the former sound rings") {
         const auto ringing = render(processor, shortly, blockSize, strike());
         const float last = atEndOf(ringing);
         restore(processor, next);
@@ -104,7 +104,7 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
         CHECK(loudest(render(processor, shortly, blockSize, strike())) <=
               margin * (nextAlone + last));
     }
-    SECTION("the former rings, and the next is struck at once") {
+    SECTION("the former sound rings, and the next is struck at once") {
         const auto ringing = render(processor, shortly, blockSize, strike());
         const float last = atEndOf(ringing);
         restore(processor, next);
@@ -112,7 +112,7 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
         CHECK(heard <= margin * (nextAlone + last));
         CHECK(heard >= (nextAlone - last) / margin);
     }
-    SECTION("the former rings, and the host's automation turns the level back at once") {
+    SECTION("the former sound rings, and automation sets the level back at once") {
         const auto ringing = render(processor, shortly, 32, strike());
         const float last = atEndOf(ringing);
         restore(processor, next);
@@ -121,7 +121,7 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
         heard = std::max(heard, loudest(render(processor, shortly, 32, {})));
         CHECK(heard <= margin * last);
     }
-    SECTION("twice within a block's time, and a third time while the first fades") {
+    SECTION("two changes within a block, and a third one while the first fades") {
         const auto ringing = render(processor, shortly, blockSize, strike());
         const float last = atEndOf(ringing);
         restore(processor, next);
@@ -131,7 +131,7 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
         restore(processor, next);
         CHECK(loudest(render(processor, shortly, blockSize, {})) <= margin * last);
     }
-    SECTION("compared with B, undone and done again") {
+    SECTION("comparison with B, undo and redo") {
         auto& history = processor.editHistory();
         const auto sound = [&](const State& state) {
             auto built = buildInstrument(state.preset.keyMap, state.objects);
@@ -143,7 +143,7 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
                          .presetId = {},
                          .stored = state.parameters};
         };
-        history.compare(); // A and B are alike
+        history.compare(); // A and B are equal
         history.record("Load", [&] { processor.playSound(sound(next)); });
         float allowed = nextAlone;
         bool playsNext = true;
@@ -163,8 +163,8 @@ TEST_CASE("Across a change of level, in either direction, nothing is louder than
     }
 }
 
-TEST_CASE("Parameters that change all at once do not blow up what rings nor what is struck") {
-    // A soft mallet at a high level, and a hard one at a low level.
+TEST_CASE("Many parameters that change at once make neither ringing nor struck sound louder") {
+    // A soft mallet at a high level, and a hard mallet at a low level.
     auto state = testState();
     state.preset.parameters.set(strikeSpread, 0);
     state.parameters = state.preset.parameters;
@@ -209,8 +209,7 @@ TEST_CASE("Parameters that change all at once do not blow up what rings nor what
     }
 }
 
-TEST_CASE(
-    "Factory presets tens of decibels apart, one after the other: none is louder than alone") {
+TEST_CASE("Factory presets tens of decibels apart are no louder in sequence than alone") {
     struct Pair {
         const char *former, *next;
     };
@@ -238,20 +237,20 @@ TEST_CASE(
     const auto key = struck(*freshly);
     const float nextAlone = loudest(render(*freshly, shortly, blockSize, key));
 
-    SECTION("chosen by the host, and struck at once") {
+    SECTION("chosen by the host and struck at once") {
         const auto processor = playing(former);
         render(*processor, shortly, blockSize, {});
         processor->setCurrentProgram(programOf(next));
         CHECK(loudest(render(*processor, shortly, blockSize, key)) <= margin * nextAlone);
     }
-    SECTION("chosen by the host while the former rings") {
+    SECTION("chosen by the host while the former preset rings") {
         const auto processor = playing(former);
         const auto ringing = render(*processor, shortly, blockSize, struck(*processor));
         const float last = atEndOf(ringing);
         processor->setCurrentProgram(programOf(next));
         CHECK(loudest(render(*processor, shortly, blockSize, {})) <= margin * last);
     }
-    SECTION("asked for by MIDI at the note's sample, offline") {
+    SECTION("asked for by MIDI at the sample of the note, offline") {
         const auto processor = playing(former);
         const auto own = struck(*processor);
         const float formerAlone =
@@ -264,7 +263,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A scene that rings in its room is no louder when a preset of a higher level comes") {
+TEST_CASE("A scene that rings in its room gets no louder when a preset of a higher level loads") {
     Processor processor;
     processor.setNonRealtime(true);
     processor.setCurrentProgram(programOf("Thrown Shells"));
@@ -278,7 +277,7 @@ TEST_CASE("A scene that rings in its room is no louder when a preset of a higher
     CHECK(loudest(render(processor, shortly, blockSize, {})) <= margin * last);
 }
 
-TEST_CASE("Where only values change, a key that presses goes on, and bodies on a stage move on") {
+TEST_CASE("A change of values alone stops neither a scrape nor the moving bodies of a scene") {
     Processor processor;
     processor.setNonRealtime(true);
     processor.prepareToPlay(rateHz, blockSize);
@@ -286,7 +285,7 @@ TEST_CASE("Where only values change, a key that presses goes on, and bodies on a
         const int number = processor.instrumentNumber();
         auto values = processor.loadedSound().parameters;
         values.set(level, values[level] + levelChangeDb);
-        SECTION("by a comparison or an undo") {
+        SECTION("by comparison or undo") {
             auto sound = processor.loadedSound();
             sound.parameters = values;
             REQUIRE(processor.playSound(sound));
@@ -309,7 +308,7 @@ TEST_CASE("Where only values change, a key that presses goes on, and bodies on a
         REQUIRE(before > 0);
         CHECK(heardAfter(-10) > before / 20);
     }
-    SECTION("on a stage") {
+    SECTION("in a scene") {
         processor.setCurrentProgram(programOf("Falling Cylinder"));
         juce::MidiBuffer dropped;
         dropped.addEvent(juce::MidiMessage::noteOn(1, processor.keyRange().lowest, juce::uint8{90}),

@@ -1,4 +1,4 @@
-// Between the wish for another sound and its first sample: what callbacks play meanwhile.
+// Callbacks between a request for another sound and its first sample.
 #include "Plugin/RealTimeTrap.h"
 #include "Support/TestSound.h"
 
@@ -44,7 +44,7 @@ void waitForProgram(Processor& processor, int program) {
     REQUIRE(processor.getCurrentProgram() == program);
 }
 
-/// Whose callbacks go on while it is told of a change.
+/// Renders one callback while it receives a parameter change.
 struct BusyHost final : juce::AudioProcessorListener {
     explicit BusyHost(std::function<void()> callback) : process(std::move(callback)) {}
     void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {
@@ -57,7 +57,7 @@ struct BusyHost final : juce::AudioProcessorListener {
 
 } // namespace
 
-TEST_CASE("A key that goes down in the new preset, while others are told of it, is struck once") {
+TEST_CASE("A key pressed in the new preset while the host is told of it is struck once") {
     enum class Struck { afterwards, whileTold, asSoonAsLoaded };
     const auto played = [](Struck when) {
         Processor processor;
@@ -89,7 +89,7 @@ TEST_CASE("A key that goes down in the new preset, while others are told of it, 
     CHECK((played(Struck::asSoonAsLoaded) == expected));
 }
 
-TEST_CASE("Until another sound is there the one before plays on with its own values") {
+TEST_CASE("Until the new sound is there, the former one plays on with its own values") {
     if (!realTimeTrapWorks())
         SKIP("nothing can be done at allocations here");
     auto other = testState("other", 1.5);
@@ -135,8 +135,8 @@ TEST_CASE("Until another sound is there the one before plays on with its own val
     }
 }
 
-TEST_CASE("A key waits for its program through a reset and another preparation of the host's") {
-    constexpr int wok = 15, silentKey = 40; // no key of the wok's
+TEST_CASE("A key waits for its program through a reset and another prepare") {
+    constexpr int wok = 15, silentKey = 40; // a key that the wok lacks
     const std::function<void(Processor&)> resets[] = {
         [](Processor& processor) { processor.reset(); },
         [](Processor& processor) { processor.prepareToPlay(rateHz, blockSize); },
@@ -165,19 +165,19 @@ TEST_CASE("A key waits for its program through a reset and another preparation o
     }
 }
 
-TEST_CASE("What was answered before the host prepared again strikes nothing later") {
+TEST_CASE("A program change answered before the host prepared again strikes nothing later") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(vibraphone));
     waitForProgram(processor, vibraphone);
-    processor.prepareToPlay(rateHz, blockSize); // no callback has taken its player
+    processor.prepareToPlay(rateHz, blockSize); // before a callback has taken its player
     render(processor, 4800, blockSize, struck(key));
     processor.setCurrentProgram(vibraphone);
-    render(processor, 96000, blockSize, {}); // in which what rang fades out, in its room too
+    render(processor, 96000, blockSize, {}); // the old sound and its room fade out
     CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
 }
 
-TEST_CASE("Where a program cannot be built, keys that sound already are not struck again") {
+TEST_CASE("If a program cannot be built, keys that already sound are not struck again") {
     if (!realTimeTrapWorks())
         SKIP("allocations cannot be made to fail here");
     constexpr int note = 72;
@@ -195,7 +195,7 @@ TEST_CASE("Where a program cannot be built, keys that sound already are not stru
             CHECK(processor.getCurrentProgram() == 0);
         }
         sound.append(render(processor, 24000, blockSize, {}));
-        if (asks) { // and nothing later
+        if (asks) { // nor later
             processor.setCurrentProgram(vibraphone);
             render(processor, 96000, blockSize, {}); // the room rings on
             CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
@@ -207,7 +207,7 @@ TEST_CASE("Where a program cannot be built, keys that sound already are not stru
     CHECK((played(true) == expected));
 }
 
-TEST_CASE("After a reset loudness is matched as after preparing for the same values") {
+TEST_CASE("After a reset loudness is matched as after a prepare with the same values") {
     auto state = testState();
     state.parameters.set(ParameterId::matchLoudness, 1);
     const auto change = [](Processor& processor) {
@@ -231,7 +231,7 @@ TEST_CASE("After a reset loudness is matched as after preparing for the same val
     CHECK((render(processor, 24000, blockSize, testMusic(24000)) == expected));
 }
 
-TEST_CASE("A sound that is loaded with the modulation wheel up begins as loud as it goes on") {
+TEST_CASE("A sound loaded with the modulation wheel up keeps its loudness from the start") {
     auto state = testState();
     state.parameters.set(ParameterId::contact, scrapeContact);
     state.parameters.set(ParameterId::material, firstLibraryMaterial + 5);
@@ -256,7 +256,7 @@ TEST_CASE("A sound that is loaded with the modulation wheel up begins as loud as
     CHECK(std::abs(gain(480) / gain(40000) - 1) < 0.001f);
 }
 
-TEST_CASE("A state that is restored after MIDI has asked for a program is what plays") {
+TEST_CASE("A state restored after a MIDI program change is the one that plays") {
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
     render(processor, blockSize, blockSize, programChange(9));
@@ -265,11 +265,11 @@ TEST_CASE("A state that is restored after MIDI has asked for a program is what p
     for (int looks = 0; looks < 30; ++looks)
         followTimers();
     CHECK(processor.loadedSound().preset.name == name);
-    render(processor, blockSize, blockSize, programChange(9)); // and a new one is answered
+    render(processor, blockSize, blockSize, programChange(9)); // a new request is answered
     waitForProgram(processor, 9);
 }
 
-TEST_CASE("A room that \"all sound off\" has silenced stays so when another sound is restored") {
+TEST_CASE("A room silenced by All Sound Off stays silent when another sound is restored") {
     State state = testState();
     state.parameters.set(ParameterId::room, 100);
     Processor processor;
@@ -286,7 +286,7 @@ TEST_CASE("A room that \"all sound off\" has silenced stays so when another soun
     CHECK(loudest(render(processor, 4800, 64, {})) < 1e-6f);
 }
 
-TEST_CASE("What moves after a program change is the new program's, in a bounce and live") {
+TEST_CASE("Parameters moved after a program change keep their values, in a bounce and live") {
     constexpr int volume = 7, program = 3;
     using enum ParameterId;
     const auto moved = [](int value, int stamp) {
@@ -339,11 +339,11 @@ TEST_CASE("What moves after a program change is the new program's, in a bounce a
     }
 }
 
-TEST_CASE("What another sound brings while a program is awaited is not the program's") {
+TEST_CASE("Values of another sound loaded while a program is pending do not change the program") {
     constexpr int program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
-    auto other = processor.loadedSound(); // the same player at other values
+    auto other = processor.loadedSound(); // the same player with other values
     other.parameters.set(ParameterId::malletSpeed, 4.5);
     const std::function<void()> loads[] = {[&] { processor.setCurrentProgram(vibraphone); },
                                            [&] { processor.playSound(other); }};
@@ -356,7 +356,8 @@ TEST_CASE("What another sound brings while a program is awaited is not the progr
     }
 }
 
-TEST_CASE("What is set behind a program change counts though the one before is being built") {
+TEST_CASE(
+    "A value set after a program change counts even while an earlier program is being built") {
     if (!realTimeTrapWorks())
         SKIP("nothing can be done at allocations here");
     constexpr int volume = 7, program = 3;
@@ -384,7 +385,7 @@ TEST_CASE("What is set behind a program change counts though the one before is b
         CHECK(loaded(allocations / part, program).second == moved);
 }
 
-TEST_CASE("What is set behind a program change is not what leads back to the sound before it") {
+TEST_CASE("Undo after a program change restores the values before it, not those set behind it") {
     constexpr int volume = 7, program = 3;
     Processor processor;
     processor.prepareToPlay(rateHz, blockSize);
