@@ -1,4 +1,4 @@
-// Small files that ask for much memory: they are refused in a sentence, and what played goes on.
+// Small files that need much memory are refused with one sentence, and the current sound plays on.
 #include "Plugin/RealTimeTrap.h"
 #include "Plugin/RestoredSound.h"
 #include "Support/ImportedFiles.h"
@@ -16,7 +16,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-constexpr std::size_t manyModes = 20'000; // whose tables take 2.56 MB, and whose file a tenth
+constexpr std::size_t manyModes = 20'000; // the tables take 2.56 MB, the file a tenth of it
 constexpr std::size_t mostBytes = 2'000'000;
 
 ModalObject objectOf(std::size_t modes) {
@@ -43,7 +43,7 @@ void restoreTest(Processor& processor) {
     REQUIRE_FALSE(processor.takeStatus().isError);
 }
 
-/// What `restoreTest` has restored plays on and is saved, and the status says why.
+/// Checks that the sound of `restoreTest` plays on and is saved, and that the status says why.
 void checkKept(Processor& processor, const std::string& sentence) {
     const auto status = processor.takeStatus();
     CHECK(status.isError);
@@ -57,12 +57,12 @@ const std::string noMemory = " takes more memory than this machine has";
 
 } // namespace
 
-TEST_CASE("An object of many modes on many keys is refused, and what plays goes on") {
+TEST_CASE("An object with many modes on many keys is refused, and the current sound plays on") {
     const UserSettings user;
     Processor processor;
     restoreTest(processor);
     const std::string fault = "has 2560000 modes on all keys together";
-    SECTION("in a state, however few bytes it has") {
+    SECTION("in a small state") {
         for (const auto kind : {KeyMapKind::scaled, KeyMapKind::bars}) {
             const auto bytes = encodeState(crowd(kind, 0, 127));
             CHECK(bytes.size() < 2'000'000);
@@ -82,14 +82,14 @@ TEST_CASE("An object of many modes on many keys is refused, and what plays goes 
         processor.reportError(loaded.error().message);
         checkKept(processor, fault);
     }
-    SECTION("opened in the window, where a key map would have as many") {
+    SECTION("opened in the window, for a key map with as many modes") {
         const auto file = testFolder() / "Crowd.modal";
         REQUIRE(writeModalObject(objectOf(mostObjectModes), file));
         processor.openFile(file);
         finish(processor);
         checkKept(processor, "Crowd cannot be played: 'imported/Crowd");
     }
-    SECTION("but not where one bank plays all keys") {
+    SECTION("not refused where one bank plays all keys") {
         restore(processor, crowd(KeyMapKind::zones, 0, 127));
         CHECK_FALSE(processor.takeStatus().isError);
         CHECK(processor.loadedLabel().name == "Crowded");
@@ -100,13 +100,13 @@ TEST_CASE("An object of many modes on many keys is refused, and what plays goes 
     }
 }
 
-TEST_CASE("A sound for which the memory does not suffice is refused, and what plays goes on") {
+TEST_CASE("A sound that needs too much memory is refused, and the current sound plays on") {
     if (!realTimeTrapWorks())
         SKIP("allocations cannot be made to fail here");
     const UserSettings user;
     Processor processor;
     const auto bytes = encodeState(crowd(KeyMapKind::zones, 60, 72));
-    SECTION("a state's") {
+    SECTION("of a state") {
         restoreTest(processor);
         {
             const MemoryLimit limit(mostBytes);
@@ -117,7 +117,7 @@ TEST_CASE("A sound for which the memory does not suffice is refused, and what pl
         CHECK_FALSE(processor.takeStatus().isError);
         CHECK(processor.loadedLabel().name == "Crowded");
     }
-    SECTION("a state's, which cannot even be read") {
+    SECTION("of a state that cannot even be read") {
         restoreTest(processor);
         {
             const MemoryLimit limit(100'000);
@@ -125,7 +125,7 @@ TEST_CASE("A sound for which the memory does not suffice is refused, and what pl
         }
         checkKept(processor, "The saved state" + noMemory);
     }
-    SECTION("a preset's") {
+    SECTION("of a preset") {
         user.write("Presets/Crowd.json",
                    R"({"format":"idiophone-preset","version":1,"name":"Crowded","keyMap":{"kind":)"
                    R"("zones","lowestNote":0,"highestNote":127,"object":"crowd.modal"}})");
@@ -145,9 +145,9 @@ TEST_CASE("A sound for which the memory does not suffice is refused, and what pl
             CHECK_THAT(loaded.error().message, ContainsSubstring("too large for this machine"));
         }
     }
-    SECTION("an object's that is opened") {
+    SECTION("of an opened object") {
         const auto file = testFolder() / "Crowd.modal";
-        REQUIRE(writeModalObject(objectOf(2000), file)); // of 61 keys
+        REQUIRE(writeModalObject(objectOf(2000), file)); // on 61 keys
         for (const int most : {200'000, 20'000}) {
             restoreTest(processor);
             processor.openFile(file);
@@ -173,7 +173,7 @@ TEST_CASE("A sound for which the memory does not suffice is refused, and what pl
     }
 }
 
-TEST_CASE("A picture for which the memory does not suffice is not drawn, and what plays goes on") {
+TEST_CASE("A picture that needs too much memory is not drawn, and the current sound plays on") {
     if (!realTimeTrapWorks())
         SKIP("allocations cannot be made to fail here");
     const UserSettings user;

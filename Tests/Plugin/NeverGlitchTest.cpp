@@ -1,4 +1,4 @@
-// Whatever is done in the window, the sound goes on without a click.
+// Actions in the window never make the sound click.
 #include "Editor/EditorWindow.h"
 #include "Geometry/MeshWriter.h"
 #include "Geometry/ParametricMesh.h"
@@ -19,8 +19,8 @@ namespace {
 constexpr double rateHz = 48000;
 constexpr int blockSize = 128;
 
-/// Low, slowly decaying objects under a soft mallet: a smooth sound, in which a click would stand
-/// out.
+/// Returns low, slowly decaying objects under a soft mallet, a smooth sound that would reveal a
+/// click.
 State smoothState(const std::string& folder) {
     auto state = testState(folder);
     state.objects.clear();
@@ -37,8 +37,8 @@ State smoothState(const std::string& folder) {
     return state;
 }
 
-/// What an audio thread hears that never stops: whether all is finite, how loud it was, and the
-/// sharpest bend of the waveform, to its loudest sample.
+/// Plays on an audio thread without pause. Measures whether all samples are finite, their peak, and
+/// the largest second difference.
 class Listener {
 public:
     explicit Listener(Processor& played) : processor(played) {
@@ -106,7 +106,7 @@ float calmSharpness() {
 
 } // namespace
 
-TEST_CASE("Windows, presets, dropped meshes and undo during playback: finite, and no click") {
+TEST_CASE("Windows, presets, dropped meshes and undo during playback make no click") {
     const auto mesh = testFolder() / "plate.obj";
     REQUIRE(writeMesh(sheetMesh(0.3, 0.2, 200), mesh));
     const float calm = calmSharpness();
@@ -122,7 +122,7 @@ TEST_CASE("Windows, presets, dropped meshes and undo during playback: finite, an
                         EditorWindow::leastHeight + 50 * round);
         window->createComponentSnapshot(window->getLocalBounds());
         waitFor(listener, 20);
-        // A mesh is dropped, and what plays on is the sound there was: it is taken back at once.
+        // The import is cancelled at once, so the current sound plays on.
         processor.openFile(mesh);
         waitFor(listener, 5);
         processor.cancelImport();
@@ -137,13 +137,13 @@ TEST_CASE("Windows, presets, dropped meshes and undo during playback: finite, an
     listener.finish();
     CHECK(listener.finite);
     CHECK(listener.loudest > 0.01f);
-    // A fade of 5 ms bends the waveform a little more than the soft blows do; a step of a tenth of
-    // the loudest sample would bend it by as much.
+    // A 5 ms fade bends the waveform slightly more than the soft strikes do. A step of a tenth of
+    // the peak would exceed the limit.
     CHECK(calm < 0.01f);
     CHECK(listener.sharpest / listener.loudest < 0.02f);
 }
 
-TEST_CASE("A dropped mesh plays, preview and all, while every sample stays finite") {
+TEST_CASE("Every sample stays finite while a dropped mesh is analysed and played") {
     const auto mesh = testFolder() / "drop.obj";
     REQUIRE(writeMesh(sheetMesh(0.3, 0.2, 300), mesh));
     Processor processor;
@@ -152,7 +152,7 @@ TEST_CASE("A dropped mesh plays, preview and all, while every sample stays finit
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());
     const int before = processor.instrumentNumber();
     processor.openFile(mesh);
-    const int mostTicks = 100000; // a quarter of an hour: a bound for what never ends
+    const int mostTicks = 100000; // a quarter of an hour, in case the import never ends
     for (int i = 0; i < mostTicks && processor.importStatus().isWorking(); ++i) {
         juce::Thread::sleep(10);
         juce::Timer::callPendingTimersSynchronously();

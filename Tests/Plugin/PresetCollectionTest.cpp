@@ -1,4 +1,4 @@
-// What the shelf of presets does to the sound and to the user's files.
+// Effects of the preset collection on the sound and on the user's files.
 #include "Plugin/PresetCollection.h"
 
 #include "Instrument/FactoryContent.h"
@@ -19,7 +19,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// Automation moves a parameter whenever the sound has been asked for.
+/// Automation moves a parameter each time the sound is read.
 class AutomatedHolder final : public ForwardingHolder {
 public:
     AutomatedHolder(Processor& held, ParameterId moved)
@@ -45,7 +45,7 @@ HostSound firstSecond(Processor& processor) {
 
 } // namespace
 
-TEST_CASE("The factory's presets are on the shelf in the order of the programs") {
+TEST_CASE("Factory presets are listed in the order of the programs") {
     const UserSettings user;
     Processor processor;
     auto& shelf = processor.presetShelf();
@@ -61,7 +61,7 @@ TEST_CASE("The factory's presets are on the shelf in the order of the programs")
     }
 }
 
-TEST_CASE("A saved sound comes back as it was, and plays the same samples") {
+TEST_CASE("A saved preset loads unchanged and plays the same samples") {
     const UserSettings user;
     Processor processor;
     auto& shelf = processor.presetShelf();
@@ -73,7 +73,7 @@ TEST_CASE("A saved sound comes back as it was, and plays the same samples") {
     REQUIRE(shelf.savePreset(called("Mine", "Tests"), false));
     CHECK_FALSE(shelf.soundIsChanged());
     CHECK(shelf.chosenPreset() == "Tests/Mine.json");
-    CHECK(processor.getCurrentProgram() == 0); // no longer the factory's
+    CHECK(processor.getCurrentProgram() == 0); // no longer a factory preset
     const auto expected = firstSecond(processor);
 
     Processor other;
@@ -106,7 +106,7 @@ TEST_CASE("A preset saved while foreign objects play opens later and elsewhere")
     REQUIRE(shelf.loadPreset("Found/Stones.json"));
     CHECK(firstSecond(processor) == expected);
 
-    // The project that is saved from it needs no preset any more.
+    // A project saved from it does not need the preset any more.
     const auto project = saved(processor);
     CHECK(project.find(user.folder().string()) == std::string::npos);
     std::filesystem::remove_all(user.folder() / "Presets");
@@ -116,7 +116,7 @@ TEST_CASE("A preset saved while foreign objects play opens later and elsewhere")
     CHECK(firstSecond(reopened) == expected);
 }
 
-TEST_CASE("A folder that idiophone tune has made plays from where it lies among the presets") {
+TEST_CASE("A folder made by idiophone tune plays from inside the preset folder") {
     const UserSettings user;
     Preset preset;
     preset.name = "Tuned marimba";
@@ -141,7 +141,7 @@ TEST_CASE("A folder that idiophone tune has made plays from where it lies among 
         CHECK(processor.loadedInstrument()->hasOwn(note) == (note == 60 || note == 61));
 }
 
-TEST_CASE("What was saved under match loudness is as loud when it is loaded") {
+TEST_CASE("A preset saved with loudness matching is as loud when it is loaded") {
     const UserSettings user;
     Processor processor;
     restore(processor, testState());
@@ -156,11 +156,11 @@ TEST_CASE("What was saved under match loudness is as loud when it is loaded") {
     REQUIRE(other.presetShelf().loadPreset("Loud.json"));
     CHECK(other.parameterValue(level) != processor.parameterValue(level));
     CHECK(loudest(firstSecond(other)) == Approx(loudest(expected)).epsilon(0.001));
-    // The one that was saved plays on as it did.
+    // Saving leaves the current sound as it is.
     CHECK(firstSecond(processor) == expected);
 }
 
-TEST_CASE("What match loudness makes louder than any level is as loud when it is loaded") {
+TEST_CASE("A matched gain beyond the maximum level is kept when a preset is loaded") {
     const UserSettings user;
     using enum ParameterId;
     Processor processor;
@@ -181,7 +181,7 @@ TEST_CASE("What match loudness makes louder than any level is as loud when it is
     CHECK(other.parameterValue(level) == 20);
     CHECK_FALSE(shelf.soundIsChanged());
     CHECK(firstSecond(other) == expected);
-    // So it is after it was saved from there, and once a level suffices it takes the gain over.
+    // It survives another save. Once the level parameter suffices, that takes over the gain.
     REQUIRE(shelf.saveChosenPreset());
     Processor third;
     REQUIRE(third.presetShelf().loadPreset("Loud.json"));
@@ -194,7 +194,7 @@ TEST_CASE("What match loudness makes louder than any level is as loud when it is
     CHECK(loudest(firstSecond(fourth)) == Approx(loudest(firstSecond(third))).epsilon(0.001));
 }
 
-TEST_CASE("Saving never cuts what rings") {
+TEST_CASE("Saving never cuts ringing sound") {
     const UserSettings user;
     Processor processor, untouched;
     for (auto* each : {&processor, &untouched}) {
@@ -206,7 +206,7 @@ TEST_CASE("Saving never cuts what rings") {
     CHECK(render(processor, 4800, 480, {}) == render(untouched, 4800, 480, {}));
 }
 
-TEST_CASE("A sound that is named anew leaves automation alone") {
+TEST_CASE("Renaming a sound leaves automation alone") {
     const UserSettings user;
     Processor processor;
     AutomatedHolder holder(processor, ParameterId::width);
@@ -221,7 +221,7 @@ TEST_CASE("A sound that is named anew leaves automation alone") {
     CHECK(shelf.chosenPreset() == "Two.json");
 }
 
-TEST_CASE("A preset of a scene names it by a path that does not lead through this machine") {
+TEST_CASE("A scene preset names its scene by a path without machine-specific folders") {
     const UserSettings user;
     user.write("Scenes/dice.json", R"({"format": "idiophone-scene", "version": 1, "name": "Mine",
         "kinds": [{"name": "plate", "object": "plate", "fixed": true},
@@ -265,8 +265,7 @@ TEST_CASE("A load is one step of the history") {
     CHECK(saved(processor) == before);
 }
 
-TEST_CASE(
-    "Broken presets stay on the shelf with their sentence, and loading them changes nothing") {
+TEST_CASE("Broken presets stay listed with an error, and loading them changes nothing") {
     const UserSettings user;
     user.write("Presets/Old/broken.json", "{");
     user.write("Presets/lost.json", [] {
@@ -299,7 +298,7 @@ TEST_CASE(
     CHECK(status.isError);
     CHECK_THAT(status.sentence, ContainsSubstring("Lost: Objects/lost-12.modal is missing"));
     CHECK(processor.loadedLabel().name == "Lost");
-    CHECK(shelf.chosenPreset().empty()); // saving it would have to be said
+    CHECK(shelf.chosenPreset().empty()); // saving it needs confirmation
 }
 
 TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
@@ -321,7 +320,7 @@ TEST_CASE("Favourites stay with the machine and follow a renamed preset") {
 }
 
 #if JUCE_LINUX
-TEST_CASE("A deleted preset plays on, goes to the bin, and is no favourite any more") {
+TEST_CASE("A deleted preset plays on, goes to the bin and is no longer a favourite") {
     const UserSettings user;
     const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
     setenv("HOME", (testFolder() / "home").string().c_str(), 1);
@@ -340,8 +339,7 @@ TEST_CASE("A deleted preset plays on, goes to the bin, and is no favourite any m
 }
 #endif
 
-TEST_CASE(
-    "Where there is no place for settings, the factory's presets are there and saving says so") {
+TEST_CASE("Without a settings folder the factory presets are listed and saving fails") {
     Processor processor;
     PresetCollection shelf(processor, processor.editHistory(), juce::File());
     shelf.readPresets();

@@ -44,7 +44,7 @@ void checkRefused(const Outcome& outcome) {
     CHECK(outcome.error().message.back() == '.');
 }
 
-/// In place of the user's home, and with it of the bin.
+/// Replaces the user's home, and so the bin, by a test folder.
 class Home {
 public:
     Home() { setenv("HOME", (testFolder() / "home").string().c_str(), 1); }
@@ -56,7 +56,7 @@ private:
 
 } // namespace
 
-TEST_CASE("A folder that is not there has no presets and is not made by looking") {
+TEST_CASE("A missing folder has no presets, and reading does not create it") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     CHECK(folder.read().empty());
@@ -64,7 +64,7 @@ TEST_CASE("A folder that is not there has no presets and is not made by looking"
     CHECK(PresetFolder(juce::File()).read().empty());
 }
 
-TEST_CASE("What is written is read back equal, by folder and name") {
+TEST_CASE("Written presets are read back equal, sorted by folder and name") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     CHECK(folder.write(named("zebra"), "", false).value() == "zebra.json");
@@ -81,7 +81,7 @@ TEST_CASE("What is written is read back equal, by folder and name") {
     CHECK(other.read().size() == 3);
 }
 
-TEST_CASE("A preset is replaced only where that is said, and then whole") {
+TEST_CASE("A preset is replaced only on request, and then completely") {
     PresetFolder folder(freshFolder());
     REQUIRE(folder.write(named("One"), "", false));
     auto second = named("One");
@@ -97,7 +97,7 @@ TEST_CASE("A preset is replaced only where that is said, and then whole") {
               .getNumberOfChildFiles(juce::File::findFiles) == 1);
 }
 
-TEST_CASE("A preset stays in its folder, whatever that is called, and is saved in it again") {
+TEST_CASE("A preset stays in its folder for any folder name and can be saved there again") {
     const auto root = freshFolder();
     const std::string inFolder = "Marimba, 442 Hz/Bells #2";
     const auto place = root.getChildFile(fromUtf8(inFolder));
@@ -112,7 +112,7 @@ TEST_CASE("A preset stays in its folder, whatever that is called, and is saved i
     CHECK(root.getNumberOfChildFiles(juce::File::findDirectories) == 1);
 }
 
-TEST_CASE("No name is taken for a path that begins at home") {
+TEST_CASE("A name that begins with a tilde is not taken for a home path") {
     const Home home;
     const auto root = freshFolder();
     PresetFolder folder(root);
@@ -121,7 +121,7 @@ TEST_CASE("No name is taken for a path that begins at home") {
     CHECK(folder.write(named("~One"), "~mine", false).value() == "mine/One.json");
 }
 
-TEST_CASE("Names and folders that no file can have are refused, and none leads out of the folder") {
+TEST_CASE("Impossible file names are refused, and no name leads out of the folder") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     for (const auto* name : {"", "   ", "///", "~", "..", ".", "\\", "???"}) {
@@ -142,9 +142,9 @@ TEST_CASE("Names and folders that no file can have are refused, and none leads o
     }
 }
 
-TEST_CASE("A folder that cannot be written is one sentence") {
+TEST_CASE("A folder that cannot be written gives an error of one sentence") {
     const auto root = freshFolder();
-    root.create(); // a file where the folder should be
+    root.create(); // a file in place of the folder
     PresetFolder folder(root);
     checkRefused(folder.write(named("One"), "", false));
     checkRefused(folder.folder());
@@ -152,7 +152,7 @@ TEST_CASE("A folder that cannot be written is one sentence") {
     root.deleteFile();
 }
 
-TEST_CASE("Broken files are listed with one sentence that names them, and stay") {
+TEST_CASE("Broken files stay listed with one sentence that names them") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     REQUIRE(folder.write(named("Good"), "", false));
@@ -180,7 +180,7 @@ TEST_CASE("Broken files are listed with one sentence that names them, and stay")
     CHECK(broken == 5);
 }
 
-TEST_CASE("A file that changed is read again, and one that is gone is gone") {
+TEST_CASE("A changed file is read again, and a deleted one disappears") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     REQUIRE(folder.write(named("One"), "", false));
@@ -192,7 +192,7 @@ TEST_CASE("A file that changed is read again, and one that is gone is gone") {
     CHECK(folder.find("One.json") == nullptr);
 }
 
-TEST_CASE("Folders deeper than the deepest, links in a circle and objects are not looked at") {
+TEST_CASE("Folders that are too deep, circular links and objects are skipped") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     REQUIRE(folder.write(named("Deep"), "a/b/c/d", false));
@@ -207,7 +207,7 @@ TEST_CASE("Folders deeper than the deepest, links in a circle and objects are no
     CHECK(idsOf(folder) == Ids{"Top.json", "a/b/c/d/Deep.json"});
 }
 
-TEST_CASE("A folder elsewhere is looked at where a link leads to it") {
+TEST_CASE("A link to a folder elsewhere is followed") {
     const auto root = freshFolder();
     const auto elsewhere = juce::File(testFolder().string()).getChildFile("shared presets");
     PresetFolder folder(root);
@@ -217,8 +217,7 @@ TEST_CASE("A folder elsewhere is looked at where a link leads to it") {
     CHECK(idsOf(folder) == Ids{"Own.json", "link/Bells/Shared.json"});
 }
 
-TEST_CASE(
-    "Presets are found beside objects and links to folders that are larger than is looked at") {
+TEST_CASE("Presets are found beside objects and linked folders that exceed the scan limit") {
     const auto root = freshFolder();
     const auto large = juce::File(testFolder().string()).getChildFile("large");
     constexpr int mostEntries = 100;
@@ -247,12 +246,12 @@ TEST_CASE("A renamed preset keeps its folder and its sound") {
     CHECK_FALSE(folder.fileOf(id).exists());
     REQUIRE(folder.read().size() == 1);
     CHECK(folder.read().front().preset.value() == named("Two"));
-    // To what differs in letters that files do not have.
+    // The new name differs only in letters that file names cannot have.
     CHECK(folder.rename(*renamed, "Two?").value() == *renamed);
     CHECK(folder.read().front().preset->name == "Two?");
 }
 
-TEST_CASE("A preset is written over its file, whatever that is called") {
+TEST_CASE("A preset replaces its file even if the file has another name") {
     PresetFolder folder(freshFolder());
     auto first = named("One");
     first.keyMap.referenceNote = 60;
@@ -269,7 +268,7 @@ TEST_CASE("A preset is written over its file, whatever that is called") {
     CHECK(folder.read().size() == 1);
 }
 
-TEST_CASE("A preset that no file could hold is not written") {
+TEST_CASE("A preset too large for a file is not written") {
     PresetFolder folder(freshFolder());
     auto large = named("One");
     REQUIRE(large.mutedModes.set(std::string(largestPresetBytes, 'x'), 0, true));
@@ -277,7 +276,7 @@ TEST_CASE("A preset that no file could hold is not written") {
     CHECK(folder.read().empty());
 }
 
-TEST_CASE("What somebody else has written or moved is told, whatever its size and time") {
+TEST_CASE("A change by another instance is noticed even at equal size and time") {
     const auto root = freshFolder();
     PresetFolder folder(root), other(root);
     const auto id = folder.write(named("One"), "", false).value();
@@ -294,7 +293,7 @@ TEST_CASE("What somebody else has written or moved is told, whatever its size an
     const auto refused = folder.checkContent(id, content);
     checkRefused(refused);
     CHECK_THAT(refused.error().message, ContainsSubstring("One.json was changed elsewhere"));
-    // From then on the list has it as it is.
+    // From then on the list has the changed file.
     CHECK(folder.read().front().preset->seed == changed.seed);
     CHECK(folder.checkContent(id, folder.find(id)->content));
     REQUIRE(other.rename(id, "Two"));
@@ -303,7 +302,7 @@ TEST_CASE("What somebody else has written or moved is told, whatever its size an
     CHECK_THAT(gone.error().message, ContainsSubstring("One.json was renamed, moved or deleted"));
 }
 
-TEST_CASE("What this one writes is read again, whatever its size and time") {
+TEST_CASE("The folder's own writes are read again even at equal size and time") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     const auto id = folder.write(named("One"), "", false).value();
@@ -318,7 +317,7 @@ TEST_CASE("What this one writes is read again, whatever its size and time") {
     }
 }
 
-TEST_CASE("A rename onto another preset, of none, or to no name changes nothing") {
+TEST_CASE("A rename onto another preset, of a missing preset, or to no name changes nothing") {
     PresetFolder folder(freshFolder());
     REQUIRE(folder.write(named("One"), "", false));
     REQUIRE(folder.write(named("Two"), "", false));
@@ -331,7 +330,7 @@ TEST_CASE("A rename onto another preset, of none, or to no name changes nothing"
     CHECK(folder.find("One.json")->preset.value() == named("One"));
 }
 
-TEST_CASE("A deleted preset is in the bin, and two of one name are both there") {
+TEST_CASE("Deleted presets go to the bin, also two with the same name") {
 #if JUCE_LINUX
     const Home home;
     const auto bin =
@@ -349,7 +348,7 @@ TEST_CASE("A deleted preset is in the bin, and two of one name are both there") 
 #endif
 }
 
-TEST_CASE("Random files in the folder never crash") {
+TEST_CASE("Random files in the folder never crash the reader") {
     const auto root = freshFolder();
     PresetFolder folder(root);
     const auto good = encodePreset(named("One"));
@@ -360,7 +359,9 @@ TEST_CASE("Random files in the folder never crash") {
             damaged[random() % damaged.size()] = static_cast<char>(random());
         root.createDirectory();
         root.getChildFile("f" + juce::String(i) + ".json")
-            .replaceWithData(damaged.data(), 1 + random() % damaged.size()); // none deletes it
+            .replaceWithData(
+                damaged.data(),
+                1 + random() % damaged.size()); // at least one byte, as none would delete the file
     }
     CHECK(folder.read().size() == 200);
 }

@@ -1,4 +1,4 @@
-// What is asked before a preset's file is written over, and what is never written over.
+// When a preset file may be overwritten, and when the user has to confirm it.
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/PresetsAtHand.h"
 #include "Support/UserSettings.h"
@@ -13,7 +13,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// Does not play what is loaded while it is told so, as where the memory does not suffice.
+/// While `plays` is false, refuses to play a loaded sound, as if memory ran out.
 class ReluctantHolder final : public ForwardingHolder {
 public:
     using ForwardingHolder::ForwardingHolder;
@@ -27,7 +27,7 @@ public:
 
 } // namespace
 
-TEST_CASE("Saving over a preset has to be said; the setup is not saved") {
+TEST_CASE("Overwriting a preset needs confirmation, and setup parameters are not saved") {
     const UserSettings user;
     Processor processor;
     auto& shelf = processor.presetShelf();
@@ -50,7 +50,7 @@ TEST_CASE("Saving over a preset has to be said; the setup is not saved") {
     CHECK(other.parameterValue(ParameterId::concertPitch) == 440);
 }
 
-TEST_CASE("What another window has saved since is not replaced unasked") {
+TEST_CASE("A preset that another window has saved is not overwritten without confirmation") {
     const UserSettings user;
     using enum ParameterId;
     Processor one, two;
@@ -60,17 +60,17 @@ TEST_CASE("What another window has saved since is not replaced unasked") {
     REQUIRE(otherShelf.loadPreset("Bell.json"));
     two.changeParameter(tau, 5);
 
-    SECTION("changed") {
+    SECTION("the other window changed it") {
         one.changeParameter(tau, 3);
         REQUIRE(shelf.saveChosenPreset());
         const auto theirs = user.read("Presets/Bell.json");
         switch (GENERATE(0, 1, 2)) {
-        case 0: // before the list was read again
+        case 0: // before this list is read again
             break;
-        case 1: // and in the list
+        case 1: // after this list is read again
             otherShelf.readPresets();
             break;
-        default: // and listened to
+        default: // after an audition
             REQUIRE(otherShelf.auditionPreset("Bell.json"));
             otherShelf.endAudition();
             CHECK(two.parameterValue(tau) == 5);
@@ -79,10 +79,10 @@ TEST_CASE("What another window has saved since is not replaced unasked") {
         REQUIRE_FALSE(refused);
         CHECK_THAT(refused.error().message, ContainsSubstring("changed elsewhere"));
         CHECK(user.read("Presets/Bell.json") == theirs);
-        // Nor is it once it has another name.
+        // A rename does not lift the refusal.
         REQUIRE(otherShelf.renamePreset("Bell.json", "Gong"));
         CHECK_FALSE(otherShelf.saveChosenPreset());
-        // Who is asked may replace it, and so may who has loaded it or kept it after listening.
+        // A confirmation lifts it, and so does a load or a kept audition.
         switch (GENERATE(0, 1, 2)) {
         case 0:
             REQUIRE(otherShelf.savePreset(called("Gong"), true));
@@ -98,7 +98,7 @@ TEST_CASE("What another window has saved since is not replaced unasked") {
         two.changeParameter(tau, 7);
         REQUIRE(otherShelf.saveChosenPreset());
     }
-    SECTION("gone") {
+    SECTION("the other window renamed it") {
         REQUIRE(shelf.renamePreset("Bell.json", "Gong"));
         const auto refused = otherShelf.saveChosenPreset();
         REQUIRE_FALSE(refused);
@@ -106,7 +106,7 @@ TEST_CASE("What another window has saved since is not replaced unasked") {
         CHECK_FALSE(std::filesystem::exists(user.folder() / "Presets/Bell.json"));
         CHECK(find(otherShelf, "Bell") == nullptr); // so that Save asks for a name from now on
     }
-    SECTION("saved twice by this one") {
+    SECTION("this window saves it twice") {
         REQUIRE(otherShelf.saveChosenPreset());
         two.changeParameter(tau, 7);
         REQUIRE(otherShelf.saveChosenPreset());
@@ -116,14 +116,14 @@ TEST_CASE("What another window has saved since is not replaced unasked") {
     }
 }
 
-TEST_CASE("What is saved over is what the sound that plays came from") {
+TEST_CASE("A save overwrites only the file version that the current sound came from") {
     const UserSettings user;
     using enum ParameterId;
     Processor one, two;
     auto& shelf = one.presetShelf();
     auto& otherShelf = two.presetShelf();
     REQUIRE(shelf.savePreset(called("Bell"), false));
-    // Of another size than before, so that lists that are read again know it whatever the clock.
+    // The value changes the file's size, so that a list notices it at any clock resolution.
     std::string theirs;
     const auto saveTheirs = [&] {
         one.changeParameter(tau, 3.0625);
@@ -146,7 +146,7 @@ TEST_CASE("What is saved over is what the sound that plays came from") {
         CHECK(third.parameterValue(tau) == wanted);
     };
 
-    SECTION("undone") {
+    SECTION("after an undo") {
         REQUIRE(otherShelf.loadPreset("Bell.json"));
         two.changeParameter(tau, 5);
         saveTheirs();
@@ -158,12 +158,12 @@ TEST_CASE("What is saved over is what the sound that plays came from") {
         checkRefused();
         two.editHistory().redo();
         checkSaved(7);
-        // What is there now has theirs in it, of which the older sound knows nothing.
+        // The file now has the other window's change, which the older sound does not know.
         theirs = user.read("Presets/Bell.json");
         two.editHistory().undo();
         checkRefused();
     }
-    SECTION("compared") {
+    SECTION("after a comparison") {
         REQUIRE(otherShelf.loadPreset("Bell.json"));
         two.soundVariants().copyToOther();
         saveTheirs();
@@ -174,14 +174,14 @@ TEST_CASE("What is saved over is what the sound that plays came from") {
         two.soundVariants().compare();
         checkSaved(7);
     }
-    SECTION("auditioned, and not kept") {
+    SECTION("after an audition that is not kept") {
         REQUIRE(otherShelf.auditionPreset("Bell.json"));
         saveTheirs();
         checkRefused();
         REQUIRE(otherShelf.auditionPreset("Bell.json"));
         checkSaved(7);
     }
-    SECTION("auditioned, starred and kept") {
+    SECTION("after an audition that is starred and kept") {
         REQUIRE(otherShelf.auditionPreset("Bell.json"));
         saveTheirs();
         REQUIRE(otherShelf.setFavourite("Bell.json", true));
@@ -189,7 +189,7 @@ TEST_CASE("What is saved over is what the sound that plays came from") {
         two.changeParameter(tau, 7);
         checkRefused();
     }
-    SECTION("auditioned anew") {
+    SECTION("after a second audition") {
         REQUIRE(otherShelf.loadPreset("Bell.json"));
         saveTheirs();
         otherShelf.readPresets();
@@ -199,7 +199,7 @@ TEST_CASE("What is saved over is what the sound that plays came from") {
     }
 }
 
-TEST_CASE("A preset that was read but did not play is not saved over") {
+TEST_CASE("A preset that was read but did not play is not overwritten") {
     const UserSettings user;
     using enum ParameterId;
     Processor one, two;
@@ -220,7 +220,7 @@ TEST_CASE("A preset that was read but did not play is not saved over") {
     CHECK(user.read("Presets/Bell.json") == theirs);
 }
 
-TEST_CASE("What this window saves or renames is known to the sounds that it keeps") {
+TEST_CASE("Sounds kept in this window follow its saves and renames") {
     const UserSettings user;
     using enum ParameterId;
     Processor processor;
@@ -234,10 +234,10 @@ TEST_CASE("What this window saves or renames is known to the sounds that it keep
     const std::string name = GENERATE("Bell", "Gong");
     if (name != "Bell")
         REQUIRE(shelf.renamePreset("Bell.json", name));
-    SECTION("that are compared") {
+    SECTION("compared sounds") {
         processor.soundVariants().compare();
     }
-    SECTION("that are loaded again by the history") {
+    SECTION("sounds restored by undo") {
         for (int step = 0; step < 3; ++step)
             processor.editHistory().undo();
         CHECK(processor.editHistory().redoName() == "Wok");
@@ -245,7 +245,7 @@ TEST_CASE("What this window saves or renames is known to the sounds that it keep
     CHECK(processor.parameterValue(tau) != 5);
     CHECK(shelf.soundDetails().name == name);
     CHECK(shelf.chosenPreset() == name + ".json");
-    CHECK(shelf.soundIsChanged()); // from what the file has now
+    CHECK(shelf.soundIsChanged()); // compared with the file's new content
     processor.changeParameter(tau, 5);
     CHECK_FALSE(shelf.soundIsChanged());
     processor.changeParameter(tau, 7);

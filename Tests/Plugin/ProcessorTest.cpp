@@ -1,4 +1,4 @@
-// What hosts ask of the processor: buses, programs, tail, resets, sharing.
+// Host requests to the processor: buses, programs, tail, resets and shared objects.
 
 #include "Instrument/FactoryContent.h"
 #include "Plugin/FactoryPrograms.h"
@@ -26,7 +26,7 @@ juce::MidiBuffer oneMessage(const juce::MidiMessage& message) {
 
 const auto hardNote = oneMessage(juce::MidiMessage::noteOn(1, 72, static_cast<juce::uint8>(127)));
 
-/// How long keys ring is up to the fluid damping.
+/// Returns a state with a long room, in which the fluid damping decides how long keys ring.
 State inLongRoom(double fluidDampingPerSecond) {
     auto state = testState();
     state.parameters.set(ParameterId::strikeSpread, 0);
@@ -50,7 +50,7 @@ bool supports(std::initializer_list<juce::AudioChannelSet> inputs,
 
 } // namespace
 
-TEST_CASE("One mono or stereo output and no input, nothing else") {
+TEST_CASE("The processor supports one mono or stereo output and no input") {
     using Set = juce::AudioChannelSet;
     CHECK(supports({}, {Set::mono()}));
     CHECK(supports({}, {Set::stereo()}));
@@ -61,7 +61,7 @@ TEST_CASE("One mono or stereo output and no input, nothing else") {
     CHECK_FALSE(supports({Set::stereo()}, {Set::stereo()}));
 }
 
-TEST_CASE("It takes MIDI, sends none, has no latency and works in single precision") {
+TEST_CASE("The processor takes MIDI, sends none, has no latency and works in single precision") {
     Processor processor;
     CHECK(processor.acceptsMidi());
     CHECK_FALSE(processor.producesMidi());
@@ -70,10 +70,10 @@ TEST_CASE("It takes MIDI, sends none, has no latency and works in single precisi
     CHECK_FALSE(processor.supportsDoublePrecisionProcessing());
 }
 
-TEST_CASE("Every factory preset is a program with a name that plays") {
+TEST_CASE("Every factory preset is a program that has a name and sounds") {
     Processor processor;
     REQUIRE(processor.getNumPrograms() == static_cast<int>(factoryPresets().size()));
-    processor.setNonRealtime(true); // a scene's bodies are waited for
+    processor.setNonRealtime(true); // waits for the bodies of a scene
     processor.prepareToPlay(48000, 512);
     for (int program = 0; program < processor.getNumPrograms(); ++program) {
         INFO(processor.getProgramName(program));
@@ -118,7 +118,7 @@ TEST_CASE("A program sets every parameter but bypass, concert pitch and MPE") {
     }
 }
 
-TEST_CASE("A program change by MIDI is followed by the message thread in real time") {
+TEST_CASE("In real time the message thread loads a program that MIDI asks for") {
     Processor processor;
     processor.prepareToPlay(48000, 512);
     render(processor, 512, 512, oneMessage(juce::MidiMessage::programChange(1, 2)));
@@ -134,7 +134,7 @@ TEST_CASE("A program change by MIDI is followed by the message thread in real ti
     CHECK(processor.getCurrentProgram() == 2);
 }
 
-TEST_CASE("A program change by MIDI holds from the next block on in an offline render") {
+TEST_CASE("In an offline render a MIDI program change takes effect from the next block on") {
     Processor processor;
     processor.setNonRealtime(true);
     processor.prepareToPlay(48000, 512);
@@ -142,7 +142,7 @@ TEST_CASE("A program change by MIDI holds from the next block on in an offline r
     CHECK(processor.getCurrentProgram() == 2);
 }
 
-TEST_CASE("A preset chosen while notes ring makes no step larger than the sound's own") {
+TEST_CASE("A preset change while notes ring makes no step larger than the sound's own") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(48000, 480);
@@ -174,7 +174,7 @@ TEST_CASE("Instances share the objects they play") {
         CHECK(a->slots()[slot].object == b->slots()[slot].object);
 }
 
-TEST_CASE("A reset silences from the next block on, and the same notes sound the same again") {
+TEST_CASE("A reset silences the next block, and the same notes sound the same again") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(48000, 480);
@@ -186,7 +186,7 @@ TEST_CASE("A reset silences from the next block on, and the same notes sound the
     CHECK(loudest(render(processor, 480, 480, {})) == 0);
 }
 
-TEST_CASE("Preparing again, in any order and at any rate, starts from silence") {
+TEST_CASE("Another prepare, in any order and at any rate, starts from silence") {
     Processor processor;
     restore(processor, testState());
     processor.releaseResources();
@@ -205,11 +205,12 @@ TEST_CASE("Preparing again, in any order and at any rate, starts from silence") 
     }
 }
 
-TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
+TEST_CASE("The tail is that of the slowest possible mode and is bounded") {
     using enum ParameterId;
     Processor processor;
     auto state = testState();
-    // Of the test objects' own stiffness: what changes it moves the lowest mode, of 261.6 Hz.
+    // The values match the test objects' own stiffness, so a change moves their lowest mode of
+    // 261.6 Hz.
     state.parameters.set(material, customMaterial);
     state.parameters.set(youngsModulus, 10);
     state.parameters.set(density, 1000);
@@ -222,13 +223,13 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
         restore(processor, state);
         return processor.getTailLengthSeconds();
     };
-    // γ/2, and what η adds to the lowest mode, bent down by an octave.
+    // γ/2, plus the share of η at the lowest mode bent down by an octave.
     const double omega = std::numbers::pi * 440 * std::exp2(-9 / 12.0);
     CHECK_THAT(tail(), WithinRel(std::log(65536) / (5 + 1e-6 * omega * omega), 1e-12));
     for (const auto parameter : {fluidDamping, viscoelasticDamping})
         state.parameters.set(parameter, parameterInfo(parameter).minimum);
     CHECK(tail() == Processor::longestTailSeconds);
-    // What the least values leave, and of a loss factor χω/2.
+    // Damping at the minimum values, plus χω/2 of a loss factor.
     const auto rayleigh = [](double frequency) {
         return parameterInfo(fluidDamping).minimum / 2 +
                parameterInfo(viscoelasticDamping).minimum * 1e-6 * frequency * frequency / 2;
@@ -238,7 +239,7 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     };
     state.parameters.set(lossFactor, 0.01);
     CHECK_THAT(tail(), WithinRel(seconds(omega), 1e-12));
-    // What lowers it, lengthens its tail: size, pitch, material, wheels of MPE.
+    // A lower mode has a longer tail: by size, pitch, material or MPE bends.
     state.parameters.set(size, 2);
     CHECK_THAT(tail(), WithinRel(seconds(omega / 2), 1e-12));
     state.parameters.set(size, 1);
@@ -252,24 +253,24 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     state.parameters.set(mpeBendRange, 12);
     CHECK_THAT(tail(), WithinRel(seconds(omega / 2), 1e-12));
     state.parameters.set(mpe, 0);
-    // Below 20 Hz nothing sounds.
+    // Modes below 20 Hz do not sound.
     state.parameters.set(size, 10);
     state.parameters.set(tune, -1200);
     CHECK_THAT(tail(), WithinRel(seconds(40 * std::numbers::pi), 1e-12));
     state.parameters.set(size, 1);
     state.parameters.set(tune, 0);
-    // Of its own material, γ = 5 per second and η = 1e-8 s in the test objects.
+    // The objects' own material has γ = 5/s and η = 1e-8 s.
     state.parameters.set(material, ownMaterial);
     CHECK_THAT(tail(), WithinRel(std::log(65536) / (2.5 + 0.5e-8 * omega * omega), 1e-12));
-    // A pitch that is kept keeps its tail at any size.
+    // A kept pitch keeps its tail at any size.
     const double own = tail();
     state.parameters.set(keepPitch, 1);
     state.parameters.set(size, 4);
-    CHECK_THAT(tail(), WithinRel(own, 1e-5)); // but for the shift of the damped frequency
+    CHECK_THAT(tail(), WithinRel(own, 1e-5)); // except for the shift of the damped frequency
     state.parameters.set(keepPitch, 0);
     state.parameters.set(size, 1);
     CHECK(tail() == own);
-    // A room goes on after that, for 96 of the 60 dB of its decay.
+    // A room adds its decay over 96 dB, where the parameter is the decay over 60 dB.
     const double dry = processor.getTailLengthSeconds();
     state.parameters.set(room, 10);
     state.parameters.set(roomDecay, 2);
@@ -277,7 +278,7 @@ TEST_CASE("The tail is that of the slowest possible mode, and bounded") {
     CHECK_THAT(processor.getTailLengthSeconds(), WithinRel(dry + 2 * std::log10(65536) / 3, 1e-12));
 }
 
-TEST_CASE("Nothing is heard above a 16-bit step when the tail is over, in a room neither") {
+TEST_CASE("Nothing is louder than a 16-bit step after the tail, also in a room") {
     for (const double percent : {0.0, 100.0}) {
         Processor processor;
         auto state = testState();
@@ -294,7 +295,7 @@ TEST_CASE("Nothing is heard above a 16-bit step when the tail is over, in a room
     }
 }
 
-TEST_CASE("All sound off hushes the room too, and what is played then is heard in it") {
+TEST_CASE("All Sound Off silences the room too, and later notes sound in the room") {
     Processor processor;
     restore(processor, inLongRoom(20));
     processor.prepareToPlay(48000, 480);
@@ -308,7 +309,7 @@ TEST_CASE("All sound off hushes the room too, and what is played then is heard i
     CHECK(loudest(render(processor, 4800, 480, {})) > loudest(played) / 1000);
 }
 
-TEST_CASE("The room does not answer what all sound off silences while that still fades") {
+TEST_CASE("The room does not respond to sound that fades after All Sound Off") {
     const auto tail = [](const juce::MidiBuffer& before) {
         Processor processor;
         restore(processor, inLongRoom(200));
@@ -324,12 +325,12 @@ TEST_CASE("The room does not answer what all sound off silences while that still
     CHECK_THAT(tail(hardNote) / alone, WithinRel(1, 0.1));
 }
 
-TEST_CASE("A note that comes with all sound off or soon after has the room's whole answer") {
+TEST_CASE("A note at or soon after All Sound Off gets the room's full response") {
     const auto sound = [](std::optional<int> offAt) {
         Processor processor;
         restore(processor, inLongRoom(200));
         processor.prepareToPlay(48000, 480);
-        if (offAt) // or else nothing rings
+        if (offAt) // otherwise nothing rings
             render(processor, 9600, 480, hardNote);
         juce::MidiBuffer midi;
         if (offAt)
@@ -347,7 +348,7 @@ TEST_CASE("A note that comes with all sound off or soon after has the room's who
         CHECK_THAT(10 * std::log10(tailPower(sound(offAt)) / alone), WithinAbs(0, 1));
 }
 
-TEST_CASE("All sound off in a room is heard in all blocks alike") {
+TEST_CASE("All Sound Off in a room sounds the same at all block sizes") {
     juce::MidiBuffer midi;
     for (const int stamp : {0, 5000, 9600})
         midi.addEvent(juce::MidiMessage::noteOn(1, 64, static_cast<juce::uint8>(100)), stamp);
@@ -367,7 +368,7 @@ TEST_CASE("All sound off in a room is heard in all blocks alike") {
         CHECK(played(blockSize) == expected);
 }
 
-TEST_CASE("Blocks that come before it is prepared are silent, whatever it is to play") {
+TEST_CASE("Blocks before the first prepare are silent for every sound") {
     const auto firstBlocks = [](Processor& processor) {
         for (int block = 0; block < 3; ++block) {
             juce::AudioBuffer<float> buffer(2, 3000);
@@ -394,12 +395,12 @@ TEST_CASE("Blocks that come before it is prepared are silent, whatever it is to 
     restored.prepareToPlay(48000, 480);
     CHECK(loudest(render(restored, 480, 480, {})) == 0);
     CHECK(loudest(render(restored, 9600, 480, hardNote)) > 0.001f);
-    // Resources stay where they are.
+    // releaseResources keeps the resources.
     restored.releaseResources();
     CHECK(loudest(render(restored, 9600, 480, hardNote)) > 0.001f);
 }
 
-TEST_CASE("Notes of the on-screen keyboard are played") {
+TEST_CASE("Notes of the on-screen keyboard sound") {
     Processor processor;
     processor.prepareToPlay(48000, 480);
     processor.playNote(72, 127);
@@ -407,7 +408,7 @@ TEST_CASE("Notes of the on-screen keyboard are played") {
     CHECK(processor.takeStatus().peak > 0.001f);
 }
 
-TEST_CASE("A change in the window is recorded by the host as one gesture with the exact value") {
+TEST_CASE("A change in the window is sent to the host as one gesture with the exact value") {
     GestureLog listener;
     Processor processor;
     processor.addListener(&listener);

@@ -1,5 +1,5 @@
-// No factory preset makes the audio callback allocate, lock or call the system, whatever is done
-// while it is heard.
+// No factory preset makes the audio callback allocate, lock or call the system, whatever a user
+// does.
 #include "Plugin/WatchedHost.h"
 
 #include "Instrument/FactoryContent.h"
@@ -13,8 +13,8 @@ using namespace idiophone::test;
 
 namespace {
 
-/// Half a second in which keys from end to end of the range are held while all that can press, move
-/// and bend them sweeps; then they are released and sound on for a tenth.
+/// Holds keys over the whole range for half a second while pressure, controllers and pitch wheel
+/// sweep. Then it releases them and lets them ring for 0.1 s.
 juce::MidiBuffer heldKeys(const ProcessorView::KeyRange& keys) {
     constexpr int released = 24000, keyCount = 6;
     juce::MidiBuffer midi;
@@ -49,7 +49,7 @@ void play(WatchedHost& host, const juce::MidiBuffer& midi, int samples, int bloc
     }
 }
 
-/// Faint as they are: a preset that plays nothing there is silent.
+/// Smallest accepted peaks. Low, because some presets are faint.
 constexpr float leastStruck = 0.003f, leastPressed = 1e-5f, leastOfStage = 1e-4f;
 
 float loudestOfBlock(WatchedHost& host) {
@@ -58,13 +58,13 @@ float loudestOfBlock(WatchedHost& host) {
     return host.loudestSample;
 }
 
-/// Has bodies fall, once what sounded is so faint that its beats are not taken for them, and waits
-/// for the worker that moves them until they are heard.
+/// Waits until the former sound is faint, so that its beats are not mistaken for the scene. Then
+/// starts the scene and waits for its worker until it is heard.
 void soundStage(WatchedHost& host) {
     float before = loudestOfBlock(host);
     for (int block = 0; block < 4000 && before >= leastOfStage / 4; ++block) {
         if (block % 10 == 0)
-            juce::Thread::sleep(5); // in which the worker catches up
+            juce::Thread::sleep(5); // the worker catches up meanwhile
         before = loudestOfBlock(host);
     }
     REQUIRE(before < leastOfStage / 4);
@@ -101,7 +101,7 @@ void moveAllWhileStageIsHeard(WatchedHost& host) {
 
 } // namespace
 
-TEST_CASE("No factory preset allocates, locks or calls the system, whatever is played") {
+TEST_CASE("No factory preset allocates, locks or calls the system, whatever notes are played") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(512);
@@ -110,12 +110,12 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever is p
         const auto music = testMusic(512, 30, host.processor.keyRange());
         for (int block = 0; block < 40; ++block)
             host.block(music, 512);
-        if (!host.processor.hasStage()) // whose worker takes its time; see below
+        if (!host.processor.hasStage()) // its worker is tested below
             host.checkHeard(leastStruck);
     }
 }
 
-TEST_CASE("A scene's blows and touches do not allocate, lock or call the system") {
+TEST_CASE("Strikes and contacts of a scene do not allocate, lock or call the system") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(480);
@@ -128,8 +128,8 @@ TEST_CASE("A scene's blows and touches do not allocate, lock or call the system"
     }
 }
 
-TEST_CASE("No factory preset struck, scraped or rolled with every controller allocates, locks or "
-          "calls the system") {
+TEST_CASE("Strikes, scrapes and rolls with every controller stay real-time safe in every factory "
+          "preset") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     struct Way {
@@ -141,7 +141,7 @@ TEST_CASE("No factory preset struck, scraped or rolled with every controller all
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
         if (host.processor.hasStage())
-            continue; // its bodies touch as they will
+            continue; // its bodies make their own contacts
         const auto midi = heldKeys(host.processor.keyRange());
         for (const auto& way :
              {Way{strikeContact, 0, leastStruck}, Way{scrapeContact, 0, leastPressed},
@@ -151,7 +151,7 @@ TEST_CASE("No factory preset struck, scraped or rolled with every controller all
             host.processor.changeParameter(ParameterId::rollCoupling, way.coupling);
             host.what += ", contact " + std::to_string(way.contact) + ", coupling " +
                          std::to_string(way.coupling);
-            play(host, {}, 512, 512); // in which what rang has faded out
+            play(host, {}, 512, 512); // the former sound fades out
             host.loudestSample = 0;
             play(host, midi, heldKeysSamples, 512);
             host.checkHeard(way.leastSample);
@@ -159,7 +159,7 @@ TEST_CASE("No factory preset struck, scraped or rolled with every controller all
     }
 }
 
-TEST_CASE("No parameter at either end does so in any factory preset") {
+TEST_CASE("Every parameter at either end stays real-time safe in every factory preset") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(256);
@@ -191,7 +191,8 @@ TEST_CASE("No parameter at either end does so in any factory preset") {
     }
 }
 
-TEST_CASE("No prediction of a factory preset's loudness does so while its material moves") {
+TEST_CASE(
+    "Loudness prediction while the material moves stays real-time safe in every factory preset") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     const auto materials = choiceNames(ParameterId::material);
@@ -199,7 +200,7 @@ TEST_CASE("No prediction of a factory preset's loudness does so while its materi
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
         if (host.processor.hasStage())
-            continue; // whose loudness is not matched
+            continue; // its loudness is not matched
         host.processor.changeParameter(ParameterId::matchLoudness, 1);
         const auto music = testMusic(256, 100, host.processor.keyRange());
         for (const char* material : {"Glass", "Plastic"}) {
@@ -213,13 +214,14 @@ TEST_CASE("No prediction of a factory preset's loudness does so while its materi
     }
 }
 
-TEST_CASE("Watched, muted and scraped by hand, the callback neither allocates, locks nor calls") {
+TEST_CASE(
+    "The callback stays real-time safe while modes are watched and muted and objects are scraped") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(512);
     for (int program = 0; program < host.processor.getNumPrograms(); ++program) {
         host.choose(program);
-        const bool isStage = host.processor.hasStage(); // which notes would begin anew
+        const bool isStage = host.processor.hasStage(); // notes would start the scene anew
         const auto music =
             isStage ? juce::MidiBuffer() : testMusic(512, 60, host.processor.keyRange());
         if (isStage)

@@ -1,5 +1,5 @@
-// The audio callback neither allocates, locks nor calls the system, shown by a trap that is itself
-// shown to catch each of these.
+// The audio callback does not allocate, lock or call the system. Other tests here prove that the
+// trap catches each of these.
 #include "Plugin/WatchedHost.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <unistd.h>
 
-// What the trap watches; elsewhere not all of it is there.
+// Types watched by the trap, which other systems may lack.
 #if defined(__linux__) && defined(__GLIBC__)
 #include <pthread.h>
 #include <semaphore.h>
@@ -23,7 +23,7 @@ using namespace idiophone::test;
 
 namespace {
 
-/// What somebody might add to a callback: a processor that misbehaves on demand.
+/// Runs a callback with a planted fault.
 template <class Fault>
 RealTimeFaults plantedIn(Processor& processor, Fault&& fault) {
     juce::AudioBuffer<float> buffer(2, 256);
@@ -79,7 +79,7 @@ TEST_CASE("The real-time trap catches every kind of planted fault in a callback"
 }
 
 #if defined(__linux__) && defined(__GLIBC__)
-TEST_CASE("The real-time trap catches each way to wait, and names it, where nobody is waited for") {
+TEST_CASE("The real-time trap catches and names each waiting call even if it returns at once") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
@@ -97,7 +97,7 @@ TEST_CASE("The real-time trap catches each way to wait, and names it, where nobo
     const auto unlock = [&] { pthread_rwlock_unlock(&lock); };
     const std::vector<std::pair<std::string, std::function<void()>>> waits{
         {"pthread_mutex_lock", [&] { pthread_mutex_lock(&mutex); }},
-        // Each wait is over at once and leaves the mutex locked.
+        // Each wait returns at once and leaves the mutex locked.
         {"pthread_cond_timedwait", [&] { pthread_cond_timedwait(&condition, &mutex, &past); }},
         {"pthread_cond_clockwait",
          [&] { pthread_cond_clockwait(&condition, &mutex, clock, &past); }},
@@ -132,7 +132,7 @@ TEST_CASE("The real-time trap catches each way to wait, and names it, where nobo
         CHECK(faults.locks == 1);
         CHECK(faults.first.starts_with(name));
     }
-    CHECK(faultsOf([] { hide(madeWhenFirstAskedFor()); }).none()); // it is there by now
+    CHECK(faultsOf([] { hide(madeWhenFirstAskedFor()); }).none()); // already initialised
     pthread_mutex_unlock(&mutex);
     pthread_barrier_destroy(&barrier);
     sem_destroy(&semaphore);
@@ -154,7 +154,7 @@ TEST_CASE("The real-time trap catches planted system calls in a callback") {
     CHECK(systemCalls([] { std::this_thread::yield(); }) > 0);
     CHECK(systemCalls([] { ::close(::open("/dev/null", O_WRONLY)); }) > 0);
     std::atomic<int> number{0};
-    CHECK(systemCalls([&] { number.notify_all(); }) == 0); // nobody waits: no call
+    CHECK(systemCalls([&] { number.notify_all(); }) == 0); // nobody waits, so no call
     const auto written = systemCalls([] { ::write(-1, "", 0); });
     CHECK(written > 0);
 }
@@ -178,7 +178,7 @@ TEST_CASE("No parameter at either end makes the callback allocate, lock or call 
     CHECK(host.loudestSample > 0.001f);
 }
 
-TEST_CASE("System exclusive messages that retune do not allocate, lock or call the system") {
+TEST_CASE("System exclusive tuning messages do not allocate, lock or call the system") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(256);
@@ -192,7 +192,7 @@ TEST_CASE("System exclusive messages that retune do not allocate, lock or call t
         host.block(midi, 256);
 }
 
-TEST_CASE("Controllers that are learned and move every parameter stay real-time safe") {
+TEST_CASE("Learning controllers and moving every parameter with them stays real-time safe") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(256);
@@ -239,7 +239,7 @@ TEST_CASE("Crowded, overlong and empty blocks, resets and program changes stay r
         }
 }
 
-TEST_CASE("Players handed over in a storm never make the callback allocate, lock or wait") {
+TEST_CASE("Many player hand-overs in a row never make the callback allocate, lock or wait") {
     if (!realTimeTrapWorks())
         SKIP("the trap needs Linux with glibc and no sanitizer");
     WatchedHost host(64);

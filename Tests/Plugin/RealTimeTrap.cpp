@@ -17,7 +17,7 @@
 #include <ucontext.h>
 #include <utility>
 
-// Of Linux 5.11; older headers lack them.
+// Added in Linux 5.11; older headers lack them.
 #ifndef PR_SET_SYSCALL_USER_DISPATCH
 #define PR_SET_SYSCALL_USER_DISPATCH 59
 #define PR_SYS_DISPATCH_ON 1
@@ -32,7 +32,7 @@ struct Watch {
     int allocations = 0, locks = 0, systemCalls = 0;
     const char* first = nullptr;
     int firstSystemCall = -1;
-    std::size_t mostBytes = SIZE_MAX; ///< of one allocation
+    std::size_t mostBytes = SIZE_MAX; ///< limit of one allocation
     bool startsNoThreads = false;
     std::function<void()>* atAllocations = nullptr;
 };
@@ -68,8 +68,8 @@ int lockCall(Function*& function, const char* name, Arguments... arguments) {
 }
 
 #if defined(__x86_64__)
-// The kernel hands over the system call instead of making it. It is counted and then made after
-// all, so that what is watched behaves as ever; of each watch the first one is seen.
+// Called by the kernel instead of the system call. Counts the call and then repeats it, so that the
+// watched code behaves as usual. Sees only the first call of each watch.
 void onSystemCall(int, siginfo_t* info, void* context) {
     watch.systemCallsBlocked = 0;
     note(&Watch::systemCalls, "a system call");
@@ -106,7 +106,7 @@ bool dispatchSystemCalls() {
         return lockCall(function, #name, __VA_ARGS__);                                             \
     }
 
-// What the executable defines goes before the C library's.
+// The executable's definitions take precedence over the C library's.
 extern "C" {
 
 void* __libc_malloc(std::size_t);
@@ -193,7 +193,7 @@ IDIOPHONE_WATCHED_LOCK(sem_timedwait, (sem_t * s, Time t), s, t)
 IDIOPHONE_WATCHED_LOCK(sem_clockwait, (sem_t * s, clockid_t k, Time t), s, k, t)
 IDIOPHONE_WATCHED_LOCK(sem_post, (sem_t * s), s)
 
-// A static variable in a function, made when it is first asked for, behind a lock.
+// Called at the first use of a function's static variable, which is guarded by a lock.
 extern "C" int __cxxabiv1::__cxa_guard_acquire(__guard* guard) {
     static int (*function)(__guard*) = nullptr;
     return lockCall(function, "__cxa_guard_acquire", guard);

@@ -1,6 +1,6 @@
-// Watches code that must not allocate, lock or call the system: counts what it does of that while
-// it runs. And leaves code without memory or threads. Linux with glibc; not under the sanitizers,
-// which replace the same functions.
+// Counts allocations, locks and system calls of the code under test. Can also deny it memory or
+// threads. Works on Linux with glibc, but not under the sanitizers, which replace the same
+// functions.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,20 @@
 namespace idiophone::test {
 
 struct RealTimeFaults {
-    int allocations = 0; ///< malloc, free and their kin, and so new and delete
-    int locks = 0;       ///< any call that may wait for another thread or wake one, of pthread and
-                         ///< semaphores, and the first use of a function's static variable
+    int allocations = 0; ///< malloc, free, new, delete and their variants
+    int locks = 0; ///< calls of pthread or semaphores that may wait for a thread or wake one, and
+                   ///< the first use of a function's static variable
     int systemCalls = 0;
     std::string first; ///< names the first fault
 
     bool none() const { return allocations + locks + systemCalls == 0; }
 };
 
-/// Whether faults are seen at all here, and whether system calls are.
+/// Returns whether faults can be counted here, and whether system calls can.
 bool realTimeTrapWorks();
 bool systemCallTrapWorks();
 
-/// [any one thread] Between the two, the calling thread is watched.
+/// [any one thread] Watches the calling thread between the two calls.
 void beginRealTimeWatch();
 RealTimeFaults endRealTimeWatch();
 
@@ -34,7 +34,7 @@ RealTimeFaults faultsOf(Callback&& callback) {
     return endRealTimeWatch();
 }
 
-/// While it lives, this thread gets no memory of more bytes in one piece: `new` throws. Where
+/// While it lives, `new` throws on this thread for more than `mostBytes` in one piece. Needs
 /// `realTimeTrapWorks`.
 class MemoryLimit {
 public:
@@ -44,7 +44,7 @@ public:
     ~MemoryLimit();
 };
 
-/// While it lives, this thread can start no other. Where `realTimeTrapWorks`.
+/// While it lives, this thread cannot start another. Needs `realTimeTrapWorks`.
 class NoThreads {
 public:
     NoThreads();
@@ -53,8 +53,8 @@ public:
     ~NoThreads();
 };
 
-/// While it lives, this thread calls `each` at every allocation and release, but for those of
-/// `each`: what another thread may do meanwhile, at many moments and always the same ones. Where
+/// While it lives, calls `each` at every allocation and release of this thread, except those of
+/// `each` itself. It stands for another thread that acts at many reproducible moments. Needs
 /// `realTimeTrapWorks`.
 class AtAllocations {
 public:

@@ -1,4 +1,4 @@
-// What the window is told of the sound, and what muting in it does.
+// Sound frames for the window, and mutes set in the window.
 #include "Support/TestSound.h"
 
 #include "Instrument/FactoryContent.h"
@@ -20,7 +20,7 @@ juce::MidiBuffer note(int number, int velocity = 100) {
     return midi;
 }
 
-/// The newest frame after so much sound.
+/// Renders `samples` samples and returns the newest frame.
 const SoundFrame* frameAfter(Processor& processor, int samples, const juce::MidiBuffer& midi = {}) {
     processor.takeSoundFrame();
     render(processor, samples, 480, midi);
@@ -39,7 +39,7 @@ constexpr int keys = highestTestNote - lowestTestNote + 1;
 
 } // namespace
 
-TEST_CASE("A frame shows every mode of the object that was struck, as it is now") {
+TEST_CASE("A frame shows the current state of every mode of the struck object") {
     Prepared prepared;
     auto& processor = prepared.processor;
     const auto* frame = frameAfter(processor, 4800, note(69));
@@ -51,7 +51,7 @@ TEST_CASE("A frame shows every mode of the object that was struck, as it is now"
     CHECK(frame->modesOmitted == 0);
     CHECK(std::abs(double(frame->modes[0].frequencyHz) - 440) < 0.01);
     CHECK(std::abs(double(frame->modes[3].frequencyHz) - 440 * std::pow(4, 1.37)) < 0.5);
-    // d = 5 + 1e-8 λ, and 60 dB are ln 1000 of 2/d.
+    // d = 5 + 1e-8 λ, and T60 = 2 ln(1000) / d.
     const double damping = 5 + 1e-8 * std::pow(2 * std::numbers::pi * 440, 2);
     CHECK(std::abs(double(frame->modes[0].t60Seconds) * damping / 2 / std::log(1000) - 1) < 1e-4);
     CHECK(frame->modes[0].standing == ModeStanding::sounding);
@@ -88,7 +88,7 @@ TEST_CASE("Size moves the modes of a frame, sounding or not, unless the pitch is
     CHECK(frame->slots.empty());
 }
 
-TEST_CASE("The window chooses whose modes it sees, until the instrument is another") {
+TEST_CASE("The window chooses the watched object until the instrument changes") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.watchObject(2);
@@ -105,7 +105,7 @@ TEST_CASE("The window chooses whose modes it sees, until the instrument is anoth
     CHECK(frameAfter(processor, 4800, note(62))->object == 2);
 }
 
-TEST_CASE("Nobody who asks sees a silent picture without sound, and no frame twice") {
+TEST_CASE("Without sound a silent frame is shown, and no frame comes twice") {
     Processor processor;
     restore(processor, testState());
     const SoundFrame* frame = nullptr;
@@ -121,7 +121,7 @@ TEST_CASE("Nobody who asks sees a silent picture without sound, and no frame twi
     CHECK(processor.takeSoundFrame() == nullptr);
 }
 
-TEST_CASE("Watched sound is the sound, bit for bit") {
+TEST_CASE("Watching leaves the sound bit-identical") {
     const auto music = testMusic(48000);
     Prepared plain, watched;
     const auto expected = render(plain.processor, 48000, 480, music);
@@ -135,11 +135,11 @@ TEST_CASE("Watched sound is the sound, bit for bit") {
         frames += watched.processor.takeSoundFrame() != nullptr ? 1 : 0;
     }
     CHECK(seen == expected);
-    CHECK(frames >= 20); // of a second, in steps of 10 ms
+    CHECK(frames >= 20); // one second in steps of 10 ms
     CHECK(frames <= 31);
 }
 
-TEST_CASE("A muted mode is silent, saved with the sound and restored; one heard alone is not") {
+TEST_CASE("A muted mode is silent and saved with the sound, a solo mode is not saved") {
     Prepared prepared;
     auto& processor = prepared.processor;
     const auto before = saved(processor);
@@ -175,7 +175,7 @@ TEST_CASE("A muted mode is silent, saved with the sound and restored; one heard 
     CHECK(frame->modes[0].standing == ModeStanding::sounding);
 }
 
-TEST_CASE("Players made anew keep mutes and what is heard alone; another instrument does not") {
+TEST_CASE("Rebuilt players keep mutes and solo modes, another instrument does not") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.muteMode(9, 0, true);
@@ -188,11 +188,11 @@ TEST_CASE("Players made anew keep mutes and what is heard alone; another instrum
     CHECK(frameAfter(processor, 9600, note(68))->modes[0].standing == ModeStanding::sounding);
 }
 
-TEST_CASE("What was heard alone in a sound that was left is not when an undo brings it back") {
+TEST_CASE("An undo that brings a sound back does not bring its solo modes back") {
     Prepared prepared;
     auto& processor = prepared.processor;
     const bool prepares = GENERATE(false, true);
-    processor.hearModeAlone(9, 3, true); // no callback takes it in
+    processor.hearModeAlone(9, 3, true); // before any callback takes it
     REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wok")));
     processor.editHistory().undo();
     if (prepares)
@@ -203,7 +203,7 @@ TEST_CASE("What was heard alone in a sound that was left is not when an undo bri
     CHECK(frame->modes[0].standing == ModeStanding::sounding);
 }
 
-TEST_CASE("Muting is a step that is undone and redone, in the sound too") {
+TEST_CASE("Muting is a step that can be undone and redone, also in the sound") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.muteMode(9, 0, true);
@@ -235,7 +235,7 @@ TEST_CASE("Modes and objects that do not exist are not muted") {
     CHECK(saved(processor) == before);
 }
 
-TEST_CASE("Muting while it sounds is repeatable, and without a click") {
+TEST_CASE("Muting during sound is repeatable and makes no click") {
     const auto played = [](bool mutes) {
         Prepared prepared;
         HostSound sound;
@@ -251,7 +251,7 @@ TEST_CASE("Muting while it sounds is repeatable, and without a click") {
     CHECK(sound == played(true));
     const auto plain = played(false);
     CHECK(sound != plain);
-    // A second difference is large at a click: here it stays below that of the sound itself.
+    // A click has a large second difference. Muting must stay below that of the sound itself.
     const auto roughest = [](const std::vector<float>& of) {
         float most = 0;
         for (std::size_t k = 9602; k < of.size(); ++k)
@@ -261,7 +261,7 @@ TEST_CASE("Muting while it sounds is repeatable, and without a click") {
     CHECK(roughest(sound.left) < 1.02f * roughest(plain.left));
 }
 
-TEST_CASE("The shares of objects that sound are what the budget leaves them, loudest first") {
+TEST_CASE("The mode budget is shared among sounding objects, loudest first") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.changeParameter(ParameterId::modeBudget,
@@ -288,7 +288,7 @@ TEST_CASE("The shares of objects that sound are what the budget leaves them, lou
     CHECK(frame->modesBeyond > 0);
 }
 
-TEST_CASE("A drag in the window is heard, and the object that it scrapes is shown") {
+TEST_CASE("A drag in the window sounds, and the scraped object is shown") {
     Prepared prepared;
     auto& processor = prepared.processor;
     float loudestSample = 0;
@@ -306,7 +306,7 @@ TEST_CASE("A drag in the window is heard, and the object that it scrapes is show
     CHECK(loudest(render(processor, 480, 480, {})) < 1e-2f * loudestSample);
 }
 
-TEST_CASE("Factory presets have nothing muted, and what is muted in one stays out of the next") {
+TEST_CASE("Factory presets have no muted modes, and mutes do not carry over to the next preset") {
     Processor processor;
     processor.prepareToPlay(48000, 480);
     processor.setCurrentProgram(1);

@@ -1,5 +1,5 @@
-// Presets of scenes in the plugin: heard after their delay, the same in a bounce and in real time,
-// kept in states.
+// Scene presets in the plugin: their delay, equal sound in a bounce and in real time, and their
+// states.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/PresetObjects.h"
 #include "Support/FullDisk.h"
@@ -54,7 +54,7 @@ const char* const mine =
                   {"name": "die", "object": "die"}],
         "bodies": [{"kind": "plate"}, {"kind": "die", "at": [0, 0, 0.2]}]})";
 
-/// A song of a scene.
+/// Returns a state whose preset is a scene.
 State songOf(const std::filesystem::path& scene) {
     auto state = testState();
     state.preset.keyMap = {
@@ -73,7 +73,7 @@ std::size_t onset(const std::vector<float>& sound) {
 
 } // namespace
 
-TEST_CASE("A preset of a scene is heard after the delay that the status tells") {
+TEST_CASE("A scene preset sounds after the delay that the status reports") {
     Processor processor;
     choose(processor, dice);
     const double delay = processor.takeStatus().delaySeconds;
@@ -87,7 +87,7 @@ TEST_CASE("A preset of a scene is heard after the delay that the status tells") 
     CHECK(processor.takeStatus().delaySeconds == 0);
 }
 
-TEST_CASE("A scene sounds the same from its state, in any blocks") {
+TEST_CASE("A scene sounds the same from its state at any block size") {
     Processor processor;
     choose(processor, dice);
     const auto state = saved(processor);
@@ -97,13 +97,13 @@ TEST_CASE("A scene sounds the same from its state, in any blocks") {
     CHECK(bounce(state, 512) == bounce(state, 100));
 }
 
-TEST_CASE("In real time a scene sounds as in a bounce where its worker is in time") {
+TEST_CASE("In real time a scene sounds as in a bounce if its worker is not late") {
     Processor processor;
     choose(processor, dice);
     const auto expected = bounce(saved(processor), 480);
     const auto midi = chord();
-    // The worker runs a second ahead, and this is one: it is given ever more time to do so, but
-    // only where it was late.
+    // The worker runs up to a second ahead, as long as this sound. If it was late, the test repeats
+    // with a longer pause.
     HostSound sound;
     int milliseconds = 50;
     do {
@@ -112,7 +112,7 @@ TEST_CASE("In real time a scene sounds as in a bounce where its worker is in tim
         sound = render(processor, 480, 480, midi);
         juce::Thread::sleep(milliseconds);
         sound.append(render(processor, rate - 480, 480, {}));
-        processor.setNonRealtime(true); // waits for what is late still, which is counted then
+        processor.setNonRealtime(true); // waits for late chunks, which are then counted
         render(processor, 480, 480, {});
         milliseconds *= 2;
     } while (processor.takeStatus().lateBlows > 0 && milliseconds < 60'000);
@@ -120,7 +120,7 @@ TEST_CASE("In real time a scene sounds as in a bounce where its worker is in tim
     CHECK(sound == expected);
 }
 
-TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
+TEST_CASE("The impacts of a scene are captured as notes and as impulses") {
     Processor processor;
     choose(processor, dice);
     processor.setNonRealtime(true);
@@ -136,7 +136,7 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
     juce::MidiFile read;
     REQUIRE(read.readFrom(stream));
     read.convertTimestampTicksToSeconds();
-    std::map<int, std::pair<double, int>> firstOfNote; // its time and velocity
+    std::map<int, std::pair<double, int>> firstOfNote; // time in seconds and velocity
     int hardest = 0;
     for (const auto* event : *read.getTrack(0))
         if (event->message.isNoteOn()) {
@@ -144,7 +144,7 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
                                     event->message.getVelocity());
             hardest = std::max<int>(hardest, event->message.getVelocity());
         }
-    // Both bars are struck at the same time within a millisecond or two, the louder one harder.
+    // Both bars are struck within 2 ms of each other, the louder one harder.
     REQUIRE(firstOfNote.contains(72));
     REQUIRE(firstOfNote.contains(76));
     CHECK_THAT(firstOfNote[72].first, WithinAbs(firstOfNote[76].first, 0.002));
@@ -187,7 +187,7 @@ TEST_CASE("What a stage's bodies struck is captured as notes and as impulses") {
     CHECK(processor.takeStatus().isError);
 }
 
-TEST_CASE("A preset of a scene file beside it opens, and again from a project elsewhere") {
+TEST_CASE("A preset opens a scene file beside it, and opens again from a project elsewhere") {
     const auto folder = testFolder() / "scene-preset";
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "mine.json") << mine;
@@ -209,7 +209,7 @@ TEST_CASE("A preset of a scene file beside it opens, and again from a project el
               ->notice.find("gone.json") == 0);
 }
 
-TEST_CASE("A list of impulses names the files that a scene's objects are of") {
+TEST_CASE("A list of impulses names the files of the scene's objects") {
     const auto folder = testFolder() / "captured";
     std::filesystem::create_directories(folder);
     const auto die = factoryObject("die").value();
@@ -237,7 +237,7 @@ TEST_CASE("A list of impulses names the files that a scene's objects are of") {
     CHECK(objects == std::set<std::string>{"mine.modal", "plate"});
 }
 
-TEST_CASE("A scene that is missing has a ring in its place, and plays once it is back") {
+TEST_CASE("A missing scene is replaced by a ring and plays once the file is back") {
     const auto file = testFolder() / "moved.json";
     std::filesystem::remove(file);
     auto state = songOf(file);
@@ -261,7 +261,7 @@ TEST_CASE("A scene that is missing has a ring in its place, and plays once it is
     CHECK(saved(second) == bytes);
 }
 
-TEST_CASE("What a scene names and is missing is named, and all else of its song restored") {
+TEST_CASE("A missing file of a scene is named, and the rest of the state is restored") {
     const auto folder = testFolder() / "scene-with-files";
     std::filesystem::create_directories(folder / "bars");
     const auto scene = folder / "mine.json", coin = folder / "coin.modal",
@@ -308,7 +308,7 @@ TEST_CASE("What a scene names and is missing is named, and all else of its song 
     restoreBytes(again, bytes);
     CHECK_FALSE(again.takeStatus().isError);
 
-    // Of what is there and cannot be, a keyboard that is the scene itself too, the error is told.
+    // A file that exists but cannot be used is an error, also a keyboard that names its own scene.
     for (const auto& text : {preset + R"(1}})", R"({"format":"idiophone-preset","version":1,)"
                                                 R"("name":"Bars","keyMap":{"kind":"scene",)"
                                                 R"("object":"mine.json"}})" +
@@ -320,7 +320,7 @@ TEST_CASE("What a scene names and is missing is named, and all else of its song 
     }
 }
 
-TEST_CASE("A scene in one user's settings folder is found in another's") {
+TEST_CASE("A scene in one user's settings folder is found in another user's") {
     const UserSettings user;
     const auto named = [](const std::string& path) {
         auto state = songOf({});
@@ -331,7 +331,8 @@ TEST_CASE("A scene in one user's settings folder is found in another's") {
         Processor processor;
         restoreBytes(processor, bytes);
         const bool isRefused = processor.takeStatus().sentence.starts_with("The saved state");
-        CHECK((isRefused || saved(processor) == bytes)); // for the machine where it was
+        CHECK((isRefused ||
+               saved(processor) == bytes)); // the state keeps the path of its own machine
         return processor.hasStage();
     };
     const std::string anns[] = {"/home/ann/.config/Idiophone/Scenes/mine.json",
@@ -346,7 +347,7 @@ TEST_CASE("A scene in one user's settings folder is found in another's") {
                              "/home/ann/.config/Idiophone/Scenes", "Idiophone/", ""})
         CHECK_FALSE(plays(named(path)));
 
-    // One that is there is the one.
+    // An existing file at the given path takes precedence.
     const auto other = testFolder() / "Idiophone/Scenes";
     std::filesystem::create_directories(other);
     std::ofstream(other / "mine.json") << "damaged";

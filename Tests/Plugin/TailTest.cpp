@@ -1,4 +1,4 @@
-// What hosts are told of the tail, beside what rings.
+// The tail length that hosts read, compared with the rendered decay.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/FactoryPrograms.h"
 #include "Support/Larger.h"
@@ -15,7 +15,8 @@ namespace {
 constexpr double rateHz = 22050; // the lowest modes ring longest
 constexpr int blockSize = 441;
 
-/// Until what a few keys over the whole range sound like stays 96 dB below its peak.
+/// Strikes four keys over the whole range and returns the time until the sound stays 96 dB below
+/// its peak.
 double ringingSeconds(Processor& processor, double longestSeconds) {
     const auto keys = processor.keyRange();
     juce::MidiBuffer midi;
@@ -37,16 +38,15 @@ double ringingSeconds(Processor& processor, double longestSeconds) {
 
 } // namespace
 
-TEST_CASE("The tail that hosts are told of a factory preset is what rings where it is struck, and "
-          "at most twice that") {
+TEST_CASE("The tail reported for a factory preset covers its decay and is at most twice as long") {
     for (const std::string name : {"Glockenspiel", "Tubular Bells", "Ammunition Shell", "Marimba",
                                    "Steel Plate", "Glass Bowls"}) {
         CAPTURE(name);
         Processor processor;
         processor.setNonRealtime(true);
         processor.setCurrentProgram(factoryProgram(factoryPresetId(name)));
-        // From afar the slowest modes may be faint: a tubular bell's lowest has 60 Hz and radiates
-        // next to nothing.
+        // From afar the slowest modes may be faint. A tubular bell's lowest mode has 60 Hz and
+        // radiates almost nothing.
         processor.setValue(ParameterId::radiation, 0);
         processor.prepareToPlay(rateHz, blockSize);
         const double told = processor.getTailLengthSeconds();
@@ -59,7 +59,7 @@ TEST_CASE("The tail that hosts are told of a factory preset is what rings where 
     }
 }
 
-TEST_CASE("A key that plays a bar resized lengthens the tail once it is played") {
+TEST_CASE("A key that plays a resized bar lengthens the tail once it is played") {
     Processor processor;
     processor.setCurrentProgram(factoryProgram(factoryPresetId("Glockenspiel")));
     processor.prepareToPlay(rateHz, blockSize);
@@ -71,10 +71,10 @@ TEST_CASE("A key that plays a bar resized lengthens the tail once it is played")
     };
     const double told = processor.getTailLengthSeconds();
     CHECK(play(79) == told);
-    CHECK(play(67) > 1.5 * told); // by a constant loss factor twice as long
+    CHECK(play(67) > 1.5 * told); // a constant loss factor makes it twice as long
 }
 
-TEST_CASE("A bend range that MIDI gives and a tuning that lowers keys lengthen the tail") {
+TEST_CASE("A bend range set by MIDI and a tuning that lowers keys lengthen the tail") {
     Processor processor;
     auto state = testState();
     state.parameters.set(ParameterId::material, customMaterial);
@@ -82,7 +82,7 @@ TEST_CASE("A bend range that MIDI gives and a tuning that lowers keys lengthen t
     state.parameters.set(ParameterId::fluidDamping, 0);
     state.parameters.set(ParameterId::viscoelasticDamping, 0);
     state.parameters.set(ParameterId::bendRange, 0);
-    restore(processor, state); // its fluid damping is not quite none
+    restore(processor, state); // the smallest fluid damping is not quite 0
     processor.prepareToPlay(48000, 512);
     const double told = processor.getTailLengthSeconds();
     const auto lengthened = [&] { return processor.getTailLengthSeconds() / told; };

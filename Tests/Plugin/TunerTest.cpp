@@ -1,4 +1,4 @@
-// Where tunings come from: files of the instance, messages, and the state.
+// Sources of tunings: files of the instance, MIDI messages and the state.
 #include "Plugin/Tuner.h"
 
 #include "Support/PoleFit.h"
@@ -30,8 +30,8 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
 const std::string sixSteps = "Six steps\n6\n200.\n400.\n600.\n800.\n1000.\n2/1\n";
 const std::string from432 = "0\n0\n127\n60\n69\n432\n0\n";
 
-/// A message of the MIDI Tuning Standard: that note to equal temperament's `pitch` and this share
-/// of the next semitone, in 16383rds.
+/// Returns a MIDI Tuning Standard message: tunes `note` to the tempered `pitch` plus `share` /
+/// 16383 of a semitone.
 juce::MidiMessage singleNoteTuning(int note, int pitch, int share) {
     const juce::uint8 bytes[] = {0x7f,
                                  0x7f,
@@ -46,7 +46,7 @@ juce::MidiMessage singleNoteTuning(int note, int pitch, int share) {
     return juce::MidiMessage::createSysExMessage(bytes, sizeof bytes);
 }
 
-/// What note 69 sounds like, struck now, after a message at the same time.
+/// Returns the frequency of note 69, struck now after an optional message at the same sample.
 double struckHz(Processor& processor, double expectedHz, const juce::MidiMessage* message = {}) {
     juce::MidiBuffer midi;
     if (message != nullptr)
@@ -67,7 +67,7 @@ struct Prepared {
 
 } // namespace
 
-TEST_CASE("A scale from a file tunes the keys, and is forgotten when asked") {
+TEST_CASE("A scale from a file tunes the keys until it is forgotten") {
     Prepared instance;
     auto& processor = instance.processor;
     CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
@@ -75,14 +75,14 @@ TEST_CASE("A scale from a file tunes the keys, and is forgotten when asked") {
     const auto status = processor.tuningStatus();
     CHECK(status.source == TuningStatus::Source::files);
     CHECK(status.scale == "Six steps");
-    const double hertz = 440 * std::exp2(9 / 12.0); // nine whole tones above middle C
+    const double hertz = 440 * std::exp2(9 / 12.0); // nine steps of the scale above middle C
     CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
     processor.forgetTuning();
     CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
     CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
 }
 
-TEST_CASE("A tuning that is opened or forgotten is a step, which is undone and redone") {
+TEST_CASE("Opening and forgetting a tuning are steps of the history") {
     Prepared instance;
     auto& processor = instance.processor;
     auto& history = processor.editHistory();
@@ -107,14 +107,14 @@ TEST_CASE("A tuning that is opened or forgotten is a step, which is undone and r
     CHECK(history.undoName() == "Forget tuning");
     history.undo();
     CHECK(processor.tuningStatus() == tuned);
-    // What changes nothing is no step.
+    // A change without effect is no step.
     processor.openTuning(scale);
     processor.openTuning(written("damaged.scl", "no scale"));
     CHECK(history.undoName() == "from432.kbm");
     CHECK(history.redoName() == "Forget tuning");
 }
 
-TEST_CASE("Scale and mapping come from files of their own, one after the other") {
+TEST_CASE("Scale and mapping come from separate files, in any order") {
     Prepared instance;
     auto& processor = instance.processor;
     processor.openTuning(written("from432.kbm", from432));
@@ -124,7 +124,7 @@ TEST_CASE("Scale and mapping come from files of their own, one after the other")
     CHECK(processor.tuningStatus().mappingFile == "from432.kbm");
 }
 
-TEST_CASE("A file that cannot be read leaves the tuning, and is named in the status") {
+TEST_CASE("A file that cannot be read leaves the tuning and is named in the status") {
     Prepared instance;
     auto& processor = instance.processor;
     processor.openTuning(written("six.scl", sixSteps));
@@ -139,7 +139,7 @@ TEST_CASE("A file that cannot be read leaves the tuning, and is named in the sta
     CHECK(saved(processor) == before);
 }
 
-TEST_CASE("A tuning stays through programs, and travels in the state to the byte") {
+TEST_CASE("A tuning stays through programs and is saved unchanged in the state") {
     Prepared first, second;
     first.processor.openTuning(written("six.scl", sixSteps));
     first.processor.openTuning(written("from432.kbm", from432));
@@ -155,11 +155,11 @@ TEST_CASE("A tuning stays through programs, and travels in the state to the byte
     restoreBytes(second.processor, state);
     CHECK(saved(second.processor) == state);
     CHECK(std::abs(cents(struckHz(second.processor, 432), 432)) < 0.5);
-    restore(second.processor, testState()); // a state without a tuning forgets it
+    restore(second.processor, testState()); // a state without a tuning resets it
     CHECK(std::abs(cents(struckHz(second.processor, 440), 440)) < 0.5);
 }
 
-TEST_CASE("A state whose tuning cannot be read changes nothing that plays") {
+TEST_CASE("A state whose tuning cannot be read leaves the current sound") {
     Prepared instance;
     const auto before = instance.processor.loadedSound();
     auto state = testState();
@@ -169,7 +169,7 @@ TEST_CASE("A state whose tuning cannot be read changes nothing that plays") {
     CHECK_THAT(instance.processor.takeStatus().sentence, ContainsSubstring("old.scl"));
 }
 
-TEST_CASE("Messages tune at their sample, whatever the blocks") {
+TEST_CASE("MIDI messages tune at their sample, at any block size") {
     juce::MidiBuffer midi;
     const auto up = singleNoteTuning(struckNote, 70, 8192),
                back = singleNoteTuning(struckNote, 69, 0);
@@ -197,7 +197,7 @@ TEST_CASE("Messages tune at their sample, whatever the blocks") {
     CHECK_FALSE(std::equal(plain.begin() + 9100, plain.end(), expected.begin() + 9100));
 }
 
-TEST_CASE("A message in a block without samples tunes what comes after") {
+TEST_CASE("A tuning message in a block without samples takes effect afterwards") {
     Prepared instance;
     juce::MidiBuffer midi;
     midi.addEvent(singleNoteTuning(struckNote, 70, 8192), 0);
@@ -208,7 +208,7 @@ TEST_CASE("A message in a block without samples tunes what comes after") {
     CHECK(std::abs(cents(struckHz(instance.processor, hertz), hertz)) < 0.5);
 }
 
-TEST_CASE("A message that is none of the tuning standard tunes nothing") {
+TEST_CASE("A message outside the tuning standard tunes nothing") {
     Prepared instance;
     juce::MidiBuffer midi;
     const juce::uint8 reset[] = {0x7e, 0x7f, 0x09, 0x01};
@@ -221,7 +221,7 @@ TEST_CASE("A message that is none of the tuning standard tunes nothing") {
     CHECK(instance.processor.tuningStatus().source == TuningStatus::Source::messages);
 }
 
-TEST_CASE("Messages of the MIDI Tuning Standard tune keys, unless the instance has a tuning") {
+TEST_CASE("MIDI Tuning Standard messages tune keys unless the instance has a tuning") {
     Prepared instance;
     auto& processor = instance.processor;
     const auto message = singleNoteTuning(struckNote, 70, 8192); // half a semitone above B flat
@@ -233,7 +233,7 @@ TEST_CASE("Messages of the MIDI Tuning Standard tune keys, unless the instance h
     CHECK(std::abs(cents(struckHz(processor, hertz), hertz)) < 0.5);
 }
 
-TEST_CASE("Keys that a message leaves as they are keep their pitch, among others of a dump too") {
+TEST_CASE("Keys that a message marks as unchanged keep their pitch, also within a bulk dump") {
     Prepared instance;
     const auto noChange = singleNoteTuning(struckNote, 127, 16383);
     CHECK(std::abs(struckHz(instance.processor, 440, &noChange) / 440 - 1) < 1e-3);
@@ -252,7 +252,7 @@ TEST_CASE("Keys that a message leaves as they are keep their pitch, among others
         dump.insert(dump.end(), {isLeft ? juce::uint8{127} : key, juce::uint8(isLeft ? 127 : 32),
                                  juce::uint8(isLeft ? 127 : 0)});
     }
-    dump.push_back(0); // a checksum, which nobody minds
+    dump.push_back(0); // the checksum, which is ignored
     const auto message =
         juce::MidiMessage::createSysExMessage(dump.data(), static_cast<int>(dump.size()));
     CHECK(std::abs(struckHz(instance.processor, higherHz, &message) / higherHz - 1) < 1e-3);
@@ -265,7 +265,7 @@ TEST_CASE("Keys that a message leaves as they are keep their pitch, among others
     CHECK(std::abs(struckHz(instance.processor, lowerHz, &lower) / lowerHz - 1) < 1e-3);
 }
 
-TEST_CASE("What messages tuned is forgotten when asked, and by a state, of which it is no part") {
+TEST_CASE("A tuning by messages is not saved, and is reset by forgetTuning and by a state") {
     Prepared instance;
     auto& processor = instance.processor;
     const auto before = saved(processor);
@@ -279,7 +279,7 @@ TEST_CASE("What messages tuned is forgotten when asked, and by a state, of which
         forget();
         CHECK(processor.tuningStatus().source == TuningStatus::Source::equal);
         CHECK(std::abs(cents(struckHz(processor, 440), 440)) < 0.5);
-        // Nor does it come back with the next message.
+        // The next message does not bring it back.
         CHECK(std::abs(cents(struckHz(processor, 440, &other), 440)) < 0.5);
         CHECK(processor.tuningStatus().source == TuningStatus::Source::messages);
     };
@@ -287,7 +287,7 @@ TEST_CASE("What messages tuned is forgotten when asked, and by a state, of which
     isForgottenBy([&] { restoreBytes(processor, before); });
 }
 
-TEST_CASE("A message that comes between forgetting and the next callback tunes") {
+TEST_CASE("A message between forgetTuning and the next callback tunes") {
     Prepared instance;
     const auto up = singleNoteTuning(struckNote, 70, 8192);
     const double hertz = 440 * std::exp2(1.5 / 12);
