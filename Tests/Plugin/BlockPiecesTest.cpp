@@ -57,7 +57,7 @@ TEST_CASE("A block that fits is one piece with all its channel messages") {
     CHECK(result.inside);
 }
 
-TEST_CASE("All sound off is at the start of its piece, with the rest of its sample") {
+TEST_CASE("All Sound Off starts a piece, together with the other events of its sample") {
     juce::MidiBuffer midi;
     midi.addEvent(note(60), 0);
     midi.addEvent(note(61), 100);
@@ -109,7 +109,7 @@ TEST_CASE("More events on one sample than fit a piece keep their sample and thei
     }
 }
 
-TEST_CASE("Events of blocks without samples are kept for the next, in order") {
+TEST_CASE("Events of blocks without samples are kept in order for the next block") {
     BlockPieces pieces;
     NoteQueue queue;
     juce::MidiBuffer first, second;
@@ -129,7 +129,7 @@ TEST_CASE("Events of blocks without samples are kept for the next, in order") {
     CHECK_FALSE(pieces.next());
 }
 
-TEST_CASE("What is kept for the next block is handed on before it fills up, and reset forgets it") {
+TEST_CASE("Kept events are handed on before the store is full, and reset discards them") {
     BlockPieces pieces;
     NoteQueue queue;
     juce::MidiBuffer midi, none;
@@ -162,7 +162,7 @@ TEST_CASE("System messages are left out") {
     CHECK(result.notes == std::vector<std::pair<int, int>>{{6, 64}});
 }
 
-TEST_CASE("Events stamped outside of their block are taken to its ends") {
+TEST_CASE("Events stamped outside their block move to its ends") {
     juce::MidiBuffer midi;
     midi.addEvent(note(60), -5);
     midi.addEvent(note(61), 900);
@@ -181,7 +181,7 @@ TEST_CASE("Notes of the on-screen keyboard come first, at the first sample") {
     CHECK(cut({}, 64, queue).notes.empty());
 }
 
-TEST_CASE("A full keyboard queue says so, and works again when it was read") {
+TEST_CASE("A full keyboard queue refuses notes and works again after it was read") {
     NoteQueue queue;
     int pushed = 0;
     while (queue.push(pushed % 128, 100))
@@ -191,7 +191,7 @@ TEST_CASE("A full keyboard queue says so, and works again when it was read") {
     CHECK(queue.push(60, 100));
 }
 
-TEST_CASE("However full the keyboard queue, a key that was let go is released, and all with it") {
+TEST_CASE("If a key release does not fit the keyboard queue, all held keys are released") {
     NoteQueue queue;
     queue.push(70, 100);
     queue.push(71, 100);

@@ -13,13 +13,13 @@ std::uint64_t hashOf(std::string_view text) {
 
 } // namespace
 
-TEST_CASE("The hash is FNV-1a as published, on every machine") {
+TEST_CASE("The hash is the published FNV-1a on every machine") {
     CHECK(hashOf("") == 0xcbf29ce484222325);
     CHECK(hashOf("a") == 0xaf63dc4c8601ec8c);
     CHECK(hashOf("foobar") == 0x85944171f73967e8);
 }
 
-TEST_CASE("What comes in pieces has the hash of the whole") {
+TEST_CASE("Data hashed in pieces has the hash of the whole") {
     const std::string_view bar = "bar";
     CHECK(contentHash(std::as_bytes(std::span(bar)), hashOf("foo")) == hashOf("foobar"));
 }

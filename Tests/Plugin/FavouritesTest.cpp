@@ -10,7 +10,7 @@ using Ids = std::set<std::string>;
 
 namespace {
 
-/// Not there yet.
+/// Returns a file that does not exist yet.
 juce::File freshFile() {
     const auto file =
         juce::File(testFolder().string()).getChildFile("settings").getChildFile("favourites.json");
@@ -35,7 +35,7 @@ TEST_CASE("Favourites are kept in the file, and another instance sees them") {
     CHECK(first.read() == Ids{"Bells/Ten.json"});
 }
 
-TEST_CASE("A damaged file has no favourites, and is kept aside when there are new ones") {
+TEST_CASE("A damaged file has no favourites and is kept aside when new ones are written") {
     for (const auto* damage : {"", "{", "[]", "7", R"({"format": 3})",
                                R"({"format": "idiophone-favourites", "presets": "all"})"}) {
         const auto file = freshFile();
@@ -52,7 +52,7 @@ TEST_CASE("A damaged file has no favourites, and is kept aside when there are ne
     }
 }
 
-TEST_CASE("Where settings have no place, or none can be written, it is said in one sentence") {
+TEST_CASE("Without a writable settings folder a change fails with one sentence") {
     Favourites nowhere{juce::File()};
     CHECK(nowhere.read().empty());
     const auto refused = nowhere.set("factory:Wok", true);
@@ -60,7 +60,7 @@ TEST_CASE("Where settings have no place, or none can be written, it is said in o
     CHECK(refused.error().message.back() == '.');
 
     const auto blocked = freshFile();
-    blocked.getParentDirectory().create(); // a file where the folder should be
+    blocked.getParentDirectory().create(); // a file in place of the folder
     CHECK_FALSE(Favourites(blocked).set("factory:Wok", true));
     blocked.getParentDirectory().deleteFile();
 }

@@ -92,7 +92,7 @@ TEST_CASE("The host is told of zones and bend ranges set by MIDI only if they ch
         }
     }
     const std::vector<std::pair<int, float>> once{{static_cast<int>(ParameterId::mpe), 1.0f}};
-    CHECK(host.heard == once); // the members' range was 48 already, the other is the preset's
+    CHECK(host.heard == once); // the members' range was 48 already, the other range is the preset's
     instance.processor.removeListener(&host);
 }
 

@@ -25,7 +25,7 @@ struct Built {
 
 } // namespace
 
-TEST_CASE("The newest that was published is taken, once") {
+TEST_CASE("The newest published object is taken once") {
     Handoff<Built> handoff;
     CHECK(handoff.take() == nullptr);
     handoff.publish(std::make_unique<Built>(1));
@@ -37,7 +37,7 @@ TEST_CASE("The newest that was published is taken, once") {
     CHECK(handoff.take() == nullptr);
 }
 
-TEST_CASE("What was given back is destroyed by collect, by publish and at the end") {
+TEST_CASE("Retired objects are destroyed by collect, by publish and at the end") {
     {
         Handoff<Built> handoff;
         handoff.retire(new Built(1));
@@ -53,7 +53,7 @@ TEST_CASE("What was given back is destroyed by collect, by publish and at the en
     CHECK(alive == 0);
 }
 
-TEST_CASE("Under a storm of hand-offs nothing is lost, leaked or destroyed on the audio thread") {
+TEST_CASE("Many hand-offs in a row lose, leak or destroy nothing on the audio thread") {
     constexpr int rounds = 200000;
     int lastTaken = 0;
     bool inOrder = true;

@@ -1,4 +1,4 @@
-// What a person does in the window, for tests of its history.
+// Actions of a user in the window, for tests of the history.
 #pragma once
 
 #include "Instrument/FactoryContent.h"

@@ -22,7 +22,7 @@ HostParameter& parameterOf(Processor& processor, const char* id) {
 
 } // namespace
 
-TEST_CASE("Every parameter can be automated and has a name, a text and a default within range") {
+TEST_CASE("Every parameter can be automated and has a name, a text and a default in range") {
     Processor processor;
     for (auto* parameter : processor.getParameters()) {
         INFO(parameter->getName(100));
@@ -35,7 +35,7 @@ TEST_CASE("Every parameter can be automated and has a name, a text and a default
     }
 }
 
-TEST_CASE("A parameter's text reads back to its value, with the unit and without") {
+TEST_CASE("A parameter's text reads back to its value, with and without the unit") {
     Processor processor;
     for (auto* parameter : processor.getParameters()) {
         INFO(parameter->getName(100));
@@ -50,14 +50,14 @@ TEST_CASE("A parameter's text reads back to its value, with the unit and without
     }
 }
 
-TEST_CASE("Text that is no value leaves a parameter where it is") {
+TEST_CASE("Text that is not a value leaves the parameter unchanged") {
     Processor processor;
     auto& density = parameterOf(processor, "density");
     density.setExactValue(1234.5);
     CHECK(density.getValueForText("heavy") == density.getValue());
 }
 
-TEST_CASE("A host that echoes what it read changes no bit of the value") {
+TEST_CASE("A host that echoes a value changes no bit of it") {
     HostParameter young(parameterInfo(ParameterId::youngsModulus));
     std::mt19937 random(1);
     for (int i = 0; i < 1000; ++i) {
@@ -100,12 +100,12 @@ TEST_CASE("Steps, switches and choices are discrete with the right number of ste
         CHECK(name.isNotEmpty());
 }
 
-TEST_CASE("The bypass that the host is told of is the table's") {
+TEST_CASE("The host's bypass is the parameter of the table") {
     Processor processor;
     CHECK(processor.getBypassParameter() == &parameterOf(processor, "bypass"));
 }
 
-TEST_CASE("A snapshot of the parameters never mixes two loads") {
+TEST_CASE("A parameter snapshot never mixes two loads") {
     struct Empty final : juce::AudioProcessor {
         const juce::String getName() const override { return "Empty"; }
         void prepareToPlay(double, int) override {}

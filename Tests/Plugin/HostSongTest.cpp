@@ -169,7 +169,7 @@ TEST_CASE("A pass that starts while something rings strikes at the same points a
             most = std::max(most, std::abs(both.left[i] - ring.left[i] - first.left[i]));
         return most / loudest(first);
     };
-    CHECK(farthest(16) < 0.2); // a limit, as other faint modes are dropped while something rings
+    CHECK(farthest(16) < 0.2); // not 0, as other faint modes are dropped while something rings
     CHECK(farthest(17) > 0.4);
 }
 
@@ -286,7 +286,7 @@ TEST_CASE("A pass goes on through changes of tempo and block size and through em
     song.tellsPlace = true;
     CHECK(goesOn(5.7, samplesPerBeat));
     CHECK(goesOn(6.5, samplesPerBeat));
-    CHECK_FALSE(goesOn(6.6, samplesPerBeat)); // a full beat would end at 7
+    CHECK_FALSE(goesOn(6.6, samplesPerBeat)); // expected: 7
 }
 
 TEST_CASE(

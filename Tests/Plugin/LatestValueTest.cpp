@@ -5,7 +5,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("The newest value is read once, and none that was not published") {
+TEST_CASE("The newest published value is read once") {
     LatestValue<int> latest(0);
     CHECK(latest.take() == nullptr);
     latest.next() = 1;
@@ -22,7 +22,7 @@ TEST_CASE("The newest value is read once, and none that was not published") {
     CHECK(*latest.take() == 3);
 }
 
-TEST_CASE("Under two threads values come whole and in order") {
+TEST_CASE("Between two threads values arrive complete and in order") {
     using Many = std::array<int, 1000>;
     LatestValue<Many> latest(Many{});
     constexpr int last = 20000;

@@ -27,7 +27,8 @@ juce::MidiBuffer strike(int stamp = 0) {
     return midi;
 }
 
-/// Sounds of different level parameter but about equal loudness: a lower level has larger shapes.
+/// Returns a sound with this level parameter. Its shapes compensate the level, so that all sounds
+/// are about equally loud.
 State soundOf(const std::string& folder, double levelDb, double roomPercent) {
     auto state = testState(folder);
     const auto gain = static_cast<float>(0.2 * std::pow(10, -levelDb / 40));

@@ -1,4 +1,4 @@
-// A host that listens, and time for the processor to tell it something.
+// A host that records parameter changes, and a wait in which timers run.
 #pragma once
 
 #include "Plugin/Processor.h"
@@ -7,7 +7,7 @@
 
 namespace idiophone::test {
 
-/// Notes the values that it is told of one parameter.
+/// Records the values sent for one parameter.
 struct ListeningHost final : juce::AudioProcessorListener {
     explicit ListeningHost(ParameterId listened) : parameter(static_cast<int>(listened)) {}
     void audioProcessorParameterChanged(juce::AudioProcessor*, int index, float value) override {

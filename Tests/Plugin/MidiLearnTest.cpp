@@ -27,7 +27,7 @@ void play(Processor& processor, const juce::MidiBuffer& midi) {
 
 } // namespace
 
-TEST_CASE("The next controller is learned, on any channel, and moves the parameter at once") {
+TEST_CASE("The next controller on any channel is learned and moves the parameter at once") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     auto& learn = processor.midiLearn();
@@ -44,7 +44,7 @@ TEST_CASE("The next controller is learned, on any channel, and moves the paramet
     CHECK(processor.parameterValue(density) == Approx(parameterInfo(density).minimum));
 }
 
-TEST_CASE("A forgotten controller, and one that was not waited for, moves nothing") {
+TEST_CASE("A forgotten controller moves nothing, nor does one after learning was stopped") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     auto& learn = processor.midiLearn();
@@ -62,7 +62,7 @@ TEST_CASE("A forgotten controller, and one that was not waited for, moves nothin
     CHECK(processor.parameterValue(density) == moved);
 }
 
-TEST_CASE("Bank selection and channel modes are not learned: hosts send them unasked") {
+TEST_CASE("Bank selection and channel modes are not learned, as hosts send them unasked") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     auto& learn = processor.midiLearn();
@@ -85,7 +85,7 @@ TEST_CASE("The last value in a block counts, and one controller moves several pa
     CHECK(processor.parameterValue(width) == Approx(200 * 64 / 127.0));
 }
 
-TEST_CASE("A controller goes over the names of a choice, and over a switch's two sides") {
+TEST_CASE("A controller covers all names of a choice and both sides of a switch") {
     const auto last = static_cast<double>(choiceNames(material).size() - 1);
     CHECK(controlledValue(parameterInfo(material), 0) == 0);
     CHECK(controlledValue(parameterInfo(material), 127) == last);
@@ -121,7 +121,7 @@ TEST_CASE("The sustain pedal can be learned and still sustains") {
     CHECK(ringsOn(true));
 }
 
-TEST_CASE("A learned controller sounds as the parameter set before the same block does") {
+TEST_CASE("A learned controller sounds like a parameter set before the same block") {
     auto state = testState();
     state.controllers[size] = 21;
     const auto midiValue = 100;
@@ -138,7 +138,7 @@ TEST_CASE("A learned controller sounds as the parameter set before the same bloc
     CHECK(render(byController, 480, 480, music) == expected);
 }
 
-TEST_CASE("The host hears of what a controller moved from the message thread, but not offline") {
+TEST_CASE("The message thread sends controller changes to the host, but not offline") {
     struct Listener final : juce::AudioProcessorListener {
         void audioProcessorParameterChanged(juce::AudioProcessor*, int index, float) override {
             heard.push_back(index);
@@ -167,7 +167,7 @@ TEST_CASE("The host hears of what a controller moved from the message thread, bu
     CHECK_FALSE(processor.editHistory().canUndo());
 }
 
-TEST_CASE("Learned controllers travel in the state, and a state without them has none") {
+TEST_CASE("Learned controllers are saved in the state, and a state without them clears them") {
     Processor first;
     first.prepareToPlay(48000, 64);
     first.midiLearn().learnController(tau);
@@ -188,13 +188,13 @@ TEST_CASE("Learned controllers travel in the state, and a state without them has
     CHECK_FALSE(second.midiLearn().controllerOf(density));
     restore(second, testState());
     CHECK(second.midiLearn().assignments() == ControllerAssignments{});
-    // A preset is not a project: the knobs on the desk stay what they are.
+    // A preset does not change the learned controllers.
     restoreBytes(second, bytes);
     second.setCurrentProgram(3);
     CHECK(second.midiLearn().controllerOf(tau) == 119);
 }
 
-TEST_CASE("Malformed and mutilated controller messages are not followed") {
+TEST_CASE("Malformed controller messages are ignored") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     processor.midiLearn().learnController(density);

@@ -1,5 +1,4 @@
-// What becomes of a sound that is not finite. Nothing of the instrument makes one: here a stage
-// does.
+// Handling of a sound that is not finite. The instrument never makes one, so a test stage does.
 #include "Support/TestSound.h"
 
 #include <catch2/catch_test_macros.hpp>
@@ -14,7 +13,7 @@ constexpr double rateHz = 48000;
 constexpr int blockSize = 512;
 constexpr int goodNote = 60, badNote = 61;
 
-/// Sounds on after a note, for ever: after the bad one with what is no number.
+/// Plays a constant after each note, and NaN after the bad note.
 class BreakingStage final : public Stage {
 public:
     std::unique_ptr<StagePerformance> perform(double, std::uint64_t) const override {
@@ -74,7 +73,7 @@ juce::MidiBuffer struck(int note) {
 
 } // namespace
 
-TEST_CASE("A sound that is not finite is silence, is told of, and the next note sounds again") {
+TEST_CASE("A sound that is not finite becomes silence and is reported, and the next note sounds") {
     Processor processor;
     REQUIRE(processor.playSound(breakingSound()));
     processor.prepareToPlay(rateHz, blockSize);
@@ -86,7 +85,7 @@ TEST_CASE("A sound that is not finite is silence, is told of, and the next note 
     CHECK(loudest(render(processor, blockSize, blockSize, struck(badNote))) == 0);
     CHECK(processor.timesNotFinite() == 1);
     CHECK(loudest(render(processor, 4800, blockSize, {})) == 0);
-    CHECK(processor.timesNotFinite() == 1); // the player has begun anew
+    CHECK(processor.timesNotFinite() == 1); // the player has started anew
     CHECK(loudest(render(processor, 4800, blockSize, struck(goodNote))) > 0.05f);
     CHECK(processor.timesNotFinite() == 1);
 

@@ -15,7 +15,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
 
-TEST_CASE("An object from a file travels in the state and outlives the file") {
+TEST_CASE("An object from a file is saved in the state and outlives the file") {
     const auto file = testFolder() / "embedded.modal";
     REQUIRE(writeModalObject(syntheticObject({440, 1000}), file));
     auto state = testState();
@@ -40,7 +40,7 @@ TEST_CASE("An object from a file travels in the state and outlives the file") {
     CHECK(saved(second) == bytes);
 }
 
-TEST_CASE("A factory instrument embeds nothing") {
+TEST_CASE("A factory instrument embeds no object") {
     for (const auto& preset : factoryPresets()) {
         const auto instrument = buildInstrument(preset.keyMap, {});
         INFO(preset.name);
@@ -49,7 +49,7 @@ TEST_CASE("A factory instrument embeds nothing") {
     }
 }
 
-TEST_CASE("An embedded object cannot take a factory object's place") {
+TEST_CASE("An embedded object cannot replace a factory object") {
     const auto& preset = factoryPresets().front();
     const auto before = buildInstrument(preset.keyMap, {});
     REQUIRE(before);
@@ -63,7 +63,7 @@ TEST_CASE("An embedded object cannot take a factory object's place") {
     CHECK((*after)->slots()[0].object == (*before)->slots()[0].object);
 }
 
-TEST_CASE("A damaged embedded object is one sentence that names it") {
+TEST_CASE("A damaged embedded object gives one sentence that names it") {
     auto state = testState();
     state.objects[3].modal.resize(20);
     const auto built = buildInstrument(state.preset.keyMap, state.objects);
@@ -71,7 +71,7 @@ TEST_CASE("A damaged embedded object is one sentence that names it") {
     CHECK_THAT(built.error().message, ContainsSubstring("test/63"));
 }
 
-TEST_CASE("Each object is packed once while it lives, however many there are") {
+TEST_CASE("Each object is packed once while it lives") {
     auto state = testState("packed once");
     for (auto& object : state.objects)
         object.packed = nullptr;
@@ -91,11 +91,11 @@ TEST_CASE("Each object is packed once while it lives, however many there are") {
         text = embeddedObjects(**built).front().packed;
         CHECK_FALSE(text.expired());
     }
-    SECTION("a sound of the factory's objects is saved") {
+    SECTION("after a save of factory objects") {
         embeddedObjects(**buildInstrument(factoryPresets().front().keyMap, {}));
         CHECK(text.expired());
     }
-    SECTION("packed objects are restored") {
+    SECTION("after a restore of packed objects") {
         auto another = testState("another");
         for (auto& object : another.objects)
             object.packed = std::make_shared<const std::string>("its own text");
@@ -104,7 +104,7 @@ TEST_CASE("Each object is packed once while it lives, however many there are") {
     }
 }
 
-TEST_CASE("What came packed is saved as it came") {
+TEST_CASE("An object restored with its packed text is saved with the same text") {
     auto state = testState("as it came");
     for (auto& object : state.objects)
         object.packed = std::make_shared<const std::string>("its own text");
@@ -114,7 +114,7 @@ TEST_CASE("What came packed is saved as it came") {
         CHECK(*object.packed == "its own text");
 }
 
-TEST_CASE("An embedded object is nobody else's, even where a file has its name") {
+TEST_CASE("An embedded object is not shared, even if a file has its name") {
     const auto file = testFolder() / "same-name.modal";
     REQUIRE(writeModalObject(syntheticObject({440}), file));
     const KeyMap map{.kind = KeyMapKind::zones, .object = storedNameOf(file)};
@@ -136,8 +136,8 @@ TEST_CASE("An embedded object is nobody else's, even where a file has its name")
     CHECK(preset->instrument->slots()[0].object == (*played)->slots()[0].object);
 }
 
-TEST_CASE("Objects that no state can carry are refused where they would begin to play") {
-    // A file of nine megabytes for every note, which are all the same one.
+TEST_CASE("Objects too large for a state are refused before they play") {
+    // A link for every note, all to one file of nine megabytes.
     const auto folder = testFolder() / "large";
     std::filesystem::create_directories(folder);
     auto large = syntheticObject({440});
@@ -174,7 +174,7 @@ TEST_CASE("Objects that no state can carry are refused where they would begin to
     CHECK(saved(processor) == bytes);
 }
 
-TEST_CASE("Instances that restore different objects of one name at once each get their own") {
+TEST_CASE("Instances that restore different objects with one name at the same time get their own") {
     const auto low = testState("same", 1), high = testState("same", 2);
     std::atomic<int> wrong{0};
     const auto build = [&](const State& state, double expectedHz) {

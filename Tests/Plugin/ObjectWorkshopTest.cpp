@@ -1,4 +1,4 @@
-// Jobs of the workshop from file to object, and all the ways in which they end early.
+// Workshop jobs from file to object, and all the ways in which they end early.
 #include "Support/ImportedFiles.h"
 
 #include "Geometry/ParametricMesh.h"
@@ -32,7 +32,7 @@ std::vector<ObjectWorkshop::Product> productsOf(ObjectWorkshop& workshop) {
 
 } // namespace
 
-TEST_CASE("A mesh becomes a preview and then the object, with its unit guessed and its notes") {
+TEST_CASE("A mesh becomes a preview and then the object, with its guessed unit and its notes") {
     const auto file = smallPlateFile("plate.obj", 1000);
     ObjectWorkshop workshop;
     CHECK(workshop.status().stage == ImportStage::none);
@@ -58,7 +58,7 @@ TEST_CASE("A mesh becomes a preview and then the object, with its unit guessed a
     CHECK(last.object->thicknessMetres == 0.002);
 }
 
-TEST_CASE("The preview comes first and is near in pitch") {
+TEST_CASE("The preview comes first and is close in pitch") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.ply", 1), {});
     std::vector<double> lowest;
@@ -76,7 +76,7 @@ TEST_CASE("The preview comes first and is near in pitch") {
     CHECK(std::abs(lowest[0] / lowest[1] - 1) < 0.05);
 }
 
-TEST_CASE("What no object can be made of is refused in a sentence that names the file") {
+TEST_CASE("A file without a usable object is refused in a sentence that names it") {
     const auto folder = testFolder();
     const auto garbage = writtenFile("garbage.obj", "f 1 2 3 \x01\x02 not a mesh\nv nan x\n");
     const std::vector<std::pair<std::filesystem::path, std::string>> cases{
@@ -101,7 +101,7 @@ TEST_CASE("What no object can be made of is refused in a sentence that names the
     }
 }
 
-TEST_CASE("Settings that cannot be are refused in a sentence, and the mesh stays for others") {
+TEST_CASE("Impossible settings are refused in a sentence, and the mesh stays for other settings") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {.thicknessMetres = -1});
     CHECK(productsOf(workshop).empty());
@@ -120,7 +120,7 @@ TEST_CASE("Settings that cannot be are refused in a sentence, and the mesh stays
     CHECK_THAT(workshop.status().error, ContainsSubstring("Finite elements need a body to fill"));
 }
 
-TEST_CASE("Another analysis needs the file no more, and takes its own material and thickness") {
+TEST_CASE("Another analysis works without the file and takes its own material and thickness") {
     const auto file = smallPlateFile("gone.obj", 1);
     ObjectWorkshop workshop;
     workshop.open(file, {});
@@ -137,7 +137,7 @@ TEST_CASE("Another analysis needs the file no more, and takes its own material a
     CHECK(*std::ranges::max_element(object.vertices) < 0.0095f);
 }
 
-TEST_CASE("A modal object is opened as it is") {
+TEST_CASE("A modal object is opened unchanged") {
     const auto file = testFolder() / "bell.modal";
     const auto object = syntheticObject({400, 900, 1700});
     REQUIRE(writeModalObject(object, file));
@@ -151,7 +151,7 @@ TEST_CASE("A modal object is opened as it is") {
     CHECK_FALSE(workshop.hasMesh());
 }
 
-TEST_CASE("A job cancelled at once makes nothing, and the next is made") {
+TEST_CASE("A job cancelled at once makes nothing, and the next job works") {
     ObjectWorkshop workshop;
     const auto file = smallPlateFile("plate.obj", 1);
     for (int i = 0; i < 20; ++i) {
@@ -167,7 +167,7 @@ TEST_CASE("A job cancelled at once makes nothing, and the next is made") {
     CHECK(workshop.status().stage == ImportStage::done);
 }
 
-TEST_CASE("What nobody has fetched is gone once cancelled, although it was done") {
+TEST_CASE("A finished product that was not fetched is discarded by a cancel") {
     ObjectWorkshop workshop;
     workshop.open(smallPlateFile("plate.obj", 1), {});
     while (workshop.status().isWorking())
@@ -178,7 +178,7 @@ TEST_CASE("What nobody has fetched is gone once cancelled, although it was done"
     CHECK_FALSE(workshop.takeProduct());
 }
 
-TEST_CASE("Of two jobs in quick succession only the second is heard of") {
+TEST_CASE("If a second job follows quickly, only its products arrive") {
     const auto first = smallPlateFile("first.obj", 1), second = smallPlateFile("second.obj", 1);
     for (const auto wait : {0, 5, 30, 60}) {
         ObjectWorkshop workshop;
@@ -195,7 +195,7 @@ TEST_CASE("Of two jobs in quick succession only the second is heard of") {
     }
 }
 
-TEST_CASE("A workshop closes while it works, whatever it is at") {
+TEST_CASE("A workshop can close at any stage of its work") {
     const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
     for (const auto wait : {0, 20, 100, 400}) {
         ObjectWorkshop workshop;

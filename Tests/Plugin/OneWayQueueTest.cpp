@@ -18,7 +18,7 @@ std::vector<int> readAll(Queue& queue) {
 
 } // namespace
 
-TEST_CASE("Messages are read once and in order, wherever in its ring the queue stands") {
+TEST_CASE("Messages are read once and in order, at any position of the ring") {
     OneWayQueue<int, 8> queue;
     CHECK(readAll(queue).empty());
     for (int turn = 0; turn < 20; ++turn) {
@@ -32,7 +32,7 @@ TEST_CASE("Messages are read once and in order, wherever in its ring the queue s
     }
 }
 
-TEST_CASE("A full queue refuses what comes, keeps what waits, and has room again once it is read") {
+TEST_CASE("A full queue refuses new messages, keeps the old ones, and has space after a read") {
     using Queue = OneWayQueue<int, 8>;
     Queue queue;
     for (int turn = 0; turn < 10; ++turn) {
@@ -42,12 +42,13 @@ TEST_CASE("A full queue refuses what comes, keeps what waits, and has room again
                 taken.push_back(message);
         CHECK(taken.size() >= Queue::capacity - 1);
         CHECK(taken.size() <= Queue::capacity);
-        CHECK(taken.back() == static_cast<int>(taken.size()) - 1); // none after one was refused
+        CHECK(taken.back() ==
+              static_cast<int>(taken.size()) - 1); // none is accepted after a refusal
         CHECK(readAll(queue) == taken);
     }
 }
 
-TEST_CASE("From thread to thread messages come whole, in order, and none is lost that was taken") {
+TEST_CASE("Between threads messages arrive complete, in order and without loss") {
     struct Message {
         int number = 0;
         std::array<int, 31> copies{};
@@ -67,7 +68,7 @@ TEST_CASE("From thread to thread messages come whole, in order, and none is lost
     int seen = 0;
     bool isInOrder = true, isWhole = true;
     for (bool isOver = false; !isOver;) {
-        isOver = isAllSent; // and this round reads the last of them
+        isOver = isAllSent; // this round reads the last messages
         queue.read([&](const Message& message) {
             isInOrder = isInOrder && message.number == seen + 1;
             seen = message.number;

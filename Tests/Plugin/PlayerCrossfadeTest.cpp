@@ -27,7 +27,7 @@ MidiEvent strikeNote(int note = 65) {
 
 const ParameterValues values = testState().parameters;
 
-/// What a player or a crossfade plays next; without radiation both channels are the same.
+/// Plays a player or a crossfade. Without radiation both channels must be equal.
 template <class Source>
 void play(Source& source,
           std::span<float> output,
@@ -38,7 +38,7 @@ void play(Source& source,
     REQUIRE(std::ranges::equal(output, right));
 }
 
-/// A player struck once, and what it sounds like from sample 500 on.
+/// Strikes a player once and returns its sound from sample 500 on.
 std::vector<float> continuation(std::size_t count) {
     auto player = testPlayer();
     std::vector<float> output(500 + count);
@@ -62,7 +62,7 @@ struct Ringing {
 
 } // namespace
 
-TEST_CASE("What rang fades out under a raised cosine of 5 ms") {
+TEST_CASE("The former sound fades out under a raised cosine of 5 ms") {
     Ringing ringing;
     const auto alone = continuation(600);
     ringing.sound.changeTo(testPlayer("other").release());
@@ -75,8 +75,7 @@ TEST_CASE("What rang fades out under a raised cosine of 5 ms") {
     }
 }
 
-TEST_CASE(
-    "What fades is multiplied by its level to the new one, and through a second change again") {
+TEST_CASE("A fading sound is scaled to the level of each new player") {
     Ringing plain, levelled, twice;
     plain.sound.changeTo(testPlayer("other").release());
     levelled.sound.changeTo(testPlayer("other").release(), 0.25f);
@@ -105,7 +104,7 @@ TEST_CASE("The fade does not depend on the block size") {
     CHECK(output == expected);
 }
 
-TEST_CASE("What fades keeps the parameters it sounded with") {
+TEST_CASE("A fading sound keeps its parameters") {
     Ringing kept, changed;
     auto bent = values;
     bent.set(ParameterId::size, 0.5);
@@ -117,7 +116,7 @@ TEST_CASE("What fades keeps the parameters it sounded with") {
     CHECK(output == expected);
 }
 
-TEST_CASE("A new player that is struck at once sounds from its first sample, unfaded") {
+TEST_CASE("A new player that is struck at once sounds from its first sample without a fade-in") {
     Handoff<Player> handoff;
     PlayerCrossfade sound(handoff);
     sound.install(testPlayer());
@@ -131,7 +130,7 @@ TEST_CASE("A new player that is struck at once sounds from its first sample, unf
     CHECK(loudest(output) > 0.001f);
 }
 
-TEST_CASE("A second change within a fade lets the first sound fade on") {
+TEST_CASE("A second change during a fade lets the first sound fade on") {
     Ringing once, twice;
     once.sound.changeTo(testPlayer("other").release());
     twice.sound.changeTo(testPlayer("other").release());
@@ -143,7 +142,7 @@ TEST_CASE("A second change within a fade lets the first sound fade on") {
     CHECK(output == expected);
 }
 
-TEST_CASE("Pedal and pitch wheel stay where they are when the player changes") {
+TEST_CASE("Pedal and pitch wheel stay in place when the player changes") {
     auto damped = values;
     damped.set(ParameterId::letRing, 0);
     const MidiEvent pedal{.sampleOffset = 0, .bytes = {0xb0, 64, 127}};
@@ -169,7 +168,7 @@ TEST_CASE("Pedal and pitch wheel stay where they are when the player changes") {
     CHECK(loudest({output.end() - 960, output.end()}) > 0.001f); // held by the pedal
 }
 
-TEST_CASE("Zones and bend ranges that MIDI gave hold for every player that comes after") {
+TEST_CASE("Zones and bend ranges set by MIDI hold for every later player") {
     const auto controller = [](int channel, int number, int value) {
         return MidiEvent{.sampleOffset = 0,
                          .bytes = {static_cast<std::uint8_t>(0xb0 | channel),
@@ -204,7 +203,7 @@ TEST_CASE("Zones and bend ranges that MIDI gave hold for every player that comes
     CHECK(output == expected);
 }
 
-TEST_CASE("Speed and place of each channel stay where they are when the player changes") {
+TEST_CASE("Speed and place of each channel stay in place when the player changes") {
     auto scraping = values;
     scraping.set(ParameterId::contact, scrapeContact);
     const MidiEvent speed{.sampleOffset = 0, .bytes = {0xb0, 1, 100}};
@@ -231,7 +230,7 @@ TEST_CASE("Speed and place of each channel stay where they are when the player c
     CHECK(loudest(output) > 0);
 }
 
-TEST_CASE("A reset is silence at once, also in a fade") {
+TEST_CASE("A reset is silent at once, also in a fade") {
     Ringing ringing;
     ringing.sound.changeTo(testPlayer("other").release());
     ringing.sound.reset();
@@ -240,7 +239,7 @@ TEST_CASE("A reset is silence at once, also in a fade") {
     CHECK(loudest(output) == 0);
 }
 
-TEST_CASE("Without a player there is silence") {
+TEST_CASE("Without a player the output is silent") {
     Handoff<Player> handoff;
     PlayerCrossfade sound(handoff);
     std::vector<float> output(100, 1.0f);

@@ -63,7 +63,7 @@ bool sameObjects(const Instrument& a, const Instrument& b) {
 
 } // namespace
 
-TEST_CASE("A foreign object is written once, whoever saves it, and comes back byte for byte") {
+TEST_CASE("A foreign object is written once and comes back byte for byte") {
     const auto folder = freshFolder();
     const auto played = bowl("/home/somebody/My bowl.modal", 300);
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);
@@ -77,12 +77,12 @@ TEST_CASE("A foreign object is written once, whoever saves it, and comes back by
     REQUIRE(built);
     CHECK(sameObjects(*built->instrument, *played.instrument));
     CHECK(built->instrument->keyMap() == *stored);
-    // Saved again it is the same file.
+    // Saving it again gives the same file.
     CHECK(writePresetObjects(*stored, *built->instrument, folder).value() == *stored);
     CHECK(objectFiles(folder) == 1);
 }
 
-TEST_CASE("Two objects of one name do not overwrite each other") {
+TEST_CASE("Two objects with the same name do not overwrite each other") {
     const auto folder = freshFolder();
     const auto first = bowl("bowl.obj", 300), second = bowl("bowl.obj", 500);
     const auto firstStored = writePresetObjects(first.keyMap, *first.instrument, folder).value();
@@ -94,7 +94,7 @@ TEST_CASE("Two objects of one name do not overwrite each other") {
         sameObjects(*buildPresetInstrument(secondStored, preset)->instrument, *second.instrument));
 }
 
-TEST_CASE("A keyboard of foreign objects is written whole") {
+TEST_CASE("All objects of a foreign keyboard are written") {
     const auto folder = freshFolder();
     const auto played = keyboard("stones/{note}");
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder);
@@ -105,7 +105,7 @@ TEST_CASE("A keyboard of foreign objects is written whole") {
     CHECK(sameObjects(*built->instrument, *played.instrument));
 }
 
-TEST_CASE("The factory's objects are not written") {
+TEST_CASE("Factory objects are not written") {
     const auto folder = freshFolder();
     for (const auto& preset : factoryPresets()) {
         const auto instrument = buildInstrument(preset.keyMap, ObjectLibrary::shared()).value();
@@ -114,7 +114,7 @@ TEST_CASE("The factory's objects are not written") {
     CHECK_FALSE(folder.exists());
 }
 
-TEST_CASE("The folder of presets opens elsewhere, objects and all, and instances share them") {
+TEST_CASE("A moved preset folder opens with its objects, and instances share them") {
     const auto folder = freshFolder();
     const auto played = bowl("bowl.obj", 300);
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder).value();
@@ -130,7 +130,7 @@ TEST_CASE("The folder of presets opens elsewhere, objects and all, and instances
     CHECK(first->instrument->slots()[0].object == second->instrument->slots()[0].object);
 }
 
-TEST_CASE("A damaged object is an error that names it; a missing one is replaced, and named") {
+TEST_CASE("A damaged object is an error that names it, a missing one is replaced and named") {
     const auto folder = freshFolder();
     const auto played = bowl("bowl.obj", 300);
     const auto stored = writePresetObjects(played.keyMap, *played.instrument, folder).value();
@@ -140,7 +140,7 @@ TEST_CASE("A damaged object is an error that names it; a missing one is replaced
     const auto damaged = buildPresetInstrument(stored, preset);
     REQUIRE_FALSE(damaged);
     CHECK_THAT(damaged.error().message, ContainsSubstring(object.getFileName().toStdString()));
-    // Saving it again leaves the file to whoever changed it.
+    // Saving again does not overwrite the changed file.
     const auto again = writePresetObjects(played.keyMap, *played.instrument, folder).value();
     CHECK(again != stored);
     CHECK(object.loadFileAsString() == "no object");
@@ -155,7 +155,7 @@ TEST_CASE("A damaged object is an error that names it; a missing one is replaced
         CHECK(missing->instrument->key(note).slot >= 0);
 }
 
-TEST_CASE("Objects of hostile names are written below the folder and nowhere else") {
+TEST_CASE("Objects with hostile names are written inside the folder only") {
     for (const auto* name : {"../../../evil", "/etc/passwd", "..", "a\\..\\b", "", "x\ny", "{note}",
                              "Objects/../../x.modal"}) {
         const auto folder = freshFolder();
@@ -168,8 +168,7 @@ TEST_CASE("Objects of hostile names are written below the folder and nowhere els
     }
 }
 
-TEST_CASE(
-    "An object's file is called after the last part of its name, on whichever system it was") {
+TEST_CASE("An object file is named after the last part of the object's path on any system") {
     for (const auto* name : {"Bowl.modal", "/bells/Bowl.modal", "C:/Bells/Bowl.modal",
                              "C:\\Bells\\Bowl.modal", "\\\\server\\Bells\\Bowl.modal"}) {
         const auto played = bowl(name, 300);
@@ -179,8 +178,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "A key plays its neighbour while its bar is missing, and a ring plays without the lowest bar") {
+TEST_CASE("A key without its bar plays its neighbour, and a missing lowest bar becomes a ring") {
     const auto folder = freshFolder();
     const KeyMap map{.kind = KeyMapKind::bars,
                      .lowestNote = 60,

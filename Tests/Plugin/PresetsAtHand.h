@@ -1,4 +1,5 @@
-// For tests of the shelf of presets: what is saved and found there, and a holder to be led astray.
+// Helpers for tests of the preset collection: preset details, a search by name, and a base class
+// for faulty holders.
 #pragma once
 
 #include "Plugin/PresetCollection.h"
@@ -23,7 +24,7 @@ inline const ShelvedPreset* find(const PresetShelf& shelf, const std::string& na
     return found == shelf.presets().end() ? nullptr : &*found;
 }
 
-/// A processor, for tests that stand between it and its shelf.
+/// Forwards to a processor. Tests override it to act between the processor and its presets.
 class ForwardingHolder : public SoundHolder {
 public:
     explicit ForwardingHolder(Processor& held) : processor(held) {}

@@ -1,4 +1,4 @@
-// A dropped object is played at once, as loud as the presets, and travels in the state.
+// A dropped object plays at once, is as loud as the presets, and is saved in the state.
 #include "Support/ImportedFiles.h"
 #include "Support/TestSound.h"
 
@@ -46,7 +46,7 @@ std::size_t slotOf(const Instrument& instrument, int note) {
 
 } // namespace
 
-TEST_CASE("A dropped mesh plays, scaled to the pitches of the keys, from the preview on") {
+TEST_CASE("A dropped mesh plays at the pitches of the keys, from the preview on") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     const auto before = processor.loadedInstrument();
@@ -75,7 +75,7 @@ TEST_CASE("A dropped mesh plays, scaled to the pitches of the keys, from the pre
     CHECK_THAT(processor.takeStatus().sentence, ContainsSubstring("plate: "));
 }
 
-TEST_CASE("The sound before plays on until the object is there, and nothing clicks") {
+TEST_CASE("The former sound plays until the object is ready, and nothing clicks") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(48000, blockSamples);
@@ -97,7 +97,7 @@ TEST_CASE("The sound before plays on until the object is there, and nothing clic
     finish(processor, [&] {
         const auto block = render(processor, blockSamples, blockSamples, {}).left;
         if (processor.instrumentNumber() == load) {
-            // Restruck, so that there is something to be heard.
+            // Strike again, so that the change happens during sound.
             if (loudest(block) < 0.1f * loudest(ringing))
                 render(processor, blockSamples, blockSamples, chord);
         } else {
@@ -108,7 +108,7 @@ TEST_CASE("The sound before plays on until the object is there, and nothing clic
     CHECK(processor.importStatus().stage == ImportStage::done);
 }
 
-TEST_CASE("Dropped objects of any size and kind are heard, and do not clip") {
+TEST_CASE("Dropped objects of any size and kind are audible and do not clip") {
     const std::vector<std::pair<std::string, Mesh>> things{{"plate", sheetMesh(0.08, 0.05, 150)},
                                                            {"hoop", hoopMesh(0.03, 0.01, 40, 3)},
                                                            {"ball", icosphereMesh(0.05, 2)},
@@ -125,7 +125,7 @@ TEST_CASE("Dropped objects of any size and kind are heard, and do not clip") {
             INFO(name << ", layout " << static_cast<int>(layout) << ", level "
                       << processor.parameterValue(ParameterId::level) << " dB");
             CHECK(loudestKey < 1);
-            // What sounds above hearing alone is silent at its own size.
+            // At its own size the ball vibrates only above the hearing range.
             const bool isAudible = name != "ball" || layout == KeyLayout::scaled;
             if (isAudible)
                 CHECK(loudestKey > 0.01f);
@@ -134,7 +134,7 @@ TEST_CASE("Dropped objects of any size and kind are heard, and do not clip") {
 }
 
 TEST_CASE(
-    "Steps between keys of a preview leave its analysis under way, and know what comes of it") {
+    "Undo of a key layout during a preview keeps the analysis, and redo plays its final object") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     processor.openFile(meshFile("ball.obj", icosphereMesh(0.05, 3)));
@@ -160,7 +160,7 @@ TEST_CASE(
     CHECK(processor.loadedInstrument()->slots().front().object == whole);
 }
 
-TEST_CASE("A file that cannot be opened changes nothing and is a sentence in the window") {
+TEST_CASE("A file that cannot be opened changes nothing and gives an error in the window") {
     Processor processor;
     restore(processor, testState());
     const auto before = saved(processor);
@@ -196,7 +196,7 @@ TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     CHECK(loudest(heard) > 0.001f);
     CHECK(render(second, 4800, blockSamples, midi) == heard);
     CHECK(second.keyLayout() == KeyLayout::zones);
-    // And there it can be analysed anew, of its own mesh.
+    // The restored object can be analysed again from its own mesh.
     REQUIRE(second.canAnalyseAgain());
     CHECK_FALSE(second.importStatus().followsSettings);
     second.setImportSettings({.material = "Copper", .thicknessMetres = 0.003});
@@ -208,7 +208,7 @@ TEST_CASE("A state of a dropped object opens without its file, bit for bit") {
     CHECK(second.keyLayout() == KeyLayout::zones);
 }
 
-TEST_CASE("Other settings make another object of the same mesh at once") {
+TEST_CASE("Changed settings analyse the same mesh again at once") {
     Processor processor;
     const auto file = smallPlateFile("plate.obj", 1);
     open(processor, file);
@@ -224,7 +224,7 @@ TEST_CASE("Other settings make another object of the same mesh at once") {
     CHECK(processor.keyLayout() == KeyLayout::zones);
 }
 
-TEST_CASE("An object that did not come from a mesh here is analysed anew as what it is") {
+TEST_CASE("An object without an imported mesh is analysed again with its own settings") {
     Processor first, processor;
     first.setImportSettings({.material = "Copper", .thicknessMetres = 0.004});
     open(first, smallPlateFile("plate.obj", 1));
@@ -253,7 +253,7 @@ TEST_CASE("An object that did not come from a mesh here is analysed anew as what
     CHECK(again->thicknessMetres == copper->thicknessMetres);
 }
 
-TEST_CASE("A mesh is opened with the settings given, whatever plays") {
+TEST_CASE("A mesh opens with the given settings, whatever plays") {
     Processor processor;
     REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wooden Table")));
     const auto table = processor.importStatus().settings;
@@ -265,7 +265,7 @@ TEST_CASE("A mesh is opened with the settings given, whatever plays") {
     CHECK(processor.importStatus().settings == ImportSettings{});
 }
 
-TEST_CASE("What is said of an opened file is said while that plays") {
+TEST_CASE("The import status of a file is shown only while that file plays") {
     Processor processor;
     open(processor, smallPlateFile("plate.obj", 1));
     CHECK(processor.importStatus().fileName == "plate.obj");
@@ -280,7 +280,7 @@ TEST_CASE("What is said of an opened file is said while that plays") {
     CHECK(processor.importStatus().fileName == "other.obj");
 }
 
-TEST_CASE("A strike path drawn by hand is the one that keys strike along") {
+TEST_CASE("Keys strike along a path drawn by hand") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     open(processor, smallPlateFile("plate.obj", 1));
@@ -312,7 +312,7 @@ TEST_CASE("A strike path drawn by hand is the one that keys strike along") {
     CHECK(strikePath().size() == 1000);
 }
 
-TEST_CASE("Mallet and other values stay, the material becomes the object's own") {
+TEST_CASE("After an import the mallet stays, and the material becomes the object's own") {
     Processor processor;
     auto state = testState();
     state.parameters.set(ParameterId::mallet, firstRackMallet + 3);
@@ -328,7 +328,7 @@ TEST_CASE("Mallet and other values stay, the material becomes the object's own")
     CHECK(static_cast<int>(processor.parameterValue(ParameterId::material)) == customMaterial);
 }
 
-TEST_CASE("Whoever chooses a preset meanwhile keeps it") {
+TEST_CASE("A preset chosen during an import stays") {
     Processor processor;
     processor.openFile(smallPlateFile("plate.obj", 1));
     processor.setCurrentProgram(4);
@@ -345,7 +345,7 @@ TEST_CASE("Whoever chooses a preset meanwhile keeps it") {
     CHECK_FALSE(processor.canAnalyseAgain());
 }
 
-TEST_CASE("A processor goes while its workshop works, and without a message loop") {
+TEST_CASE("A processor can be destroyed while its workshop works, without a message loop") {
     const auto file = meshFile("ball.obj", icosphereMesh(0.1, 4));
     for (const auto wait : {0, 50, 300}) {
         Processor processor;
@@ -360,7 +360,7 @@ TEST_CASE("A processor goes while its workshop works, and without a message loop
     }
 }
 
-TEST_CASE("What the host loads while an object is made ready to play is not played over") {
+TEST_CASE("A state that the host loads while an object is prepared is not replaced by it") {
     const auto file = smallPlateFile("raced.obj", 1);
     const auto bytes = encodeState(testState());
     for (int wait = 0; wait < 300; wait += 15) {
@@ -389,9 +389,7 @@ TEST_CASE("What the host loads while an object is made ready to play is not play
     }
 }
 
-TEST_CASE(
-    "Automation that arrives while an object is made, keys are changed or the sound is mutated "
-    "stays") {
+TEST_CASE("Automation during an import, a change of keys or a mutation stays") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     open(processor, smallPlateFile("automated.obj", 1));
@@ -430,7 +428,8 @@ TEST_CASE(
     host.join();
 }
 
-TEST_CASE("An object that is opened while presets are auditioned follows the one that plays") {
+TEST_CASE("An object opened during an audition keeps playing, and undo returns to the auditioned "
+          "preset") {
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
     auto& shelf = processor.presetShelf();

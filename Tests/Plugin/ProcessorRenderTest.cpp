@@ -1,4 +1,4 @@
-// What the processor renders: the same whatever the host's blocks, rates and layouts are.
+// Rendering does not depend on the host's block sizes, sample rates and bus layouts.
 #include "Instrument/FactoryContent.h"
 #include "Support/TestSound.h"
 
@@ -33,8 +33,8 @@ TEST_CASE("Renders are bit-identical in real time and offline") {
     CHECK(renderedSong(480, true) == renderedSong(480, false));
 }
 
-TEST_CASE("A bounce of every factory preset but scenes is what is heard in real time") {
-    const auto presets = factoryPresets(); // whose scenes are StageInProcessorTest's
+TEST_CASE("A bounce of every factory preset except scenes equals its real-time sound") {
+    const auto presets = factoryPresets(); // scenes are tested in StageInProcessorTest
     for (std::size_t program = 0; program < presets.size(); ++program) {
         INFO(presets[program].name);
         const auto sound = [&](bool offline) {
@@ -61,7 +61,7 @@ TEST_CASE("Every sample rate from 8 to 384 kHz sounds and stays finite") {
     }
 }
 
-TEST_CASE("Blocks larger than prepared, and of changing sizes, render the same") {
+TEST_CASE("Blocks of changing size, also larger than prepared, render the same") {
     const auto expected = renderedSong(64);
     Processor processor;
     restore(processor, testState());
@@ -95,7 +95,7 @@ TEST_CASE("Without radiation mono and both channels of stereo are the same") {
     CHECK(expected.left == expected.right);
 }
 
-TEST_CASE("A mono bus gets the mean of what a stereo bus gets") {
+TEST_CASE("A mono bus gets the mean of both stereo channels") {
     const auto play = [](const juce::AudioChannelSet& channels) {
         Processor processor;
         juce::AudioProcessor::BusesLayout layout;
@@ -136,13 +136,13 @@ TEST_CASE("A note sounds from its exact sample on") {
         const auto first =
             std::find_if(output.begin(), output.end(), [](float x) { return x != 0; });
         INFO(stamp);
-        // The force pulse begins with zero force: a sample or two may pass before the sound.
+        // The force pulse begins at zero, so a sample or two may pass before the sound.
         CHECK(std::distance(output.begin(), first) >= stamp);
         CHECK(std::distance(output.begin(), first) <= stamp + 2);
     }
 }
 
-TEST_CASE("Events in a block without samples are heard in the next") {
+TEST_CASE("Events in a block without samples sound in the next block") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(48000, 512);
@@ -153,8 +153,8 @@ TEST_CASE("Events in a block without samples are heard in the next") {
     CHECK(loudest(render(processor, 512, 512, {})) > 0.01f);
 }
 
-TEST_CASE("Of five thousand events on one sample none is lost") {
-    // 4999 wheel moves before the note: it must still sound, with the wheel where the last left it.
+TEST_CASE("Five thousand events on one sample are all played") {
+    // 4999 wheel moves come before the note. It must sound with the last wheel position.
     juce::MidiBuffer crowded, sparse;
     for (int i = 0; i < 4999; ++i)
         crowded.addEvent(juce::MidiMessage::pitchWheel(1, i), 511);
@@ -173,7 +173,7 @@ TEST_CASE("Of five thousand events on one sample none is lost") {
 }
 
 TEST_CASE("Automation of every parameter to both ends stays finite") {
-    Processor processor; // whose channels differ
+    Processor processor; // its channels differ
     processor.prepareToPlay(48000, 256);
     const auto midi = testMusic(256, 64, processor.keyRange());
     std::mt19937 random(5);
@@ -205,7 +205,7 @@ TEST_CASE("Automation of every parameter to both ends stays finite") {
     CHECK(finite);
 }
 
-TEST_CASE("Bypass silences, and what rang meanwhile has gone on ringing") {
+TEST_CASE("Bypass is silent, and ringing goes on unheard meanwhile") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(48000, 480);
@@ -219,7 +219,7 @@ TEST_CASE("Bypass silences, and what rang meanwhile has gone on ringing") {
     CHECK(loudest(render(processor, 960, 480, {})) > 0);
 }
 
-TEST_CASE("Level is heard in decibels") {
+TEST_CASE("The level parameter acts in decibels") {
     const auto renderAt = [](double decibels) {
         Processor processor;
         auto state = testState();

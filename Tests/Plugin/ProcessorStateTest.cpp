@@ -1,4 +1,4 @@
-// Saving and restoring: exact, at once, and never harmful.
+// States are saved and restored exactly, at once and without harm.
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/RestoredSound.h"
 #include "Support/ImportedFiles.h"
@@ -13,7 +13,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Save, restore into another instance, save: the bytes are the same") {
+TEST_CASE("A state restored into another instance is saved as the same bytes") {
     Processor first, second;
     restore(first, unusualState());
     std::mt19937 random(2);
@@ -41,13 +41,13 @@ TEST_CASE("The first block after a restore is bit-identical to the first render"
     const auto expected = reference(unusualState());
     REQUIRE(loudest(expected) > 0.001f);
 
-    SECTION("into an instance that is prepared") {
+    SECTION("into a prepared instance") {
         Processor processor;
         processor.prepareToPlay(48000, blockSamples);
         restore(processor, unusualState());
         CHECK(firstBlock(processor) == expected);
     }
-    SECTION("into an instance that played something else, once that is silent") {
+    SECTION("into an instance that has played another sound and is silent") {
         Processor processor;
         restore(processor, testState("other", 1.7));
         processor.prepareToPlay(48000, blockSamples);
@@ -56,7 +56,7 @@ TEST_CASE("The first block after a restore is bit-identical to the first render"
         restore(processor, unusualState());
         CHECK(firstBlock(processor) == expected);
     }
-    SECTION("twice in a row, with a short block between") {
+    SECTION("twice in a row, with a short block in between") {
         Processor processor;
         processor.prepareToPlay(48000, blockSamples);
         restore(processor, testState("other", 1.7));
@@ -70,7 +70,7 @@ TEST_CASE("The first block after a restore is bit-identical to the first render"
         std::thread([&] { restore(processor, unusualState()); }).join();
         CHECK(firstBlock(processor) == expected);
     }
-    SECTION("into an instance that is prepared again, at another rate and back") {
+    SECTION("into an instance that is prepared again at another rate and back") {
         Processor processor;
         processor.prepareToPlay(96000, 64);
         render(processor, 640, 64, chord());
@@ -81,7 +81,7 @@ TEST_CASE("The first block after a restore is bit-identical to the first render"
     }
 }
 
-TEST_CASE("Whatever can be loaded can be saved and restored") {
+TEST_CASE("Every sound that can be loaded can be saved and restored") {
     const UserSettings user;
     Processor first;
     const auto comesBack = [&] {
@@ -100,7 +100,7 @@ TEST_CASE("Whatever can be loaded can be saved and restored") {
             comesBack();
         }
     }
-    SECTION("objects without a name, and with one that is not UTF-8") {
+    SECTION("objects without a name, or with one that is not UTF-8") {
         for (const auto* name : {"", "\xff\xfe", "a/{note}\n"}) {
             auto object = syntheticObject({300, 700});
             object.name = name;
@@ -131,13 +131,13 @@ TEST_CASE("Whatever can be loaded can be saved and restored") {
         CHECK(first.loadedLabel().name == "Object");
         comesBack();
     }
-    SECTION("scales of any bytes") {
+    SECTION("scales with any bytes") {
         std::string text = "from 1995\n2\n600.\n1200.\n! ";
         text.resize(ScalaTuning::largestFileBytes, '\xe9');
         first.openTuning(writtenFile("any.scl", text));
         comesBack();
     }
-    SECTION("the longest of presets") {
+    SECTION("the longest preset") {
         std::string text = R"({"format":"idiophone-preset","version":1,"name":"Long","keyMap":)"
                            R"({"kind":"zones","lowestNote":36,"highestNote":96,"object":"plate"},)"
                            R"("description":")";
@@ -168,7 +168,7 @@ TEST_CASE("States are restored and saved from several threads while the audio ru
         for (int i = 0; i < 40; ++i) {
             restoreBytes(processor, bytes);
             const auto now = parseState(saved(processor));
-            // The parameters are those of the preset beside them.
+            // The parameters must belong to the preset.
             const double size = now ? now->parameters[ParameterId::size] : 0;
             if (!now || now->preset.keyMap.object != (size == 1 ? "a/{note}" : "b/{note}"))
                 whole = false;
@@ -184,7 +184,7 @@ TEST_CASE("States are restored and saved from several threads while the audio ru
 }
 
 TEST_CASE(
-    "A restored factory preset is the current program, another sound is not mistaken for it") {
+    "A restored factory preset is the current program, and another sound is not taken for it") {
     Processor first, second;
     REQUIRE(first.getNumPrograms() > 1);
     first.setCurrentProgram(1);
@@ -193,5 +193,5 @@ TEST_CASE(
     CHECK(second.presetShelf().chosenPreset() == factoryPresetId(factoryPresets()[1].name));
     restore(second, testState());
     CHECK(second.presetShelf().chosenPreset().empty());
-    CHECK(second.getCurrentProgram() == 0); // hosts know no other
+    CHECK(second.getCurrentProgram() == 0); // hosts know no other program
 }

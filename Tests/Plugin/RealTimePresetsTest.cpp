@@ -110,7 +110,7 @@ TEST_CASE("No factory preset allocates, locks or calls the system, whatever note
         const auto music = testMusic(512, 30, host.processor.keyRange());
         for (int block = 0; block < 40; ++block)
             host.block(music, 512);
-        if (!host.processor.hasStage()) // its worker is tested below
+        if (!host.processor.hasStage()) // its worker needs time; the next test waits for it
             host.checkHeard(leastStruck);
     }
 }

@@ -1,4 +1,4 @@
-// States that cannot be restored, or not whole.
+// States that cannot be restored at all, or only in part.
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/RestoredSound.h"
 
@@ -14,7 +14,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::ContainsSubstring;
 
-TEST_CASE("A state that cannot be restored changes nothing and shows one sentence") {
+TEST_CASE("A state that cannot be restored changes nothing and gives one sentence") {
     auto future = encodeState(unusualState());
     future.replace(future.find("\"version\":1"), 11, "\"version\":9");
     auto damaged = testState("damaged");
@@ -38,7 +38,7 @@ TEST_CASE("A state that cannot be restored changes nothing and shows one sentenc
         const auto status = processor.takeStatus();
         CHECK(status.isError);
         CHECK_THAT(status.sentence, ContainsSubstring(sentence));
-        processor.editHistory().undo(); // steps stay, too
+        processor.editHistory().undo(); // the steps stay too
         CHECK(saved(processor) == encodeState(testState()));
         CHECK(firstBlock(processor) == expected);
         restore(processor, testState());
@@ -46,7 +46,7 @@ TEST_CASE("A state that cannot be restored changes nothing and shows one sentenc
     }
 }
 
-TEST_CASE("A state of no bytes is an error") {
+TEST_CASE("An empty state is an error") {
     Processor processor;
     const auto before = saved(processor);
     processor.setStateInformation(nullptr, 0);
@@ -56,14 +56,13 @@ TEST_CASE("A state of no bytes is an error") {
 }
 
 TEST_CASE(
-    "Where objects are missing a ring plays with all else restored, and what the state named is "
-    "saved again") {
+    "If objects are missing, a ring plays, the rest is restored, and the names are saved again") {
     auto state = unusualState();
     state.tuning.scale = {.name = "two.scl", .text = "two\n2\n600.\n1200.\n"};
     state.controllers[ParameterId::tau] = 21;
     REQUIRE(state.preset.mutedModes.set("61", 2, true));
     const auto whole = encodeState(state);
-    state.objects.erase(state.objects.begin()); // the others may be missing
+    state.objects.erase(state.objects.begin()); // the other objects may be missing
     const auto bytes = encodeState(state);
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
@@ -79,7 +78,7 @@ TEST_CASE(
     CHECK(processor.tuningStatus().scale == "two");
     CHECK(saved(processor) == bytes);
 
-    SECTION("with what was changed, as long as the ring plays") {
+    SECTION("with changes made while the ring plays") {
         auto changed = state;
         changed.parameters.set(ParameterId::size, 2);
         processor.changeParameter(ParameterId::size, 2);
@@ -87,7 +86,7 @@ TEST_CASE(
         processor.setCurrentProgram(0);
         CHECK(parseState(saved(processor))->preset.keyMap == factoryPresets()[0].keyMap);
     }
-    SECTION("with the keys that it has, which are nobody's to change") {
+    SECTION("with its keys, which cannot be changed") {
         const auto number = processor.instrumentNumber();
         const auto isKept = [&] {
             const auto now = processor.takeStatus();
@@ -103,20 +102,20 @@ TEST_CASE(
         processor.setStrikePath(0, processor.struckPlaces(0));
         isKept();
     }
-    SECTION("without a name too") {
+    SECTION("without a preset name") {
         state.preset.name.clear();
         restore(processor, state);
         CHECK(processor.takeStatus().sentence ==
               "test/60 is missing; until it is back a steel ring plays in its place.");
         CHECK(saved(processor) == encodeState(state));
     }
-    SECTION("with it, undo too brings it back") {
+    SECTION("after an undo") {
         REQUIRE(processor.presetShelf().loadPreset(factoryPresetId("Wok")));
         REQUIRE(saved(processor) != bytes);
         processor.editHistory().undo();
         CHECK(saved(processor) == bytes);
     }
-    SECTION("and is whole once it is back") {
+    SECTION("and complete once the object is back") {
         auto back = *parseState(saved(processor));
         back.objects = parseState(whole)->objects;
         restore(processor, back);

@@ -1,4 +1,4 @@
-// A state like few others, and what an instance sounds like that was given it.
+// A state with unusual values, and the sound of an instance that restored it.
 #pragma once
 
 #include "Support/TestSound.h"
@@ -27,7 +27,7 @@ inline HostSound firstBlock(Processor& processor) {
     return render(processor, blockSamples, blockSamples, chord());
 }
 
-/// The first block of a fresh instance that was given the state before it was prepared.
+/// Returns the first block of a fresh instance that restored the state before it was prepared.
 inline HostSound reference(const State& state) {
     Processor processor;
     restore(processor, state);

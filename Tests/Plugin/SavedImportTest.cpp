@@ -1,4 +1,4 @@
-// What is saved of dropped objects, in presets and in states.
+// Presets and states with dropped objects.
 #include "Plugin/PresetsAtHand.h"
 #include "Support/ImportedFiles.h"
 #include "Support/TestSound.h"
@@ -21,7 +21,7 @@ constexpr int blockSamples = 512;
 
 } // namespace
 
-TEST_CASE("A preview is not saved in the place of the object that is to follow") {
+TEST_CASE("A preview cannot be saved in place of the final object") {
     const UserSettings user;
     Processor processor;
     processor.prepareToPlay(48000, blockSamples);
@@ -38,10 +38,10 @@ TEST_CASE("A preview is not saved in the place of the object that is to follow")
     CHECK_FALSE(shelf.presetExists(called("Block")));
     CHECK_THAT(processor.loadedSound().preset.description, ContainsSubstring("preview"));
     processor.cancelImport();
-    CHECK(shelf.savePreset(called("Block"), false)); // it is all that there will be
+    CHECK(shelf.savePreset(called("Block"), false)); // after the cancel it is the final object
 }
 
-TEST_CASE("An object of a name without end is saved in a state that opens again") {
+TEST_CASE("An object with a very long name is saved in a state that opens again") {
     auto object = *ObjectLibrary::shared().find("wok").value();
     object.name = std::string(5000, 'w');
     Processor processor;

@@ -1,5 +1,5 @@
-// What a master of MTS-ESP does to the keys. The client's functions are defined here, so that this
-// program is its own session.
+// Effects of an MTS-ESP master on the keys. This program defines the client's functions itself, so
+// that it is its own session.
 #include "Plugin/RealTimeTrap.h"
 #include "Support/PoleFit.h"
 #include "Support/TestFolder.h"
@@ -28,7 +28,7 @@ struct Session {
     int clients = 0;
 } session;
 
-/// A session with a master, for one test.
+/// A session with a master while it lives.
 struct Master {
     Master() { begin(true); }
     ~Master() { begin(false); }
@@ -48,7 +48,7 @@ struct Instance {
         processor.prepareToPlay(sampleRateHz, blockSize);
     }
 
-    /// One block with note 69 struck at its start, within the trap.
+    /// Renders one block under the trap, with note 69 struck at its start.
     void strike() {
         juce::MidiBuffer midi;
         midi.addEvent(juce::MidiMessage::noteOn(1, struckNote, juce::uint8{100}), 0);
@@ -107,7 +107,7 @@ const char* MTS_GetScaleName(MTSClient*) {
 void MTS_ParseMIDIDataU(MTSClient*, const unsigned char*, int) {}
 }
 
-TEST_CASE("Every instance is a client of the session for as long as it lives") {
+TEST_CASE("Every instance is a client of the session while it lives") {
     const int before = session.clients;
     {
         const Instance first, second;
@@ -116,8 +116,7 @@ TEST_CASE("Every instance is a client of the session for as long as it lives") {
     CHECK(session.clients == before);
 }
 
-TEST_CASE(
-    "A master's table tunes the keys from the next callback on, and equally when it has gone") {
+TEST_CASE("A master's table tunes the keys from the next callback on and ends with the master") {
     Instance instance;
     CHECK(instance.soundsAt(440));
     {
@@ -130,12 +129,12 @@ TEST_CASE(
         CHECK(instance.source() == TuningStatus::Source::session);
         CHECK(instance.processor.tuningStatus().scale == "Of the session");
     }
-    session.semitones[struckNote] = 1.5; // that nobody speaks for
+    session.semitones[struckNote] = 1.5; // ignored without a master
     CHECK(instance.soundsAt(440));
     CHECK(instance.source() == TuningStatus::Source::equal);
 }
 
-TEST_CASE("A key that the master filters is silent, and sounds when it does no more") {
+TEST_CASE("A key filtered by the master is silent until the filter ends") {
     const Master master;
     Instance instance;
     session.filtered.set(struckNote);
@@ -144,7 +143,7 @@ TEST_CASE("A key that the master filters is silent, and sounds when it does no m
     CHECK_FALSE(instance.isSilent());
 }
 
-TEST_CASE("A key whose pitch is no number, or farther than any key, is silent") {
+TEST_CASE("A key whose pitch is not a number or out of range is silent") {
     const Master master;
     Instance instance;
     using Double = std::numeric_limits<double>;
@@ -157,7 +156,7 @@ TEST_CASE("A key whose pitch is no number, or farther than any key, is silent") 
     CHECK(instance.soundsAt(440));
 }
 
-TEST_CASE("An instance's own tuning comes before the master's, until it is forgotten") {
+TEST_CASE("An instance's own tuning precedes the master's until it is forgotten") {
     const Master master;
     Instance instance;
     session.semitones[struckNote] = 1.5;

@@ -1,4 +1,4 @@
-// How changes by hand become steps, and what the variants and auditions do.
+// Steps made by edits in the window, and the effects of variants and auditions.
 #include "Plugin/SoundHistory.h"
 
 #include "Plugin/HistorySteps.h"
@@ -11,7 +11,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using enum ParameterId;
 
-TEST_CASE("A gesture is one step, however far it goes, and has the parameter's name") {
+TEST_CASE("A gesture is one step with the parameter's name") {
     Processor processor;
     auto& history = processor.editHistory();
     const double before = processor.parameterValue(density);
@@ -32,11 +32,11 @@ TEST_CASE("A gesture that ends where it began is no step") {
     CHECK_FALSE(processor.editHistory().canUndo());
 }
 
-TEST_CASE("Several parameters of one edit, and gestures that overlap, are one step") {
+TEST_CASE("An edit of several parameters is one step, and so are overlapping gestures") {
     Processor processor;
     auto& history = processor.editHistory();
     const auto before = valuesOf(processor);
-    SECTION("an edit with a name") {
+    SECTION("a named edit") {
         history.beginEdit("Steel as measured");
         drag(processor, youngsModulus, {200});
         history.beginEdit("inner");
@@ -45,7 +45,7 @@ TEST_CASE("Several parameters of one edit, and gestures that overlap, are one st
         history.endEdit();
         CHECK(history.undoName() == "Steel as measured");
     }
-    SECTION("two fingers") {
+    SECTION("overlapping gestures") {
         processor.beginParameterChange(youngsModulus);
         processor.changeParameter(youngsModulus, 200);
         processor.beginParameterChange(density);
@@ -81,7 +81,7 @@ TEST_CASE("Automation during a gesture and between steps is neither a step nor u
     CHECK_FALSE(history.canUndo());
 }
 
-TEST_CASE("The host hears of an undone parameter as of a gesture by hand") {
+TEST_CASE("An undone parameter is sent to the host as a gesture") {
     GestureLog listener;
     Processor processor;
     drag(processor, density, {1000});
@@ -91,7 +91,7 @@ TEST_CASE("The host hears of an undone parameter as of a gesture by hand") {
     CHECK(listener.text == "(=)");
 }
 
-TEST_CASE("A host's state in the middle of a gesture or an audition harms nothing") {
+TEST_CASE("A state loaded during a gesture or an audition does no harm") {
     Processor processor;
     auto& history = processor.editHistory();
     processor.beginParameterChange(density);
@@ -110,7 +110,7 @@ TEST_CASE("A host's state in the middle of a gesture or an audition harms nothin
     CHECK(saved(processor) == before);
 }
 
-TEST_CASE("A window that closes in the middle of a gesture leaves a whole step") {
+TEST_CASE("A window that closes during a gesture leaves one complete step") {
     Processor processor;
     auto& history = processor.editHistory();
     processor.beginParameterChange(density);
@@ -122,12 +122,12 @@ TEST_CASE("A window that closes in the middle of a gesture leaves a whole step")
     history.undo();
     history.undo();
     CHECK_FALSE(history.canUndo());
-    history.endEdit(); // of an edit that nobody began
+    history.endEdit(); // of an edit that was never begun
     drag(processor, tau, {1});
     CHECK(history.canUndo());
 }
 
-TEST_CASE("A and B are two whole sounds; B begins as a copy of A") {
+TEST_CASE("A and B are two complete sounds, and B begins as a copy of A") {
     Processor processor;
     auto& variants = processor.soundVariants();
     drag(processor, density, {1000});
@@ -155,7 +155,7 @@ TEST_CASE("A and B are two whole sounds; B begins as a copy of A") {
     CHECK(valuesOf(processor) == a);
 }
 
-TEST_CASE("A mutation is one step, of the same seed the same, and keeps the instrument") {
+TEST_CASE("A mutation is one step, repeats with the same seed, and keeps the instrument") {
     Processor processor;
     const auto instrument = processor.loadedInstrument();
     const auto before = valuesOf(processor);
@@ -169,7 +169,7 @@ TEST_CASE("A mutation is one step, of the same seed the same, and keeps the inst
     CHECK(valuesOf(processor) == once);
 }
 
-TEST_CASE("What is compared, copied or mutated while presets are auditioned is kept first") {
+TEST_CASE("Compare, copy and mutate during an audition keep the auditioned preset first") {
     Processor processor;
     auto& variants = processor.soundVariants();
     const auto audition = [&](std::size_t preset) {
@@ -194,7 +194,7 @@ TEST_CASE("What is compared, copied or mutated while presets are auditioned is k
     CHECK(processor.getCurrentProgram() == 4);
 }
 
-TEST_CASE("Auditioned presets are one step when kept and none when not") {
+TEST_CASE("Auditioned presets are one step if kept, and no step otherwise") {
     Processor processor;
     auto& history = processor.editHistory();
     auto& shelf = processor.presetShelf();
@@ -211,7 +211,7 @@ TEST_CASE("Auditioned presets are one step when kept and none when not") {
         CHECK(saved(processor) == before);
         CHECK(history.undoName() == "Density");
     }
-    SECTION("left") {
+    SECTION("not kept") {
         shelf.endAudition();
         CHECK(saved(processor) == before);
         CHECK(history.undoName() == "Density");

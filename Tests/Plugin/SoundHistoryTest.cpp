@@ -42,7 +42,7 @@ TEST_CASE("A new instance has nothing to undo or redo") {
     CHECK(saved(processor) == before);
 }
 
-TEST_CASE("Undo gives back every state on the way and redo the same ones again") {
+TEST_CASE("Undo returns every earlier state, and redo every later one") {
     Processor processor;
     auto& history = processor.editHistory();
     std::vector<std::string> states;
@@ -71,7 +71,7 @@ TEST_CASE("Undo gives back every state on the way and redo the same ones again")
     CHECK_FALSE(history.canRedo());
 }
 
-TEST_CASE("A new step after an undo forgets what was undone") {
+TEST_CASE("A new step after an undo discards the undone steps") {
     Processor processor;
     auto& history = processor.editHistory();
     drag(processor, tau, {0.5});
@@ -81,7 +81,7 @@ TEST_CASE("A new step after an undo forgets what was undone") {
     CHECK(history.undoName() == "Density");
 }
 
-TEST_CASE("States and programs that the host loads forget the steps and the other variant") {
+TEST_CASE("A state or program loaded by the host clears the steps and the other variant") {
     Processor processor;
     auto& history = processor.editHistory();
     drag(processor, density, {1000});
@@ -102,7 +102,7 @@ TEST_CASE("States and programs that the host loads forget the steps and the othe
     CHECK(history.canUndo());
 }
 
-TEST_CASE("Programs that MIDI asks for are one step, which leads back to what was not saved") {
+TEST_CASE("MIDI program changes in a row are one step, whose undo returns the unsaved sound") {
     const UserSettings user;
     Processor processor;
     auto& history = processor.editHistory();
@@ -137,12 +137,12 @@ TEST_CASE("Programs that MIDI asks for are one step, which leads back to what wa
         history.redo();
         CHECK(processor.getCurrentProgram() == 4);
         history.undo();
-        ask(5); // a step of its own: nothing leads forward any more
+        ask(5); // a new step that discards the redo
         CHECK_FALSE(history.canRedo());
         history.undo();
         CHECK(saved(processor) == compared);
     }
-    SECTION("with a change between") {
+    SECTION("with a change in between") {
         ask(2);
         drag(processor, tau, {5});
         const auto changed = saved(processor);
@@ -156,7 +156,7 @@ TEST_CASE("Programs that MIDI asks for are one step, which leads back to what wa
         history.undo();
         CHECK(saved(processor) == first);
     }
-    SECTION("while a preset is listened to") {
+    SECTION("during an audition") {
         auto& shelf = processor.presetShelf();
         REQUIRE(shelf.auditionPreset(factoryPresetId("Wok")));
         ask(3);
@@ -165,7 +165,7 @@ TEST_CASE("Programs that MIDI asks for are one step, which leads back to what wa
         history.undo();
         CHECK(saved(processor) == before);
     }
-    SECTION("while a hand is at a parameter") {
+    SECTION("while a parameter is held and moved on") {
         processor.beginParameterChange(tau);
         processor.changeParameter(tau, 5);
         const auto held = saved(processor);
@@ -179,7 +179,7 @@ TEST_CASE("Programs that MIDI asks for are one step, which leads back to what wa
         history.undo();
         CHECK(saved(processor) == before);
     }
-    SECTION("while a hand is at a parameter that it only lets go of then") {
+    SECTION("while a parameter is held and then released") {
         processor.beginParameterChange(tau);
         processor.changeParameter(tau, 5);
         const auto held = saved(processor);
@@ -192,12 +192,12 @@ TEST_CASE("Programs that MIDI asks for are one step, which leads back to what wa
         history.redo();
         CHECK(saved(processor) == held);
     }
-    SECTION("before the host loads something") {
+    SECTION("before the host loads a program") {
         ask(3);
         processor.setCurrentProgram(5);
         CHECK_FALSE(history.canUndo());
     }
-    SECTION("after the host has loaded something") {
+    SECTION("after the host has loaded a program") {
         processor.setCurrentProgram(5);
         const auto loaded = saved(processor);
         ask(3);
@@ -207,7 +207,7 @@ TEST_CASE("Programs that MIDI asks for are one step, which leads back to what wa
     }
 }
 
-TEST_CASE("An undone load plays the very objects of before, and the setup stays where it is") {
+TEST_CASE("An undone load plays the same objects as before and keeps the setup parameters") {
     Processor processor;
     const auto first = processor.loadedInstrument();
     load(processor, 4);
@@ -221,7 +221,7 @@ TEST_CASE("An undone load plays the very objects of before, and the setup stays 
     CHECK(processor.getCurrentProgram() == 0);
 }
 
-TEST_CASE("Steps are bounded, and the newest stay") {
+TEST_CASE("The number of steps is bounded, and the newest stay") {
     Processor processor;
     auto& history = processor.editHistory();
     for (int i = 0; i < 20000; ++i)
@@ -235,7 +235,7 @@ TEST_CASE("Steps are bounded, and the newest stay") {
     CHECK(steps < 10000);
 }
 
-TEST_CASE("Sounds are renewed in the steps too") {
+TEST_CASE("renewSounds also replaces the sounds in the steps") {
     Processor processor;
     auto& history = processor.editHistory();
     const auto preview = processor.loadedInstrument();
@@ -257,7 +257,7 @@ TEST_CASE("Undo, compare and mutate while notes ring make no step larger than th
     restore(processor, testState());
     processor.prepareToPlay(48000, 480);
     auto& history = processor.editHistory();
-    history.compare(); // B: another mallet and material
+    history.compare(); // B has another mallet and material
     drag(processor, malletHardness, {200});
     drag(processor, material, {firstLibraryMaterial});
     history.compare();
@@ -279,8 +279,7 @@ TEST_CASE("Undo, compare and mutate while notes ring make no step larger than th
     check([&] { history.redo(); });
 }
 
-TEST_CASE(
-    "Loads undone and redone while the audio runs keep the sound finite and end where begun") {
+TEST_CASE("Undo and redo of loads during audio keep the sound finite and restore the first state") {
     Processor processor;
     processor.prepareToPlay(48000, 256);
     std::atomic<bool> stop{false}, finite{true};

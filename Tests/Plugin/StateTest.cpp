@@ -45,7 +45,7 @@ State randomState(unsigned seed) {
 
 } // namespace
 
-TEST_CASE("A state reads back equal to the last bit, and writes the same bytes again") {
+TEST_CASE("A state reads back equal to the last bit and writes the same bytes again") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const auto state = randomState(seed);
         const auto bytes = encodeState(state);
@@ -56,7 +56,7 @@ TEST_CASE("A state reads back equal to the last bit, and writes the same bytes a
     }
 }
 
-TEST_CASE("Embedded objects come back byte for byte, whatever they hold") {
+TEST_CASE("Embedded objects come back byte for byte, whatever they contain") {
     State state = testState();
     state.objects = {{.name = "empty bytes", .modal = {std::byte{0}}}};
     std::mt19937 random(3);
@@ -72,7 +72,7 @@ TEST_CASE("Embedded objects come back byte for byte, whatever they hold") {
     CHECK(read->objects == state.objects);
 }
 
-TEST_CASE("An object is written as it was packed before, where that is known") {
+TEST_CASE("An object whose packed text is known is written as that text") {
     State state = testState();
     state.objects.resize(1);
     auto& object = state.objects.front();
@@ -85,7 +85,7 @@ TEST_CASE("An object is written as it was packed before, where that is known") {
     CHECK(*read->objects.front().packed == *object.packed);
 }
 
-TEST_CASE("Members and parameters that a state's reader does not know are ignored") {
+TEST_CASE("Unknown members and parameters in a state are ignored") {
     const auto state = testState();
     auto bytes = encodeState(state);
     for (const auto* place :
@@ -96,8 +96,7 @@ TEST_CASE("Members and parameters that a state's reader does not know are ignore
     CHECK(*read == state);
 }
 
-TEST_CASE(
-    "The preset of a state may have no name, and be longer than a file of one: its texts are cut") {
+TEST_CASE("A preset in a state may lack a name, and its overlong texts are cut") {
     auto state = testState();
     state.objects.resize(1);
     state.preset.name.clear();
@@ -117,7 +116,7 @@ TEST_CASE("A tuning file of the largest size comes back, whatever its bytes") {
     CHECK(encodeState(*read) == encodeState(state));
 }
 
-TEST_CASE("A parameter that a state lacks has its default, one out of range its nearest value") {
+TEST_CASE("A missing parameter gets its default, one out of range the nearest valid value") {
     const auto bytes = encodeState(testState());
     const auto without = parseState(replaced(bytes, "\"tune\":0.0,", ""));
     REQUIRE(without);
@@ -127,7 +126,7 @@ TEST_CASE("A parameter that a state lacks has its default, one out of range its 
     CHECK(outside->parameters[ParameterId::tune] == 1200);
 }
 
-TEST_CASE("A state of a newer format is refused with one sentence that says so") {
+TEST_CASE("A state of a newer format is refused with one sentence") {
     const auto state =
         parseState(replaced(encodeState(testState()), "\"version\":1", "\"version\":2"));
     REQUIRE_FALSE(state);
@@ -165,7 +164,7 @@ TEST_CASE("Damaged states are refused with one sentence each") {
     }
 }
 
-TEST_CASE("Learned controllers come back") {
+TEST_CASE("Learned controllers are saved and restored") {
     auto state = testState();
     state.controllers[ParameterId::tau] = 119;
     state.controllers[ParameterId::thickness] = 1;
@@ -173,7 +172,7 @@ TEST_CASE("Learned controllers come back") {
     CHECK(encodeState(testState()).find("controllers") == std::string::npos);
 }
 
-TEST_CASE("Any truncation of a state is refused") {
+TEST_CASE("Any truncated state is refused") {
     auto state = testState();
     state.objects.resize(1);
     const auto good = encodeState(state);
@@ -181,7 +180,7 @@ TEST_CASE("Any truncation of a state is refused") {
         REQUIRE_FALSE(parseState(std::string_view(good).substr(0, length)));
 }
 
-TEST_CASE("Random bytes and random damage never crash") {
+TEST_CASE("Random bytes and random damage never crash the reader") {
     std::mt19937 random(11);
     auto state = testState();
     state.objects.resize(2);

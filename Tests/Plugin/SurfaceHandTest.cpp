@@ -24,7 +24,7 @@ float peakOf(Player& player) {
 
 } // namespace
 
-TEST_CASE("A bar a key are as many objects, a ring scaled to every key is one") {
+TEST_CASE("ownSlots lists every bar of a keyboard, but an object scaled to all keys only once") {
     CHECK(ownSlots(*instrumentOf("Rosewood Xylophone")).size() == 44);
     CHECK(ownSlots(*instrumentOf("Steel Plate")).size() == 1);
     const auto ring = instrumentOf("Steel Ring");
@@ -35,7 +35,7 @@ TEST_CASE("A bar a key are as many objects, a ring scaled to every key is one") 
               std::abs(std::log2(ring->slots()[slots[0]].sizeRatio)));
 }
 
-TEST_CASE("A blow reaches the player of its instrument, where it was aimed, and no other") {
+TEST_CASE("A strike reaches only the player of its instrument, at the place aimed at") {
     const auto plate = instrumentOf("Steel Plate"), other = instrumentOf("Wok");
     SurfaceHand hand;
     Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
@@ -43,7 +43,7 @@ TEST_CASE("A blow reaches the player of its instrument, where it was aimed, and 
     hand.playOn(&onOther);
     CHECK(onOther.silent());
     hand.playOn(&onPlate);
-    CHECK(onPlate.silent()); // it was dropped
+    CHECK(onPlate.silent()); // the strike was dropped
 
     hand.strike(plate, 0, {0.1, 0.05, 0.1}, 100);
     hand.playOn(&onPlate);
@@ -56,8 +56,7 @@ TEST_CASE("A blow reaches the player of its instrument, where it was aimed, and 
     CHECK(peakOf(onPlate) > 0);
 }
 
-TEST_CASE(
-    "A drag goes straight from one place to the next, in steps no longer than the mesh's edges") {
+TEST_CASE("A drag goes straight to the next place in steps no longer than the mesh edges") {
     const auto plate = instrumentOf("Steel Plate");
     const ObjectSurface surface(*plate->slots()[0].object);
     const std::array<double, 3> from{-0.1, -0.05, 0.1}, to{0.1, 0.05, 0.1};
@@ -78,8 +77,7 @@ TEST_CASE(
     CHECK(peakOf(byHand) > 0);
 }
 
-TEST_CASE(
-    "A hand that was lifted, or that comes to another instrument, does not go on from there") {
+TEST_CASE("A lifted hand or a hand on another instrument starts a new drag") {
     const auto plate = instrumentOf("Steel Plate"), other = instrumentOf("Wok");
     SurfaceHand hand;
     hand.scrape(plate, 0, {-0.1, 0, 0.1}, 1);
@@ -87,14 +85,14 @@ TEST_CASE(
     Player onPlate(plate, sampleRateHz), onOther(other, sampleRateHz);
     hand.playOn(&onOther);
     CHECK(onPlate.silent());
-    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // it came, and rests
+    CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0); // the contact arrived and rests
     hand.scrape(other, 0, {0.1, 0, 0.1}, 0);
     hand.scrape(other, 0, {-0.1, 0, 0.1}, 1);
     hand.playOn(&onOther);
     CHECK(peak(renderStereo(onOther, {}, 9600, 480).left) == 0);
 }
 
-TEST_CASE("However full the queue, a hand that was lifted is lifted") {
+TEST_CASE("A hand is lifted even if the queue is full") {
     const auto plate = instrumentOf("Steel Plate");
     SurfaceHand hand;
     Player player(plate, sampleRateHz);
@@ -110,7 +108,7 @@ TEST_CASE("However full the queue, a hand that was lifted is lifted") {
     CHECK(player.silent());
 }
 
-TEST_CASE("Without a player blows are dropped, and a flood of them is bounded") {
+TEST_CASE("Without a player strikes are dropped, and their number is bounded") {
     const auto plate = instrumentOf("Steel Plate");
     SurfaceHand hand;
     for (int i = 0; i < 1000; ++i)

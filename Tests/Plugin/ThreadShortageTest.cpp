@@ -1,5 +1,5 @@
-// Where the system starts no more threads: what needs one is refused in a sentence, and what played
-// goes on.
+// If the system starts no more threads, requests that need one are refused with one sentence, and
+// the current sound plays on.
 #include "Plugin/RealTimeTrap.h"
 #include "Plugin/RestoredSound.h"
 #include "Support/ImportedFiles.h"
@@ -31,7 +31,7 @@ int programOnAStage() {
 
 } // namespace
 
-TEST_CASE("A fault of the system's is told in a sentence with its subject") {
+TEST_CASE("A system error is reported in one sentence that names its subject") {
     const auto sentence = [](std::errc fault) {
         return withinMemory(
                    [=]() -> Result<void> { throw std::system_error(std::make_error_code(fault)); },
@@ -43,7 +43,7 @@ TEST_CASE("A fault of the system's is told in a sentence with its subject") {
     CHECK_THAT(sentence(std::errc::permission_denied), ContainsSubstring("Bell cannot be made: "));
 }
 
-TEST_CASE("A stage whose bodies no thread would move is refused, and what plays goes on") {
+TEST_CASE("A scene without a thread for its bodies is refused, and the current sound plays on") {
     if (!realTimeTrapWorks())
         SKIP("threads cannot be made to fail here");
     const UserSettings user;
@@ -88,7 +88,7 @@ TEST_CASE("A stage whose bodies no thread would move is refused, and what plays 
     CHECK_FALSE(processor.takeStatus().isError);
 }
 
-TEST_CASE("A file that no thread would read is refused, and opened once there is one") {
+TEST_CASE("A file without a thread to read it is refused, and opens once there is one") {
     if (!realTimeTrapWorks())
         SKIP("threads cannot be made to fail here");
     const UserSettings user;

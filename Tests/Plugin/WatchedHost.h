@@ -1,4 +1,4 @@
-// A host in whose callbacks the real-time trap counts.
+// A host whose callbacks are watched by the real-time trap.
 #pragma once
 
 #include "Plugin/RealTimeTrap.h"
@@ -23,18 +23,18 @@ public:
         INFO(what << ": first " << faults.first);
         CHECK(faults.allocations == 0);
         CHECK(faults.locks == 0);
-        if (systemCallTrapWorks()) // elsewhere their own test is skipped
+        if (systemCallTrapWorks()) // system calls have their own test, which is skipped elsewhere
             CHECK(faults.systemCalls == 0);
         loudestSample = std::max(loudestSample, view.getMagnitude(0, samples));
     }
 
     void choose(int program) {
         what = processor.getProgramName(program).toStdString();
-        processor.setCurrentProgram(program); // handed over while the last one rings
+        processor.setCurrentProgram(program); // while the former sound rings
         loudestSample = 0;
     }
 
-    /// Of what was played since the preset was chosen.
+    /// Checks the loudest sample since the preset was chosen.
     void checkHeard(float leastSample) const {
         INFO(what << ": loudest sample " << loudestSample);
         CHECK(loudestSample > leastSample);

@@ -1,4 +1,4 @@
-// What the user's files are where the disk is full.
+// The user's files when the disk is full.
 #include "Plugin/WholeFile.h"
 
 #include "Editor/Utf8.h"
@@ -31,7 +31,7 @@ juce::File freshFolder() {
     return folder;
 }
 
-/// With one sentence that begins with the file's path.
+/// Checks for an error of one sentence that begins with the file's path.
 template <class Outcome>
 void checkRefused(const Outcome& outcome, const juce::File& file) {
     REQUIRE_FALSE(outcome);
@@ -39,14 +39,14 @@ void checkRefused(const Outcome& outcome, const juce::File& file) {
     CHECK_THAT(outcome.error().message, EndsWith("."));
 }
 
-/// Below the folder, files that are hidden too.
+/// Counts all files below the folder, hidden ones too.
 int files(const juce::File& folder) {
     return folder.findChildFiles(juce::File::findFiles, true).size();
 }
 
 } // namespace
 
-TEST_CASE("A file that cannot be written is named with what is wrong, in one sentence") {
+TEST_CASE("A file that cannot be written gives an error of one sentence with its path") {
     const auto folder = freshFolder();
     const auto blocked = folder.getChildFile("a file/x");
     blocked.getParentDirectory().create();
@@ -60,8 +60,7 @@ TEST_CASE("A file that cannot be written is named with what is wrong, in one sen
 
 #ifndef _WIN32
 
-TEST_CASE(
-    "A protected file stays, and what replaces a file keeps its permissions and the links to it") {
+TEST_CASE("A protected file stays, and a replaced file keeps its permissions and links") {
     const auto folder = freshFolder();
     const auto file = folder.getChildFile("behind/file"), link = folder.getChildFile("link");
     const std::vector<std::byte> bytes(10), more(20);
@@ -95,14 +94,14 @@ Preset longPreset(const std::string& name) {
     return preset;
 }
 
-/// None at all, and for part of every file of these tests.
+/// Space for no byte, or for the beginning of every file in these tests.
 rlim_t roomInBytes() {
     return GENERATE(rlim_t{0}, rlim_t{16});
 }
 
 } // namespace
 
-TEST_CASE("A file is written whole, in a folder that is made for it, or stays as it was") {
+TEST_CASE("A file and its folder are written completely, or the old file stays") {
     const auto folder = freshFolder();
     const auto file = folder.getChildFile("deeper/bytes");
     const auto write = [&](std::size_t count) {
@@ -113,7 +112,7 @@ TEST_CASE("A file is written whole, in a folder that is made for it, or stays as
     CHECK(file.getSize() == 100'000);
     REQUIRE(write(2000));
     CHECK(file.getSize() == 2000);
-    // Short and long files take different ways through a stream's buffer.
+    // Short and long files are buffered differently by a stream.
     for (const std::size_t count : {3000u, 100'000u})
         for (const rlim_t room : {0, 1024}) {
             CAPTURE(count, room);
@@ -126,7 +125,7 @@ TEST_CASE("A file is written whole, in a folder that is made for it, or stays as
     CHECK(files(folder) == 1);
 }
 
-TEST_CASE("On a full disk a preset is neither replaced nor renamed, and no file is left") {
+TEST_CASE("On a full disk a preset is neither replaced nor renamed, and no partial file remains") {
     const auto room = roomInBytes();
     const auto root = freshFolder();
     PresetFolder folder(root);
@@ -143,7 +142,7 @@ TEST_CASE("On a full disk a preset is neither replaced nor renamed, and no file 
     CHECK(files(root) == 1);
 }
 
-TEST_CASE("On a full disk no part of an object is left for a preset to name") {
+TEST_CASE("On a full disk no partial object file remains") {
     const auto room = roomInBytes();
     const auto root = freshFolder();
     ObjectLibrary library;
@@ -156,7 +155,7 @@ TEST_CASE("On a full disk no part of an object is left for a preset to name") {
     CHECK(files(root) == 0);
 }
 
-TEST_CASE("On a full disk favourites stay as they were") {
+TEST_CASE("On a full disk the favourites stay unchanged") {
     const auto room = roomInBytes();
     const auto file = freshFolder().getChildFile("favourites.json");
     Favourites favourites(file);
