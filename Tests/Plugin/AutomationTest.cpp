@@ -268,7 +268,7 @@ const std::vector<Jump> switchesWhileRinging{
     {bypass, 0, 1, asLevel},
 };
 
-/// Compared by level in decibels.
+/// Their effect is measured as a level in decibels.
 const std::vector<Jump> jumpsWhilePressed{
     {contactForce, 1, 30, asLevel},
     {contactSpeed, 0.25, 1, asLevel},

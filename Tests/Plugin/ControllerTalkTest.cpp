@@ -1,4 +1,4 @@
-// Keeps the host and MIDI controllers consistent where both move a parameter.
+// Host automation and MIDI controllers that move the same parameter.
 #include "Plugin/ListeningHost.h"
 #include "Support/GestureLog.h"
 #include "Support/TestSound.h"
@@ -83,7 +83,7 @@ TEST_CASE("A controller that moves a parameter held by the mouse leaves that ges
     processor.removeListener(&host);
 }
 
-TEST_CASE("The host is told of unsaved changes when a controller is learned or forgotten") {
+TEST_CASE("Learning or forgetting a controller marks the project as changed in the host") {
     struct Host final : juce::AudioProcessorListener {
         void audioProcessorParameterChanged(juce::AudioProcessor*, int, float) override {}
         void audioProcessorChanged(juce::AudioProcessor*, const ChangeDetails& details) override {

@@ -77,7 +77,7 @@ TEST_CASE("Zones and bend ranges set by MIDI become parameter values and are sav
     CHECK(before.value(ParameterId::mpe) == 0);
 }
 
-TEST_CASE("The host is told of zones and bend ranges set by MIDI only if they change a value") {
+TEST_CASE("Zones and bend ranges set by MIDI are sent to the host only if they change a value") {
     CountingHost host;
     Instance instance(testState());
     instance.processor.addListener(&host);
@@ -139,7 +139,8 @@ TEST_CASE("A restored state resets zones and bend ranges set by MIDI") {
     CHECK(configured.playBent() == fresh.playBent());
 }
 
-TEST_CASE("Zones and bend-range fractions without a parameter hold while no parameter moves") {
+TEST_CASE(
+    "Zones and bend-range fractions that no parameter can hold stay until a parameter moves") {
     Instance atOnce(testState()), later(testState());
     juce::MidiBuffer setup;
     give(setup, 1, zone, 6);

@@ -53,7 +53,7 @@ TEST_CASE("Retired objects are destroyed by collect, by publish and at the end")
     CHECK(alive == 0);
 }
 
-TEST_CASE("Many hand-offs in a row lose, leak or destroy nothing on the audio thread") {
+TEST_CASE("In many hand-offs nothing is lost, leaked or destroyed on the audio thread") {
     constexpr int rounds = 200000;
     int lastTaken = 0;
     bool inOrder = true;

@@ -39,7 +39,7 @@ bool flushesSubnormals() {
     return small * 0.5f == 0;
 }
 
-/// Runs inside the processor's callback, which asks for the position.
+/// Checks the floating-point mode inside the processor's callback, which asks for the position.
 class FloatingPointWitness final : public juce::AudioPlayHead {
 public:
     juce::Optional<PositionInfo> getPosition() const override {

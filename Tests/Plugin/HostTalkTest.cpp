@@ -298,7 +298,7 @@ TEST_CASE("The message thread shows a program that another thread chose, after i
     processor.setNonRealtime(false);
     followTimers(300);
     constexpr int each = static_cast<int>(parameterCount);
-    std::vector expected{each, 2 * each}; // sent twice, for wrappers that apply it late
+    std::vector expected{each, 2 * each}; // sent twice, for wrappers that pass nothing on at first
     CHECK(host.valuesToldBefore == expected);
     elsewhere();
     processor.setCurrentProgram(5);
@@ -328,7 +328,7 @@ TEST_CASE("A parameter that the host moves during a program change is sent to it
     CHECK(host.heard.size() == 1);
     host.heard.clear();
     auto* tau = processor.getParameters()[static_cast<int>(ParameterId::tau)];
-    tau->setValue(0.9f); // as a host does that still reads the former values
+    tau->setValue(0.9f); // like a host that still reads the former values
     followTimers(300);
     CHECK(host.heard == std::vector{tau->getValue()});
     tau->setValue(0.8f);

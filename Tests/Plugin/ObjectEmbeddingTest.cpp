@@ -91,11 +91,11 @@ TEST_CASE("Each object is packed once while it lives") {
         text = embeddedObjects(**built).front().packed;
         CHECK_FALSE(text.expired());
     }
-    SECTION("after a save of factory objects") {
+    SECTION("its text is freed when factory objects are saved") {
         embeddedObjects(**buildInstrument(factoryPresets().front().keyMap, {}));
         CHECK(text.expired());
     }
-    SECTION("after a restore of packed objects") {
+    SECTION("its text is freed when packed objects are restored") {
         auto another = testState("another");
         for (auto& object : another.objects)
             object.packed = std::make_shared<const std::string>("its own text");
@@ -174,7 +174,7 @@ TEST_CASE("Objects too large for a state are refused before they play") {
     CHECK(saved(processor) == bytes);
 }
 
-TEST_CASE("Instances that restore different objects with one name at the same time get their own") {
+TEST_CASE("Instances that restore different objects of one name in parallel each get their own") {
     const auto low = testState("same", 1), high = testState("same", 2);
     std::atomic<int> wrong{0};
     const auto build = [&](const State& state, double expectedHz) {

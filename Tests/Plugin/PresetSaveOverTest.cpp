@@ -1,4 +1,4 @@
-// When a preset file may be overwritten, and when the user has to confirm it.
+// Tests when a preset file may be overwritten and when the user has to confirm it.
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/PresetsAtHand.h"
 #include "Support/UserSettings.h"

@@ -205,7 +205,7 @@ TEST_CASE("Automation of every parameter to both ends stays finite") {
     CHECK(finite);
 }
 
-TEST_CASE("Bypass is silent, and ringing goes on unheard meanwhile") {
+TEST_CASE("In bypass the output is silent, and the sound rings on unheard") {
     Processor processor;
     restore(processor, testState());
     processor.prepareToPlay(48000, 480);

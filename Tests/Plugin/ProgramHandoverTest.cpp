@@ -57,7 +57,7 @@ struct BusyHost final : juce::AudioProcessorListener {
 
 } // namespace
 
-TEST_CASE("A key pressed in the new preset while the host is told of it is struck once") {
+TEST_CASE("A key pressed while the host is notified of a new preset is struck once") {
     enum class Struck { afterwards, whileTold, asSoonAsLoaded };
     const auto played = [](Struck when) {
         Processor processor;
@@ -265,7 +265,7 @@ TEST_CASE("A state restored after a MIDI program change is the one that plays") 
     for (int looks = 0; looks < 30; ++looks)
         followTimers();
     CHECK(processor.loadedSound().preset.name == name);
-    render(processor, blockSize, blockSize, programChange(9)); // a new request is answered
+    render(processor, blockSize, blockSize, programChange(9)); // a new request still works
     waitForProgram(processor, 9);
 }
 

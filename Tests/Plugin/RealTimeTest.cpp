@@ -12,7 +12,7 @@
 #include <thread>
 #include <unistd.h>
 
-// Types watched by the trap, which other systems may lack.
+// Declare the functions that the trap watches. Other systems may lack them.
 #if defined(__linux__) && defined(__GLIBC__)
 #include <pthread.h>
 #include <semaphore.h>

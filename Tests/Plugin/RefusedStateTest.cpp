@@ -1,4 +1,4 @@
-// States that cannot be restored at all, or only in part.
+// Tests states that cannot be restored at all, or only in part.
 #include "Plugin/FactoryPrograms.h"
 #include "Plugin/RestoredSound.h"
 
@@ -86,7 +86,7 @@ TEST_CASE(
         processor.setCurrentProgram(0);
         CHECK(parseState(saved(processor))->preset.keyMap == factoryPresets()[0].keyMap);
     }
-    SECTION("with its keys, which cannot be changed") {
+    SECTION("the keys cannot be changed") {
         const auto number = processor.instrumentNumber();
         const auto isKept = [&] {
             const auto now = processor.takeStatus();
@@ -115,7 +115,7 @@ TEST_CASE(
         processor.editHistory().undo();
         CHECK(saved(processor) == bytes);
     }
-    SECTION("and complete once the object is back") {
+    SECTION("complete once the object is back") {
         auto back = *parseState(saved(processor));
         back.objects = parseState(whole)->objects;
         restore(processor, back);

@@ -122,7 +122,7 @@ TEST_CASE("A window that closes during a gesture leaves one complete step") {
     history.undo();
     history.undo();
     CHECK_FALSE(history.canUndo());
-    history.endEdit(); // of an edit that was never begun
+    history.endEdit(); // no edit was begun
     drag(processor, tau, {1});
     CHECK(history.canUndo());
 }

@@ -203,7 +203,7 @@ TEST_CASE("An undo that brings a sound back does not bring its solo modes back")
     CHECK(frame->modes[0].standing == ModeStanding::sounding);
 }
 
-TEST_CASE("Muting is a step that can be undone and redone, also in the sound") {
+TEST_CASE("Muting is a step, and its undo and redo change the sound") {
     Prepared prepared;
     auto& processor = prepared.processor;
     processor.muteMode(9, 0, true);

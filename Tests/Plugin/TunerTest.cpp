@@ -287,7 +287,7 @@ TEST_CASE("A tuning by messages is not saved, and is reset by forgetTuning and b
     isForgottenBy([&] { restoreBytes(processor, before); });
 }
 
-TEST_CASE("A message between forgetTuning and the next callback tunes") {
+TEST_CASE("A tuning message between forgetTuning and the next callback takes effect") {
     Prepared instance;
     const auto up = singleNoteTuning(struckNote, 70, 8192);
     const double hertz = 440 * std::exp2(1.5 / 12);
