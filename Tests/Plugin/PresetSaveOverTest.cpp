@@ -174,7 +174,7 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         two.soundVariants().compare();
         checkSaved(7);
     }
-    SECTION("after an audition that is not kept") {
+    SECTION("during an audition") {
         REQUIRE(otherShelf.auditionPreset("Bell.json"));
         saveTheirs();
         checkRefused();
@@ -189,7 +189,7 @@ TEST_CASE("A save overwrites only the file version that the current sound came f
         two.changeParameter(tau, 7);
         checkRefused();
     }
-    SECTION("after a second audition") {
+    SECTION("during an audition of the newer file") {
         REQUIRE(otherShelf.loadPreset("Bell.json"));
         saveTheirs();
         otherShelf.readPresets();

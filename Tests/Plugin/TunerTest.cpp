@@ -114,7 +114,7 @@ TEST_CASE("Opening and forgetting a tuning are steps of the history") {
     CHECK(history.redoName() == "Forget tuning");
 }
 
-TEST_CASE("Scale and mapping come from separate files, in any order") {
+TEST_CASE("Scale and mapping open from separate files, one after the other") {
     Prepared instance;
     auto& processor = instance.processor;
     processor.openTuning(written("from432.kbm", from432));
