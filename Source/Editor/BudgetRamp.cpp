@@ -12,7 +12,7 @@ namespace {
 
 constexpr float left = 34, captionHeight = 15, widestBar = 26;
 
-/// 1, 2 or 5 times a power of ten, at least this.
+/// Rounds up to 1, 2 or 5 times a power of ten.
 double roundUp(double value) {
     const double power = std::pow(10, std::floor(std::log10(std::max(value, 1.0))));
     for (const double step : {1.0, 2.0, 5.0})
@@ -62,7 +62,8 @@ juce::Rectangle<float> BudgetRamp::plot() const {
         .withTrimmedBottom(captionHeight);
 }
 
-/// Modes at the upper end: all that is asked can be seen, and the line where it is not far above.
+/// The upper end of the axis in modes. All requests fit; the entitlement line fits unless it is far
+/// above them.
 float BudgetRamp::highest() const {
     float most = 0;
     for (const Bar& bar : bars)
@@ -120,7 +121,7 @@ void BudgetRamp::paint(juce::Graphics& g) {
             line.startNewSubPath(bars.size() == 1 ? at.withX(area.getX()) : at);
         line.lineTo(bars.size() == 1 ? at.withX(area.getRight()) : at);
     }
-    if (!isLineSeen) // far above: what is asked would be too small to be seen
+    if (!isLineSeen) // a line far above would shrink the bars too much
         return;
     g.setColour(colourOf(*this, LookColour::text));
     g.strokePath(line, juce::PathStrokeType(1.6f));

@@ -1,5 +1,5 @@
-// How the budget of modes is shared among the objects that sound: a bar each, loudest first, for
-// what it asks and what it has, and the line of slope S that says what it may have.
+// A bar chart of how the mode budget is shared among the sounding objects, loudest first. Each bar
+// shows requested and granted modes; a line of slope S shows the entitlement.
 #pragma once
 
 #include "Editor/SoundView.h"
@@ -9,22 +9,22 @@
 
 namespace idiophone {
 
-/// Readable from 240 x 80 px on.
+/// Needs at least 240 x 80 px.
 class BudgetRamp final : public juce::Component, public juce::SettableTooltipClient {
 public:
     BudgetRamp();
 
-    /// Repaints where that looks different.
+    /// Repaints only if the picture changes.
     void show(const SoundFrame& frame);
 
-    /// What is seen, in words.
+    /// Describes the chart for a screen reader and the caption.
     juce::String description() const;
 
     void paint(juce::Graphics& g) override;
     std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
 
 private:
-    /// All that is drawn of a slot, in modes.
+    /// The bar of one slot, in modes.
     struct Bar {
         std::int32_t asked = 0;
         std::int32_t share = 0;

@@ -14,8 +14,8 @@ juce::File temporaryFolder() {
     return juce::File::getSpecialLocation(juce::File::tempDirectory);
 }
 
-/// This process's own, as the system's may be of many users; made anew where it was cleared away.
-/// It stays behind: hosts may go on reading what was dropped on them.
+/// Returns this process's temporary folder, because several users may share the system's. It is
+/// created again if somebody deleted it, and never removed: hosts may still read dropped files.
 juce::File dragFolder() {
     static juce::File folder;
     constexpr int mostTries = 100;
@@ -25,7 +25,7 @@ juce::File dragFolder() {
         const auto path = pathOf(next);
         std::error_code fault;
         if (!std::filesystem::create_directory(path, fault) || fault)
-            continue; // or somebody else has it
+            continue; // perhaps another process owns this name
         std::filesystem::permissions(path, std::filesystem::perms::owner_all, fault);
         folder = next;
     }
@@ -74,7 +74,7 @@ void CaptureButton::mouseDown(const juce::MouseEvent& event) {
 
 void CaptureButton::mouseUp(const juce::MouseEvent& event) {
     if (isDragged)
-        setState(buttonNormal); // a drag is no click
+        setState(buttonNormal); // a drag does not click
     else
         TextButton::mouseUp(event);
 }

@@ -1,4 +1,4 @@
-// A button that is dragged out of the window as a file, or saves it where it is clicked.
+// A button for captured notes: a drag exports them as a file, a click saves them.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -11,7 +11,7 @@ namespace idiophone {
 
 class CaptureButton final : public juce::TextButton {
 public:
-    /// Files of the pattern's ending: "*.mid".
+    /// The pattern gives the file extension: "*.mid".
     CaptureButton(ProcessorView& processor,
                   ProcessorView::CaptureKind whichKind,
                   const juce::String& label,
@@ -22,13 +22,13 @@ public:
     void mouseDrag(const juce::MouseEvent& event) override;
     void mouseUp(const juce::MouseEvent& event) override;
 
-    /// A new file of the system's temporary folder, as it is dragged; none where it was not
-    /// written.
+    /// Writes the file to drag, in the system's temporary folder. Returns an empty File on failure.
     juce::File writeForDrag();
-    /// As a chooser names it: some systems' give it no ending. A file that the chooser has not
-    /// asked about, as it did not know its ending, is not replaced.
+    /// Saves to the chosen path, and adds the extension if it is missing. Then an existing file is
+    /// not
+    /// replaced, because the chooser has not asked about it.
     void save(const juce::File& chosen);
-    /// Whether it is such a file, of any window's.
+    /// Whether any window wrote this file for a drag.
     static bool isForDrag(const std::filesystem::path& file);
 
 private:

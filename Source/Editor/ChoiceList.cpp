@@ -8,10 +8,10 @@
 namespace idiophone {
 namespace {
 
-// Item numbers, which JUCE wants from 1 on.
+// JUCE's item numbers start at 1.
 constexpr int firstChoiceItem = 1, firstUserItem = 1000;
 
-/// "Own (Rosewood)"; "Own" where there is no one name.
+/// "Own (Rosewood)", or "Own" if the objects have no common named material.
 juce::String ownMaterialText(const ProcessorView& view) {
     std::set<std::string> names;
     for (const auto& played : view.playedObjects())
@@ -66,18 +66,19 @@ void ChoiceList::choose() {
     changeOnce(view, info.parameter, item - firstChoiceItem);
 }
 
-/// The first choice is what the objects themselves are made of, and says what that is.
+/// Puts the name of the objects' own material into the first choice.
 void ChoiceList::nameOwnMaterial() {
     if (info.parameter != ParameterId::material || view.instrumentNumber() == instrument)
         return;
     instrument = view.instrumentNumber();
     changeItemText(firstChoiceItem, ownMaterialText(view));
-    setSelectedId(0, juce::dontSendNotification); // else a chosen one keeps its old text
+    setSelectedId(0,
+                  juce::dontSendNotification); // without this, a selected item keeps its old text
 }
 
 void ChoiceList::refresh() {
     if (info.parameter == ParameterId::material && ownMaterials != view.userMaterialNames())
-        fill(); // another list has read them anew
+        fill(); // another list has read the user's materials again
     nameOwnMaterial();
     const int own = info.parameter == ParameterId::material ? view.userMaterialIndex() : -1;
     const int item = own >= 0

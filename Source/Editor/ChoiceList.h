@@ -1,4 +1,4 @@
-// The list of a parameter's choices; for the material with the user's own behind them.
+// A list of a parameter's choices. The material's list also offers the user's materials.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -11,10 +11,10 @@ class ChoiceList final : public juce::ComboBox {
 public:
     ChoiceList(const ParameterInfo& info, ProcessorView& view);
 
-    /// Shows what the processor has.
+    /// Shows the processor's current choice.
     void refresh();
 
-    /// The user's materials may have changed since it was open last.
+    /// Reads the user's materials again before the list opens.
     void showPopup() override;
 
 private:
@@ -24,8 +24,8 @@ private:
 
     const ParameterInfo& info;
     ProcessorView& view;
-    int instrument = -1;                   ///< whose material the first choice names
-    std::vector<std::string> ownMaterials; ///< in the list
+    int instrument = -1;                   ///< the instrument whose material the first choice names
+    std::vector<std::string> ownMaterials; ///< the user's materials in the list
 };
 
 } // namespace idiophone

@@ -1,11 +1,11 @@
-// Letters with the key for commands: Ctrl, on macOS Cmd.
+// Recognises shortcuts with the command key: Ctrl, or Cmd on macOS.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
 namespace idiophone {
 
-/// The letter is a small one.
+/// `letter` is lower case.
 inline bool isCommand(const juce::KeyPress& key, char letter, bool shift = false) {
     const auto mods = key.getModifiers();
     return mods.isCommandDown() && !mods.isAltDown() && mods.isShiftDown() == shift &&

@@ -1,11 +1,11 @@
-// A and B side by side, the one that plays lit; a click plays the other.
+// The A/B switch: the playing sound is lit, a click plays the other.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
 namespace idiophone {
 
-/// Its toggle state is whether B plays. Needs 52 x 24 pixels.
+/// The toggle state is on while B plays. Needs 52 x 24 pixels.
 class CompareSwitch final : public juce::Button {
 public:
     CompareSwitch();

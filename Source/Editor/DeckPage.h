@@ -1,4 +1,4 @@
-// One page of the deck below or beside the instrument's picture.
+// Base class of the pages in the deck, below or beside the picture of the instrument.
 #pragma once
 
 #include <functional>
@@ -9,28 +9,30 @@ namespace idiophone {
 
 struct SoundFrame;
 
-/// Its name is what its tab says.
+/// The component's name is the text of the tab.
 class DeckPage : public juce::Component {
 public:
-    /// What every page must get along with.
+    /// The smallest size that every page must support.
     static constexpr int leastWidth = 380, leastHeight = 290;
-    /// Wider or higher a page is not made.
+    /// The largest size of a page.
     static constexpr int mostWidth = 640, mostHeight = 460;
-    /// Free space around what a page shows.
+    /// Margin around the content of a page.
     static constexpr int padding = 10;
 
     explicit DeckPage(const juce::String& name) : Component(name) {}
 
-    /// Shows what holds now; repaints only what changed. Called by the window's timer while the
-    /// page can be seen.
+    /// Shows the current values and repaints only changes. The window's timer calls it while the
+    /// page is
+    /// visible.
     virtual void refresh() = 0;
 
-    /// Each frame of the sound as it is now, which the window takes from the processor once for
-    /// all; while the page can be seen.
+    /// Receives each new frame while the page is visible. The window takes it from the processor
+    /// once
+    /// for all pages.
     virtual void showSound(const SoundFrame&) {}
 
 protected:
-    /// A button that acts, whereupon the page shows what holds then.
+    /// Adds a button that runs the action and then refreshes the page.
     void addButton(juce::TextButton& button,
                    const juce::String& title,
                    const juce::String& tooltip,

@@ -1,4 +1,4 @@
-// What a component shows, as words for a screen reader.
+// Describes a component's content to a screen reader in a sentence.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace idiophone {
 
-/// For `createAccessibilityHandler`: of that role, with the sentence as its value, which cannot be
-/// set. The sentence lives no longer than the component.
+/// For `createAccessibilityHandler`: a handler with a read-only value. It calls `sentence` only
+/// while the component lives.
 inline std::unique_ptr<juce::AccessibilityHandler>
 describedValue(juce::Component& component,
                juce::AccessibilityRole role,

@@ -1,12 +1,12 @@
-// The outline around the window while a file hovers over it that would be opened there.
+// The outline around the window while the user drags a file over it that it can open.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
 namespace idiophone {
 
-/// Lies over the window and lets the mouse through. OpenGL draws over what lies under its picture,
-/// so that the frame keeps to the window's margin and top.
+/// Covers the window and ignores the mouse. OpenGL covers components over its picture, so the frame
+/// uses only the window's margin and top.
 class DropFrame final : public juce::Component {
 public:
     DropFrame() {
@@ -14,7 +14,7 @@ public:
         setAccessible(false);
     }
 
-    /// The name of what hovers, without its folder; empty hides the frame.
+    /// Shows the file's name, without its folder. An empty name hides the frame.
     void show(const juce::String& fileName);
 
     void paint(juce::Graphics& g) override;

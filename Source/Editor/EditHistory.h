@@ -1,28 +1,29 @@
-// What was done to the sound since it was opened, step by step, to be taken back and done again.
+// Undo and redo of edits to the sound since it was opened.
 #pragma once
 
 #include <string>
 
 namespace idiophone {
 
-/// For the message thread. A step is one gesture or typed value, all parameters of one edit, a
-/// preset or object that was loaded, a mutation, a comparison. What a host does is no step, and
-/// when it loads a state or program the steps before are forgotten: they belong to another sound.
+/// For the message thread. One step is a gesture, a typed value, an edit of several parameters, a
+/// loaded preset or object, a mutation, or an A/B comparison.
+/// Host changes are not steps. When the host loads a state or program, all steps are deleted: they
+/// belong to another sound.
 class EditHistory {
 public:
     virtual ~EditHistory() = default;
 
     virtual bool canUndo() = 0;
     virtual bool canRedo() = 0;
-    /// What the next one would take back or do again ("Density"); empty where there is none.
+    /// The name of the next step to undo or redo ("Density"); empty if there is none.
     virtual std::string undoName() = 0;
     virtual std::string redoName() = 0;
-    /// What rings goes on or fades as when it was changed by hand; where there is no step, nothing
-    /// happens.
+    /// Ringing sound continues or fades as after the same edit by hand. Does nothing if there is no
+    /// step.
     virtual void undo() = 0;
     virtual void redo() = 0;
 
-    /// The parameters that change by hand up to the matching `endEdit` are one step of this name.
+    /// All parameters that change by hand up to the matching `endEdit` form one step of this name.
     /// Edits nest; the outermost counts.
     virtual void beginEdit(const std::string& name) = 0;
     virtual void endEdit() = 0;

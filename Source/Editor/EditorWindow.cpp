@@ -17,15 +17,15 @@ namespace {
 
 constexpr int firstWidth = 1180, firstHeight = 860;
 constexpr int margin = 12, barHeight = 44, statusHeight = 32;
-/// With less for both, the picture stands beside the deck and not above it.
+/// If the height for both is smaller, the picture stands beside the deck instead of above it.
 constexpr int leastHeightForBoth = PageDeck::leastHeight + 200;
 constexpr double deckShare = 0.44;
-/// How often the window looks for what has changed: while something sounds or the mouse is over it,
-/// and after a while without either.
+/// Update rates in Hz: while something sounds or the mouse is over the window, and at rest. Rest
+/// starts after `ticksToRest` quiet ticks.
 constexpr int busyHz = 25, restHz = 8, ticksToRest = 50;
 constexpr int tooltipMilliseconds = 600;
 
-/// What the window was last, but no larger than the screen of now.
+/// The last size of the window, limited to the current screen.
 juce::Point<int> sizeOnScreen(juce::Point<int> last) {
     auto most = juce::Rectangle<int>(EditorWindow::mostWidth, EditorWindow::mostHeight);
     if (const auto* screen = juce::Desktop::getInstance().getDisplays().getPrimaryDisplay())
@@ -37,7 +37,7 @@ juce::Point<int> sizeOnScreen(juce::Point<int> last) {
             fitting(last.y, firstHeight, EditorWindow::leastHeight, most.getHeight())};
 }
 
-/// Of texts that were typed JUCE keeps the colour of then.
+/// JUCE keeps the old colour in text that was already typed, so colour it again.
 void recolourTexts(juce::Component& part) {
     if (auto* editor = dynamic_cast<juce::TextEditor*>(&part))
         editor->applyColourToAllText(editor->findColour(juce::TextEditor::textColourId), false);
@@ -152,13 +152,14 @@ bool EditorWindow::keyPressed(const juce::KeyPress& key) {
            AudioProcessorEditor::keyPressed(key);
 }
 
-// Whatever has the focus, the keys of the computer play where it does not want them. In a host they
-// are the host's.
+// In the standalone program the computer's keys play notes, unless the focused component wants
+// them.
+// In a plugin the keys belong to the host.
 bool EditorWindow::keyStateChanged(bool isDown) {
     if (!juce::JUCEApplicationBase::isStandaloneApp())
         return false;
     if (dynamic_cast<juce::TextInputTarget*>(getCurrentlyFocusedComponent()) != nullptr)
-        return false; // it takes keys that go down, but tells of those that come up
+        return false; // a text field takes key presses, but passes key releases on
     return keyboard.followKeys(isDown);
 }
 
@@ -180,7 +181,7 @@ void EditorWindow::timerCallback() {
         object.picture().showSound(*frame);
         deck.showSound(*frame);
     }
-    // With the focus on the window around this one its keys would not come here.
+    // If the surrounding window has the focus, its key presses do not arrive here.
     if (juce::JUCEApplicationBase::isStandaloneApp() &&
         getCurrentlyFocusedComponent() == getTopLevelComponent())
         keyboard.takeFocus();
@@ -198,7 +199,8 @@ void EditorWindow::setBusy(bool busy) {
 }
 
 bool EditorWindow::isInterestedInFileDrag(const juce::StringArray& files) {
-    // What cannot be opened is answered, too; but for a capture that is let go where it came from.
+    // Accept unreadable files too, to report the reason. Ignore a capture dropped back on the
+    // window.
     return !files.isEmpty() && !CaptureButton::isForDrag(pathOf(files[0]));
 }
 
@@ -216,7 +218,7 @@ void EditorWindow::filesDropped(const juce::StringArray& files, int, int) {
     if (file.isEmpty())
         return view.reportError(refusalOf(juce::File(files[0]), view));
     const bool isTuning = view.isTuningFile(pathOf(file));
-    if (isTuning) // a scale and its mapping come together
+    if (isTuning) // a scale and its mapping arrive together
         for (const auto& each : files) {
             if (view.isTuningFile(pathOf(each)))
                 view.openTuning(pathOf(each));

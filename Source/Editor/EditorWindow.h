@@ -1,5 +1,5 @@
-// The plugin's window: presets on top, the instrument itself, the deck of pages below or beside it,
-// status and keyboard.
+// The plugin's window: presets on top, the picture of the instrument, the deck of pages below or
+// beside it, then status and keyboard.
 #pragma once
 
 #include "Editor/DropFrame.h"
@@ -35,13 +35,14 @@ public:
     bool keyStateChanged(bool isDown) override;
     void focusOfChildComponentChanged(FocusChangeType cause) override;
 
-    /// Shows the list of presets in place of picture and pages, or these again.
+    /// Shows the preset browser instead of picture and pages, or hides it again.
     void setBrowsing(bool browses);
 
     void setLook(LookScheme scheme);
 
-    /// Files that the workshop reads, scales and keyboard mappings may be dropped anywhere on the
-    /// window; of others the status says why not. A window's own capture is not taken.
+    /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
+    /// For
+    /// other files the status gives the reason. Captures dragged from this program are ignored.
     bool isInterestedInFileDrag(const juce::StringArray& files) override;
     void fileDragEnter(const juce::StringArray& files, int x, int y) override;
     void fileDragExit(const juce::StringArray& files) override;
@@ -65,8 +66,9 @@ private:
     KeyboardPanel keyboard;
     DropFrame dropFrame;
     FocusRing focusRing;
-    int importPage = 0, tuningPage = 0;          ///< of the deck
-    std::optional<juce::TooltipWindow> tooltips; ///< while the window is not at rest: it polls
+    int importPage = 0, tuningPage = 0; ///< page numbers in the deck
+    std::optional<juce::TooltipWindow>
+        tooltips; ///< only while the window is busy, because it polls
     int ticksAtRest = 0;
 };
 

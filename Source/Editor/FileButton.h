@@ -1,4 +1,4 @@
-// A button that lets one file be chosen.
+// A button that opens a chooser for one file.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace idiophone {
 
 class FileButton final : public juce::TextButton {
 public:
-    /// The patterns are separated by semicolons: "*.scl;*.kbm".
+    /// Semicolons separate the patterns: "*.scl;*.kbm".
     FileButton(const juce::String& label,
                const juce::String& title,
                const juce::String& tooltip,

@@ -1,21 +1,21 @@
-// The outline around what the Tab key has chosen.
+// The outline around the component that the Tab key focused.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
 namespace idiophone {
 
-/// Lies over the window, its parent, and lets the mouse through. It shows only on the way by
-/// keyboard: who clicks knows where.
+/// Covers its parent, the window, and ignores the mouse. It appears only for keyboard navigation:
+/// after a click the user knows the place.
 class FocusRing final : public juce::Component, private juce::FocusChangeListener {
 public:
     FocusRing();
     ~FocusRing() override;
 
-    /// The focus is about to move by a key.
+    /// Call before a key moves the focus.
     void tabPressed() { isByKey = true; }
 
-    /// The window's parts have moved.
+    /// Call after the window's components have moved.
     void follow();
 
     void paint(juce::Graphics& g) override;

@@ -1,5 +1,4 @@
-// One gesture out of changes that come in quick succession: the notches of a mouse wheel, the
-// repeats of a key.
+// Joins quick successive changes into one gesture: notches of a mouse wheel, repeats of a key.
 #pragma once
 
 #include <functional>
@@ -7,8 +6,8 @@
 
 namespace idiophone {
 
-/// For the message thread. A gesture begins with the first `extend` and ends with `finish`, when
-/// nothing has come for a while, or with this.
+/// For the message thread. A gesture begins with the first `extend`. It ends with `finish`, after a
+/// pause, or on destruction.
 class GestureBurst final : private juce::Timer {
 public:
     GestureBurst(std::function<void()> begin, std::function<void()> end)

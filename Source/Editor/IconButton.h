@@ -1,4 +1,4 @@
-// A button that shows a picture; what it does stands in its title and tooltip.
+// A button with an icon; title and tooltip say what it does.
 #pragma once
 
 #include <functional>
@@ -6,20 +6,18 @@
 
 namespace idiophone {
 
-/// Needs 24 x 24 pixels. Where it is a toggle, the picture is filled with the accent while it is
-/// on.
+/// Needs 24 x 24 pixels. An active toggle fills the icon with the accent colour.
 class IconButton final : public juce::Button {
 public:
     IconButton(const juce::String& title, juce::Path icon);
 
-    /// Shows a menu on a right click, a click with the Alt key and the keys of `asksForMenu`.
-    /// Optional.
+    /// Optional. Called on a right click, an Alt-click and the keys of `asksForMenu`.
     std::function<void()> onMenu;
 
-    /// The picture while a toggle is off, where it is another one.
+    /// Sets another icon for the off state of a toggle.
     void setPictureOff(juce::Path icon) { pictureOff = std::move(icon); }
 
-    /// What a screen reader says, and the mouse shows.
+    /// Sets the texts for the screen reader and the mouse.
     void describe(const juce::String& title, const juce::String& tooltip);
 
     void paintButton(juce::Graphics& g, bool highlighted, bool down) override;

@@ -5,7 +5,7 @@ namespace {
 
 constexpr float lineWidth = 0.1f;
 
-/// Lines of the width of all icons, to be filled.
+/// Returns the outline of the lines, at the line width of all icons.
 juce::Path drawn(const juce::Path& lines) {
     juce::Path outline;
     juce::PathStrokeType(lineWidth, juce::PathStrokeType::curved, juce::PathStrokeType::rounded)

@@ -1,4 +1,4 @@
-// The pictures on buttons, as paths in a square from 0 to 1.
+// The icons of buttons, as paths in a square from 0 to 1.
 #pragma once
 
 #include <juce_graphics/juce_graphics.h>

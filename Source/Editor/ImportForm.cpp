@@ -12,7 +12,7 @@ namespace idiophone {
 namespace {
 
 struct Choice {
-    const char* id; ///< in ImportSettings
+    const char* id; ///< value in ImportSettings
     const char* name;
 };
 
@@ -40,7 +40,7 @@ const Choice* find(std::span<const Choice> choices, const std::string& id) {
     return found == choices.end() ? nullptr : &*found;
 }
 
-/// `taken` is what the first choice has come to, or empty.
+/// Selects the choice `id`. `taken` is the value that the automatic first choice led to, or empty.
 void select(juce::ComboBox& list,
             std::span<const Choice> choices,
             const std::string& id,

@@ -1,4 +1,4 @@
-// How a mesh is made an object: unit, material, thickness and method, each a list or a figure.
+// The import settings as a form: unit, material, thickness and method.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -12,24 +12,24 @@ namespace idiophone {
 
 /// "2 mm".
 juce::String thicknessText(double metres);
-/// What a person typed, in mm, cm, m or in, and in mm where no unit is named; nothing for what is
-/// no number or not between 0.01 mm and 1 m.
+/// Parses a thickness in mm, cm, m or in; mm if there is no unit. Returns nothing unless it is a
+/// number between 0.01 mm and 1 m.
 std::optional<double> parseThicknessMetres(const juce::String& text);
 
-/// Text is whole from 340 x 92 px on.
+/// Needs at least 340 x 92 px to show all text.
 class ImportForm final : public juce::Component {
 public:
     static constexpr int height = 92;
 
     explicit ImportForm(ProcessorView& view);
 
-    /// Shows these settings, and what automatic ones have come to.
+    /// Shows the settings, and the values that automatic settings chose.
     void show(const ImportStatus& status);
 
     void resized() override;
 
 private:
-    /// Looks for the user's materials anew whenever it opens.
+    /// Reads the user's materials again whenever it opens.
     struct MaterialList final : juce::ComboBox {
         std::function<void()> beforeOpening;
         void showPopup() override {

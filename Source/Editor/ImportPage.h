@@ -1,5 +1,5 @@
-// The page of what was dropped or opened: its file and settings, how far its analysis is, what was
-// chosen and why, and how the keys play it.
+// The page of the imported object: file, settings, progress of the analysis, its choices and their
+// reasons, and how keys play it.
 #pragma once
 
 #include "Editor/DeckPage.h"

@@ -19,7 +19,7 @@ int whiteKeys(int lowest, int highest) {
     return count;
 }
 
-/// The range and all keys that sound beside it.
+/// Extends the range to all keys that sound.
 ProcessorView::KeyRange soundingRange(ProcessorView::KeyRange range,
                                       const std::array<ProcessorView::KeySound, 128>& sounds) {
     for (int note = 0; note < 128; ++note)
@@ -33,7 +33,7 @@ ProcessorView::KeyRange soundingRange(ProcessorView::KeyRange range,
 } // namespace
 
 int computerKeysBase(ProcessorView::KeyRange range) {
-    constexpr int keys = 17; // A to ;
+    constexpr int keys = 17; // the computer's keys A to ;
     const auto reached = [&](int base) {
         return std::min(range.highest, base + keys - 1) - std::max(range.lowest, base);
     };
@@ -85,11 +85,12 @@ KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
     keyboard.setOctaveForMiddleC(4);
     keyboard.setTitle("Keyboard");
     if (!juce::JUCEApplicationBase::isStandaloneApp())
-        keyboard.clearKeyMappings(); // they are the host's
+        keyboard.clearKeyMappings(); // the host uses the computer's keys
     addAndMakeVisible(keyboard);
     state.addListener(this);
-    // It asks 20 times a second whether a key has moved, also when nothing does: the window's own
-    // timer asks instead, in `refresh`. The base is private.
+    // JUCE's timer polls the keys 20 times a second, even at rest. Stop it: `refresh` polls
+    // instead.
+    // The cast is needed because the base class is private.
     ((juce::Timer&)keyboard).stopTimer();
     refresh();
 }

@@ -1,4 +1,4 @@
-// The on-screen keyboard over the notes that the instrument has; the computer's keys play it too.
+// The on-screen keyboard with the instrument's notes. The computer's keys play it too.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// The C from which the computer's keys, an octave and a half, reach most of a range of notes.
+/// The C from which the computer's keys, an octave and a half, cover most of the range.
 int computerKeysBase(ProcessorView::KeyRange range);
 
 class KeyboardPanel final : public juce::Component, private juce::MidiKeyboardState::Listener {
@@ -15,17 +15,18 @@ public:
     explicit KeyboardPanel(ProcessorView& view);
     ~KeyboardPanel() override;
 
-    /// Shows the range of the instrument that is loaded now, and which keys are down.
+    /// Shows the current instrument's range and the pressed keys.
     void refresh();
     void takeFocus() { keyboard.grabKeyboardFocus(); }
-    /// Keys of the computer are down or up that nothing else has taken; whether they play.
+    /// Plays the computer's keys that no other component took. Returns whether any key plays.
     bool followKeys(bool isDown) { return keyboard.keyStateChanged(isDown); }
-    /// As when it loses the focus: what the computer's keys hold is let go.
+    /// Releases the notes that the computer's keys hold, as a loss of focus does.
     void releaseKeys();
-    /// Z and X let the computer's keys play an octave lower or higher, within the keys that are
-    /// shown: once until they come up, however often they are repeated. False for other keys.
+    /// Z and X shift the computer's keys by an octave, within the visible keys. Key repeats are
+    /// ignored
+    /// until the key is released. Returns false for other keys.
     bool pressOctaveKey(const juce::KeyPress& key);
-    /// The C that the computer's first key plays.
+    /// The note of the computer's first key, a C.
     int computerKeysNote() const { return baseNote; }
 
     void resized() override;
@@ -35,7 +36,7 @@ private:
     void handleNoteOn(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
     void handleNoteOff(juce::MidiKeyboardState*, int channel, int note, float velocity) override;
 
-    /// Those that play nothing are greyed, and those that play another key's object are dimmed.
+    /// Greys keys that play nothing, and dims keys that play another key's object.
     class Keys final : public juce::MidiKeyboardComponent {
     public:
         explicit Keys(KeyboardPanel& panel)
@@ -69,10 +70,10 @@ private:
     ProcessorView& view;
     ProcessorView::KeyRange shown{.lowest = -1, .highest = -1};
     std::array<ProcessorView::KeySound, 128> sounds{};
-    int lowest = 0, highest = 127;  ///< of the keys drawn
-    int baseNote = 0;               ///< of the computer's keys
+    int lowest = 0, highest = 127;  ///< MIDI notes, of the drawn keys
+    int baseNote = 0;               ///< MIDI note of the computer's first key
     juce::juce_wchar octaveKey = 0; ///< 'z' or 'x' while it is held
-    juce::MidiKeyboardState state;  // never seen by the audio thread: it locks
+    juce::MidiKeyboardState state;  // it locks, so the audio thread never uses it
     Keys keyboard{*this};
 };
 

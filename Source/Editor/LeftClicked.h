@@ -1,4 +1,4 @@
-// A control that leaves the right button to the one it is part of.
+// A control that ignores the right mouse button, so that its parent can use it.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    /// By how it began: it ends with the last button that comes up, whichever that is.
+    /// Set when the press begins, because the last button that comes up ends it, whichever it is.
     bool isOwn = false;
 };
 

@@ -1,4 +1,4 @@
-// Colours, fonts and the few shapes that differ from JUCE's own look; one dark and one light.
+// Colours, fonts and the shapes that differ from JUCE's look; a dark and a light scheme.
 #pragma once
 
 #include <juce_gui_basics/juce_gui_basics.h>
@@ -7,12 +7,12 @@ namespace idiophone {
 
 enum class LookScheme { dark, light };
 
-/// What colours mean, whichever scheme holds. Text in `text`, `dimText`, `accent` and `error` is
-/// readable on `background` and `panel`, and `onAccent` on `accent`: WCAG 2.1 AA, 4.5 to 1.
+/// Roles of colours in both schemes. `text`, `dimText`, `accent` and `error` are readable on
+/// `background` and `panel`, and `onAccent` on `accent` (WCAG 2.1 AA, contrast 4.5 to 1).
 enum class LookColour : int {
     background = 0x1d10000,
     panel,
-    outline, ///< and what a control has not filled
+    outline, ///< also the unfilled part of a control
     text,
     dimText,
     accent,
@@ -25,7 +25,7 @@ class Look final : public juce::LookAndFeel_V4 {
 public:
     explicit Look(LookScheme scheme = LookScheme::dark);
 
-    /// Components learn of it by `sendLookAndFeelChange` of the window that wears the look.
+    /// To update components, call `sendLookAndFeelChange` of the window that uses this look.
     void setScheme(LookScheme scheme);
     LookScheme scheme() const { return current; }
 
@@ -55,10 +55,10 @@ private:
     LookScheme current;
 };
 
-/// Of the look that the component wears.
+/// The colour in the component's look.
 juce::Colour colourOf(const juce::Component& component, LookColour colour);
 
-/// Of a scheme, for what is no component.
+/// The colour in a scheme, for code without a component.
 juce::Colour colourOf(LookScheme scheme, LookColour colour);
 
 } // namespace idiophone

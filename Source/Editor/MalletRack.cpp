@@ -10,15 +10,15 @@
 namespace idiophone {
 namespace {
 
-/// How a mallet looks.
+/// The appearance of a mallet.
 struct Head {
-    float diameter = 0; ///< of the place it has; 0: it is the one of the custom figures
+    float diameter = 0; ///< share of the available space; 0: the custom mallet
     juce::Colour colour;
 };
 
 constexpr double largestRadiusMetres = 0.025;
 
-/// Of a choice of the parameter.
+/// The head for a choice of the mallet parameter.
 Head headOf(std::size_t choice) {
     if (choice < firstRackMallet)
         return {};
@@ -57,7 +57,7 @@ public:
 
 private:
     void paintHead(juce::Graphics& g, juce::Rectangle<float> area) const {
-        if (head.diameter == 0) { // three sliders, to be set
+        if (head.diameter == 0) { // the custom mallet: an icon of three sliders
             for (int line = 0; line < 3; ++line) {
                 const float y = area.getCentreY() + 7 * static_cast<float>(line - 1);
                 const float knob = area.getCentreX() + (line == 1 ? -6.0f : 5.0f);

@@ -1,4 +1,4 @@
-// The mallets side by side, to be taken with a click.
+// The row of mallets; a click selects one.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -13,7 +13,7 @@ class MalletRack final : public juce::Component {
 public:
     explicit MalletRack(ProcessorView& view);
 
-    /// Shows which one is in the hand, if that has changed.
+    /// Shows the selected mallet if it has changed.
     void refresh();
 
     void resized() override;

@@ -5,8 +5,8 @@ namespace {
 
 constexpr std::uint32_t wood = 0x996b45, metal = 0x9ea6b0, stone = 0xa8adb0, plastic = 0x4c8c99;
 
-/// Of a material that is none of the library's: wood has a grain, metals are heavy, stone, glass
-/// and ceramics stiff, plastics neither.
+/// Guesses the colour of a material outside the library. Wood has a grain; metals are heavy; stone,
+/// glass and ceramics are stiff; plastics are neither.
 std::uint32_t suggestedColour(const Material& material) {
     if (material.grain)
         return wood;

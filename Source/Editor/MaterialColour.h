@@ -1,4 +1,4 @@
-// What colour a material is drawn in.
+// The colour in which a material is drawn.
 #pragma once
 
 #include "Object/Material.h"
@@ -7,8 +7,8 @@
 
 namespace idiophone {
 
-/// Red, green and blue, 0 to 1: of the library's materials their own, of others what their figures
-/// suggest.
+/// Red, green and blue, 0 to 1. Materials of the library have a fixed colour; for others it is
+/// guessed from their figures.
 std::array<float, 3> colourOf(const Material& material);
 
 } // namespace idiophone

@@ -102,7 +102,8 @@ void MaterialPad::mix(const PlanePlace& place) {
     view.changeParameter(fluidDamping, material.damping.fluidPerSecond);
     view.changeParameter(viscoelasticDamping, material.damping.viscoelasticSeconds * 1e6);
     view.changeParameter(lossFactor, material.damping.lossFactor);
-    view.changeParameter(ParameterId::material, customMaterial); // last: its figures stand by now
+    view.changeParameter(ParameterId::material,
+                         customMaterial); // last, because its figures are set by now
     refresh();
 }
 
@@ -200,7 +201,7 @@ void MaterialPad::paintNamed(juce::Graphics& g) const {
         g.fillEllipse(dot);
         g.setColour(colourOf(*this, hovered == i ? LookColour::text : LookColour::dimText));
         g.drawEllipse(dot, hovered == i ? 1.6f : 0.6f);
-        // A name where there is room for it; the others' show under the mouse.
+        // Draw the names that fit; hovering shows the others.
         const auto name = fromUtf8(library[i].name);
         const float width = juce::GlyphArrangement::getStringWidth(font, name) + 2;
         juce::Rectangle<float> label(dot.getRight() + 2, dot.getCentreY() - 6, width, 12);

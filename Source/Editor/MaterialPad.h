@@ -1,5 +1,5 @@
-// The map of materials in the window: a dot for each named one, a ring where the sound is now. A
-// click on a dot takes that material; dragging elsewhere mixes, live.
+// The map of materials: a dot for each named one, a ring at the current sound. A click on a dot
+// selects that material; dragging elsewhere mixes live.
 #pragma once
 
 #include "Editor/GestureBurst.h"
@@ -15,7 +15,7 @@ class MaterialPad final : public juce::Component, public juce::SettableTooltipCl
 public:
     explicit MaterialPad(ProcessorView& view);
 
-    /// Shows where the sound is, if that has changed.
+    /// Moves the ring if the material has changed.
     void refresh();
 
     void paint(juce::Graphics& g) override;
@@ -46,7 +46,7 @@ private:
     PlanePlace shown{-1, -1};
     std::optional<std::size_t> hovered; ///< index into the material library
     bool mixing = false;
-    GestureBurst burst; ///< of the arrow keys
+    GestureBurst burst; ///< joins presses of arrow keys into one gesture
 };
 
 } // namespace idiophone

@@ -7,7 +7,7 @@ namespace {
 
 using enum ParameterId;
 
-/// A change that goes on without a pause of this many ticks of the window's timer is one change.
+/// Changes less than this many timer ticks apart count as one change.
 constexpr int settledTicks = 12;
 constexpr int gap = 16, lowestRow = 34, highestRow = 50, lineHeight = 26;
 
@@ -64,7 +64,7 @@ void MaterialPage::swapMaterials() {
     now = wanted;
     for (const auto parameter : parameters)
         view.beginParameterChange(parameter);
-    // The choice comes last: its figures stand by then.
+    // Set the choice last, after its figures.
     for (std::size_t i = 0; i < parameters.size(); ++i)
         view.changeParameter(parameters[i], wanted[i]);
     for (const auto parameter : parameters)

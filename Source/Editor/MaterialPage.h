@@ -1,5 +1,5 @@
-// What the objects are made of: the pad, the named materials, the figures, and the way back to the
-// material before.
+// The page of the objects' material: pad, named materials, figures, and a swap with the previous
+// material.
 #pragma once
 
 #include "Editor/ChoiceList.h"
@@ -21,7 +21,7 @@ public:
     void refresh() override;
     void resized() override;
 
-    /// Plays the material before the last change, which is then the one before.
+    /// Swaps the current material with the one before the last change.
     void swapMaterials();
 
 private:

@@ -18,7 +18,7 @@ double between(double share, double lowest, double highest) {
     return lowest * std::pow(highest / lowest, share);
 }
 
-/// [1/s] What the three laws contribute at the map's frequency.
+/// Contributions of the three damping laws at the map's frequency, in 1/s.
 std::array<double, 3> termsOf(const DampingLaw& damping) {
     return {damping.fluidPerSecond, damping.lossFactor * planeOmega,
             damping.viscoelasticSeconds * planeOmega * planeOmega};
@@ -42,7 +42,7 @@ double decaySecondsAt(const PlanePlace& place) {
 }
 
 Material materialAt(const PlanePlace& place, std::span<const Material> known) {
-    constexpr double closest = 1e-9; // squared distance: a named material's own place
+    constexpr double closest = 1e-9; // added to the squared distance: avoids division by zero
     double weights = 0, logDensity = 0;
     std::array<double, 3> kinds{};
     for (const auto& material : known) {

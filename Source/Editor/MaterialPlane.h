@@ -1,5 +1,5 @@
-// A map of materials: from slow to fast sound, from dull to ringing. Between the named materials
-// lie mixtures of them. Plain mathematics; drawing it is MaterialPad's.
+// The map of materials: from slow to fast sound, from dull to ringing, with mixtures between the
+// named ones. Mathematics only; MaterialPad draws it.
 #pragma once
 
 #include "Object/Material.h"
@@ -8,13 +8,13 @@
 
 namespace idiophone {
 
-/// A place on the map, both from 0 to 1.
+/// A place on the map; both coordinates are from 0 to 1.
 struct PlanePlace {
-    double fast = 0;    ///< the speed of sound √(Y/ρ), logarithmic: pitch rises with it
-    double ringing = 0; ///< the decay time of a mode at 1 kHz, logarithmic
+    double fast = 0;    ///< speed of sound √(Y/ρ), logarithmic; pitch rises with it
+    double ringing = 0; ///< decay time of a mode at 1 kHz, logarithmic
 };
 
-/// What the ends of the map mean.
+/// Values at the ends of the map.
 inline constexpr double slowestMetresPerSecond = 700, fastestMetresPerSecond = 7000;
 inline constexpr double dullestSeconds = 0.03, longestRingSeconds = 200;
 inline constexpr double planeFrequencyHz = 1000;
@@ -25,10 +25,11 @@ PlanePlace placeOf(const Material& material);
 double soundMetresPerSecond(const PlanePlace& place);
 double decaySecondsAt(const PlanePlace& place);
 
-/// The material at a place: density and the kind of damping are those of the materials around it,
-/// weighted with the inverse square of their distance on the map, so that at a named material's
-/// place it is that material's. Young's modulus and the amount of damping are then such that it
-/// lies exactly there. `known` is not empty.
+/// The material at a place. Density and the mix of damping kinds are averages over `known`,
+/// weighted
+/// with the inverse square of the distance on the map, so named materials keep theirs. Young's
+/// modulus
+/// and the amount of damping are then solved for the place. `known` is not empty.
 Material materialAt(const PlanePlace& place, std::span<const Material> known);
 
 } // namespace idiophone

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float left = 32, right = 6, top = 6, axisHeight = 15, footHeight = 6;
 constexpr float reach = 12;
-constexpr int leastLine = 4; // of what is silent
+constexpr int leastLine = 4; // pixels, for silent modes
 
 } // namespace
 
@@ -128,7 +128,7 @@ void ModeSpectrum::toggleAlone(std::size_t mode) {
     modeChanged();
 }
 
-/// The nearest in frequency, of several the one whose end is nearest.
+/// The nearest mode in frequency. Of several, the one whose line ends nearest.
 std::optional<std::size_t> ModeSpectrum::modeAt(juce::Point<float> position) const {
     std::optional<std::size_t> nearest;
     float least = reach * reach;
@@ -189,7 +189,7 @@ bool ModeSpectrum::keyPressed(const juce::KeyPress& key) {
 }
 
 bool ModeSpectrum::keyStateChanged(bool) {
-    return juce::JUCEApplicationBase::isStandaloneApp(); // or else no key would reach the host
+    return juce::JUCEApplicationBase::isStandaloneApp(); // in a plugin, pass keys on to the host
 }
 
 void ModeSpectrum::resized() {

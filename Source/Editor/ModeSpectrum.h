@@ -1,5 +1,5 @@
-// The modes of an object as lines: where they are, how loud they are now, and how long they ring.
-// Clicks mute them.
+// The spectrum of an object's modes: frequency, current level and decay time of each. A click mutes
+// a mode.
 #pragma once
 
 #include "Editor/SoundView.h"
@@ -12,30 +12,30 @@
 
 namespace idiophone {
 
-/// Readable from 340 x 150 px on. The arrows choose a mode, M mutes it and S lets it be heard
-/// alone; a click mutes the mode under the mouse, with Alt it is heard alone.
+/// Needs at least 340 x 150 px. Arrows choose a mode, M mutes it and S solos it. A click mutes the
+/// mode under the mouse; an Alt-click solos it.
 class ModeSpectrum final : public juce::Component, public juce::SettableTooltipClient {
 public:
     explicit ModeSpectrum(SoundView& view);
 
-    /// Repaints where that looks different.
+    /// Repaints only if the picture changes.
     void show(const SoundFrame& frame);
 
-    /// Under the mouse, or else the one that the arrows chose last, of the frame shown last.
+    /// The mode of the last frame under the mouse, or else the chosen one.
     std::optional<std::size_t> modeShown() const;
-    /// Without the mouse.
+    /// The mode that a click, the arrows or `choose` selected.
     std::optional<std::size_t> modeChosen() const { return chosen; }
     void choose(std::optional<std::size_t> mode);
     const SoundFrame& frameShown() const { return frame; }
 
-    /// Changes it where it exists.
+    /// These two do nothing if the mode does not exist.
     void toggleMute(std::size_t mode);
     void toggleAlone(std::size_t mode);
 
-    /// Which mode is near a place of the component.
+    /// The mode near a position in the component.
     std::optional<std::size_t> modeAt(juce::Point<float> position) const;
 
-    /// After `modeShown` or what is known of it has changed.
+    /// Called after `modeShown` or its values have changed.
     std::function<void()> onModeShown;
 
     void paint(juce::Graphics& g) override;
@@ -44,13 +44,13 @@ public:
     void mouseExit(const juce::MouseEvent& event) override;
     void mouseDown(const juce::MouseEvent& event) override;
     bool keyPressed(const juce::KeyPress& key) override;
-    bool keyStateChanged(bool) override; ///< its letters are no notes
+    bool keyStateChanged(bool) override; ///< keeps M and S from playing notes
     void focusGained(FocusChangeType) override { repaint(); }
     void focusLost(FocusChangeType) override { repaint(); }
     std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
 
 private:
-    /// One mode as it is drawn; whole pixels, so that what looks the same is the same.
+    /// One mode as drawn, in whole pixels, so that equal pictures compare equal.
     struct Line {
         int x = 0;
         int top = 0;

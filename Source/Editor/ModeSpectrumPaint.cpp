@@ -1,4 +1,4 @@
-// How the spectrum of modes looks.
+// Draws the spectrum of modes.
 #include "Editor/Look.h"
 #include "Editor/ModeSpectrum.h"
 #include "Editor/Utf8.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr float leastTickGap = 26;
 
-/// The loudest are drawn last and can be seen.
+/// Drawing order: sounding modes last, so that they stay visible.
 constexpr std::array drawn{ModeStanding::outOfBand, ModeStanding::belowTau, ModeStanding::silenced,
                            ModeStanding::beyondBudget, ModeStanding::sounding};
 
@@ -51,7 +51,7 @@ void ModeSpectrum::paintScale(juce::Graphics& g) const {
 
 void ModeSpectrum::paintTau(juce::Graphics& g) const {
     const auto levels = levelArea();
-    const float y = static_cast<float>(tauY) + 0.5f; // a row of pixels
+    const float y = static_cast<float>(tauY) + 0.5f; // centre of a pixel row
     const std::array dashes{5.0f, 4.0f};
     g.setColour(colourOf(*this, LookColour::error));
     g.drawDashedLine({{levels.getX(), y}, {levels.getRight(), y}}, dashes.data(), 2, 1);
@@ -76,7 +76,7 @@ juce::Colour ModeSpectrum::colourFor(const Line& line) const {
     return colourOf(*this, LookColour::outline);
 }
 
-/// A common foot under the modes that sound as one.
+/// Draws a common base under modes that are merged into one.
 void ModeSpectrum::paintGroups(juce::Graphics& g) const {
     const float foot = levelArea().getBottom() + 3;
     for (std::size_t first = 0; first < lines.size();) {

@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-/// juce::String takes no decimals for as many as there are.
+/// juce::String reads 0 decimals as "all decimals".
 juce::String fixed(double value, int decimals) {
     return decimals > 0 ? juce::String(value, decimals) : juce::String(juce::roundToInt(value));
 }

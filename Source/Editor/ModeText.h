@@ -1,4 +1,4 @@
-// What the window says of a mode, in words and figures.
+// Texts about modes: level, frequency, note, decay time and state.
 #pragma once
 
 #include "Editor/SoundView.h"
@@ -7,23 +7,24 @@
 
 namespace idiophone {
 
-/// Of this and less the window shows nothing: −150 dB of full scale.
+/// Modes at or below this level, in dB of full scale, are not shown.
 inline constexpr double faintestDecibels = -150;
 
-/// Of a velocity amplitude in m/s, full scale 1; at least `faintestDecibels`.
+/// Level of a velocity amplitude in m/s, where full scale is 1. At least `faintestDecibels`.
 double decibelsOf(double metresPerSecond);
 
-/// "440 Hz", "12.3 kHz": three or four figures.
+/// "440 Hz", "12.3 kHz": three or four digits.
 juce::String frequencyText(double frequencyHz);
 /// "85 ms", "2.31 s".
 juce::String secondsText(double seconds);
-/// The nearest note and what the frequency is beside it: "A4 +3 ct", A4 = 440 Hz. Nothing where no
-/// MIDI note is near.
+/// The nearest note and the deviation in cents: "A4 +3 ct", with A4 = 440 Hz. Empty outside the
+/// MIDI
+/// range.
 juce::String noteText(double frequencyHz);
-/// Where a mode stands: "sounding", "below the threshold" ...
+/// The state of a mode: "sounding", "below the threshold" ...
 juce::String standingText(const ModeNow& mode);
 
-/// Two lines on a mode of the frame, which exists: frequency, note and T60; level, standing, group.
+/// Two lines on an existing mode: frequency, note and T60; then level, state and group.
 juce::StringArray describeMode(const SoundFrame& frame, std::size_t mode);
 
 } // namespace idiophone

@@ -11,7 +11,7 @@ namespace idiophone {
 namespace {
 
 constexpr int barHeight = 26, lineHeight = 16, gap = 6;
-constexpr int lastPlayedId = 1; // of the list; objects follow
+constexpr int lastPlayedId = 1; // item number; the objects follow
 
 juce::String noteName(int note) {
     return juce::MidiMessage::getMidiNoteName(note, true, true, 4);
@@ -92,7 +92,7 @@ void ModesPage::modeShown() {
         onModeShown(now);
 }
 
-/// The chosen mode is what the buttons change.
+/// The buttons act on the chosen mode; the text describes the shown one.
 void ModesPage::describe() {
     const auto& frame = spectrum.frameShown();
     const auto chosen = spectrum.modeChosen();

@@ -1,4 +1,4 @@
-// The page of the deck that shows the modes of an object, which of them sound, and mutes them.
+// The page with the modes of an object: shows which sound, and mutes or solos them.
 #pragma once
 
 #include "Editor/DeckPage.h"
@@ -18,8 +18,8 @@ public:
     void refresh() override;
     void showSound(const SoundFrame& frame) override;
 
-    /// The mode under the mouse or chosen by hand, of the object of the frame shown last, is
-    /// another one, or there is none any more.
+    /// Called when the shown mode (hovered or chosen, of the last frame's object) changes or
+    /// disappears.
     std::function<void(std::optional<std::size_t> mode)> onModeShown;
 
     void paint(juce::Graphics& g) override;
@@ -36,9 +36,9 @@ private:
     juce::ComboBox objects;
     juce::TextButton mute, alone, all;
     ModeSpectrum spectrum;
-    juce::StringArray lines; ///< on the mode shown
+    juce::StringArray lines; ///< text about the shown mode
     juce::Rectangle<int> lineArea;
-    std::optional<std::size_t> told; ///< to `onModeShown`
+    std::optional<std::size_t> told; ///< last value passed to `onModeShown`
 };
 
 } // namespace idiophone

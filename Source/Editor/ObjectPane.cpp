@@ -68,7 +68,7 @@ void ObjectPane::refresh() {
         showStageButtons();
 }
 
-/// What a stage has instead of a strike path.
+/// On a stage, shows the stage's buttons instead of those of the strike path.
 void ObjectPane::showStageButtons() {
     for (juce::Button* button :
          std::initializer_list<juce::Button*>{&play, &pause, &reset, &midi, &impulses})
@@ -95,7 +95,7 @@ void ObjectPane::resized() {
     auto area = getLocalBounds();
     auto strip = area.removeFromTop(stripHeight).withTrimmedBottom(gap);
     const juce::Font font = Look::textFont();
-    std::vector<std::pair<juce::Button*, int>> shown; // with the width of its text
+    std::vector<std::pair<juce::Button*, int>> shown; // with the width of its text in pixels
     int textWidth = 0;
     for (juce::Button* button : std::initializer_list<juce::Button*>{
              &vibration, &nodes, &path, &draw, &play, &pause, &reset, &midi, &impulses})

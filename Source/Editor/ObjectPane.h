@@ -1,4 +1,4 @@
-// The picture of the instrument under a strip that says what it shows.
+// The picture of the instrument, under a strip of switches for what it shows.
 #pragma once
 
 #include "Editor/CaptureButton.h"
@@ -31,7 +31,7 @@ private:
     ObjectView object;
     juce::TextButton vibration{"Vibration"}, nodes{"Nodal lines"}, path{"Strike path"},
         draw{"Draw path"};
-    // On a stage.
+    // Only on a stage.
     juce::TextButton play{"Play"}, pause{"Pause"}, reset{"Reset"};
     CaptureButton midi, impulses;
 };

@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of a click on a stage, where no end of a body is the player's: half way from soft to hard.
+/// Strength of a click on a stage, where bodies have no near end: half way from soft to hard.
 constexpr double stageStrength = 0.5;
 
-constexpr std::int64_t boxesForStage = 5'000'000; // of a click: a tenth of a second
+constexpr std::int64_t boxesForStage = 5'000'000; // limit per click, about 0.1 s
 
 Eigen::AlignedBox3d boxOf(const ModalObject& object) {
     Eigen::AlignedBox3d box;
@@ -35,7 +35,7 @@ Vector3d vectorOf(const ScenePlace& place) {
     return Eigen::Vector3f(place.data()).cast<double>();
 }
 
-/// Its sides, looking outward.
+/// The sides of the box, oriented outward.
 Mesh meshOf(const Eigen::AlignedBox3d& box) {
     Mesh mesh{Eigen::MatrixXd(8, 3), Eigen::MatrixXi{{0, 2, 1},
                                                      {1, 2, 3},
@@ -57,13 +57,14 @@ Mesh meshOf(const Eigen::AlignedBox3d& box) {
 
 } // namespace
 
-/// Bars lie along y, the naturals in a row, the accidentals behind and above them in the gaps, as
-/// on every mallet instrument. Bars run along their own x and face up along z. What is higher than
-/// long, as chimes are, hangs by its upper end, the accidentals behind.
+/// Lays the bars out as on a mallet instrument. They lie along y, with naturals in a row and
+/// accidentals behind and above them in the gaps. An object that is higher than long, such as a
+/// chime,
+/// hangs by its upper end.
 std::vector<ObjectScene::Placement>
 ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) {
     constexpr double gapMetres = 0.006, overlap = 0.9;
-    // Bars run along their own x.
+    // Turn the bar's x axis to the scene's y.
     const Eigen::Matrix3d turned{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
     std::vector<Eigen::AlignedBox3d> boxes;
     double widest = 0, tallest = 0;

@@ -1,5 +1,6 @@
-// The objects of an instrument in space, to be drawn and picked: several laid out as a keyboard,
-// one as it is, and those on a stage where their bodies are. It knows neither windows nor OpenGL.
+// The geometry of an instrument's objects, for drawing and picking. Several objects form a
+// keyboard,
+// one stays as it is, objects on a stage follow their bodies. Independent of windows and OpenGL.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -15,7 +16,7 @@
 
 namespace idiophone {
 
-/// In metres of the scene, where x goes right, y away from the player, z up.
+/// Metres; x points right, y away from the player, z up.
 using ScenePlace = std::array<float, 3>;
 
 struct SceneVertex {
@@ -23,13 +24,13 @@ struct SceneVertex {
     std::array<float, 3> normal; ///< unit, or zero
 };
 
-/// A run of vertices, three a face.
+/// A range of vertices, three per face.
 struct SceneObject {
     std::size_t firstVertex = 0;
     std::size_t vertexCount = 0;
     std::array<float, 3> colour{}; ///< red, green, blue; 0 to 1
-    float radius = 0;              ///< half of the way across it
-    bool isBox = false;            ///< drawn in the place of more faces than are drawn
+    float radius = 0;              ///< half the diagonal of its box, in metres
+    bool isBox = false;            ///< drawn as a box, because the face limit is reached
 };
 
 struct ScenePick {
@@ -39,16 +40,17 @@ struct ScenePick {
     double towardsPlayer = 0; ///< 0 at the object's far end, 1 at its near end
 };
 
-/// Immutable once built, which takes a while for large meshes.
+/// Immutable. Construction takes a while for large meshes.
 class ObjectScene {
 public:
-    /// Of all objects. Each takes some 450 bytes, and together a few seconds; objects beyond are
-    /// boxes.
+    /// Limit on the faces of all objects together; objects beyond it are drawn as boxes. A face
+    /// takes
+    /// about 450 bytes, and the maximum takes a few seconds to build.
     static constexpr Eigen::Index mostFaces = 1'000'000;
 
     enum class Layout {
-        keyboard, ///< or one alone
-        stage     ///< each in its own coordinates, in its size: bodies say where it is
+        keyboard, ///< several objects, or a single one
+        stage     ///< each object in its own coordinates and size; bodies place them
     };
 
     explicit ObjectScene(const std::vector<ProcessorView::PlayedObject>& played,
@@ -58,24 +60,25 @@ public:
     std::span<const SceneObject> objects() const { return runs; }
     bool empty() const { return corners.empty(); }
 
-    /// The corners of the boxes that hold each object, eight each: all there is lies between them.
+    /// The corners of the objects' bounding boxes, eight each.
     const std::vector<ScenePlace>& outline() const { return boxCorners; }
-    /// The same of bodies on a stage.
+    /// The same for bodies on a stage.
     std::vector<ScenePlace> outline(std::span<const BodyNow> bodies) const;
-    /// Half of the way across everything; 0 for an empty scene.
+    /// Half the diagonal of the scene in metres; 0 if it is empty.
     float radius() const { return reach; }
 
-    /// A place in metres of an object's own mesh, in the scene. The object exists.
+    /// Converts a point of an object's mesh, in metres, to the scene. The object must exist.
     ScenePlace placeOf(std::size_t object, const std::array<double, 3>& pointMetres) const;
 
-    /// For each of an object's vertices here, how far it is moved where every vertex of its own
-    /// mesh is moved so, [N,3] in the directions and units of the mesh.
+    /// The displacement of each scene vertex of an object. `displacements` is [N,3], one for each
+    /// vertex
+    /// of the mesh, in the mesh's directions and units.
     std::vector<ScenePlace> offsetsOf(std::size_t object,
                                       std::span<const float> displacements) const;
 
-    /// What a ray meets first.
+    /// The first hit of a ray.
     std::optional<ScenePick> pick(const ScenePlace& origin, const ScenePlace& direction) const;
-    /// The same of bodies on a stage.
+    /// The first hit of a ray among bodies on a stage.
     std::optional<ScenePick> pick(const ScenePlace& origin,
                                   const ScenePlace& direction,
                                   std::span<const BodyNow> bodies) const;
@@ -84,12 +87,13 @@ private:
     /// scene = origin + axes · (own − pivot) · scale.
     struct Placement {
         Eigen::Vector3d inScene(const Eigen::Vector3d& own) const;
-        Eigen::Vector3d onMesh(const Eigen::Vector3d& place) const; ///< back again
+        Eigen::Vector3d onMesh(const Eigen::Vector3d& place) const; ///< the inverse
 
         Eigen::Vector3d pivot = Eigen::Vector3d::Zero(), origin = Eigen::Vector3d::Zero();
-        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< own x, y, z as columns
+        Eigen::Matrix3d axes =
+            Eigen::Matrix3d::Identity(); ///< the object's x, y, z axes as columns
         double scale = 1;
-        double nearest = 0, farthest = 0; ///< y in the scene
+        double nearest = 0, farthest = 0; ///< range of y in the scene
     };
 
     static std::vector<Placement>
@@ -102,12 +106,12 @@ private:
     std::vector<SceneVertex> corners;
     std::vector<SceneObject> runs;
     std::vector<Placement> placements;
-    std::vector<std::int32_t> ownVertices; ///< of each corner, in its object's own mesh; −1: none
+    std::vector<std::int32_t> ownVertices; ///< mesh vertex of each corner; −1: none
     std::vector<std::size_t> objectOfFace;
     std::vector<ScenePlace> boxCorners;
-    std::vector<std::size_t> firstBoxCorners; ///< of the objects; those without faces have none
-    std::optional<SurfaceQuery> surface;      ///< all faces, but of a stage
-    std::vector<SurfaceQuery> surfaces;       ///< of a stage's objects
+    std::vector<std::size_t> firstBoxCorners; ///< per object; objects without faces have no corners
+    std::optional<SurfaceQuery> surface;      ///< all faces; empty on a stage
+    std::vector<SurfaceQuery> surfaces;       ///< one per object, only on a stage
     float reach = 0;
 };
 

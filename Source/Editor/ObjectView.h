@@ -1,6 +1,6 @@
-// The instrument in three dimensions: what is seen can be struck and scraped. Clicks strike, drags
-// over an object scrape it, drags beside the objects or with the right button turn the view. On a
-// stage clicks set its bodies in motion.
+// The 3D view of the instrument. Clicks strike, drags over an object scrape it, and drags beside
+// the
+// objects or with the right button turn the view. On a stage, clicks set bodies in motion.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -22,40 +22,41 @@
 
 namespace idiophone {
 
-/// Draws only what changed, and nothing while nothing moves. Where there is no OpenGL it says so.
+/// Draws only when something changed or moves. Shows a message if there is no OpenGL.
 class ObjectView final : public juce::Component, private juce::Timer {
 public:
-    static constexpr double defaultPressure = 0.7; ///< of a mouse, which feels none
+    static constexpr double defaultPressure = 0.7; ///< for a mouse, which has no pressure
 
     explicit ObjectView(ProcessorView& view);
     ~ObjectView() override;
 
-    /// Follows the instrument that plays. For the window's timer.
+    /// Follows the current instrument. The window's timer calls it.
     void refresh();
-    /// What sounds lights up; the object whose modes these are is seen to vibrate.
+    /// Lights up the sounding objects, and animates the object whose modes the frame has.
     void showSound(const SoundFrame& frame);
-    /// Shows the shape of one mode of the object whose modes were shown last, or of none.
+    /// Shows the shape of one mode of the last frame's object, or none.
     void showMode(std::optional<std::size_t> mode);
 
-    /// Whether there are bodies that keys set in motion.
+    /// Whether the instrument is a stage, where keys set bodies in motion.
     bool isOnStage() const { return onStage; }
 
-    /// Sounding objects are seen to vibrate.
+    /// Animates the vibration of sounding objects.
     void setShowsVibration(bool shows);
-    /// The strongest mode of the object that sounds, or else its lowest, with its nodal lines.
+    /// Shows the nodal lines of the sounding object's strongest mode, or of its lowest mode in
+    /// silence.
     void setShowsNodes(bool shows);
-    /// Where the keys strike.
+    /// Shows the places that keys strike.
     void setShowsPath(bool shows);
-    /// While it is on, drags draw the strike path anew instead of scraping.
+    /// While on, drags draw a new strike path instead of scraping.
     void setDrawsPath(bool draws);
 
-    /// Strikes what is seen at a place of the component, or nothing where only the background is:
-    /// the lower on the object as seen from the player, or the faster the mouse came, the harder.
+    /// Strikes the object at a position of the component. Lower on the object (nearer to the
+    /// player) or a
+    /// faster mouse is harder. Returns nothing on the background.
     std::optional<ScenePick> strikeAt(juce::Point<float> position, double pixelsPerSecond = 0);
-    /// Drags from the place struck or dragged to last to another one; an object that is entered on
-    /// the way is struck there.
+    /// Scrapes from the last position to this one. An object entered on the way is struck.
     void dragTo(juce::Point<float> position, double pressure = defaultPressure);
-    /// Lifts the hand.
+    /// Ends the strike or scrape.
     void lift();
 
     void paint(juce::Graphics& g) override;
@@ -91,7 +92,7 @@ private:
     std::vector<ProcessorView::PlayedObject> played;
     std::shared_ptr<const ObjectScene> scene;
     bool onStage = false;
-    std::vector<BodyNow> bodies; ///< on a stage, as seen now
+    std::vector<BodyNow> bodies; ///< on a stage: bodies as drawn
     float glowMetres = 0.01f;
     OrbitCamera camera;
     PathOverlay path;
@@ -99,26 +100,26 @@ private:
     PictureRenderer renderer{context};
     int ticksWithoutContext = 0;
 
-    // The hand.
-    std::optional<ScenePick> struck; ///< and held
+    // The user's hand.
+    std::optional<ScenePick> struck; ///< last strike, while the button is down
     bool scraping = false;
     std::optional<juce::Point<float>> turningFrom;
     juce::Point<float> cameFrom;
     juce::Time cameAt;
     double cameAtPixelsPerSecond = 0;
-    float glow = 0; ///< of the place touched, 1 at the blow
+    float glow = 0; ///< brightness of the touched place, 1 at the strike
     ScenePlace glowPlace{};
-    std::vector<std::array<double, 3>> drawn; ///< of the path that is being drawn
+    std::vector<std::array<double, 3>> drawn; ///< points of the path being drawn
     std::optional<std::size_t> drawnOn;
 
-    // What vibrates.
+    // Vibration.
     std::vector<float> lights;
     SlowMotion slowMotion;
-    std::size_t watched = 0; ///< the object whose modes `slowMotion` shows
+    std::size_t watched = 0; ///< index of the object in `slowMotion`
     std::map<std::size_t, SurfaceMotion> surfaceMotions;
     std::optional<std::size_t> shownMode;
     double shownModePhase = 0; ///< radians
-    /// The shape of a mode, kept while it is shown.
+    /// The shape of the shown mode.
     std::shared_ptr<const std::vector<ScenePlace>> shapeOffsets;
     std::pair<std::size_t, std::size_t> shapeOf{}; ///< object and mode of `shapeOffsets`
 
