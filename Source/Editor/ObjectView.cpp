@@ -15,11 +15,11 @@ namespace {
 
 constexpr int framesPerSecond = 30;
 constexpr float glowFallPerFrame = 0.85f, faintestGlow = 0.01f;
-constexpr int ticksToWait = 50;       // of the window's timer, for a context to come
-constexpr float exaggeration = 0.05f; // of an object's size, at the largest blow
+constexpr int ticksToWait = 50;       // ticks of the window's timer before OpenGL counts as missing
+constexpr float exaggeration = 0.05f; // share of the object's radius, at the largest amplitude
 constexpr double modeSwingHz = 1.2;
-constexpr float glowShare = 0.02f;  // of the reach of everything
-constexpr float darkDecibels = -60; // an object as quiet as this is not lit
+constexpr float glowShare = 0.02f;  // share of the scene's radius
+constexpr float darkDecibels = -60; // an object at or below this level is not lit
 
 } // namespace
 
@@ -46,7 +46,7 @@ ObjectView::~ObjectView() {
     context.detach();
 }
 
-// What is shown.
+// Picture.
 
 void ObjectView::refresh() {
     if (renderer.works())
@@ -68,7 +68,7 @@ void ObjectView::newScene() {
     try {
         scene = std::make_shared<const ObjectScene>(
             played, onStage ? ObjectScene::Layout::stage : ObjectScene::Layout::keyboard);
-    } catch (const std::bad_alloc&) { // what plays goes on, unseen
+    } catch (const std::bad_alloc&) { // keep playing without a picture
         played.clear();
         bodies.clear();
         onStage = false;
@@ -179,7 +179,7 @@ std::optional<SceneMotion> ObjectView::sceneMotion() {
     if (watched >= played.size())
         return std::nullopt;
     const auto& box = scene->objects()[watched];
-    if (box.isBox) // of more faces than are soon gone through
+    if (box.isBox) // too many faces to animate
         return std::nullopt;
     const auto* motion = motionOf(watched);
     if (mode && *mode >= motion->modeCount())

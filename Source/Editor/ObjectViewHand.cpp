@@ -1,4 +1,4 @@
-// The hand in the picture: striking, scraping, drawing the strike path, turning the view.
+// Mouse input of the 3D view: strike, scrape, draw the strike path, turn the view.
 #include "Editor/ObjectView.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::optional<ScenePick> ObjectView::pickAt(juce::Point<float> position) const {
                    : scene->pick(ray.origin, ray.direction);
 }
 
-/// That sets something in motion: an object's own key, or else one in the middle.
+/// Returns the note that sets an object in motion: its own key, or else one in the middle.
 int ObjectView::noteFor(std::size_t object) const {
     const auto& own = played[object];
     const auto range = view.keyRange();
@@ -132,7 +132,7 @@ void ObjectView::mouseDown(const juce::MouseEvent& event) {
         if (drawnOn)
             return;
     } else if (event.mods.isLeftButtonDown()) {
-        // A mouse that has stood still before the click is not fast.
+        // If the mouse stood still before the click, its speed is 0.
         const bool justCame = (event.eventTime - cameAt).inMilliseconds() < 60;
         if (strikeAt(event.position, justCame ? cameAtPixelsPerSecond : 0))
             return;
@@ -144,7 +144,7 @@ void ObjectView::mouseDrag(const juce::MouseEvent& event) {
     if (drawnOn)
         return drawTo(event.position);
     if (!turningFrom && drawsPath && !onStage)
-        return; // the path was of what has gone since
+        return; // the path belonged to an instrument that is gone
     if (!turningFrom) {
         if (scraping || event.getDistanceFromDragStart() > pixelsToDrag)
             dragTo(event.position,

@@ -15,7 +15,7 @@ bool displayHasOpenGl(Display* display) {
     int errorBase = 0, eventBase = 0;
     if (glXQueryExtension(display, &errorBase, &eventBase) == False)
         return false;
-    // What JUCE asks for at least.
+    // JUCE's minimum requirements.
     constexpr int wanted[]{GLX_RENDER_TYPE,
                            GLX_RGBA_BIT,
                            GLX_DOUBLEBUFFER,

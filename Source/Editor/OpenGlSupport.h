@@ -1,9 +1,10 @@
-// Whether a picture can be drawn with OpenGL. JUCE crashes where the X server has none.
+// Checks for OpenGL, because JUCE crashes if the X server has none.
 #pragma once
 
 namespace idiophone {
 
-/// Asks the X server once; true elsewhere. Message thread.
+/// Whether OpenGL is available. Asks the X server once; always true on other systems. Message
+/// thread.
 bool hasOpenGl();
 
 } // namespace idiophone

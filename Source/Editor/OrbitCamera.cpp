@@ -9,11 +9,12 @@
 namespace idiophone {
 namespace {
 
-constexpr float halfFieldRadians = 14 * std::numbers::pi_v<float> / 180; // of the window's height
+constexpr float halfFieldRadians =
+    14 * std::numbers::pi_v<float> / 180; // half the vertical field of view
 constexpr float farthestZoom = 0.2f, nearestZoom = 20;
 constexpr float margin = 1.06f;
 constexpr float farthestMove = 1;
-constexpr float thinnest = 1e-4f; // metres: a scene without depth still has a distance
+constexpr float thinnest = 1e-4f; // metres; keeps a distance from a scene without depth
 constexpr float lowestElevation = 0.03f, highestElevation = 1.5f;
 
 using Eigen::Vector3f;
@@ -65,8 +66,8 @@ OrbitCamera::Axes OrbitCamera::axes() const {
     return {right, right.cross(forward), forward};
 }
 
-/// Where each of the window's four sides touches a point: two planes facing each other leave the
-/// eye a wedge, whose edge is as near as it may come.
+/// Moves each of the four frustum planes until it touches a point. Two opposite planes meet in an
+/// edge: the eye cannot be nearer than that.
 OrbitCamera::Eye OrbitCamera::place(float aspect) const {
     const auto [right, up, forward] = axes();
     const float slopeY = std::tan(halfFieldRadians) / margin, slopeX = slopeY * aspect;

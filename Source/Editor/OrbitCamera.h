@@ -1,4 +1,4 @@
-// The eye that looks at a scene: it turns around the scene's middle and comes nearer or farther.
+// The camera: it orbits the middle of the scene, zooms and shifts.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -16,25 +16,27 @@ struct ViewRay {
 
 class OrbitCamera {
 public:
-    /// Looks at a scene from the player's side so that all of its points are seen, at any shape of
-    /// the window, and little else. Turn and zoom stay as they are. `points` is not empty.
+    /// Frames a scene from the player's side, so that all points just fit at any aspect ratio.
+    /// Keeps turn
+    /// and zoom. `points` is not empty.
     void lookAt(std::vector<ScenePlace> points);
 
-    /// In radians; the eye stays above the horizon and below the zenith.
+    /// Turns the camera. It stays above the horizon and below the zenith.
     void turnBy(float aroundRadians, float upRadians);
-    /// Above 1 nearer; within a twentieth and five times of the distance that shows all.
+    /// Above 1 moves nearer. The zoom stays between 0.2 and 20; at 1 the whole scene fits.
     void zoomBy(float factor);
-    /// Moves the scene sideways and up, in heights of the window.
+    /// Shifts the scene right and up; the unit is the height of the window.
     void moveBy(float right, float up);
-    /// As at first.
+    /// Restores the initial turn, zoom and shift.
     void reset();
 
     ScenePlace eye(float aspect) const;
-    /// [16] column-major, from the scene to OpenGL's clip space; `aspect` is width over height.
+    /// The matrix from the scene to OpenGL's clip space, column-major; `aspect` is width over
+    /// height.
     std::array<float, 16> viewProjection(float aspect) const;
-    /// Through a place of the window, x and y from −1 to 1, right and up.
+    /// The ray through a position in the window; x (right) and y (up) are from −1 to 1.
     ViewRay rayThrough(float x, float y, float aspect) const;
-    /// Where a place of the scene is seen, x and y as above.
+    /// The position in the window of a point of the scene; x and y as above.
     std::array<float, 2> seenAt(const ScenePlace& place, float aspect) const;
 
 private:
@@ -44,13 +46,13 @@ private:
     Axes axes() const;
     struct Eye {
         Eigen::Vector3f place;
-        float depthOfMiddle = 0; ///< along the line of sight
+        float depthOfMiddle = 0; ///< distance to the middle along the line of sight
     };
     Eye place(float aspect) const;
 
     std::vector<ScenePlace> seen{{}};
     Eigen::Vector3f middle = Eigen::Vector3f::Zero();
-    float reach = 1; ///< from the middle
+    float reach = 1; ///< radius of the scene
     float around = initialAround, elevation = initialElevation, zoom = 1;
     float movedRight = 0, movedUp = 0;
     static constexpr float initialAround = -0.2f, initialElevation = 0.62f;

@@ -13,7 +13,7 @@ constexpr int widestTab = 130, leastTabGap = 8;
 
 } // namespace
 
-/// A name, underlined while its page is shown.
+/// A page's name, underlined while the page is visible.
 class PageDeck::Tab final : public juce::Button {
 public:
     explicit Tab(const juce::String& title) : Button(title) {
@@ -45,7 +45,7 @@ public:
 
 PageDeck::~PageDeck() = default;
 
-/// Of all tabs the same where the longest name fits, or else by their names.
+/// Equal widths if the longest name fits, else widths by the length of the names.
 std::vector<int> PageDeck::tabWidths(int room) const {
     std::vector<int> widths;
     for (const auto& tab : tabs)

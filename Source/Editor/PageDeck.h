@@ -1,4 +1,6 @@
-// Pages side by side under their tabs: as many as there is room for, the others a click away.
+// The deck: pages side by side under their tabs. It shows the pages that fit; a click on a tab
+// shows
+// another.
 #pragma once
 
 #include "Editor/DeckPage.h"
@@ -16,17 +18,17 @@ public:
     PageDeck();
     ~PageDeck() override;
 
-    /// Behind those there are.
+    /// Appends a page.
     void add(std::unique_ptr<DeckPage> page);
 
-    /// The pages that can be seen.
+    /// These two update only visible pages.
     void refresh();
     void showSound(const SoundFrame& frame);
 
-    /// How wide the deck is that shows this many pages, at their least.
+    /// The width of a deck that shows this many pages at their minimum width.
     static int widthFor(int pages);
     int pageCount() const { return static_cast<int>(pages.size()); }
-    /// Brings the page in sight, where it stays at every width. What does not exist is ignored.
+    /// Shows the page and keeps it visible at every width. Ignores page numbers that do not exist.
     void show(int page);
 
     void paint(juce::Graphics& g) override;

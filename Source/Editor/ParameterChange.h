@@ -1,11 +1,11 @@
-// A change of one parameter by hand that is over at once.
+// Changes one parameter by hand in a single gesture.
 #pragma once
 
 #include "Editor/ProcessorView.h"
 
 namespace idiophone {
 
-/// One gesture. A figure of a material or mallet makes it the custom one.
+/// If the parameter is a figure of a material or mallet, the custom one is selected.
 inline void changeOnce(ProcessorView& view, ParameterId parameter, double value) {
     view.beginParameterChange(parameter);
     view.makeCustom(parameter);

@@ -1,4 +1,4 @@
-// Parameters under headings, in two columns.
+// Groups of parameters under headings, in two columns.
 #pragma once
 
 #include "Editor/ParameterControl.h"
@@ -10,18 +10,19 @@
 
 namespace idiophone {
 
-/// The parameters of the table that name it as theirs.
+/// A group of parameters, in one of the columns.
 struct ParameterGroup {
-    std::string_view name;               ///< ParameterInfo::group
-    int column;                          ///< 0 or 1
-    std::vector<ParameterId> first = {}; ///< the others follow in the table's order
+    std::string_view name; ///< ParameterInfo::group
+    int column;            ///< 0 or 1
+    std::vector<ParameterId> first =
+        {}; ///< these come first; the others follow in the table's order
 };
 
 class ParameterColumns final : public juce::Component {
 public:
     ParameterColumns(std::span<const ParameterGroup> groups, ProcessorView& view);
 
-    /// Shows what the processor has, where that has changed.
+    /// Shows the processor's values if they have changed.
     void refresh();
     void paint(juce::Graphics& g) override;
     void resized() override;

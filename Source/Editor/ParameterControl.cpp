@@ -14,31 +14,33 @@
 namespace idiophone {
 namespace {
 
-/// Why a parameter does nothing to what plays.
+/// Why a parameter has no effect on the current sound.
 juce::String idleSentence(ParameterId parameter) {
     return parameter == ParameterId::keepPitch ? "No key that plays has a pitch to keep"
                                                : "The objects would have to be analysed anew";
 }
 
-constexpr float markWidth = 11; ///< of the mark of a controller, with the gap behind it
+constexpr float markWidth = 11; ///< width of the controller's mark and its gap
 
-// Slider with steps of the mouse wheel and arrow keys in proportion to its range, in real units.
+// The slider's range in the parameter's unit. Steps of mouse wheel and arrow keys are proportional.
 juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
-    const auto* row = &info; // rows live for ever
+    const auto* row = &info; // rows of the table are never destroyed
     return {info.minimum, info.maximum,
             [row](double, double, double place) { return row->fromNormalised(place); },
             [row](double, double, double value) { return row->toNormalised(value); },
             [row](double, double, double value) { return row->clamped(value); }};
 }
 
-/// Arrows and the page keys move it by shares of its way, whatever its range; with Shift less far.
-/// Return asks for a value to be typed.
+/// A slider with keys: arrows and page keys move it by shares of its length, Shift makes arrow
+/// steps
+/// smaller. Return opens the text field.
 class KeyedSlider final : public LeftClicked<juce::Slider> {
 public:
     explicit KeyedSlider(const ParameterInfo& row)
         : LeftClicked(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox), info(row) {
         setWantsKeyboardFocus(true);
-        setMouseClickGrabsKeyboardFocus(false); // who turns it goes on playing by keys
+        setMouseClickGrabsKeyboardFocus(
+            false); // the computer's keys keep playing notes after a click
     }
 
     std::function<void()> onReturn;
@@ -68,7 +70,7 @@ public:
 private:
     static constexpr double shiftStep = 0.001, step = 0.01, pageStep = 0.1;
 
-    /// Whole numbers move by one at least.
+    /// Whole numbers move by at least 1.
     double least(double share) const {
         return info.scale == ParameterScale::steps
                    ? std::max(share, 1 / (info.maximum - info.minimum))
@@ -103,7 +105,7 @@ ParameterControl::ParameterControl(const ParameterInfo& row, ProcessorView& proc
         addAndMakeVisible(*(list = std::make_unique<ChoiceList>(info, view)));
     else
         makeSlider();
-    setInterceptsMouseClicks(false, true); // else they would come twice
+    setInterceptsMouseClicks(false, true); // otherwise each click would arrive twice
     addMouseListener(this, true);
     refresh();
 }
@@ -140,14 +142,14 @@ void ParameterControl::makeValueText() {
     value.setBorderSize({0, 0, 0, 0});
     value.setMinimumHorizontalScale(0.8f);
     value.setEditable(true);
-    value.setWantsKeyboardFocus(false); // Return on the slider gets there
+    value.setWantsKeyboardFocus(false); // Return on the slider opens it
     value.setTitle(getTitle());
     value.setTooltip("Click, or press Return on the slider, to type a value");
     value.onTextChange = [this] { typed(); };
     addAndMakeVisible(value);
 }
 
-// JUCE calls a notch of the wheel a drag, too.
+// JUCE also reports a notch of the wheel as a drag.
 void ParameterControl::beginDrag() {
     if (!slider->isMouseButtonDown())
         return;
@@ -177,7 +179,8 @@ void ParameterControl::changeTo(double number) {
 void ParameterControl::typed() {
     if (const auto parsed = parseParameter(info, value.getText().toStdString()))
         changeTo(*parsed);
-    shown = std::numeric_limits<double>::quiet_NaN(); // what was typed gives way to what holds
+    shown =
+        std::numeric_limits<double>::quiet_NaN(); // replaces the typed text by the value in effect
     refresh();
 }
 
@@ -251,7 +254,7 @@ void ParameterControl::mouseDown(const juce::MouseEvent& event) {
         showMenu();
 }
 
-// Whoever goes elsewhere has done with this one.
+// When the mouse leaves the slider, the wheel gesture ends.
 void ParameterControl::mouseExit(const juce::MouseEvent& event) {
     if (event.eventComponent == slider.get())
         burst.finish();

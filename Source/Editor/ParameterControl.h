@@ -1,5 +1,5 @@
-// One parameter in the window: its name, its value to read and to type, a slider, switch or list to
-// change it, and a mark where a MIDI controller does.
+// The control of one parameter: its name, an editable value, and a slider, switch or list. A mark
+// shows that a MIDI controller moves it.
 #pragma once
 
 #include "Editor/ChoiceList.h"
@@ -16,10 +16,10 @@ class ParameterControl final : public juce::Component {
 public:
     ParameterControl(const ParameterInfo& info, ProcessorView& view);
 
-    /// Shows what the processor has, if that has changed.
+    /// Shows the processor's value if it has changed.
     void refresh();
 
-    /// What a right click or Shift+F10 shows.
+    /// The menu for a right click or Shift+F10.
     juce::PopupMenu menu();
 
     void resized() override;
@@ -49,13 +49,13 @@ private:
     double shown;
     bool isLive = true;
     bool isLearning = false;
-    std::optional<int> controller; ///< that moves it
+    std::optional<int> controller; ///< number of the MIDI controller that moves it
     juce::Label name, value;
     std::unique_ptr<juce::Slider> slider;
     std::unique_ptr<juce::ToggleButton> toggle;
     std::unique_ptr<ChoiceList> list;
     bool isDragged = false;
-    GestureBurst burst; ///< of the mouse wheel or a key
+    GestureBurst burst; ///< joins steps of the mouse wheel or a key into one gesture
 };
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// What a right click on a parameter offers: a value to type, its default, a MIDI controller.
+// The context menu of a parameter: type a value, reset it, learn a MIDI controller. Also its texts.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -8,19 +8,18 @@
 
 namespace idiophone {
 
-/// The menu as things are now; its items refer to the view. Without `typeValue` nothing can be
-/// typed.
+/// Builds the menu for the current state; its items refer to the view. Without `typeValue` there is
+/// no item to type a value.
 juce::PopupMenu
 parameterMenu(const ParameterInfo& info, ProcessorView& view, std::function<void()> typeValue);
 
-/// What the parameter does to the sound, and for a number its range, with the unit.
+/// The parameter's description; for a number also its range with the unit.
 juce::String parameterTooltip(const ParameterInfo& info);
 
-/// "Moved by MIDI controller 21", what a parameter waits for, or nothing.
+/// "Moved by MIDI controller 21", a request to move one while learning, or empty.
 juce::String controllerSentence(const ParameterInfo& info, const MidiLearnView& midi);
 
-/// Whether a key asks for the menu of what has the focus: Shift+F10, or the menu key where JUCE
-/// tells of it.
+/// Whether a key opens the context menu: Shift+F10, or the menu key where JUCE reports it.
 bool asksForMenu(const juce::KeyPress& key);
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// A page of the deck that holds parameters and nothing else.
+// A page of the deck that contains only parameters.
 #pragma once
 
 #include "Editor/DeckPage.h"

@@ -1,5 +1,5 @@
-// The strike path drawn over the instrument's picture: the places that keys strike, and a path that
-// is being drawn by hand.
+// Draws strike paths over the picture: the places that keys strike, and the path that the user
+// draws.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -14,14 +14,14 @@ namespace idiophone {
 class PathOverlay {
 public:
     struct Path {
-        std::vector<ScenePlace> places;     ///< from the lowest key's end on
-        juce::String lowestKey, highestKey; ///< names for its ends, or empty
+        std::vector<ScenePlace> places;     ///< ordered from the lowest key's end
+        juce::String lowestKey, highestKey; ///< note names for the ends, or empty
     };
 
-    std::vector<Path> paths;       ///< one an object
-    std::vector<ScenePlace> drawn; ///< by hand
+    std::vector<Path> paths;       ///< one per object
+    std::vector<ScenePlace> drawn; ///< the path that the user draws
 
-    /// What the scene hides is drawn faintly.
+    /// Parts hidden by the scene are drawn faintly.
     void paint(juce::Graphics& g,
                juce::Rectangle<float> area,
                const ObjectScene& scene,

@@ -30,8 +30,9 @@ void main()
 }
 )";
 
-// Two lamps, a gloss and a rim; both sides of a sheet are lit. The glow is where a blow fell, the
-// light how loud the object is.
+// Two lamps, a gloss and a rim; both sides of a sheet are lit. `glow` marks the struck place,
+// `light`
+// shows the loudness of the object.
 constexpr const char* fragmentShader = R"(
 uniform vec3 colour;
 uniform vec3 eye;
@@ -96,7 +97,7 @@ void PictureRenderer::newOpenGLContextCreated() {
     if (!made->addVertexShader(translated(vertexShader, true)) ||
         !made->addFragmentShader(translated(fragmentShader, false)))
         return;
-    // The first attribute must be one that is always read from a buffer.
+    // Attribute 0 must always be read from a buffer.
     glBindAttribLocation(made->getProgramID(), 0, "place");
     if (!made->link())
         return;
@@ -177,7 +178,7 @@ GLuint PictureRenderer::attribute(const char* name) const {
     return static_cast<GLuint>(glGetAttribLocation(program->getProgramID(), name));
 }
 
-/// From a vertex of the bound buffer on.
+/// Reads the vertices of the bound buffer from this one on.
 void PictureRenderer::readVertices(std::size_t first) const {
     for (const auto& [name, part] : {std::pair("place", offsetof(SceneVertex, place)),
                                      {"normal", offsetof(SceneVertex, normal)}}) {
@@ -205,7 +206,9 @@ void PictureRenderer::drawObject(const SceneFrame& shown,
         glDrawArrays(GL_TRIANGLES, static_cast<GLint>(object.firstVertex), count);
         return;
     }
-    // The offsets are of this object's vertices alone, so its own are read from there too.
+    // The offset buffer holds only this object's vertices, so read places and normals from its
+    // first
+    // vertex too.
     glBindBuffer(GL_ARRAY_BUFFER, offsetBuffer);
     glEnableVertexAttribArray(offset);
     glVertexAttribPointer(offset, 3, GL_FLOAT, GL_FALSE, sizeof(ScenePlace), nullptr);

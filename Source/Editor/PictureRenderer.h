@@ -1,4 +1,4 @@
-// Draws a scene with OpenGL, on the thread that OpenGL has for it.
+// Draws a scene with OpenGL, on JUCE's OpenGL thread.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -13,48 +13,50 @@
 
 namespace idiophone {
 
-/// How one object of the scene is moved out of its rest.
+/// The displacement of one object of the scene.
 struct SceneMotion {
     std::size_t object = 0;
-    /// A place of the scene for each of the object's vertices, to be added to its own. A new one is
-    /// a new pointer.
+    /// Offset of each scene vertex of the object. New offsets need a new pointer.
     std::shared_ptr<const std::vector<ScenePlace>> offsets;
     float scale = 1;
-    /// Where the offsets, 1 being the largest, go out and in are coloured apart, with lines where
-    /// they do neither.
+    /// Colours outward and inward motion differently and draws nodal lines between them. The
+    /// largest
+    /// offset is then 1.
     bool showsNodes = false;
 };
 
-/// An object where its body is on a stage; as often as there are bodies.
+/// One body on a stage: an object and its pose. Several bodies may share an object.
 struct SceneBody {
     std::size_t object = 0;
     std::array<float, 16> pose{}; ///< column-major
 };
 
-/// What one picture shows.
+/// The content of one picture.
 struct SceneFrame {
     std::shared_ptr<const ObjectScene> scene;
     std::array<float, 16> viewProjection{}; ///< column-major
     ScenePlace eye{};
     juce::Colour background, accent;
     ScenePlace glowPlace{};
-    float glow = 0;            ///< of the place struck, 0 to 1
-    float glowMetres = 0.01f;  ///< how far it reaches
-    std::vector<float> lights; ///< of each object, how loud it is, 0 to 1; or empty
+    float glow = 0;            ///< brightness of the struck place, 0 to 1
+    float glowMetres = 0.01f;  ///< radius of the glow
+    std::vector<float> lights; ///< loudness of each object, 0 to 1; or empty
     std::optional<SceneMotion> motion;
-    std::optional<std::vector<SceneBody>> bodies; ///< instead of every object once, as laid out
+    std::optional<std::vector<SceneBody>>
+        bodies; ///< if set, draws these instead of each object once
 };
 
-/// The message thread shows frames, the OpenGL thread draws the last one; a mutex is held while a
-/// frame is copied, whose large parts are shared.
+/// The message thread sets frames and the OpenGL thread draws the last one. A mutex is held only
+/// while
+/// a frame is copied; the copies share large data.
 class PictureRenderer final : public juce::OpenGLRenderer {
 public:
     explicit PictureRenderer(juce::OpenGLContext& drawsInto) : context(drawsInto) {}
 
-    /// [message thread] To be drawn at the context's next repaint.
+    /// [message thread] Sets the frame for the context's next repaint.
     void show(const SceneFrame& next);
 
-    /// [any thread] Whether there is OpenGL that can draw.
+    /// [any thread] Whether OpenGL works.
     bool works() const { return ready; }
 
     void newOpenGLContextCreated() override;
@@ -74,7 +76,7 @@ private:
     SceneFrame frame;
     std::atomic<bool> ready{false};
 
-    // The OpenGL thread's.
+    // Used by the OpenGL thread only.
     std::unique_ptr<juce::OpenGLShaderProgram> program;
     GLuint buffer = 0, offsetBuffer = 0;
     std::shared_ptr<const ObjectScene> uploaded;

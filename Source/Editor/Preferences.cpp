@@ -43,7 +43,7 @@ void Preferences::setWindowSize(juce::Point<int> size) {
     file->setValue(heightKey, size.y);
 }
 
-/// What other windows have written stays: the file is written as a whole.
+/// Reads other windows' changes first, because saving writes the whole file.
 void Preferences::readAnew() {
     if (file != nullptr && !file->needsToBeSaved())
         file->reload();

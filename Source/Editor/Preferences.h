@@ -1,5 +1,5 @@
-// What the window remembers from one time to the next, for all instances of this user: its look and
-// its size. Nothing that concerns the sound.
+// The window's look and size, saved for all instances of this user. Contains nothing about the
+// sound.
 #pragma once
 
 #include "Editor/Look.h"
@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// For the message thread. Kept in `Window.settings` in the user's folder of Idiophone; where there
-/// is none, or it cannot be written, the window begins as at first.
+/// For the message thread. Stored in `Window.settings` in the user's Idiophone folder. If the file
+/// cannot be read or written, the defaults apply.
 class Preferences {
 public:
     Preferences();
@@ -18,14 +18,14 @@ public:
     LookScheme look() const;
     void setLook(LookScheme scheme);
 
-    /// Of the window as it was last; nothing at the first time.
+    /// The last size of the window; (0, 0) the first time.
     juce::Point<int> windowSize() const;
     void setWindowSize(juce::Point<int> size);
 
 private:
     void readAnew();
 
-    std::unique_ptr<juce::PropertiesFile> file; ///< writes itself when it goes
+    std::unique_ptr<juce::PropertiesFile> file; ///< its destructor saves it
 };
 
 } // namespace idiophone

@@ -14,7 +14,7 @@ constexpr int gap = 6, button = 28, compareWidth = 52, logoWidth = 112;
 constexpr int mostForName = 420;
 constexpr double slightly = 0.1, clearly = 0.3, boldly = 1;
 
-/// As this system writes it.
+/// A shortcut in the notation of this system.
 juce::String commandKey(const char* letter, bool shift = false) {
 #if JUCE_MAC
     return fromUtf8(shift ? "\xe2\x87\xa7\xe2\x8c\x98" : "\xe2\x8c\x98") + letter; // ⇧⌘
@@ -25,7 +25,7 @@ juce::String commandKey(const char* letter, bool shift = false) {
 
 } // namespace
 
-/// The preset's name in a field; a dot behind it where the sound was changed since.
+/// Shows the preset's name. A dot behind it means that the sound has changed.
 class PresetBar::NameButton final : public juce::Button {
 public:
     NameButton() : Button("Preset") { setTitle("Preset"); }
@@ -105,7 +105,7 @@ void PresetBar::report(const Result<void>& outcome) {
     refresh();
 }
 
-/// To the next one that can be played, round the ends.
+/// Loads the next playable preset, and wraps at the ends.
 void PresetBar::step(int by) {
     auto& shelf = view.presetShelf();
     const auto count = static_cast<int>(shelf.presets().size());

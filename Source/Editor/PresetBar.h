@@ -1,5 +1,5 @@
-// The head of the window: the product's name, the preset with its neighbours one click away, and
-// what is done with whole sounds: favourite, save, compare, mutate, undo, redo.
+// The top of the window: the product's name, the preset with its neighbours, and actions on the
+// whole sound: favourite, save, compare, mutate, undo, redo.
 #pragma once
 
 #include "Editor/CompareSwitch.h"
@@ -12,20 +12,20 @@
 
 namespace idiophone {
 
-/// Whole from 640 x 40 pixels on.
+/// Needs at least 640 x 40 pixels.
 class PresetBar final : public juce::Component {
 public:
     explicit PresetBar(ProcessorView& view);
     ~PresetBar() override;
 
-    /// What the name and the save button ask for: the list of presets, and a name for a new one.
+    /// Called to open the list of presets, and to ask for the name of a new preset.
     std::function<void()> onBrowse;
     std::function<void()> onSaveAs;
 
     void refresh();
-    /// Saves over the user's preset that plays, or asks for a name where there is none.
+    /// Overwrites the user's current preset. For a factory preset or none, asks for a name.
     void save();
-    /// Undo, redo and save by their usual keys, from wherever in the window.
+    /// Handles the usual keys for undo, redo and save, from anywhere in the window.
     bool handleKey(const juce::KeyPress& key);
 
     void paint(juce::Graphics& g) override;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int padding = 10, gap = 8, rowHeight = 28;
 constexpr int leastSources = 130, mostSources = 220;
-constexpr int leastListHeight = 60; ///< with less, a form has the place alone
+constexpr int leastListHeight = 60; ///< if less is left, the form hides the list
 
 } // namespace
 
@@ -33,7 +33,7 @@ PresetBrowser::PresetBrowser(PresetShelf& presetShelf) : shelf(presetShelf) {
     search.setTextToShowWhenEmpty("Search names, tags, descriptions, authors", juce::Colours::grey);
     search.setFont(Look::textFont(14.5f));
     search.setIndents(8, 0);
-    search.setSelectAllWhenFocused(true); // the words of last time give way to new ones
+    search.setSelectAllWhenFocused(true); // new words replace the previous search
     search.setJustification(juce::Justification::centredLeft);
     search.onTextChange = [this] { refill(); };
     search.onReturnKey = [this] { close(true); };
@@ -138,7 +138,7 @@ void PresetBrowser::refill() {
 
 void PresetBrowser::audition(const ShelvedPreset& preset) {
     if (question == Question::rename || question == Question::remove)
-        ask(Question::none); // it was about another one
+        ask(Question::none); // the form was about another preset
     const auto played = shelf.auditionPreset(preset.id);
     say(played ? juce::String() : fromUtf8(played.error().message), !played);
     arrangeHint();
@@ -165,7 +165,7 @@ void PresetBrowser::ask(Question next) {
     if (question == Question::save) {
         auto details = shelf.soundDetails();
         if (preset != nullptr && preset->isFactory)
-            details.author.clear(); // what is made of it is somebody else's
+            details.author.clear(); // the author of the copy is somebody else
         form.askForDetails(details);
     } else if (question == Question::rename && preset != nullptr) {
         form.askForName("Rename " + fromUtf8(preset->name), preset->name);
@@ -187,7 +187,7 @@ void PresetBrowser::answer(const PresetDetails& details) {
     if (question == Question::save && !mayReplace && shelf.presetExists(details))
         return form.objectToName(details);
     if (question == Question::save)
-        shelf.keepAudition(); // who saves it wants it
+        shelf.keepAudition(); // saving also keeps the sound
     const auto done = question == Question::save     ? shelf.savePreset(details, mayReplace)
                       : question == Question::rename ? shelf.renamePreset(askedId, details.name)
                                                      : shelf.deletePreset(askedId);
@@ -221,7 +221,7 @@ bool PresetBrowser::keyPressed(const juce::KeyPress& key) {
     else if (key == juce::KeyPress::pageUpKey)
         list.step(-6);
     else if (question != Question::none && isCommand(key, 's'))
-        form.save(); // or else it would be saved over the preset that plays
+        form.save(); // otherwise the shortcut would overwrite the current preset
     else
         return false;
     return true;

@@ -1,5 +1,5 @@
-// The list of presets over the middle of the window: search, filters, audition, and what is done
-// with the files.
+// The preset browser over the middle of the window: search, filters, audition, and actions on
+// files.
 #pragma once
 
 #include "Editor/PresetForm.h"
@@ -12,20 +12,20 @@
 
 namespace idiophone {
 
-/// Arrows play presets as they go over them; Return keeps the one that plays, Escape goes back to
-/// what played before. Whole from 640 x 300 pixels on.
+/// Arrows play each preset that they select. Return keeps the current one; Escape restores the
+/// previous sound. Needs at least 640 x 300 pixels.
 class PresetBrowser final : public juce::Component {
 public:
     explicit PresetBrowser(PresetShelf& shelf);
 
-    /// It wants to be gone; what plays is settled.
+    /// Called to close the browser, after a preset was kept or the old sound restored.
     std::function<void()> onClose;
 
-    /// Reads the presets anew and has the preset that plays in sight.
+    /// Reads the presets again and scrolls to the current one.
     void open();
-    /// The same, with the form to save what plays.
+    /// Opens it with the form that saves the current sound.
     void openToSave();
-    /// Settles what plays as if kept, without asking to be closed.
+    /// Keeps the current sound, without calling `onClose`.
     void settle();
 
     void paint(juce::Graphics& g) override;
@@ -45,8 +45,9 @@ private:
     void arrangeHint();
     const ShelvedPreset* selected() const;
 
-    /// Leaves to the browser the keys that go through the list. It has the focus from the start, in
-    /// which a text editor hides its hint.
+    /// The search field. It leaves the list's keys to the browser, and shows its hint while
+    /// focused; JUCE
+    /// would hide it.
     class Search final : public juce::TextEditor {
     public:
         bool keyPressed(const juce::KeyPress& key) override {
@@ -62,7 +63,7 @@ private:
     PresetList list;
     PresetForm form;
     Question question = Question::none;
-    std::string askedId; ///< of the preset that the question is about; empty where there is none
+    std::string askedId; ///< id of the preset in question, or empty
     juce::Label status;
     juce::TextButton saveAs{"Save as..."}, rename{"Rename"}, remove{"Delete"}, reveal{"Folder"},
         init{"Init"}, back{"Back"}, keep{"Keep"};

@@ -51,7 +51,9 @@ void PresetForm::name(const juce::String& answer, const juce::String& title) {
     yes.setTitle(title);
 }
 
-/// Which comes twice where a key is held, and is no answer to what came up in between.
+/// Answers on Return. While the form offers to replace a preset, Return is ignored, because a held
+/// key
+/// repeats.
 void PresetForm::followReturn() {
     if (!offersToReplace)
         yes.triggerClick();
@@ -62,7 +64,7 @@ void PresetForm::save() {
         followReturn();
 }
 
-/// What was said of the answer before holds no longer.
+/// Typing removes the error and the offer to replace.
 void PresetForm::followText() {
     sentence.setText({}, juce::dontSendNotification);
     if (std::exchange(offersToReplace, false))

@@ -1,4 +1,4 @@
-// Asks for what is said of a preset that is saved, for a new name, or whether to go on.
+// A form that asks for a preset's details, for a new name, or for a confirmation.
 #pragma once
 
 #include "Editor/PresetShelf.h"
@@ -9,8 +9,7 @@
 
 namespace idiophone {
 
-/// Return answers, Escape cancels. As high as `neededHeight` says; whole from 440 pixels of width
-/// on.
+/// Return answers, Escape cancels. Needs `neededHeight` and a width of at least 440 pixels.
 class PresetForm final : public juce::Component {
 public:
     PresetForm();
@@ -21,14 +20,15 @@ public:
     void askForDetails(const PresetDetails& first);
     void askForName(const juce::String& title, const std::string& first);
     void askWhether(const juce::String& title, const juce::String& yes);
-    /// Says what is the matter with the answer.
+    /// Shows an error about the answer.
     void object(const juce::String& sentence);
-    /// Says that there is such a preset, and offers to replace it: by the button alone, and until
-    /// something is typed.
+    /// Says that the preset exists, and offers to replace it. Only the button replaces it; typing
+    /// withdraws
+    /// the offer.
     void objectToName(const PresetDetails& details);
     bool isToReplace() const { return offersToReplace; }
 
-    /// Answers as Return does, if it asks for details.
+    /// Answers as Return does, if the form asks for details.
     void save();
 
     int neededHeight() const;

@@ -1,4 +1,4 @@
-// Presets as rows: a star, the name, tags, and what is said of them.
+// The list of presets: star, name, tags and description in each row.
 #pragma once
 
 #include "Editor/PresetShelf.h"
@@ -14,16 +14,16 @@ class PresetList final : public juce::ListBox, private juce::ListBoxModel {
 public:
     PresetList();
 
-    /// A row was selected by hand.
+    /// Called when the user selects a row.
     std::function<void(const ShelvedPreset&)> onSelect;
-    /// Chosen for good: Return or a double click.
+    /// Called on Return or a double click.
     std::function<void()> onChoose;
     std::function<void(const ShelvedPreset&)> onStar;
 
-    /// Shows these, with the one of that id selected if it is among them.
+    /// Shows these presets and selects the one with that id, if present.
     void show(std::vector<ShelvedPreset> presets, const std::string& selectedId);
     const ShelvedPreset* selected() const;
-    /// Selects a neighbour, as arrows do.
+    /// Moves the selection by `by` rows, as the arrow keys do.
     void step(int by);
 
 private:

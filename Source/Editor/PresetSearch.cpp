@@ -10,7 +10,8 @@
 namespace idiophone {
 namespace {
 
-/// What the C library does only in some locales: capitals of Latin, Greek and Cyrillic made small.
+/// Converts Latin, Greek and Cyrillic capitals to lower case. The C library does so only in some
+/// locales.
 juce::juce_wchar smallLetter(juce::juce_wchar letter) {
     const auto isIn = [&](juce::juce_wchar first, juce::juce_wchar last) {
         return letter >= first && letter <= last;
@@ -29,8 +30,8 @@ juce::juce_wchar smallLetter(juce::juce_wchar letter) {
 juce::String small(const juce::String& text) {
     const auto bytes = text.toRawUTF8();
     if (!juce::CharPointer_UTF8::isValidString(bytes, static_cast<int>(std::strlen(bytes))))
-        return text; // a folder's name, of which JUCE does not see the end
-    // A juce::String finds its end anew for each letter that is added.
+        return text; // a folder's name that is not UTF-8; JUCE would read past its end
+    // Appending to a juce::String would search its end for each letter.
     std::basic_string<juce::juce_wchar> result;
     for (auto letter = text.getCharPointer(); !letter.isEmpty(); ++letter)
         result += smallLetter(*letter);

@@ -1,4 +1,4 @@
-// Which presets a search finds.
+// Searches presets, and lists their tags.
 #pragma once
 
 #include "Editor/PresetShelf.h"
@@ -7,11 +7,12 @@
 
 namespace idiophone {
 
-/// Whether every word occurs in the preset's name, author, description, folder or tags, in whatever
-/// case. No words find everything.
+/// Whether each word occurs in the preset's name, author, description, folder or tags, ignoring
+/// case.
+/// An empty search matches everything.
 bool matchesSearch(const ShelvedPreset& preset, const juce::String& words);
 
-/// All tags of some presets, each once, whatever its case, the most frequent first.
+/// All tags of the presets, ignoring case, without repeats; the most frequent first.
 juce::StringArray tagsOf(const std::vector<ShelvedPreset>& presets);
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Where presets come from and how they are tagged: two lists that narrow the list of presets.
+// The filters of the preset browser: a list of sources and a list of tags.
 #pragma once
 
 #include "Editor/PresetShelf.h"
@@ -13,12 +13,12 @@ class PresetSources final : public juce::Component {
 public:
     PresetSources();
 
-    /// Something was chosen.
+    /// Called when the choice changes.
     std::function<void()> onChange;
 
-    /// What there is to choose from; choices stay where they are still there.
+    /// Lists the sources and tags of these presets. Keeps choices that still exist.
     void show(const std::vector<ShelvedPreset>& presets);
-    /// Whether a preset is of the chosen source and has all chosen tags.
+    /// Whether a preset belongs to the chosen source and has all chosen tags.
     bool passes(const ShelvedPreset& preset) const;
     void chooseAll();
 
@@ -29,11 +29,11 @@ private:
     enum class Kind { all, favourites, factory, own, folder };
     struct Source {
         Kind kind;
-        juce::String name; ///< of a folder its path
+        juce::String name; ///< for a folder, its path
         bool operator==(const Source&) const = default;
     };
 
-    /// Rows of text, one or several of them chosen.
+    /// A list of text rows for a single choice or several.
     class Choices final : public juce::ListBox, private juce::ListBoxModel {
     public:
         Choices(const juce::String& title, bool several);

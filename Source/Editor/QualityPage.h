@@ -1,5 +1,5 @@
-// The page of the deck that says what the sound costs and what is left out of it: threshold, slope,
-// budget and compression, and what they do right now.
+// The page of the sound's cost: threshold, slope, mode budget and compression, and their current
+// effect.
 #pragma once
 
 #include "Editor/BudgetRamp.h"
@@ -22,7 +22,7 @@ public:
     void resized() override;
 
 private:
-    /// How many modes sound, and how many do not and why.
+    /// Counts of sounding modes and of silent ones by reason.
     class Counts final : public juce::Component {
     public:
         Counts();

@@ -1,4 +1,4 @@
-// Where this user's settings for Idiophone lie.
+// Finds the folder of this user's Idiophone settings.
 #pragma once
 
 #include "Editor/Utf8.h"
@@ -6,7 +6,8 @@
 
 namespace idiophone {
 
-/// The folder of the user's materials, presets and windows; an empty file where the environment
+/// The folder of the user's materials, presets and window settings; an empty File if the
+/// environment
 /// names none.
 inline juce::File userSettingsFolder() {
     const auto materials = userMaterialFolder();

@@ -7,13 +7,13 @@
 namespace idiophone {
 namespace {
 
-/// What has fallen this far below the largest blow is no longer seen; in between sight goes with
-/// the decibels, as hearing does.
+/// Motion this far below the largest strike is invisible. In between, the visible displacement is
+/// linear in decibels.
 constexpr double visibleDecibels = 60;
-/// The lowest mode shown swings this often a second; the others by the root of their ratio to it,
-/// which keeps them apart and slow enough for 30 pictures a second.
+/// Swing rate of the lowest mode, and maximum. Others scale with the square root of the frequency
+/// ratio, which keeps them distinct and slow enough for 30 pictures a second.
 constexpr double lowestSwingHz = 1.6, fastestSwingHz = 9;
-/// The reference falls by this factor each frame, so that soft blows after loud ones show too.
+/// The reference falls by this factor per frame, so that soft strikes after loud ones show.
 constexpr double forgetting = 0.995;
 
 } // namespace

@@ -1,5 +1,5 @@
-// Vibration slowed down and exaggerated until it can be seen: which modes of an object are shown,
-// how far they go and where they are in their swing. Plain mathematics; drawing is ObjectView's.
+// Slows vibration down and exaggerates it: chooses modes to show, with displacement and phase.
+// Mathematics only; ObjectView draws it.
 #pragma once
 
 #include "Editor/SoundView.h"
@@ -12,38 +12,40 @@ namespace idiophone {
 
 class SlowMotion {
 public:
-    /// At most this many modes are shown, those that go farthest.
+    /// Maximum number of modes shown; those with the largest displacement.
     static constexpr std::size_t mostModes = 8;
 
     struct Swing {
         std::size_t mode = 0;
-        float displacement = 0; ///< −1 to 1 over all, as far as at the blow that was largest lately
+        float displacement =
+            0; ///< the sum over modes is within −1 to 1; 1 is the largest recent strike
     };
 
-    /// The modes as they sound now, of the same object as before, or after `reset`.
+    /// Takes the current modes. They belong to the same object as before, unless `reset` was
+    /// called.
     void follow(std::span<const ModeNow> modes);
 
-    /// Time goes on, for the eye.
+    /// Advances the slow motion by displayed time.
     void advance(double seconds);
 
-    /// Empty where nothing moves that could be seen.
+    /// Empty if no motion is visible.
     std::vector<Swing> swings() const;
     bool atRest() const { return shown.empty(); }
 
-    /// Another object, at rest.
+    /// Prepares for another object, at rest.
     void reset();
 
 private:
     struct Shown {
         std::size_t mode = 0;
-        double extent = 0; ///< share of the whole displacement
+        double extent = 0; ///< share of the total displacement
         double frequencyHz = 0;
         double phase = 0; ///< radians
     };
 
     std::vector<Shown> shown;
-    double largestDisplacement = 0; ///< [m] lately
-    double visible = 0;             ///< 0 to 1, of the whole
+    double largestDisplacement = 0; ///< [m] recent maximum
+    double visible = 0;             ///< 0 to 1, scale of the total displacement
 };
 
 } // namespace idiophone

@@ -9,8 +9,8 @@
 namespace idiophone {
 namespace {
 
-constexpr double fallPerFrame = 0.8; // dB: a peak can be seen
-constexpr double loadShare = 0.15;   // of the way to the newest, so that the figure can be read
+constexpr double fallPerFrame = 0.8; // dB; slow enough to see a peak
+constexpr double loadShare = 0.15;   // step towards the newest value; slow enough to read
 constexpr int nameWidth = 38, textWidth = 68;
 
 } // namespace

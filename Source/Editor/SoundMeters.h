@@ -1,4 +1,4 @@
-// How loud the output is, in dB of full scale, and what share of one processor the sound takes.
+// Meters of the output level in dB of full scale, and of the load of one processor core.
 #pragma once
 
 #include "Editor/SoundView.h"
@@ -8,12 +8,13 @@
 
 namespace idiophone {
 
-/// Three rows; readable from 240 x 48 px on.
+/// Three rows; needs at least 240 x 48 px.
 class SoundMeters final : public juce::Component, public juce::SettableTooltipClient {
 public:
     SoundMeters();
 
-    /// For every frame: peaks fall in time with them. Repaints where that looks different.
+    /// Call for every frame: peaks fall by a fixed amount per call. Repaints only if the picture
+    /// changes.
     void show(const SoundFrame& frame);
 
     juce::String description() const;
@@ -35,8 +36,9 @@ private:
 
     std::array<Row, 3> rowsNow() const;
 
-    std::array<double, 2> decibels{silentDecibels, silentDecibels}; ///< as seen: falling
-    double load = 0;                                                ///< as seen: smooth
+    std::array<double, 2> decibels{silentDecibels,
+                                   silentDecibels}; ///< as displayed, with falling peaks
+    double load = 0;                                ///< as displayed, smoothed
     std::array<Row, 3> rows;
 };
 

@@ -1,24 +1,25 @@
-// Two whole sounds, A and B, to go to and fro between, and chance variations of the one that plays.
+// Comparison of two whole sounds, A and B, and random variations of the current one.
 #pragma once
 
 #include <cstdint>
 
 namespace idiophone {
 
-/// For the message thread. Nothing here clicks, and everything is a step of the history.
+/// For the message thread. No call clicks; each one is a step of the edit history.
 class SoundVariants {
 public:
     virtual ~SoundVariants() = default;
 
-    /// Whether B is the one that plays and is edited; a new session begins with A.
+    /// Whether B plays and is edited. A new session begins with A.
     virtual bool playsB() = 0;
-    /// Plays the other one. As long as it has not been made, it is a copy of the one that plays.
+    /// Plays the other sound. Until it is first made, it is a copy of the current one.
     virtual void compare() = 0;
-    /// Makes the other one a copy of the one that plays.
+    /// Copies the current sound to the other one.
     virtual void copyToOther() = 0;
 
-    /// Plays a new sound near the present one, within musical bounds; as near as `strength` is
-    /// small, which is from 0 to 1. The same seed makes the same sound.
+    /// Plays a random variation of the current sound, within musical bounds. `strength` is 0 to 1;
+    /// smaller
+    /// stays nearer. The same seed gives the same sound.
     virtual void mutate(double strength, std::uint32_t seed) = 0;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array roundHz{10.0,   20.0,   50.0, 100.0, 200.0, 500.0, 1000.0,
                              2000.0, 5000.0, 1e4,  2e4,   5e4,   1e5};
-constexpr double margin = 1.04; // so that no mode stands on the edge
+constexpr double margin = 1.04; // keeps modes off the edge
 constexpr double decibelsPerTick = 30;
 
 juce::String tickText(double hz) {
@@ -19,7 +19,7 @@ juce::String tickText(double hz) {
                      : juce::String(juce::roundToInt(hz / 1000)) + "k";
 }
 
-/// 0 at the lower bound to 1 at the upper one.
+/// Position between the bounds, 0 to 1.
 double share(double value, double lower, double upper) {
     return std::clamp((value - lower) / (upper - lower), 0.0, 1.0);
 }

@@ -1,5 +1,4 @@
-// Where modes stand in the picture of their spectrum: logarithmic frequency, level in dB, and
-// logarithmic decay time.
+// The axes of the mode spectrum: logarithmic frequency, level in dB, logarithmic decay time.
 #pragma once
 
 #include <juce_graphics/juce_graphics.h>
@@ -18,9 +17,10 @@ public:
         juce::String text;
     };
 
-    /// A scale from one round frequency to another, which holds all of these and at least two
-    /// octaves; the whole of hearing where there are none. Levels stand in `levels`, decay times in
-    /// `decays`, both as wide.
+    /// The frequency axis runs between round values, contains all `frequenciesHz` and spans at
+    /// least two
+    /// octaves; without frequencies it is 20 Hz to 20 kHz. `levels` and `decays` have the same
+    /// width.
     SpectrumScale(std::span<const double> frequenciesHz,
                   juce::Rectangle<float> levels,
                   juce::Rectangle<float> decays);
@@ -29,10 +29,10 @@ public:
     double highestHz() const { return highest; }
 
     float x(double frequencyHz) const;
-    float levelY(double decibels) const;   ///< out of range: at its end
-    float decayY(double t60Seconds) const; ///< the longer the higher
+    float levelY(double decibels) const;   ///< clamped to the axis
+    float decayY(double t60Seconds) const; ///< longer is higher; clamped to the axis
 
-    /// 20, 50, 100 ...: as many as stand apart by `leastGap`.
+    /// Ticks at 20, 50, 100 ... that are at least `leastGap` apart.
     std::vector<Tick> frequencyTicks(float leastGap) const;
     std::vector<Tick> levelTicks() const;
     std::vector<Tick> decayTicks() const;

@@ -11,7 +11,9 @@ namespace idiophone {
 
 namespace {
 
-/// A text of a file or a host, as much of it as could be seen: laying it out takes long.
+/// The part of a text that fits on the line. It may come from a file or host, and long texts are
+/// slow
+/// to lay out.
 juce::String seenOf(const std::string& sentence) {
     constexpr std::size_t mostBytes = 2000;
     constexpr int mostLetters = 400;
@@ -30,7 +32,7 @@ StatusBar::StatusBar() {
 }
 
 void StatusBar::show(ProcessorView::Status status) {
-    constexpr int fallPerUpdate = 2; // dB: a peak can be seen
+    constexpr int fallPerUpdate = 2; // dB; slow enough to see a peak
     const auto now = static_cast<int>(std::lround(
         juce::Decibels::gainToDecibels(status.peak, static_cast<float>(silentDecibels))));
     const int decibels = juce::jmax(now, shownDecibels - fallPerUpdate, silentDecibels);

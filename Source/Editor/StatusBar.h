@@ -1,5 +1,5 @@
-// One line: what is loaded or what went wrong, how late a stage is heard, how many modes sound, how
-// loud it is.
+// The status line: the loaded sound or an error, the delay of a stage, sounding modes and output
+// level.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -13,7 +13,7 @@ class StatusBar final : public juce::Component {
 public:
     StatusBar();
 
-    /// A new error is read out, too.
+    /// Shows the status. The screen reader announces a new error.
     void show(ProcessorView::Status status);
 
     void paint(juce::Graphics& g) override;

@@ -1,4 +1,4 @@
-// How a key strikes: the mallet in the hand, its figures, and where it falls.
+// The page of the strike: the mallet, its figures, and the strike place.
 #pragma once
 
 #include "Editor/DeckPage.h"

@@ -9,7 +9,7 @@
 namespace idiophone {
 namespace {
 
-constexpr std::int64_t boxesForSurface = 50'000'000; // a second or two
+constexpr std::int64_t boxesForSurface = 50'000'000; // search limit, about 1 to 2 s
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// How an object's surface moves in its modes, at every vertex of the mesh that is drawn.
+// The motion of an object's surface in its modes, at every vertex of the drawn mesh.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -12,25 +12,25 @@
 
 namespace idiophone {
 
-/// Immutable once built, which takes a while for large meshes. Vertices without shapes of their
-/// own, as the underside of a bar, move as the nearest place that has them; of a surface heaped so
-/// much on itself that these would take minutes to find, the last ones stand still.
+/// Immutable. Construction takes a while for large meshes. Vertices without shapes, such as the
+/// underside of a bar, move like the nearest place with shapes. The search is limited: on a heavily
+/// folded surface the last vertices do not move.
 class SurfaceMotion {
 public:
-    /// The object carries shapes at a vertex.
+    /// The object has shapes at one vertex or more.
     explicit SurfaceMotion(std::shared_ptr<const ModalObject> object);
 
     std::size_t modeCount() const { return object->modeCount(); }
 
-    /// How far the mode moves the surface where it moves it most; > 0 where it moves it at all.
+    /// The mode's largest displacement over the surface; 0 if it does not move it.
     float largest(std::size_t mode) const;
 
-    /// Adds a mode to displacements [N,3], `weight` at the place it moves most, in the directions
-    /// of the object's own mesh.
+    /// Adds a mode to displacements [N,3], in the directions of the object's mesh. `weight` is the
+    /// displacement at the place that moves most.
     void add(std::size_t mode, float weight, std::span<float> displacements) const;
 
 private:
-    /// Shapes are linear between three rows.
+    /// A point where the shape is interpolated linearly between three rows.
     struct Place {
         std::array<std::int32_t, 3> rows{};
         std::array<float, 3> weights{};

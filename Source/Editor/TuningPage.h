@@ -1,5 +1,4 @@
-// What the keys are tuned to: a scale's file or the session's, concert pitch, and how far wheels
-// bend.
+// The page of the tuning: a scale from a file or the session, concert pitch, and bend ranges.
 #pragma once
 
 #include "Editor/DeckPage.h"

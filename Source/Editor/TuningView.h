@@ -1,4 +1,4 @@
-// What the window needs of the tuning of the keys.
+// The window's view of the tuning of the keys.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +6,17 @@
 
 namespace idiophone {
 
-/// What the keys are tuned to, and who says so.
+/// The tuning of the keys and its source.
 struct TuningStatus {
     enum class Source {
-        equal,   ///< nobody: twelve equal steps
-        files,   ///< the user's own, for this instance
+        equal,   ///< no source: twelve equal steps
+        files,   ///< the user's files, for this instance
         session, ///< a master of the session (MTS-ESP)
-        messages ///< MIDI's
+        messages ///< MIDI tuning messages
     };
 
     Source source = Source::equal;
-    std::string scale;       ///< its description
+    std::string scale;       ///< description of the scale
     std::string mappingFile; ///< name of the keyboard mapping's file, or empty
 
     bool operator==(const TuningStatus&) const = default;
@@ -29,14 +29,15 @@ public:
 
     /// Whether the extension is .scl or .kbm, in any case.
     virtual bool isTuningFile(const std::filesystem::path& file) const = 0;
-    /// Of these files, separated by semicolons.
+    /// The patterns of these files, separated by semicolons.
     virtual std::string tuningPatterns() const = 0;
-    /// Tunes the keys of this instance by a scale or a keyboard mapping; the other of the two
-    /// stays. The project keeps the file's text. What goes wrong is what the status says, and the
-    /// tuning stays.
+    /// Loads a scale or a keyboard mapping for this instance, and keeps the other of the two. The
+    /// project
+    /// stores the file's text. After an error, which the status shows, the tuning is unchanged.
     virtual void openTuning(const std::filesystem::path& file) = 0;
-    /// Forgets scale and mapping, or else what messages have tuned: keys are as the session tunes
-    /// them, or equally tempered.
+    /// Removes the scale and the mapping, or else the tuning by MIDI messages. Then the session
+    /// tunes the
+    /// keys, or equal temperament.
     virtual void forgetTuning() = 0;
     virtual TuningStatus tuningStatus() const = 0;
 };

@@ -1,5 +1,6 @@
-// Texts and paths between the standard library and JUCE: UTF-8 on both sides, which a path's narrow
-// text is not on Windows.
+// Converts texts and paths between the standard library and JUCE, always as UTF-8. On Windows a
+// path's
+// narrow text is not UTF-8.
 #pragma once
 
 #include <filesystem>
