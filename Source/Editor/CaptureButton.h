@@ -25,8 +25,7 @@ public:
     /// Writes the file to drag, in the system's temporary folder. Returns an empty File on failure.
     juce::File writeForDrag();
     /// Saves to the chosen path, and adds the extension if it is missing. Then an existing file is
-    /// not
-    /// replaced, because the chooser has not asked about it.
+    /// not replaced, because the chooser has not asked about it.
     void save(const juce::File& chosen);
     /// Whether any window wrote this file for a drag.
     static bool isForDrag(const std::filesystem::path& file);

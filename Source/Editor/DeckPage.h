@@ -22,13 +22,11 @@ public:
     explicit DeckPage(const juce::String& name) : Component(name) {}
 
     /// Shows the current values and repaints only changes. The window's timer calls it while the
-    /// page is
-    /// visible.
+    /// page is visible.
     virtual void refresh() = 0;
 
     /// Receives each new frame while the page is visible. The window takes it from the processor
-    /// once
-    /// for all pages.
+    /// once for all pages.
     virtual void showSound(const SoundFrame&) {}
 
 protected:

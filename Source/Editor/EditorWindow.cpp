@@ -153,8 +153,7 @@ bool EditorWindow::keyPressed(const juce::KeyPress& key) {
 }
 
 // In the standalone program the computer's keys play notes, unless the focused component wants
-// them.
-// In a plugin the keys belong to the host.
+// them. In a plugin the keys belong to the host.
 bool EditorWindow::keyStateChanged(bool isDown) {
     if (!juce::JUCEApplicationBase::isStandaloneApp())
         return false;

@@ -41,8 +41,7 @@ public:
     void setLook(LookScheme scheme);
 
     /// Accepts files that the workshop reads, scales and keyboard mappings anywhere on the window.
-    /// For
-    /// other files the status gives the reason. Captures dragged from this program are ignored.
+    /// For other files the status gives the reason. Captures dragged from this program are ignored.
     bool isInterestedInFileDrag(const juce::StringArray& files) override;
     void fileDragEnter(const juce::StringArray& files, int x, int y) override;
     void fileDragExit(const juce::StringArray& files) override;
@@ -66,9 +65,8 @@ private:
     KeyboardPanel keyboard;
     DropFrame dropFrame;
     FocusRing focusRing;
-    int importPage = 0, tuningPage = 0; ///< page numbers in the deck
-    std::optional<juce::TooltipWindow>
-        tooltips; ///< only while the window is busy, because it polls
+    int importPage = 0, tuningPage = 0;          ///< page numbers in the deck
+    std::optional<juce::TooltipWindow> tooltips; ///< only while busy: it polls
     int ticksAtRest = 0;
 };
 

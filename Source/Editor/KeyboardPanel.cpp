@@ -89,8 +89,7 @@ KeyboardPanel::KeyboardPanel(ProcessorView& processor) : view(processor) {
     addAndMakeVisible(keyboard);
     state.addListener(this);
     // JUCE's timer polls the keys 20 times a second, even at rest. Stop it: `refresh` polls
-    // instead.
-    // The cast is needed because the base class is private.
+    // instead. The cast is needed because the base class is private.
     ((juce::Timer&)keyboard).stopTimer();
     refresh();
 }

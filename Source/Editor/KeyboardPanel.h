@@ -23,8 +23,7 @@ public:
     /// Releases the notes that the computer's keys hold, as a loss of focus does.
     void releaseKeys();
     /// Z and X shift the computer's keys by an octave, within the visible keys. Key repeats are
-    /// ignored
-    /// until the key is released. Returns false for other keys.
+    /// ignored until the key is released. Returns false for other keys.
     bool pressOctaveKey(const juce::KeyPress& key);
     /// The note of the computer's first key, a C.
     int computerKeysNote() const { return baseNote; }

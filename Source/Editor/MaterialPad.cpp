@@ -103,7 +103,7 @@ void MaterialPad::mix(const PlanePlace& place) {
     view.changeParameter(viscoelasticDamping, material.damping.viscoelasticSeconds * 1e6);
     view.changeParameter(lossFactor, material.damping.lossFactor);
     view.changeParameter(ParameterId::material,
-                         customMaterial); // last, because its figures are set by now
+                         customMaterial); // last, after its figures
     refresh();
 }
 

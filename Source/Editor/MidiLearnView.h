@@ -17,8 +17,7 @@ public:
     virtual std::optional<int> controllerOf(ParameterId parameter) const = 0;
 
     /// Assigns the next controller that arrives to the parameter. Bank select (0, 32) and channel
-    /// modes
-    /// (120 to 127) are not learned: hosts send them unasked.
+    /// modes (120 to 127) are not learned: hosts send them unasked.
     virtual void learnController(ParameterId parameter) = 0;
     /// The parameter whose controller is pending, or nothing.
     virtual std::optional<ParameterId> learningParameter() const = 0;

@@ -18,8 +18,7 @@ juce::String frequencyText(double frequencyHz);
 /// "85 ms", "2.31 s".
 juce::String secondsText(double seconds);
 /// The nearest note and the deviation in cents: "A4 +3 ct", with A4 = 440 Hz. Empty outside the
-/// MIDI
-/// range.
+/// MIDI range.
 juce::String noteText(double frequencyHz);
 /// The state of a mode: "sounding", "below the threshold" ...
 juce::String standingText(const ModeNow& mode);

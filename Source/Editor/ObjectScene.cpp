@@ -59,8 +59,7 @@ Mesh meshOf(const Eigen::AlignedBox3d& box) {
 
 /// Lays the bars out as on a mallet instrument. They lie along y, with naturals in a row and
 /// accidentals behind and above them in the gaps. An object that is higher than long, such as a
-/// chime,
-/// hangs by its upper end.
+/// chime, hangs by its upper end.
 std::vector<ObjectScene::Placement>
 ObjectScene::keyboardOf(const std::vector<ProcessorView::PlayedObject>& played) {
     constexpr double gapMetres = 0.006, overlap = 0.9;

@@ -1,6 +1,6 @@
 // The geometry of an instrument's objects, for drawing and picking. Several objects form a
-// keyboard,
-// one stays as it is, objects on a stage follow their bodies. Independent of windows and OpenGL.
+// keyboard, one stays as it is, objects on a stage follow their bodies. Independent of windows and
+// OpenGL.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -44,8 +44,7 @@ struct ScenePick {
 class ObjectScene {
 public:
     /// Limit on the faces of all objects together; objects beyond it are drawn as boxes. A face
-    /// takes
-    /// about 450 bytes, and the maximum takes a few seconds to build.
+    /// takes about 450 bytes, and the maximum takes a few seconds to build.
     static constexpr Eigen::Index mostFaces = 1'000'000;
 
     enum class Layout {
@@ -71,8 +70,7 @@ public:
     ScenePlace placeOf(std::size_t object, const std::array<double, 3>& pointMetres) const;
 
     /// The displacement of each scene vertex of an object. `displacements` is [N,3], one for each
-    /// vertex
-    /// of the mesh, in the mesh's directions and units.
+    /// vertex of the mesh, in the mesh's directions and units.
     std::vector<ScenePlace> offsetsOf(std::size_t object,
                                       std::span<const float> displacements) const;
 
@@ -90,8 +88,7 @@ private:
         Eigen::Vector3d onMesh(const Eigen::Vector3d& place) const; ///< the inverse
 
         Eigen::Vector3d pivot = Eigen::Vector3d::Zero(), origin = Eigen::Vector3d::Zero();
-        Eigen::Matrix3d axes =
-            Eigen::Matrix3d::Identity(); ///< the object's x, y, z axes as columns
+        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< object axes as columns
         double scale = 1;
         double nearest = 0, farthest = 0; ///< range of y in the scene
     };

@@ -1,6 +1,5 @@
 // The 3D view of the instrument. Clicks strike, drags over an object scrape it, and drags beside
-// the
-// objects or with the right button turn the view. On a stage, clicks set bodies in motion.
+// the objects or with the right button turn the view. On a stage, clicks set bodies in motion.
 #pragma once
 
 #include "Editor/ObjectScene.h"
@@ -51,8 +50,7 @@ public:
     void setDrawsPath(bool draws);
 
     /// Strikes the object at a position of the component. Lower on the object (nearer to the
-    /// player) or a
-    /// faster mouse is harder. Returns nothing on the background.
+    /// player) or a faster mouse is harder. Returns nothing on the background.
     std::optional<ScenePick> strikeAt(juce::Point<float> position, double pixelsPerSecond = 0);
     /// Scrapes from the last position to this one. An object entered on the way is struck.
     void dragTo(juce::Point<float> position, double pressure = defaultPressure);

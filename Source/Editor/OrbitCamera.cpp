@@ -9,8 +9,7 @@
 namespace idiophone {
 namespace {
 
-constexpr float halfFieldRadians =
-    14 * std::numbers::pi_v<float> / 180; // half the vertical field of view
+constexpr float halfFieldRadians = 14 * std::numbers::pi_v<float> / 180; // half, vertical
 constexpr float farthestZoom = 0.2f, nearestZoom = 20;
 constexpr float margin = 1.06f;
 constexpr float farthestMove = 1;

@@ -17,8 +17,7 @@ struct ViewRay {
 class OrbitCamera {
 public:
     /// Frames a scene from the player's side, so that all points just fit at any aspect ratio.
-    /// Keeps turn
-    /// and zoom. `points` is not empty.
+    /// Keeps turn and zoom. `points` is not empty.
     void lookAt(std::vector<ScenePlace> points);
 
     /// Turns the camera. It stays above the horizon and below the zenith.

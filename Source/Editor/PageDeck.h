@@ -1,6 +1,5 @@
 // The deck: pages side by side under their tabs. It shows the pages that fit; a click on a tab
-// shows
-// another.
+// shows another.
 #pragma once
 
 #include "Editor/DeckPage.h"

@@ -12,10 +12,9 @@ namespace idiophone {
 
 /// A group of parameters, in one of the columns.
 struct ParameterGroup {
-    std::string_view name; ///< ParameterInfo::group
-    int column;            ///< 0 or 1
-    std::vector<ParameterId> first =
-        {}; ///< these come first; the others follow in the table's order
+    std::string_view name;               ///< ParameterInfo::group
+    int column;                          ///< 0 or 1
+    std::vector<ParameterId> first = {}; ///< before the others, which keep the table's order
 };
 
 class ParameterColumns final : public juce::Component {

@@ -32,15 +32,14 @@ juce::NormalisableRange<double> rangeOf(const ParameterInfo& info) {
 }
 
 /// A slider with keys: arrows and page keys move it by shares of its length, Shift makes arrow
-/// steps
-/// smaller. Return opens the text field.
+/// steps smaller. Return opens the text field.
 class KeyedSlider final : public LeftClicked<juce::Slider> {
 public:
     explicit KeyedSlider(const ParameterInfo& row)
         : LeftClicked(juce::Slider::LinearHorizontal, juce::Slider::NoTextBox), info(row) {
         setWantsKeyboardFocus(true);
-        setMouseClickGrabsKeyboardFocus(
-            false); // the computer's keys keep playing notes after a click
+        // After a click the computer's keys keep playing notes.
+        setMouseClickGrabsKeyboardFocus(false);
     }
 
     std::function<void()> onReturn;
@@ -179,8 +178,7 @@ void ParameterControl::changeTo(double number) {
 void ParameterControl::typed() {
     if (const auto parsed = parseParameter(info, value.getText().toStdString()))
         changeTo(*parsed);
-    shown =
-        std::numeric_limits<double>::quiet_NaN(); // replaces the typed text by the value in effect
+    shown = std::numeric_limits<double>::quiet_NaN(); // so that refresh replaces the text
     refresh();
 }
 

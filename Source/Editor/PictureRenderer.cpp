@@ -31,8 +31,7 @@ void main()
 )";
 
 // Two lamps, a gloss and a rim; both sides of a sheet are lit. `glow` marks the struck place,
-// `light`
-// shows the loudness of the object.
+// `light` shows the loudness of the object.
 constexpr const char* fragmentShader = R"(
 uniform vec3 colour;
 uniform vec3 eye;
@@ -207,8 +206,7 @@ void PictureRenderer::drawObject(const SceneFrame& shown,
         return;
     }
     // The offset buffer holds only this object's vertices, so read places and normals from its
-    // first
-    // vertex too.
+    // first vertex too.
     glBindBuffer(GL_ARRAY_BUFFER, offsetBuffer);
     glEnableVertexAttribArray(offset);
     glVertexAttribPointer(offset, 3, GL_FLOAT, GL_FALSE, sizeof(ScenePlace), nullptr);

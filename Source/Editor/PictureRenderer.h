@@ -20,8 +20,7 @@ struct SceneMotion {
     std::shared_ptr<const std::vector<ScenePlace>> offsets;
     float scale = 1;
     /// Colours outward and inward motion differently and draws nodal lines between them. The
-    /// largest
-    /// offset is then 1.
+    /// largest offset is then 1.
     bool showsNodes = false;
 };
 
@@ -47,8 +46,7 @@ struct SceneFrame {
 };
 
 /// The message thread sets frames and the OpenGL thread draws the last one. A mutex is held only
-/// while
-/// a frame is copied; the copies share large data.
+/// while a frame is copied; the copies share large data.
 class PictureRenderer final : public juce::OpenGLRenderer {
 public:
     explicit PictureRenderer(juce::OpenGLContext& drawsInto) : context(drawsInto) {}

@@ -46,8 +46,7 @@ private:
     const ShelvedPreset* selected() const;
 
     /// The search field. It leaves the list's keys to the browser, and shows its hint while
-    /// focused; JUCE
-    /// would hide it.
+    /// focused; JUCE would hide it.
     class Search final : public juce::TextEditor {
     public:
         bool keyPressed(const juce::KeyPress& key) override {

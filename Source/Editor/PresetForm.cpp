@@ -52,8 +52,7 @@ void PresetForm::name(const juce::String& answer, const juce::String& title) {
 }
 
 /// Answers on Return. While the form offers to replace a preset, Return is ignored, because a held
-/// key
-/// repeats.
+/// key repeats.
 void PresetForm::followReturn() {
     if (!offersToReplace)
         yes.triggerClick();

@@ -23,8 +23,7 @@ public:
     /// Shows an error about the answer.
     void object(const juce::String& sentence);
     /// Says that the preset exists, and offers to replace it. Only the button replaces it; typing
-    /// withdraws
-    /// the offer.
+    /// withdraws the offer.
     void objectToName(const PresetDetails& details);
     bool isToReplace() const { return offersToReplace; }
 

@@ -8,8 +8,7 @@
 namespace idiophone {
 
 /// Whether each word occurs in the preset's name, author, description, folder or tags, ignoring
-/// case.
-/// An empty search matches everything.
+/// case. An empty search matches everything.
 bool matchesSearch(const ShelvedPreset& preset, const juce::String& words);
 
 /// All tags of the presets, ignoring case, without repeats; the most frequent first.

@@ -35,8 +35,7 @@ public:
     virtual ~PresetShelf() = default;
 
     /// The presets as last read: the factory's in program order, then the user's by folder and
-    /// name. Valid
-    /// until the next call of a non-const function.
+    /// name. Valid until the next call of a non-const function.
     virtual const std::vector<ShelvedPreset>& presets() const = 0;
     /// Reads the user's folder again, but not files that have not changed.
     virtual void readPresets() = 0;
@@ -54,8 +53,7 @@ public:
     virtual Result<void> loadInitialSound() = 0;
 
     /// Plays a preset on trial. Then `keepAudition` makes one step of all trials, and `endAudition`
-    /// restores
-    /// the previous sound.
+    /// restores the previous sound.
     virtual Result<void> auditionPreset(const std::string& id) = 0;
     virtual void keepAudition() = 0;
     virtual void endAudition() = 0;
@@ -63,12 +61,10 @@ public:
     /// Whether a preset file with these details exists.
     virtual bool presetExists(const PresetDetails& details) const = 0;
     /// Saves the current sound, with its objects unless they are the factory's. Replaces an
-    /// existing preset
-    /// only if `replace` is true.
+    /// existing preset only if `replace` is true.
     virtual Result<void> savePreset(const PresetDetails& details, bool replace) = 0;
     /// Overwrites the file of the current user preset, whatever the file's name is. Fails if
-    /// another
-    /// window or program has written the file since it was loaded or saved here.
+    /// another window or program has written the file since it was loaded or saved here.
     virtual Result<void> saveChosenPreset() = 0;
     virtual Result<void> renamePreset(const std::string& id, const std::string& name) = 0;
     /// Moves the file to the system's bin; the sound continues.

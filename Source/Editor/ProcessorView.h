@@ -55,16 +55,14 @@ public:
     /// The value in the parameter table's unit.
     virtual double parameterValue(ParameterId parameter) const = 0;
     /// The value in effect. For a figure of a material or mallet, that of the selected one, or of
-    /// the
-    /// objects' own material.
+    /// the objects' own material.
     virtual double effectiveValue(ParameterId parameter) const = 0;
     /// Call before changing a figure of a material or mallet by hand: copies all its figures to the
-    /// custom
-    /// one and selects that. Does nothing if the custom one is selected, or for other parameters.
+    /// custom one and selects that. Does nothing if the custom one is selected, or for other
+    /// parameters.
     virtual void makeCustom(ParameterId figure) = 0;
     /// False if the parameter has no effect on the current sound: its objects would need a new
-    /// analysis,
-    /// or no key has a pitch to keep.
+    /// analysis, or no key has a pitch to keep.
     virtual bool isLive(ParameterId parameter) const = 0;
     /// A gesture by hand: `begin`, any number of `change`s, `end`. The host records it.
     virtual void beginParameterChange(ParameterId parameter) = 0;
@@ -72,8 +70,7 @@ public:
     virtual void endParameterChange(ParameterId parameter) = 0;
 
     /// Reads the user's materials again and returns their names. Unreadable ones are left out and
-    /// reported
-    /// in the status.
+    /// reported in the status.
     virtual std::vector<std::string> readUserMaterials() = 0;
     /// The names as last read.
     virtual std::vector<std::string> userMaterialNames() const = 0;
@@ -106,27 +103,22 @@ public:
     };
     virtual bool hasCaptured() = 0;
     /// Writes the captured impacts to a file, and replaces it. Returns false and reports the error
-    /// in the
-    /// status on failure.
+    /// in the status on failure.
     virtual bool writeCapture(CaptureKind kind, const std::filesystem::path& file) = 0;
     /// The places where keys strike an object, in metres on its mesh, along the strike path from
-    /// the lowest
-    /// key's end. Empty if the object does not exist.
+    /// the lowest key's end. Empty if the object does not exist.
     virtual std::vector<std::array<double, 3>> struckPlaces(std::size_t index) const = 0;
     /// Changes with each new instrument.
     virtual int instrumentNumber() const = 0;
     /// Strikes an object at the surface point nearest to `pointMetres`, in metres of its mesh.
-    /// Velocity 1
-    /// to 127; 0 ends the strike. Ignores objects that no longer exist.
+    /// Velocity 1 to 127; 0 ends the strike. Ignores objects that no longer exist.
     virtual void
     strikeObject(std::size_t index, const std::array<double, 3>& pointMetres, int velocity) = 0;
 
     /// Scrapes an object, from the last point to the surface point nearest to `pointMetres`, in
-    /// metres of
-    /// its mesh. The motion's speed sets the sound; a resting contact is silent. `pressure` is 0 to
-    /// 1 of
-    /// the contact force; 0 ends the contact.
-    /// There is one contact: another object starts a new one. Ignores objects that no longer exist.
+    /// metres of its mesh. The motion's speed sets the sound; a resting contact is silent.
+    /// `pressure` is 0 to 1 of the contact force; 0 ends the contact. There is one contact: another
+    /// object starts a new one. Ignores objects that no longer exist.
     virtual void
     scrapeObject(std::size_t index, const std::array<double, 3>& pointMetres, double pressure) = 0;
 

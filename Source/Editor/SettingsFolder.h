@@ -7,8 +7,7 @@
 namespace idiophone {
 
 /// The folder of the user's materials, presets and window settings; an empty File if the
-/// environment
-/// names none.
+/// environment names none.
 inline juce::File userSettingsFolder() {
     const auto materials = userMaterialFolder();
     return materials.empty() ? juce::File() : fileOf(materials.parent_path());

@@ -17,8 +17,8 @@ public:
 
     struct Swing {
         std::size_t mode = 0;
-        float displacement =
-            0; ///< the sum over modes is within −1 to 1; 1 is the largest recent strike
+        /// Within −1 to 1 over all modes together; 1 is the largest recent strike.
+        float displacement = 0;
     };
 
     /// Takes the current modes. They belong to the same object as before, unless `reset` was

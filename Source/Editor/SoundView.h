@@ -1,6 +1,5 @@
 // The state of the sound for the window, and muting or soloing of modes. The processor implements
-// it.
-// Contains numbers, no audio.
+// it. Contains numbers, no audio.
 #pragma once
 
 #include <array>
@@ -87,8 +86,7 @@ public:
     virtual ~SoundView() = default;
 
     /// The newest frame since the last call, or nullptr if there is none or no sound is rendered.
-    /// Valid
-    /// until the next call. Regular calls get about 30 frames a second.
+    /// Valid until the next call. Regular calls get about 30 frames a second.
     virtual const SoundFrame* takeSoundFrame() = 0;
 
     /// Selects the object whose modes the frames contain. Nothing: always the object played last.
@@ -96,12 +94,10 @@ public:
     virtual std::optional<std::size_t> watchedObject() const = 0;
 
     /// Mutes or unmutes a mode, numbered as in the object. Muted modes are saved with the sound.
-    /// Returns
-    /// false if the mode does not exist or too many are muted.
+    /// Returns false if the mode does not exist or too many are muted.
     virtual bool muteMode(std::size_t object, std::int32_t mode, bool isMuted) = 0;
     /// Solos a mode. While an object has soloed modes, its other modes are silent; other objects
-    /// are not
-    /// affected. Not saved, and dropped with the instrument.
+    /// are not affected. Not saved, and dropped with the instrument.
     virtual bool hearModeAlone(std::size_t object, std::int32_t mode, bool isAlone) = 0;
     /// Unmutes all modes of the object, or ends all its solos.
     virtual void unmuteModes(std::size_t object) = 0;

@@ -18,9 +18,8 @@ public:
     };
 
     /// The frequency axis runs between round values, contains all `frequenciesHz` and spans at
-    /// least two
-    /// octaves; without frequencies it is 20 Hz to 20 kHz. `levels` and `decays` have the same
-    /// width.
+    /// least two octaves; without frequencies it is 20 Hz to 20 kHz. `levels` and `decays` have the
+    /// same width.
     SpectrumScale(std::span<const double> frequenciesHz,
                   juce::Rectangle<float> levels,
                   juce::Rectangle<float> decays);

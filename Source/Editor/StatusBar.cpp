@@ -12,8 +12,7 @@ namespace idiophone {
 namespace {
 
 /// The part of a text that fits on the line. It may come from a file or host, and long texts are
-/// slow
-/// to lay out.
+/// slow to lay out.
 juce::String seenOf(const std::string& sentence) {
     constexpr std::size_t mostBytes = 2000;
     constexpr int mostLetters = 400;

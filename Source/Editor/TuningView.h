@@ -32,12 +32,11 @@ public:
     /// The patterns of these files, separated by semicolons.
     virtual std::string tuningPatterns() const = 0;
     /// Loads a scale or a keyboard mapping for this instance, and keeps the other of the two. The
-    /// project
-    /// stores the file's text. After an error, which the status shows, the tuning is unchanged.
+    /// project stores the file's text. After an error, which the status shows, the tuning is
+    /// unchanged.
     virtual void openTuning(const std::filesystem::path& file) = 0;
     /// Removes the scale and the mapping, or else the tuning by MIDI messages. Then the session
-    /// tunes the
-    /// keys, or equal temperament.
+    /// tunes the keys, or equal temperament.
     virtual void forgetTuning() = 0;
     virtual TuningStatus tuningStatus() const = 0;
 };

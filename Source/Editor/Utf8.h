@@ -1,6 +1,5 @@
 // Converts texts and paths between the standard library and JUCE, always as UTF-8. On Windows a
-// path's
-// narrow text is not UTF-8.
+// path's narrow text is not UTF-8.
 #pragma once
 
 #include <filesystem>

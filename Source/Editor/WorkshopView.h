@@ -67,16 +67,13 @@ public:
     /// The patterns of these files, separated by semicolons: "*.obj;*.modal".
     virtual std::string openPatterns() const = 0;
     /// Makes an object from the file in the background, with the current settings, and plays it
-    /// when it
-    /// is ready. Cancels a running job. The status shows errors.
+    /// when it is ready. Cancels a running job. The status shows errors.
     virtual void openFile(const std::filesystem::path& file) = 0;
     /// Sets the settings for later files. If `ImportStatus::followsSettings`, also makes the object
-    /// again.
-    /// The status shows errors for settings out of range.
+    /// again. The status shows errors for settings out of range.
     virtual void setImportSettings(const ImportSettings& settings) = 0;
     /// Whether the current sound has a mesh to analyse again: one opened in this session, or the
-    /// mesh of a
-    /// single object.
+    /// mesh of a single object.
     virtual bool canAnalyseAgain() const = 0;
     /// Analyses the current object again with the current settings.
     virtual void analyseAgain() = 0;
@@ -89,11 +86,9 @@ public:
     virtual void setKeyLayout(KeyLayout layout) = 0;
 
     /// Sets the path along which keys strike an object, in metres of its mesh, from the lowest
-    /// key's end.
-    /// Keys strike the surface points nearest to the path.
-    /// On a keyboard the path applies to all objects, scaled to their proportions. At most 1000
-    /// points are
-    /// kept, evenly spaced. A path without a finite point changes nothing.
+    /// key's end. Keys strike the surface points nearest to the path. On a keyboard the path
+    /// applies to all objects, scaled to their proportions. At most 1000 points are kept, evenly
+    /// spaced. A path without a finite point changes nothing.
     virtual void setStrikePath(std::size_t index,
                                const std::vector<std::array<double, 3>>& pathMetres) = 0;
 };
