@@ -102,8 +102,7 @@ void MaterialPad::mix(const PlanePlace& place) {
     view.changeParameter(fluidDamping, material.damping.fluidPerSecond);
     view.changeParameter(viscoelasticDamping, material.damping.viscoelasticSeconds * 1e6);
     view.changeParameter(lossFactor, material.damping.lossFactor);
-    view.changeParameter(ParameterId::material,
-                         customMaterial); // last, after its figures
+    view.changeParameter(ParameterId::material, customMaterial); // after its figures
     refresh();
 }
 

@@ -41,8 +41,7 @@ struct SceneFrame {
     float glowMetres = 0.01f;  ///< radius of the glow
     std::vector<float> lights; ///< loudness of each object, 0 to 1; or empty
     std::optional<SceneMotion> motion;
-    std::optional<std::vector<SceneBody>>
-        bodies; ///< if set, draws these instead of each object once
+    std::optional<std::vector<SceneBody>> bodies; ///< if set, drawn instead of the objects
 };
 
 /// The message thread sets frames and the OpenGL thread draws the last one. A mutex is held only

@@ -36,9 +36,8 @@ private:
 
     std::array<Row, 3> rowsNow() const;
 
-    std::array<double, 2> decibels{silentDecibels,
-                                   silentDecibels}; ///< as displayed, with falling peaks
-    double load = 0;                                ///< as displayed, smoothed
+    std::array<double, 2> decibels{silentDecibels, silentDecibels}; ///< as displayed
+    double load = 0;                                                ///< as displayed, smoothed
     std::array<Row, 3> rows;
 };
 

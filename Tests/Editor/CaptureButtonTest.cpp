@@ -29,7 +29,7 @@ struct Thrown {
 
 } // namespace
 
-TEST_CASE("Every drag of a capture has a file of its own, which stays as it is") {
+TEST_CASE("Each drag of a capture writes its own file, which later drags do not change") {
     Thrown thrown;
     CaptureButton midi(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
     const auto first = midi.writeForDrag();
@@ -48,7 +48,7 @@ TEST_CASE("Every drag of a capture has a file of its own, which stays as it is")
     CHECK_FALSE(CaptureButton::isForDrag(pathOf(first.getParentDirectory().getSiblingFile("x"))));
     CHECK_FALSE(CaptureButton::isForDrag(testFolder() / "Idiophone-drag-1" / "x.mid"));
 
-    // Not one that somebody else can have made, and made anew where it was cleared away.
+    // No other user can have made the folder, and it is created again after deletion.
     const auto folder = first.getParentDirectory();
 #ifndef _WIN32
     using std::filesystem::perms;
@@ -62,7 +62,7 @@ TEST_CASE("Every drag of a capture has a file of its own, which stays as it is")
     third.getParentDirectory().deleteRecursively();
 }
 
-TEST_CASE("A capture saved under a name without an ending gets one, and replaces nothing unasked") {
+TEST_CASE("A capture saved without an extension gets one, and does not overwrite a file unasked") {
     Thrown thrown;
     CaptureButton midi(thrown.processor, ProcessorView::CaptureKind::midi, "MIDI", "", "*.mid");
     const auto bare = fileOf(testFolder() / "throw"), with = bare.withFileExtension("mid");
@@ -74,6 +74,6 @@ TEST_CASE("A capture saved under a name without an ending gets one, and replaces
     midi.save(bare);
     CHECK(with.loadFileAsString() == "another's");
     CHECK(thrown.processor.takeStatus().sentence == "There is already a file throw.mid.");
-    midi.save(with); // of which the chooser has asked
+    midi.save(with); // the chooser has asked about this one
     CHECK(with.loadFileAsString() != "another's");
 }

@@ -1,5 +1,5 @@
-// The window, without a screen: what it shows, what it changes, and that it never touches the
-// sound.
+// Tests of the window, without a screen: its texts, its changes, and that it leaves the sound
+// alone.
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
@@ -33,7 +33,7 @@ juce::StringArray cutTexts(juce::Component& window) {
     juce::StringArray cut;
     visit(window, [&](juce::Component& component) {
         const auto* label = dynamic_cast<juce::Label*>(&component);
-        // A list's label is beside its arrow and is squeezed by JUCE where it must.
+        // JUCE squeezes a list's label beside its arrow.
         if (label == nullptr || !isOnScreen(*label, window) ||
             dynamic_cast<juce::ComboBox*>(label->getParentComponent()))
             return;
@@ -60,7 +60,7 @@ const auto sizes = {std::pair(EditorWindow::leastWidth, EditorWindow::leastHeigh
 
 } // namespace
 
-TEST_CASE("At no size the window cuts a text, wherever the parameters are") {
+TEST_CASE("The window cuts no text at any size and any parameter value") {
     Processor processor;
     const auto window = open(processor);
     auto& deck = deckOf(*window);
@@ -79,7 +79,7 @@ TEST_CASE("At no size the window cuts a text, wherever the parameters are") {
     }
 }
 
-TEST_CASE("At every size each parameter is on one page, inside it, and none overlaps another") {
+TEST_CASE("Each parameter is inside a page at every window size, and controls do not overlap") {
     Processor processor;
     const auto window = open(processor);
     auto& deck = deckOf(*window);
@@ -108,7 +108,7 @@ TEST_CASE("At every size each parameter is on one page, inside it, and none over
     }
 }
 
-TEST_CASE("All that can be used has an accessible name") {
+TEST_CASE("Every enabled control has an accessible name") {
     Processor processor;
     const auto window = open(processor);
     window->setSize(3840, 2160);
@@ -121,7 +121,7 @@ TEST_CASE("All that can be used has an accessible name") {
     CHECK(nameless.joinIntoString(", ").toStdString() == "");
 }
 
-TEST_CASE("Text is readable in both looks: WCAG AA") {
+TEST_CASE("Text contrast meets WCAG AA in both looks") {
     const auto luminance = [](juce::Colour colour) {
         const auto linear = [](float part) {
             return part <= 0.04045f ? part / 12.92f : std::pow((part + 0.055f) / 1.055f, 2.4f);
@@ -143,7 +143,7 @@ TEST_CASE("Text is readable in both looks: WCAG AA") {
     }
 }
 
-TEST_CASE("What was typed in one look is readable in the other") {
+TEST_CASE("Text typed in one look is readable in the other") {
     Processor processor;
     auto window = open(processor);
     auto* search = find<juce::TextEditor>(*window, "Search presets");
@@ -168,7 +168,7 @@ TEST_CASE("What was typed in one look is readable in the other") {
     }
 }
 
-TEST_CASE("A typed value is taken with its unit, exactly; what is no value changes nothing") {
+TEST_CASE("A typed value is set exactly in its unit; invalid text changes nothing") {
     Processor processor;
     const auto window = open(processor);
     auto* value = find<juce::Label>(*window, "Density");
@@ -180,7 +180,7 @@ TEST_CASE("A typed value is taken with its unit, exactly; what is no value chang
     CHECK(value->getText() == juce::String::fromUTF8("7850 kg/m³"));
 }
 
-TEST_CASE("Figures shown are those that play; one changed by hand makes them all custom") {
+TEST_CASE("Controls show the figures in effect; a change by hand makes them all custom") {
     using enum ParameterId;
     Processor processor;
     const auto window = open(processor);
@@ -206,7 +206,7 @@ TEST_CASE("Figures shown are those that play; one changed by hand makes them all
     CHECK(processor.parameterValue(malletMass) == Approx(40));
 }
 
-TEST_CASE("Every place of the material plane is the material that lies there") {
+TEST_CASE("A material made for a place of the map lies at that place") {
     const auto library = materialLibrary();
     for (double fast = 0; fast <= 1; fast += 0.125)
         for (double ringing = 0; ringing <= 1; ringing += 0.125) {
@@ -222,7 +222,7 @@ TEST_CASE("Every place of the material plane is the material that lies there") {
     CHECK(again.damping.lossFactor == Approx(steel.damping.lossFactor).epsilon(1e-3));
 }
 
-TEST_CASE("The material before the last change comes back, and with it the one after") {
+TEST_CASE("Swapping materials twice restores the material after the last change") {
     using enum ParameterId;
     Processor processor;
     MaterialPage page(processor);
@@ -256,7 +256,7 @@ TEST_CASE("Sliders, switches and lists change their parameter in its unit") {
     CHECK(processor.parameterValue(ParameterId::material) == double{firstLibraryMaterial});
 }
 
-TEST_CASE("The list of materials names the objects' own") {
+TEST_CASE("The list of materials shows the name of the objects' own material") {
     Processor processor;
     auto window = open(processor);
     auto* list = find<juce::ComboBox>(*window, "Material");
@@ -266,7 +266,7 @@ TEST_CASE("The list of materials names the objects' own") {
     CHECK(holdsSoon([&] { return list->getText().startsWith("Own (Steel"); }));
 }
 
-TEST_CASE("The window follows automation and presets from elsewhere") {
+TEST_CASE("The window follows automation and program changes of the host") {
     Processor processor;
     const auto window = open(processor);
     processor.setCurrentProgram(1);
@@ -280,7 +280,7 @@ TEST_CASE("The window follows automation and presets from elsewhere") {
     }));
 }
 
-TEST_CASE("The window opens and closes 100 times while the same notes sound the same") {
+TEST_CASE("Opening and closing the window 100 times does not change the sound") {
     const auto song = [](Processor& processor) {
         return render(processor, 48000, 256, testMusic(48000));
     };
@@ -314,7 +314,7 @@ TEST_CASE("The window opens and closes 100 times while the same notes sound the 
     CHECK(same);
 }
 
-TEST_CASE("A window is no larger than the screen and no smaller than its least") {
+TEST_CASE("A restored window fits the screen and has at least the minimum size") {
     const UserSettings user;
     { Preferences().setWindowSize({100000, 10}); }
     Processor processor;
@@ -326,7 +326,7 @@ TEST_CASE("A window is no larger than the screen and no smaller than its least")
     CHECK(after.windowSize().y == EditorWindow::leastHeight);
 }
 
-TEST_CASE("What one window remembers another one does not take back") {
+TEST_CASE("One window's saved preferences do not overwrite another's") {
     const UserSettings user;
     Preferences first;
     { Preferences().setLook(LookScheme::light); }
@@ -334,7 +334,7 @@ TEST_CASE("What one window remembers another one does not take back") {
     CHECK(first.look() == LookScheme::light);
 }
 
-TEST_CASE("A window that closes in the middle of a drag ends its gesture for the host") {
+TEST_CASE("A window that closes during a drag ends the gesture for the host") {
     Processor processor;
     GestureLog host;
     processor.addListener(&host);

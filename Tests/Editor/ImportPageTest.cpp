@@ -1,4 +1,4 @@
-// The page of what is dropped, and dropping, without a screen.
+// Tests of the import page and of dropped files, without a screen.
 #include "Editor/ImportPage.h"
 #include "Editor/EditorWindow.h"
 #include "Support/ImportedFiles.h"
@@ -56,7 +56,7 @@ struct Page {
 
 } // namespace
 
-TEST_CASE("Thickness is read in the unit that was typed, in millimetres by default") {
+TEST_CASE("Thickness is parsed in the typed unit, in millimetres by default") {
     CHECK(parseThicknessMetres("2").value() == Approx(0.002));
     CHECK(parseThicknessMetres(" 2,5 mm").value() == Approx(0.0025));
     CHECK(parseThicknessMetres("0.3cm").value() == Approx(0.003));
@@ -68,7 +68,7 @@ TEST_CASE("Thickness is read in the unit that was typed, in millimetres by defau
         CHECK(parseThicknessMetres(thicknessText(metres)).value() == Approx(metres));
 }
 
-TEST_CASE("The page shows the file, what was chosen and why, and other settings analyse anew") {
+TEST_CASE("The page shows the file and the choices made, and new settings start a new analysis") {
     Page p;
     CHECK(p.file().contains("Drop"));
     p.processor.openFile(smallPlateFile("plate.obj", 1000));
@@ -103,7 +103,7 @@ TEST_CASE("The page shows the file, what was chosen and why, and other settings 
     CHECK(p.processor.instrumentNumber() == number);
 }
 
-TEST_CASE("An error is a sentence on the page, and cancelling says so") {
+TEST_CASE("The page shows an import error as a sentence, and says when an import is cancelled") {
     Page p;
     p.processor.openFile(writtenFile("broken.obj", "f 1 2 3\n"));
     finish(p.processor);
@@ -119,7 +119,7 @@ TEST_CASE("An error is a sentence on the page, and cancelling says so") {
     CHECK(part<juce::Label>(p.page, "Progress").getText() == "Cancelled.");
 }
 
-TEST_CASE("One switch changes between keys at their pitches and keys along a path") {
+TEST_CASE("Two buttons switch between keys at their pitches and keys along a path") {
     Page p;
     auto& scaled = part<juce::Button>(p.page, "Keys scaled to their pitches");
     auto& zones = part<juce::Button>(p.page, "Keys along a strike path");
@@ -136,7 +136,7 @@ TEST_CASE("One switch changes between keys at their pitches and keys along a pat
     CHECK(p.processor.keyLayout() == KeyLayout::scaled);
 }
 
-TEST_CASE("An object that came with a preset is analysed anew when asked, not by a setting") {
+TEST_CASE("A preset's object is analysed again on request, but not when a setting changes") {
     Page p;
     p.processor.setCurrentProgram(4); // a steel ring
     p.page.refresh();
@@ -149,7 +149,7 @@ TEST_CASE("An object that came with a preset is analysed anew when asked, not by
     p.processor.cancelImport();
 }
 
-TEST_CASE("Files are taken wherever they are dropped; of what cannot be opened it is said") {
+TEST_CASE("Files can be dropped anywhere on the window; unreadable files are reported") {
     Processor processor;
     const std::unique_ptr<juce::AudioProcessorEditor> editor(processor.createEditor());
     auto& window = dynamic_cast<EditorWindow&>(*editor);
@@ -184,7 +184,7 @@ TEST_CASE("Files are taken wherever they are dropped; of what cannot be opened i
     CHECK_FALSE(window.isInterestedInFileDrag({captured.getFullPathName()}));
 }
 
-TEST_CASE("A page that nothing happens on repaints nothing, and no text of its buttons is cut") {
+TEST_CASE("The page's buttons show their whole text and have tooltips") {
     Page p;
     p.page.setLookAndFeel(&p.look);
     for (const auto* title : {"Open a mesh or a modal object", "Analyse anew",

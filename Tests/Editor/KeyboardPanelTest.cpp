@@ -1,4 +1,4 @@
-// The keyboard at the window's foot: which keys play, and where the computer's keys lie on it.
+// Tests of the on-screen keyboard: which keys play, and the place of the computer's keys.
 #include "Editor/KeyboardPanel.h"
 
 #include "Editor/Look.h"
@@ -10,8 +10,8 @@
 
 using namespace idiophone;
 
-TEST_CASE("With every preset the computer's keys from A to L play at once") {
-    constexpr int fromAToL = 14; // half steps above A
+TEST_CASE("The computer's keys from A to L play in every preset without shifting") {
+    constexpr int fromAToL = 14; // semitones above the key A
     for (const auto& preset : factoryPresets()) {
         const auto& map = preset.keyMap;
         INFO(preset.name);
@@ -21,12 +21,13 @@ TEST_CASE("With every preset the computer's keys from A to L play at once") {
         CHECK(base + fromAToL <= map.highestNote);
     }
     CHECK(computerKeysBase({.lowest = 0, .highest = 127}) == 0);
-    CHECK(computerKeysBase({.lowest = 61, .highest = 73}) == 60); // of which 72 has but two
+    CHECK(computerKeysBase({.lowest = 61, .highest = 73}) ==
+          60); // from 72 on only two keys would play
     CHECK(computerKeysBase({.lowest = 121, .highest = 127}) == 120);
 }
 
-TEST_CASE("Keys that play nothing, or another's bar, are told from those with their own") {
-    // Of the rosewood xylophone A0 to E4 play the F4 bar, and what is drawn below A0 is silent.
+TEST_CASE("Silent keys and keys that play another key's bar look different from others") {
+    // On the rosewood xylophone A0 to E4 play the F4 bar, and keys below A0 are silent.
     Processor processor;
     for (const auto scheme : {LookScheme::dark, LookScheme::light}) {
         Look look(scheme);
@@ -37,7 +38,7 @@ TEST_CASE("Keys that play nothing, or another's bar, are told from those with th
         const auto brightness = [&](int x, int y) {
             return picture.getPixelAt(x, y).getPerceivedBrightness();
         };
-        constexpr int foot = 80, rim = 66; // of white and of black keys
+        constexpr int foot = 80, rim = 66; // pixels from the top, on white and on black keys
         const auto white = [&](int octave, int step) {
             return brightness((7 * octave + step) * 40 + 20, foot);
         };
@@ -52,7 +53,7 @@ TEST_CASE("Keys that play nothing, or another's bar, are told from those with th
     }
 }
 
-TEST_CASE("Z and X move the computer's keys by an octave a press, and no further while held") {
+TEST_CASE("Z and X shift the computer's keys by one octave per press; key repeats are ignored") {
     Processor processor;
     KeyboardPanel panel(processor);
     const auto press = [&](juce::juce_wchar letter) {

@@ -1,4 +1,4 @@
-// The picture of an object's modes, without a screen and without a processor.
+// Tests of the mode spectrum and the quality meters, without a screen or processor.
 #include "Editor/ModeSpectrum.h"
 #include "Editor/BudgetRamp.h"
 #include "Editor/Look.h"
@@ -61,7 +61,7 @@ juce::Image pictureOf(juce::Component& component) {
     return component.createComponentSnapshot(component.getLocalBounds(), true, 1);
 }
 
-/// Pixels of a picture that are nearly of a colour.
+/// The number of pixels that nearly have the colour.
 int pixelsOf(const juce::Image& picture, juce::Colour colour) {
     int count = 0;
     for (int y = 0; y < picture.getHeight(); ++y)
@@ -90,7 +90,7 @@ struct Shown {
 
 } // namespace
 
-TEST_CASE("Frequencies, times, levels and notes are told in few figures") {
+TEST_CASE("Frequencies, times, levels and notes are shown with few digits") {
     CHECK(frequencyText(27.5) == "27.5 Hz");
     CHECK(frequencyText(440) == "440.0 Hz");
     CHECK(frequencyText(1447.03) == "1447 Hz");
@@ -110,7 +110,7 @@ TEST_CASE("Frequencies, times, levels and notes are told in few figures") {
     CHECK(decibelsOf(0) == faintestDecibels);
 }
 
-TEST_CASE("A mode's description has its figures, where it stands and its group") {
+TEST_CASE("A mode's description contains its figures, state and group") {
     auto frame = frameOf({440, 442, 1000});
     frame.modes[1].group = 0;
     CHECK(describeMode(frame, 0)[0] == "Mode 1: 440.0 Hz, A4 +0 ct, T60 1.00 s");
@@ -128,7 +128,7 @@ TEST_CASE("A mode's description has its figures, where it stands and its group")
     CHECK(describeMode(frame, 2)[1] == "muted");
 }
 
-TEST_CASE("The scale runs between round frequencies, is logarithmic and holds every mode") {
+TEST_CASE("The scale is logarithmic between round frequencies and contains every mode") {
     const juce::Rectangle<float> levels(30, 5, 300, 100), decays(30, 110, 300, 40);
     const SpectrumScale scale(std::vector<double>{440, 7000}, levels, decays);
     CHECK(scale.lowestHz() == 200);
@@ -152,7 +152,7 @@ TEST_CASE("The scale runs between round frequencies, is logarithmic and holds ev
         CHECK(ticks[k].at - ticks[k - 1].at >= 26);
 }
 
-TEST_CASE("What sounds is drawn in the accent, what is muted is crossed, and τ is a line") {
+TEST_CASE("Sounding modes have the accent colour, muted modes a cross, and τ a line") {
     Shown shown;
     const auto accent = colourOf(shown.look.scheme(), LookColour::accent);
     const auto error = colourOf(shown.look.scheme(), LookColour::error);
@@ -177,7 +177,7 @@ TEST_CASE("What sounds is drawn in the accent, what is muted is crossed, and τ 
     CHECK(changed < 80);
 }
 
-TEST_CASE("Merged modes have a common foot") {
+TEST_CASE("Merged modes are drawn with a common base") {
     Shown shown;
     auto frame = frameOf({440, 600, 3000});
     shown.spectrum.show(frame);
@@ -189,7 +189,7 @@ TEST_CASE("Merged modes have a common foot") {
           apart + 30);
 }
 
-TEST_CASE("The mode under a place is found, and the arrows go from mode to mode") {
+TEST_CASE("The mode under the mouse is found, and the arrows move from mode to mode") {
     Shown shown;
     auto& spectrum = shown.spectrum;
     CHECK_FALSE(spectrum.keyPressed(juce::KeyPress(juce::KeyPress::rightKey)));
@@ -216,12 +216,12 @@ TEST_CASE("The mode under a place is found, and the arrows go from mode to mode"
     CHECK(spectrum.modeShown() == std::nullopt);
 }
 
-TEST_CASE("M mutes and S hears alone, and takes back; what is refused changes nothing") {
+TEST_CASE("M toggles mute and S toggles solo; a refused change changes nothing") {
     Shown shown;
     auto& spectrum = shown.spectrum;
     spectrum.show(frameOf({440, 1000, 3000}));
     const juce::KeyPress m('m', {}, 'm'), s('s', {}, 's');
-    CHECK_FALSE(spectrum.keyPressed(m)); // none is chosen
+    CHECK_FALSE(spectrum.keyPressed(m)); // no mode is chosen
     spectrum.choose(1);
     CHECK(spectrum.keyPressed(m));
     CHECK(spectrum.keyPressed(s));
@@ -240,16 +240,16 @@ TEST_CASE("M mutes and S hears alone, and takes back; what is refused changes no
     CHECK(spectrum.modeChosen() == 1);
 }
 
-TEST_CASE("Commands and the host's keys pass by the chosen mode") {
+TEST_CASE("Command shortcuts and the host's keys do not change the chosen mode") {
     Shown shown;
     shown.spectrum.show(frameOf({440, 1000, 3000}));
     shown.spectrum.choose(1);
     CHECK_FALSE(shown.spectrum.keyPressed({'s', juce::ModifierKeys::commandModifier, 's'}));
     CHECK(shown.view.alone.empty());
-    CHECK_FALSE(shown.spectrum.keyStateChanged(true)); // nothing of this is a program of its own
+    CHECK_FALSE(shown.spectrum.keyStateChanged(true)); // the tests are no standalone program
 }
 
-TEST_CASE("Another object has no chosen mode yet") {
+TEST_CASE("A change of object clears the chosen mode") {
     Shown shown;
     shown.spectrum.show(frameOf({440, 1000, 3000}));
     shown.spectrum.choose(2);
@@ -261,7 +261,7 @@ TEST_CASE("Another object has no chosen mode yet") {
     CHECK(shown.spectrum.modeShown() == std::nullopt);
 }
 
-TEST_CASE("The ramp says what is shared, and draws the line where it can be seen") {
+TEST_CASE("The budget ramp describes the shares, and draws the line only where it is visible") {
     Look look;
     BudgetRamp ramp;
     ramp.setLookAndFeel(&look);
@@ -281,7 +281,7 @@ TEST_CASE("The ramp says what is shared, and draws the line where it can be seen
     frame.modesMixed = 64;
     ramp.show(frame);
     CHECK(ramp.description() == "64 of 64 modes for 2 objects");
-    // Right of the caption, between the bars: the line alone.
+    // Between the bars only the line is drawn.
     const auto lineColour = colourOf(look.scheme(), LookColour::text);
     const auto betweenBars = [&] {
         return pixelsOf(pictureOf(ramp).getClippedImage({130, 24, 60, 60}), lineColour);
@@ -299,7 +299,7 @@ TEST_CASE("The ramp says what is shared, and draws the line where it can be seen
     ramp.setLookAndFeel(nullptr);
 }
 
-TEST_CASE("Meters rise at once and fall slowly, and the load is told in per cent") {
+TEST_CASE("Meters rise at once and fall slowly, and the load is shown in per cent") {
     SoundMeters meters;
     SoundFrame frame;
     CHECK(meters.description() == "Left silent, Right silent, CPU 0.0 %");

@@ -1,4 +1,4 @@
-// The instrument in three dimensions, as far as it goes without a screen: layout, camera, picking.
+// Tests of the 3D view that need no screen: layout, camera, picking.
 #include "Editor/ObjectView.h"
 #include "Support/TestSound.h"
 
@@ -27,7 +27,7 @@ std::vector<ProcessorView::PlayedObject> objectsOf(Processor& processor, const c
     return processor.playedObjects();
 }
 
-/// The middle of an object's faces that look up.
+/// A point 1 m above the middle of an object's upward faces.
 ScenePlace above(const ObjectScene& scene, std::size_t object) {
     const auto& run = scene.objects()[object];
     ScenePlace sum{};
@@ -45,7 +45,7 @@ ScenePlace above(const ObjectScene& scene, std::size_t object) {
 
 } // namespace
 
-TEST_CASE("Bars lie as a keyboard: from left to right, the accidentals behind and above") {
+TEST_CASE("Bars are laid out from left to right, with accidentals behind the naturals") {
     Processor processor;
     const auto played = objectsOf(processor, "Rosewood Xylophone");
     REQUIRE(played.size() == 44);
@@ -68,7 +68,7 @@ TEST_CASE("Bars lie as a keyboard: from left to right, the accidentals behind an
     }
 }
 
-TEST_CASE("Chimes hang side by side, their upper ends level") {
+TEST_CASE("Chimes hang side by side with level upper ends") {
     Processor processor;
     const auto played = objectsOf(processor, "Tubular Bells");
     REQUIRE(played.size() == 18);
@@ -84,7 +84,7 @@ TEST_CASE("Chimes hang side by side, their upper ends level") {
     }
 }
 
-TEST_CASE("What is picked is a place on the object's own mesh, harder towards the player") {
+TEST_CASE("A pick returns a point on the object's mesh; its strength rises towards the player") {
     Processor processor;
     const auto played = objectsOf(processor, "Rosewood Xylophone");
     const ObjectScene scene(played);
@@ -109,7 +109,7 @@ TEST_CASE("What is picked is a place on the object's own mesh, harder towards th
     }
 }
 
-TEST_CASE("A ray beside everything meets nothing, and an empty scene has nothing to meet") {
+TEST_CASE("A ray beside all objects hits nothing, and so does any ray in an empty scene") {
     Processor processor;
     const ObjectScene scene(objectsOf(processor, "Handbell"));
     CHECK(scene.objects().size() == 1);
@@ -119,8 +119,7 @@ TEST_CASE("A ray beside everything meets nothing, and an empty scene has nothing
     CHECK_FALSE(empty.pick({0, 0, 1}, {0, 0, -1}));
 }
 
-TEST_CASE(
-    "The camera sees all of a scene in windows of any shape, and its rays go where it looks") {
+TEST_CASE("The camera shows the whole scene at any aspect ratio, and its rays match the picture") {
     OrbitCamera camera;
     const ScenePlace lowest{-0.4f, -0.2f, 0.1f}, highest{0.9f, 0.3f, 0.15f};
     std::vector<ScenePlace> box;
@@ -152,7 +151,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A click on the picture of a bar sounds that bar; a click beside it sounds nothing") {
+TEST_CASE("A click on a bar plays it; a click beside the bars is silent") {
     Processor processor;
     processor.setCurrentProgram(presetNumber("Marimba"));
     processor.prepareToPlay(48000, 480);
@@ -174,7 +173,7 @@ TEST_CASE("A click on the picture of a bar sounds that bar; a click beside it so
     view.lift();
 }
 
-TEST_CASE("The strike path is painted anew as it is shown and as it is hidden") {
+TEST_CASE("Showing or hiding the strike path repaints the view") {
     struct Count final : juce::CachedComponentImage {
         explicit Count(int& counted) : invalidations(counted) {}
         void paint(juce::Graphics&) override {}
@@ -192,7 +191,7 @@ TEST_CASE("The strike path is painted anew as it is shown and as it is hidden") 
     view.setBounds(0, 0, 900, 300);
     view.setVisible(true);
     int invalidations = 0;
-    view.setCachedComponentImage(new Count(invalidations)); // which the component owns
+    view.setCachedComponentImage(new Count(invalidations)); // the component owns it
     for (const bool shows : {true, false}) {
         const int before = invalidations;
         view.setShowsPath(shows);
@@ -200,7 +199,7 @@ TEST_CASE("The strike path is painted anew as it is shown and as it is hidden") 
     }
 }
 
-TEST_CASE("A path that is being drawn when another sound is loaded is drawn on neither") {
+TEST_CASE("A path being drawn while another sound is loaded changes neither sound") {
     Processor processor;
     processor.setCurrentProgram(presetNumber("Steel Plate"));
     ObjectView view(processor);
@@ -222,7 +221,7 @@ TEST_CASE("A path that is being drawn when another sound is loaded is drawn on n
     const auto path = [&] { return processor.loadedInstrument()->keyMap().strikePath; };
     const auto before = path();
     draw([] {});
-    CHECK(path() != before); // so it is drawn
+    CHECK(path() != before); // the drag sets a path
     view.refresh();
     draw([&] {
         processor.setCurrentProgram(presetNumber("Wok"));
@@ -233,7 +232,7 @@ TEST_CASE("A path that is being drawn when another sound is loaded is drawn on n
     CHECK(processor.loadedSound().preset.name == "Wok");
 }
 
-TEST_CASE("A picture that is closed lifts the hand that holds an object in it") {
+TEST_CASE("Closing the 3D view releases the object that it holds") {
     Processor processor;
     processor.setCurrentProgram(presetNumber("Steel Plate"));
     processor.prepareToPlay(48000, 480);
@@ -249,7 +248,7 @@ TEST_CASE("A picture that is closed lifts the hand that holds an object in it") 
     CHECK(loudest(render(processor, 480, 480, {})) < 1e-6f);
 }
 
-TEST_CASE("Objects of more faces than are drawn are boxes of their size, which can be struck") {
+TEST_CASE("Objects beyond the face limit are boxes of the same size and can be struck") {
     auto object = syntheticObject({440});
     object.vertices = {0, 0, 0, 0.2f, 0, 0, 0, 0.1f, 0.01f};
     const auto withFaces = [&](std::size_t count) {
@@ -267,7 +266,7 @@ TEST_CASE("Objects of more faces than are drawn are boxes of their size, which c
     CHECK_FALSE(scene.objects()[1].isBox);
     CHECK(scene.objects()[1].vertexCount == 3000);
     CHECK(scene.objects()[0].radius == Approx(scene.objects()[1].radius));
-    for (const auto& vertex : scene.vertices().first(36)) { // they look outward
+    for (const auto& vertex : scene.vertices().first(36)) { // normals point outward
         float outward = 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
             outward +=
@@ -285,7 +284,7 @@ TEST_CASE("Objects of more faces than are drawn are boxes of their size, which c
     CHECK(hit->pointMetres[2] == Approx(0.01).margin(1e-6));
 }
 
-TEST_CASE("What is seen of a body on a stage is its own, though another has no faces") {
+TEST_CASE("A body's outline is its own when another object has no faces") {
     auto bare = syntheticObject({440});
     bare.faces.clear();
     auto plain = syntheticObject({440});

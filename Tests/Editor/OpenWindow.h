@@ -1,4 +1,4 @@
-// A window without a screen, and time for its timers.
+// Opens a window without a screen, and runs its timers.
 #pragma once
 
 #include "Plugin/Processor.h"
@@ -12,7 +12,7 @@ inline std::unique_ptr<juce::AudioProcessorEditor> open(Processor& processor) {
     return std::unique_ptr<juce::AudioProcessorEditor>(processor.createEditor());
 }
 
-/// Lets the timers of the window and the processor run until it holds; a while at most.
+/// Runs the timers until the condition holds, for about 5 s at most. Returns whether it holds.
 inline bool holdsSoon(const std::function<bool()>& condition) {
     for (int i = 0; i < 500 && !condition(); ++i) {
         juce::Thread::sleep(10);

@@ -23,7 +23,7 @@ juce::StringArray textsOf(const juce::PopupMenu& menu) {
     return texts;
 }
 
-/// Does what a click on the item that begins so does.
+/// Runs the first enabled item whose text begins so. Returns whether there is one.
 bool choose(const juce::PopupMenu& menu, const juce::String& beginning) {
     for (juce::PopupMenu::MenuItemIterator item(menu); item.next();)
         if (item.getItem().text.startsWith(beginning) && item.getItem().isEnabled) {
@@ -45,7 +45,7 @@ void play(Processor& processor, int controller, int value) {
 
 } // namespace
 
-TEST_CASE("The menu says the value, and resets to the default in one step") {
+TEST_CASE("The menu shows the value, and resets it to the default in one step") {
     Processor processor;
     processor.changeParameter(strikeSpread, 33);
     CHECK(textsOf(menuOf(processor, strikeSpread))[0].contains("33"));
@@ -56,7 +56,7 @@ TEST_CASE("The menu says the value, and resets to the default in one step") {
     CHECK_FALSE(processor.editHistory().canUndo());
 }
 
-TEST_CASE("A controller is learned, named and forgotten through the menu") {
+TEST_CASE("The menu learns, names and forgets a controller") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     REQUIRE(choose(menuOf(processor, tau), "Learn"));
@@ -74,7 +74,7 @@ TEST_CASE("A controller is learned, named and forgotten through the menu") {
     CHECK_FALSE(choose(menuOf(processor, tau), "Forget"));
 }
 
-TEST_CASE("A control that has learned says so, and cuts no name for its mark") {
+TEST_CASE("A control's tooltip says that it learns, and then names its controller") {
     Processor processor;
     processor.prepareToPlay(48000, 64);
     Look look;
@@ -101,7 +101,7 @@ TEST_CASE("A control that has learned says so, and cuts no name for its mark") {
     control.setLookAndFeel(nullptr);
 }
 
-TEST_CASE("The right button opens the menu and changes nothing by itself") {
+TEST_CASE("The right button does not change a control") {
     Processor processor;
     LeftClicked<juce::ToggleButton> toggle;
     toggle.setSize(40, 20);
@@ -114,14 +114,14 @@ TEST_CASE("The right button opens the menu and changes nothing by itself") {
     CHECK(toggle.getState() == juce::Button::buttonNormal);
 }
 
-TEST_CASE("Shift+F10 asks for the menu, other keys do not") {
+TEST_CASE("Shift+F10 opens the menu; other keys do not") {
     using juce::KeyPress;
     CHECK(asksForMenu({KeyPress::F10Key, juce::ModifierKeys::shiftModifier, 0}));
     CHECK_FALSE(asksForMenu(KeyPress(KeyPress::F10Key)));
     CHECK_FALSE(asksForMenu(KeyPress('m')));
 }
 
-TEST_CASE("A button with a menu shows it for every key that asks for one") {
+TEST_CASE("A button with a menu opens it on each menu key") {
     IconButton button("Mutate", {});
     int shown = 0;
     button.onMenu = [&] { ++shown; };
@@ -133,7 +133,7 @@ TEST_CASE("A button with a menu shows it for every key that asks for one") {
 #endif
 }
 
-TEST_CASE("A drag ends with the last button that comes up, whichever that is") {
+TEST_CASE("A drag ends with the last button released, whichever it is") {
     struct Noting : juce::Component {
         void mouseDown(const juce::MouseEvent&) override { heard += "("; }
         void mouseDrag(const juce::MouseEvent&) override { heard += "="; }

@@ -45,7 +45,7 @@ void changeDensity(Processor& processor, double value) {
 
 } // namespace
 
-TEST_CASE("The neighbours of a preset are one click away, round the ends, past broken files") {
+TEST_CASE("Previous and next load neighbouring presets, wrap at the ends and skip broken files") {
     Bar bar;
     bar.user.write("Presets/broken.json", "{");
     bar.processor.presetShelf().readPresets();
@@ -60,7 +60,7 @@ TEST_CASE("The neighbours of a preset are one click away, round the ends, past b
     CHECK_FALSE(bar.processor.takeStatus().isError);
 }
 
-TEST_CASE("Undo and redo are offered by name, by click and by their keys") {
+TEST_CASE("Undo and redo name their step, and work by click and by key") {
     Bar bar;
     CHECK_FALSE(bar.button("Undo").isEnabled());
     CHECK_FALSE(bar.button("Redo").isEnabled());
@@ -83,7 +83,7 @@ TEST_CASE("Undo and redo are offered by name, by click and by their keys") {
     CHECK_FALSE(bar.bar.handleKey(command('q')));
 }
 
-TEST_CASE("A, B and the dice play other sounds, and undo takes them back") {
+TEST_CASE("Compare, copy and mutate change the sound, and undo reverts them") {
     Bar bar;
     auto& compare = bar.button("Compare A and B");
     CHECK_FALSE(compare.getToggleState());
@@ -102,7 +102,7 @@ TEST_CASE("A, B and the dice play other sounds, and undo takes them back") {
     CHECK(bar.processor.loadedSound().parameters == before);
 }
 
-TEST_CASE("A favourite is one click; a sound of no preset cannot be one") {
+TEST_CASE("A click toggles a favourite; a sound without a preset cannot be one") {
     Bar bar;
     CHECK(bar.button("Favourite").isEnabled());
     bar.click("Favourite");
@@ -114,7 +114,7 @@ TEST_CASE("A favourite is one click; a sound of no preset cannot be one") {
     CHECK_FALSE(bar.button("Favourite").isEnabled());
 }
 
-TEST_CASE("Saving asks for a name where there is none of one's own, and else saves at once") {
+TEST_CASE("Saving asks for a name unless the preset is the user's own") {
     Bar bar;
     int asked = 0;
     bar.bar.onSaveAs = [&] { ++asked; };
@@ -130,7 +130,7 @@ TEST_CASE("Saving asks for a name where there is none of one's own, and else sav
     CHECK(bar.user.read("Presets/Mine.json").find("1234") != std::string::npos);
 }
 
-TEST_CASE("Saving goes to the file that was loaded, though another is called what it is") {
+TEST_CASE("Saving overwrites the loaded file, even if another preset has the same name") {
     Bar bar;
     bar.bar.onSaveAs = [] { FAIL("it has a file"); };
     auto& shelf = bar.processor.presetShelf();
@@ -153,7 +153,7 @@ TEST_CASE("Saving goes to the file that was loaded, though another is called wha
     }
 }
 
-TEST_CASE("What cannot be saved is one sentence in the status") {
+TEST_CASE("The status shows a failed save in one sentence") {
     Bar bar;
     REQUIRE(bar.processor.presetShelf().savePreset(
         {.name = "Mine", .folder = "In", .author = "", .description = "", .tags = {}}, false));
@@ -165,7 +165,7 @@ TEST_CASE("What cannot be saved is one sentence in the status") {
     CHECK(status.sentence.back() == '.');
 }
 
-TEST_CASE("At every width from 640 pixels on all of the bar is inside and nothing overlaps") {
+TEST_CASE("The bar's parts fit and do not overlap at any width from 640 pixels") {
     Bar bar;
     for (const int width : {640, 734, 1180, 3840}) {
         bar.bar.setSize(width, 44);
@@ -182,7 +182,7 @@ TEST_CASE("At every width from 640 pixels on all of the bar is inside and nothin
     }
 }
 
-TEST_CASE("Every button of the bar has a name of its own and a tooltip") {
+TEST_CASE("Every button of the bar has a unique name and a tooltip") {
     Bar bar;
     juce::StringArray names;
     for (auto* child : bar.bar.getChildren()) {
@@ -194,7 +194,7 @@ TEST_CASE("Every button of the bar has a name of its own and a tooltip") {
     CHECK(names.size() == 10);
 }
 
-TEST_CASE("The keys of the bar work anywhere in the window") {
+TEST_CASE("The bar's shortcuts work anywhere in the window") {
     const UserSettings user;
     Processor processor;
     const std::unique_ptr<juce::AudioProcessorEditor> window(processor.createEditor());

@@ -46,7 +46,7 @@ struct Browser {
     }
     void click(const char* title) { part<juce::TextButton>(title).onClick(); }
     void press(int key) { browser.keyPressed(juce::KeyPress(key)); }
-    /// Of the form.
+    /// Types into a field of the form.
     void fill(const char* title, const juce::String& text) {
         auto& editor = part<juce::TextEditor>(title);
         editor.setText(text, false);
@@ -58,7 +58,7 @@ const int factoryCount = static_cast<int>(factoryPresets().size());
 
 } // namespace
 
-TEST_CASE("The browser shows all presets, the one that plays selected") {
+TEST_CASE("The browser shows all presets and selects the current one") {
     Browser b;
     CHECK(b.rows() == factoryCount);
     REQUIRE(b.list().selected() != nullptr);
@@ -66,7 +66,7 @@ TEST_CASE("The browser shows all presets, the one that plays selected") {
     CHECK(b.processor.takeStatus().isError == false);
 }
 
-TEST_CASE("Words narrow the list and no words show all") {
+TEST_CASE("Search words narrow the list; an empty search shows all") {
     Browser b;
     b.type("XYLOphone rosewood");
     CHECK(b.rows() >= 1);
@@ -77,7 +77,7 @@ TEST_CASE("Words narrow the list and no words show all") {
     CHECK(b.rows() == factoryCount);
 }
 
-TEST_CASE("Arrows play, Return keeps in one step, Escape returns") {
+TEST_CASE("Arrows play presets, Return keeps one as one step, Escape restores the old sound") {
     Browser b;
     const auto before = saved(b.processor);
     b.press(juce::KeyPress::downKey);
@@ -97,18 +97,18 @@ TEST_CASE("Arrows play, Return keeps in one step, Escape returns") {
         CHECK(saved(b.processor) == before);
         CHECK_FALSE(b.processor.editHistory().canUndo());
     }
-    SECTION("up again, and beyond the first") {
+    SECTION("up to the first preset and further") {
         for (int i = 0; i < 5; ++i)
             b.press(juce::KeyPress::upKey);
         CHECK(b.processor.getCurrentProgram() == 0);
     }
-    SECTION("filters play nothing") {
+    SECTION("a search does not change the sound") {
         b.type("wok");
         CHECK(b.processor.getCurrentProgram() == 2);
     }
 }
 
-TEST_CASE("Arrows go through the list from the search field, other keys are typed there") {
+TEST_CASE("In the search field arrows move through the list, and other keys are typed") {
     Browser b;
     auto& search = b.part<juce::TextEditor>("Search presets");
     using juce::KeyPress;
@@ -152,7 +152,7 @@ TEST_CASE("Sources and tags narrow the list together") {
     CHECK(b.part<juce::Label>("Message").getText().startsWith("No preset"));
 }
 
-TEST_CASE("Saving under a new name puts it on the shelf; over another one asks first") {
+TEST_CASE("Saving under a new name adds a preset; overwriting another one asks first") {
     Browser b;
     b.click("Save as...");
     b.fill("Name", "Mine");
@@ -168,14 +168,14 @@ TEST_CASE("Saving under a new name puts it on the shelf; over another one asks f
     b.click("Save");
     CHECK(b.shelf.soundIsChanged());
     b.fill("Name", "Other");
-    b.fill("Name", "Mine"); // typed again: asks again
+    b.fill("Name", "Mine"); // after typing it asks again
     b.click("Save");
     CHECK(b.shelf.soundIsChanged());
     b.click("Replace");
     CHECK_FALSE(b.shelf.soundIsChanged());
 }
 
-TEST_CASE("The command to save, while a name is asked for, saves nothing under the old one") {
+TEST_CASE("The save shortcut does not overwrite the old preset while the form is open") {
     Browser b;
     REQUIRE(b.shelf.savePreset(called("Mine"), false));
     b.processor.changeParameter(ParameterId::tau, 7);
@@ -185,10 +185,10 @@ TEST_CASE("The command to save, while a name is asked for, saves nothing under t
     CHECK(b.browser.keyPressed(save));
     CHECK(b.shelf.soundIsChanged());
     b.click("Cancel");
-    CHECK_FALSE(b.browser.keyPressed(save)); // it is the window's
+    CHECK_FALSE(b.browser.keyPressed(save)); // the window handles it
 }
 
-TEST_CASE("What no file can be called is refused in the form, which stays open") {
+TEST_CASE("The form refuses an invalid file name and stays open") {
     Browser b;
     b.click("Save as...");
     b.fill("Name", "///");
@@ -198,7 +198,7 @@ TEST_CASE("What no file can be called is refused in the form, which stays open")
     b.browser.keyPressed(juce::KeyPress(juce::KeyPress::escapeKey));
 }
 
-TEST_CASE("A saved sound that was auditioned stays when the browser is left") {
+TEST_CASE("Escape keeps an auditioned sound that was saved") {
     Browser b;
     b.press(juce::KeyPress::downKey);
     b.click("Save as...");
@@ -208,7 +208,7 @@ TEST_CASE("A saved sound that was auditioned stays when the browser is left") {
     CHECK(b.shelf.chosenPreset() == "Second.json");
 }
 
-TEST_CASE("Renaming and deleting are for one's own presets") {
+TEST_CASE("Only the user's presets can be renamed and deleted") {
     Browser b;
     CHECK_FALSE(b.part<juce::TextButton>("Rename").isEnabled());
     CHECK_FALSE(b.part<juce::TextButton>("Delete").isEnabled());
@@ -237,7 +237,7 @@ TEST_CASE("Renaming and deleting are for one's own presets") {
 }
 
 #if JUCE_LINUX
-TEST_CASE("What was asked of one preset is not done to another") {
+TEST_CASE("Confirming a deletion never deletes a preset selected later") {
     Browser b;
     b.user.write("Presets/broken.json", "{");
     REQUIRE(b.shelf.savePreset(called("Mine"), false));
@@ -267,7 +267,7 @@ TEST_CASE("What was asked of one preset is not done to another") {
 }
 #endif
 
-TEST_CASE("A broken preset is shown, says why, and leaves the sound alone") {
+TEST_CASE("A broken preset is listed and does not change the sound") {
     Browser b;
     b.user.write("Presets/broken.json", "{");
     b.browser.open();
@@ -280,7 +280,8 @@ TEST_CASE("A broken preset is shown, says why, and leaves the sound alone") {
     CHECK(b.part<juce::TextButton>("Delete").isEnabled());
 }
 
-TEST_CASE("The browser's parts are inside it and apart from its smallest size on, asking or not") {
+TEST_CASE(
+    "The browser's parts fit and do not overlap from its minimum size, with or without form") {
     Browser b;
     for (const auto& [width, height] : {std::pair(640, 300), {776, 354}, {3800, 1900}}) {
         b.browser.setSize(width, height);
@@ -304,7 +305,7 @@ TEST_CASE("The browser's parts are inside it and apart from its smallest size on
     }
 }
 
-TEST_CASE("A window closed while the browser is open keeps what plays, as one step") {
+TEST_CASE("Closing the window with the browser open keeps the sound as one step") {
     const UserSettings user;
     Processor processor;
     {

@@ -22,7 +22,7 @@ ModeNow sounding(float frequencyHz, float amplitude) {
     return mode;
 }
 
-/// The farthest that a mode is shown to go within two seconds.
+/// The largest displacement of a mode within two seconds.
 float extentOf(SlowMotion& motion, std::size_t mode) {
     float farthest = 0;
     for (int frame = 0; frame < 60; ++frame) {
@@ -36,7 +36,7 @@ float extentOf(SlowMotion& motion, std::size_t mode) {
 
 } // namespace
 
-TEST_CASE("Of modes as loud the lower one is seen to go farther, as its displacement does") {
+TEST_CASE("Of two equally loud modes the lower one shows the larger displacement") {
     SlowMotion motion;
     CHECK(motion.atRest());
     motion.follow(std::array{sounding(200, 0.1f), sounding(800, 0.1f)});
@@ -44,7 +44,7 @@ TEST_CASE("Of modes as loud the lower one is seen to go farther, as its displace
     CHECK(extentOf(motion, 1) == Approx(0.2).epsilon(0.1));
 }
 
-TEST_CASE("What is seen falls with the decibels and rests at 60 dB below the blow") {
+TEST_CASE("The shown displacement falls linearly in dB and is 0 at 60 dB below the strike") {
     SlowMotion motion;
     motion.follow(std::array{sounding(300, 0.1f)});
     CHECK(extentOf(motion, 0) == Approx(1).epsilon(0.02));
@@ -54,7 +54,7 @@ TEST_CASE("What is seen falls with the decibels and rests at 60 dB below the blo
     CHECK(motion.atRest());
 }
 
-TEST_CASE("Only modes that sound are shown, the eight that go farthest, and silence is rest") {
+TEST_CASE("Only the eight sounding modes with the largest displacement are shown") {
     SlowMotion motion;
     std::vector<ModeNow> modes;
     for (int i = 0; i < 20; ++i)
@@ -71,7 +71,7 @@ TEST_CASE("Only modes that sound are shown, the eight that go farthest, and sile
     CHECK(motion.swings().empty());
 }
 
-TEST_CASE("A mode goes on swinging where it was while others come and go") {
+TEST_CASE("A mode keeps its phase while other modes start and stop") {
     SlowMotion motion;
     motion.follow(std::array{sounding(200, 0.1f)});
     motion.advance(0.05);
@@ -80,7 +80,7 @@ TEST_CASE("A mode goes on swinging where it was while others come and go") {
     CHECK(motion.swings().front().displacement == Approx(before).epsilon(1e-3));
 }
 
-TEST_CASE("A bar's lowest bending mode goes one way in the middle and the other at its ends") {
+TEST_CASE("A bar's lowest bending mode moves its middle and its ends in opposite directions") {
     Processor processor;
     const auto played = processor.playedObjects();
     REQUIRE_FALSE(played.empty());
@@ -108,7 +108,7 @@ TEST_CASE("A bar's lowest bending mode goes one way in the middle and the other 
     CHECK(middle * end < 0);
     CHECK(std::abs(end) > 0.5f);
 
-    // In the scene it is the same motion, upwards being up.
+    // In the scene the motion is the same.
     const ObjectScene scene(played);
     const auto offsets = scene.offsetsOf(0, displacements);
     REQUIRE(offsets.size() == scene.objects()[0].vertexCount);
@@ -118,7 +118,7 @@ TEST_CASE("A bar's lowest bending mode goes one way in the middle and the other 
     CHECK(most == Approx(farthest).epsilon(1e-4));
 }
 
-TEST_CASE("Keys strike where the picture says: on the surface, in order") {
+TEST_CASE("The struck places lie on the surface, in the order of the keys") {
     Processor processor;
     const auto played = processor.playedObjects();
     const auto places = processor.struckPlaces(0);

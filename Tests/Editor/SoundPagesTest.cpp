@@ -1,4 +1,4 @@
-// The pages of the deck that show the sound, with a processor behind them.
+// Tests of the pages that show the sound, with a processor.
 #include "Editor/ModesPage.h"
 #include "Editor/QualityPage.h"
 #include "Editor/StrikePage.h"
@@ -21,7 +21,7 @@ Kind* childOf(juce::Component& page, const juce::String& title) {
     return nullptr;
 }
 
-/// What the window does between two ticks of its timer.
+/// Plays a note and updates the page, as the window does on each timer tick.
 void playAndShow(Processor& processor, DeckPage& page, int note) {
     processor.takeSoundFrame();
     juce::MidiBuffer midi;
@@ -43,7 +43,7 @@ struct Prepared {
 
 } // namespace
 
-TEST_CASE("The modes page follows what is played, or the object that is chosen") {
+TEST_CASE("The modes page shows the object played last, or the chosen one") {
     Prepared prepared;
     ModesPage page(prepared.processor);
     page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
@@ -65,7 +65,7 @@ TEST_CASE("The modes page follows what is played, or the object that is chosen")
     CHECK(spectrum->frameShown().object == 4);
 }
 
-TEST_CASE("The buttons mute the chosen mode, hear it alone, and give all back") {
+TEST_CASE("The buttons mute and solo the chosen mode, and restore all modes") {
     Prepared prepared;
     auto& processor = prepared.processor;
     ModesPage page(processor);
@@ -99,7 +99,7 @@ TEST_CASE("The buttons mute the chosen mode, hear it alone, and give all back") 
     CHECK(told == std::nullopt);
 }
 
-TEST_CASE("The quality page counts what sounds, and shows who has how much of the budget") {
+TEST_CASE("The quality page counts modes and shows each object's share of the budget") {
     Prepared prepared;
     QualityPage page(prepared.processor);
     page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);
@@ -120,7 +120,7 @@ TEST_CASE("The quality page counts what sounds, and shows who has how much of th
     }
 }
 
-TEST_CASE("What makes a mallet of one's own stands together, above how it is swung") {
+TEST_CASE("The mallet's figures come first on the page, above speed and velocity curve") {
     Prepared prepared;
     StrikePage page(prepared.processor);
     page.setSize(DeckPage::leastWidth, DeckPage::leastHeight);

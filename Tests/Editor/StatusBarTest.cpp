@@ -1,4 +1,4 @@
-// What the window says of itself to those who do not see it.
+// Tests of texts for screen readers.
 #include "Editor/StatusBar.h"
 
 #include "Editor/Look.h"
@@ -23,7 +23,7 @@ juce::String saidOf(juce::Component& component) {
 
 } // namespace
 
-TEST_CASE("The status line can be read by a screen reader, an error in it too") {
+TEST_CASE("A screen reader can read the status line, including errors") {
     StatusBar bar;
     CHECK(bar.getTitle() == "Status");
     ProcessorView::Status status;
@@ -39,7 +39,7 @@ TEST_CASE("The status line can be read by a screen reader, an error in it too") 
     CHECK(saidOf(bar) == "The wok is missing.; heard 250 ms after the key, 2 blows late; 1 mode");
 }
 
-TEST_CASE("The counts of the quality page can be read by a screen reader") {
+TEST_CASE("A screen reader can read the counts of the quality page") {
     Processor processor;
     Look look;
     QualityPage page(processor);
@@ -56,7 +56,7 @@ TEST_CASE("The counts of the quality page can be read by a screen reader") {
     page.setLookAndFeel(nullptr);
 }
 
-TEST_CASE("A sentence of a file's text, however long, is drawn as far as it can be seen") {
+TEST_CASE("The status line draws only the visible part of a very long sentence") {
     Look look;
     StatusBar bar;
     bar.setLookAndFeel(&look);

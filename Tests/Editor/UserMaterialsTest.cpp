@@ -1,4 +1,4 @@
-// The user's own materials in the window: listed, chosen, shown by name, and faults said.
+// Tests of the user's materials in the window: list, choice, name and errors.
 #include "Editor/ChoiceList.h"
 #include "Object/MaterialFile.h"
 #include "Support/TestSound.h"
@@ -39,7 +39,7 @@ juce::ComboBox* materialList(juce::Component& component) {
 
 } // namespace
 
-TEST_CASE("The user's materials are listed by name behind the built-in ones") {
+TEST_CASE("The user's materials are listed by name after the built-in ones") {
     UserFolder folder;
     folder.write("z.json", jade);
     folder.write("Amber.json", R"({"youngs_modulus_pa": 3e9, "density_kg_per_m3": 1080,
@@ -56,7 +56,7 @@ TEST_CASE("The user's materials are listed by name behind the built-in ones") {
     CHECK(list->getItemText(count + 1) == "Jade");
 }
 
-TEST_CASE("A chosen user material plays its figures as the custom one and is shown by its name") {
+TEST_CASE("A chosen user material sets the custom material's figures and shows its own name") {
     UserFolder folder;
     folder.write("jade.json", jade);
     Processor processor;
@@ -73,7 +73,7 @@ TEST_CASE("A chosen user material plays its figures as the custom one and is sho
     CHECK(processor.userMaterialIndex() == 0);
     CHECK(list->getText() == "Jade");
 
-    // It travels with the project as figures: the file is not needed any more.
+    // The project stores the figures, so the file is no longer needed.
     const auto project = saved(processor);
     Processor reopened;
     restoreBytes(reopened, project);
@@ -88,7 +88,7 @@ TEST_CASE("A chosen user material plays its figures as the custom one and is sho
     CHECK(processor.parameterValue(density) == 3301);
 }
 
-TEST_CASE("A list of materials that was not opened follows one that was") {
+TEST_CASE("A closed list of materials shows changes that another list has read") {
     UserFolder folder;
     folder.write("jade.json", jade);
     Processor processor;
@@ -105,7 +105,7 @@ TEST_CASE("A list of materials that was not opened follows one that was") {
     CHECK(list->getText() == "Jade");
 }
 
-TEST_CASE("A file that is no material is one sentence in the status, and loses nothing") {
+TEST_CASE("The status reports an invalid material file, and other materials remain") {
     UserFolder folder;
     folder.write("jade.json", jade);
     folder.write("broken.json", R"({"name": "Broken"})");

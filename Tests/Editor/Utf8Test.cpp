@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("Names in any script go from JUCE to the standard library and back") {
+TEST_CASE("File names in any script convert between JUCE and the standard library") {
     const auto folder = juce::File::getSpecialLocation(juce::File::tempDirectory);
     for (const auto* name : {u8"Glöckchen.obj", u8"木琴.obj", u8"Ψαλτήριον.obj"}) {
         const auto file = folder.getChildFile(juce::String(name));

@@ -1,4 +1,4 @@
-// The window by wheel and keys: one gesture and one step each, and all of it in reach of Tab.
+// Tests of mouse wheel and keys: one gesture and one step each, and Tab reaches everything.
 #include "Editor/EditorWindow.h"
 #include "Editor/MaterialPad.h"
 #include "Editor/MaterialPage.h"
@@ -17,7 +17,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Approx;
 
-TEST_CASE("A turn of the wheel and a held arrow key are one gesture and one step each") {
+TEST_CASE("A turn of the wheel or a held arrow key is one gesture and one step") {
     Processor processor;
     auto window = open(processor);
     auto* pad = find<MaterialPad>(*window, "Material pad");
@@ -69,8 +69,7 @@ TEST_CASE("A turn of the wheel and a held arrow key are one gesture and one step
     CHECK_FALSE(processor.editHistory().canUndo());
 }
 
-TEST_CASE(
-    "A figure that makes its material custom is one gesture, one step, and comes back exactly") {
+TEST_CASE("Changing a figure that makes the material custom is one step, and undo restores it") {
     Processor processor;
     auto window = open(processor);
     auto* slider = find<juce::Slider>(*window, "Density");
@@ -89,7 +88,7 @@ TEST_CASE(
     CHECK(processor.parameterValue(ParameterId::material) == double{customMaterial});
 }
 
-TEST_CASE("Tab goes once to all that can be used, and arrows move what it has chosen") {
+TEST_CASE("Tab reaches each enabled control once, and arrows move the focused one") {
     Processor processor;
     const auto window = open(processor);
     window->setSize(1180, 860);
