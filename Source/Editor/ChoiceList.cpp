@@ -72,7 +72,7 @@ void ChoiceList::nameOwnMaterial() {
         return;
     instrument = view.instrumentNumber();
     changeItemText(firstChoiceItem, ownMaterialText(view));
-    setSelectedId(0, juce::dontSendNotification); // or a selected item keeps its old text
+    setSelectedId(0, juce::dontSendNotification); // else a selected item keeps its old text
 }
 
 void ChoiceList::refresh() {

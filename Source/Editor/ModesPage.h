@@ -1,4 +1,4 @@
-// The page with the modes of an object: shows which sound, and mutes or solos them.
+// The page with the modes of an object: marks the sounding ones, and mutes or solos them.
 #pragma once
 
 #include "Editor/DeckPage.h"

@@ -36,7 +36,7 @@ public:
     /// Shows the shape of one mode of the last frame's object, or none.
     void showMode(std::optional<std::size_t> mode);
 
-    /// Whether the instrument is a stage, where keys set bodies in motion.
+    /// Whether the instrument is on a stage, where keys set bodies in motion.
     bool isOnStage() const { return onStage; }
 
     /// Animates the vibration of sounding objects.
@@ -54,7 +54,7 @@ public:
     std::optional<ScenePick> strikeAt(juce::Point<float> position, double pixelsPerSecond = 0);
     /// Scrapes from the last position to this one. An object entered on the way is struck.
     void dragTo(juce::Point<float> position, double pressure = defaultPressure);
-    /// Ends the strike or scrape.
+    /// Releases the object that is struck or scraped.
     void lift();
 
     void paint(juce::Graphics& g) override;

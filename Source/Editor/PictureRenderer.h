@@ -19,8 +19,8 @@ struct SceneMotion {
     /// Offset of each scene vertex of the object. New offsets need a new pointer.
     std::shared_ptr<const std::vector<ScenePlace>> offsets;
     float scale = 1;
-    /// Colours outward and inward motion differently and draws nodal lines between them. The
-    /// largest offset is then 1.
+    /// Colours outward and inward motion differently, and draws nodal lines between them. The
+    /// offsets must then have a maximum of 1.
     bool showsNodes = false;
 };
 

@@ -48,7 +48,7 @@ public:
     struct PlayedObject {
         std::shared_ptr<const ModalObject> object;
         double sizeRatio = 1; ///< size when played, relative to the object's own size
-        int lowestNote = 0;   ///< range of MIDI notes that own it
+        int lowestNote = 0;   ///< range of MIDI notes that this object belongs to
         int highestNote = 0;
     };
 
@@ -87,8 +87,8 @@ public:
 
     /// The current instrument's objects, in the order of their keys; empty without an instrument.
     virtual std::vector<PlayedObject> playedObjects() const = 0;
-    /// Whether the instrument is a stage: keys set simulated bodies in motion, which strike each
-    /// other.
+    /// Whether keys set simulated bodies in motion instead of striking objects. The instrument is
+    /// then on a stage.
     virtual bool hasStage() const = 0;
     /// The bodies before the first note.
     virtual std::vector<BodyNow> stageBodies() const = 0;
@@ -96,7 +96,7 @@ public:
     virtual void pauseStage(bool isPaused) = 0;
     virtual bool isStagePaused() const = 0;
     virtual void resetStage() = 0;
-    /// Formats for the impacts of the stage's bodies since it was loaded or last reset.
+    /// File formats of a capture: the impacts on the stage since it was loaded or last reset.
     enum class CaptureKind {
         midi,    ///< a Standard MIDI File at the host's tempo
         impulses ///< a list for `idiophone render --impulses`
@@ -111,14 +111,14 @@ public:
     /// Changes with each new instrument.
     virtual int instrumentNumber() const = 0;
     /// Strikes an object at the surface point nearest to `pointMetres`, in metres of its mesh.
-    /// Velocity 1 to 127; 0 ends the strike. Ignores objects that no longer exist.
+    /// Velocity 1 to 127; 0 releases the object. Ignores objects that no longer exist.
     virtual void
     strikeObject(std::size_t index, const std::array<double, 3>& pointMetres, int velocity) = 0;
 
     /// Scrapes an object, from the last point to the surface point nearest to `pointMetres`, in
     /// metres of its mesh. The motion's speed sets the sound; a resting contact is silent.
-    /// `pressure` is 0 to 1 of the contact force; 0 ends the contact. There is one contact: another
-    /// object starts a new one. Ignores objects that no longer exist.
+    /// `pressure` is a share of the contact force, 0 to 1; 0 ends the contact. There is one
+    /// contact: another object starts a new one. Ignores objects that no longer exist.
     virtual void
     scrapeObject(std::size_t index, const std::array<double, 3>& pointMetres, double pressure) = 0;
 

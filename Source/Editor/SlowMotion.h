@@ -25,7 +25,7 @@ public:
     /// called.
     void follow(std::span<const ModeNow> modes);
 
-    /// Advances the slow motion by displayed time.
+    /// Advances the motion by a time in seconds, as the viewer sees it.
     void advance(double seconds);
 
     /// Empty if no motion is visible.

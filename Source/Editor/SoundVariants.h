@@ -5,7 +5,7 @@
 
 namespace idiophone {
 
-/// For the message thread. No call clicks; each one is a step of the edit history.
+/// For the message thread. No call makes the sound click. Each one is a step of the edit history.
 class SoundVariants {
 public:
     virtual ~SoundVariants() = default;

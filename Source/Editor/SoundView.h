@@ -56,8 +56,8 @@ struct BodyNow {
 struct SoundFrame {
     int instrumentNumber = 0; ///< ProcessorView::instrumentNumber
     int object = -1; ///< index into playedObjects of the object that has `modes`; −1: none
-    int note = -1;   ///< MIDI note of their slot's only key; −1: several keys
-    std::vector<ModeNow> modes; ///< ascending in frequency, except for changes by per-mode damping
+    int note = -1;   ///< MIDI note of the slot that has `modes`; −1: several keys
+    std::vector<ModeNow> modes;    ///< ascending in frequency, unless own damping shifts one
     std::int32_t modesOmitted = 0; ///< further modes of the object, too many to show
     std::vector<SlotNow> slots;    ///< sounding slots, loudest first
 

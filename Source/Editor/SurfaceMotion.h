@@ -17,7 +17,7 @@ namespace idiophone {
 /// folded surface the last vertices do not move.
 class SurfaceMotion {
 public:
-    /// The object has shapes at one vertex or more.
+    /// The object must have shapes at one vertex or more.
     explicit SurfaceMotion(std::shared_ptr<const ModalObject> object);
 
     std::size_t modeCount() const { return object->modeCount(); }

@@ -35,8 +35,8 @@ public:
     /// project stores the file's text. After an error, which the status shows, the tuning is
     /// unchanged.
     virtual void openTuning(const std::filesystem::path& file) = 0;
-    /// Removes the scale and the mapping, or else the tuning by MIDI messages. Then the session
-    /// tunes the keys, or equal temperament.
+    /// Removes the scale and the mapping, or else the tuning by MIDI messages. Then the keys follow
+    /// the session's tuning, or equal temperament.
     virtual void forgetTuning() = 0;
     virtual TuningStatus tuningStatus() const = 0;
 };

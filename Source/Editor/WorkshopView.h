@@ -28,8 +28,8 @@ struct ImportStatus {
         working,   ///< the previous sound still plays
         previewed, ///< still working; a preview of the object plays
         done,      ///< the object plays
-        failed,    ///< `error` gives the reason; a preview continues to play
-        cancelled  ///< a preview continues to play
+        failed,    ///< `error` gives the reason; a preview, if any, still plays
+        cancelled  ///< a preview, if any, still plays
     };
 
     Stage stage = Stage::none;

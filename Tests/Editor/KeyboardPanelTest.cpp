@@ -21,8 +21,7 @@ TEST_CASE("The computer's keys from A to L play in every preset without shifting
         CHECK(base + fromAToL <= map.highestNote);
     }
     CHECK(computerKeysBase({.lowest = 0, .highest = 127}) == 0);
-    CHECK(computerKeysBase({.lowest = 61, .highest = 73}) ==
-          60); // from 72 on only two keys would play
+    CHECK(computerKeysBase({.lowest = 61, .highest = 73}) == 60); // from 72 only two keys play
     CHECK(computerKeysBase({.lowest = 121, .highest = 127}) == 120);
 }
 

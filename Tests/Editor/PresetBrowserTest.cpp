@@ -281,7 +281,7 @@ TEST_CASE("A broken preset is listed and does not change the sound") {
 }
 
 TEST_CASE(
-    "The browser's parts fit and do not overlap from its minimum size, with or without form") {
+    "The browser's parts fit from its minimum size on and do not overlap, with or without form") {
     Browser b;
     for (const auto& [width, height] : {std::pair(640, 300), {776, 354}, {3800, 1900}}) {
         b.browser.setSize(width, height);

@@ -44,8 +44,7 @@ TEST_CASE("Each tag is listed once, the most frequent first") {
 
 TEST_CASE("Searching a text takes linear time") {
     auto wordy = bowl();
-    wordy.description =
-        std::string(4'000'000, 'X') + " end"; // would take an hour in quadratic time
+    wordy.description = std::string(4'000'000, 'X') + " end"; // an hour in quadratic time
     CHECK(matchesSearch(wordy, "xxx END"));
     CHECK_FALSE(matchesSearch(wordy, "y"));
 }
