@@ -66,7 +66,6 @@ void ChoiceList::choose() {
     changeOnce(view, info.parameter, item - firstChoiceItem);
 }
 
-/// Puts the name of the objects' own material into the first choice.
 void ChoiceList::nameOwnMaterial() {
     if (info.parameter != ParameterId::material || view.instrumentNumber() == instrument)
         return;

@@ -11,7 +11,6 @@ class ChoiceList final : public juce::ComboBox {
 public:
     ChoiceList(const ParameterInfo& info, ProcessorView& view);
 
-    /// Shows the processor's current choice.
     void refresh();
 
     /// Reads the user's materials again before the list opens.

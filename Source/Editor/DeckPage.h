@@ -16,7 +16,6 @@ public:
     static constexpr int leastWidth = 380, leastHeight = 290;
     /// The largest size of a page.
     static constexpr int mostWidth = 640, mostHeight = 460;
-    /// Margin around the content of a page.
     static constexpr int padding = 10;
 
     explicit DeckPage(const juce::String& name) : Component(name) {}

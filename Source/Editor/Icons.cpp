@@ -5,7 +5,7 @@ namespace {
 
 constexpr float lineWidth = 0.1f;
 
-/// Returns the outline of the lines, at the line width of all icons.
+/// Returns the outline of lines, for filling.
 juce::Path drawn(const juce::Path& lines) {
     juce::Path outline;
     juce::PathStrokeType(lineWidth, juce::PathStrokeType::curved, juce::PathStrokeType::rounded)

@@ -55,7 +55,6 @@ private:
     LookScheme current;
 };
 
-/// The colour in the component's look.
 juce::Colour colourOf(const juce::Component& component, LookColour colour);
 
 /// The colour in a scheme, for code without a component.

@@ -10,7 +10,6 @@
 namespace idiophone {
 namespace {
 
-/// The appearance of a mallet.
 struct Head {
     float diameter = 0; ///< share of the available space; 0: the custom mallet
     juce::Colour colour;
@@ -18,7 +17,6 @@ struct Head {
 
 constexpr double largestRadiusMetres = 0.025;
 
-/// The head for a choice of the mallet parameter.
 Head headOf(std::size_t choice) {
     if (choice < firstRackMallet)
         return {};

@@ -13,7 +13,6 @@ class MalletRack final : public juce::Component {
 public:
     explicit MalletRack(ProcessorView& view);
 
-    /// Shows the selected mallet if it has changed.
     void refresh();
 
     void resized() override;

@@ -13,7 +13,6 @@ class MidiLearnView {
 public:
     virtual ~MidiLearnView() = default;
 
-    /// The controller's number, or nothing.
     virtual std::optional<int> controllerOf(ParameterId parameter) const = 0;
 
     /// Assigns the next controller that arrives to the parameter. Bank select (0, 32) and channel

@@ -32,7 +32,6 @@ public:
     void toggleMute(std::size_t mode);
     void toggleAlone(std::size_t mode);
 
-    /// The mode near a position in the component.
     std::optional<std::size_t> modeAt(juce::Point<float> position) const;
 
     /// Called after `modeShown` or its values have changed.

@@ -39,12 +39,10 @@ public:
     /// Whether the instrument is on a stage, where keys set bodies in motion.
     bool isOnStage() const { return onStage; }
 
-    /// Animates the vibration of sounding objects.
     void setShowsVibration(bool shows);
     /// Shows the nodal lines of the sounding object's strongest mode, or of its lowest mode in
     /// silence.
     void setShowsNodes(bool shows);
-    /// Shows the places that keys strike.
     void setShowsPath(bool shows);
     /// While on, drags draw a new strike path instead of scraping.
     void setDrawsPath(bool draws);
@@ -98,7 +96,7 @@ private:
     PictureRenderer renderer{context};
     int ticksWithoutContext = 0;
 
-    // The user's hand.
+    // Mouse input.
     std::optional<ScenePick> struck; ///< last strike, while the button is down
     bool scraping = false;
     std::optional<juce::Point<float>> turningFrom;
@@ -117,7 +115,6 @@ private:
     std::map<std::size_t, SurfaceMotion> surfaceMotions;
     std::optional<std::size_t> shownMode;
     double shownModePhase = 0; ///< radians
-    /// The shape of the shown mode.
     std::shared_ptr<const std::vector<ScenePlace>> shapeOffsets;
     std::pair<std::size_t, std::size_t> shapeOf{}; ///< object and mode of `shapeOffsets`
 

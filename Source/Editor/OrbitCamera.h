@@ -26,7 +26,6 @@ public:
     void zoomBy(float factor);
     /// Shifts the scene right and up; the unit is the height of the window.
     void moveBy(float right, float up);
-    /// Restores the initial turn, zoom and shift.
     void reset();
 
     ScenePlace eye(float aspect) const;

@@ -17,7 +17,6 @@ public:
     PageDeck();
     ~PageDeck() override;
 
-    /// Appends a page.
     void add(std::unique_ptr<DeckPage> page);
 
     /// These two update only visible pages.

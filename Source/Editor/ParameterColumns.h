@@ -21,7 +21,6 @@ class ParameterColumns final : public juce::Component {
 public:
     ParameterColumns(std::span<const ParameterGroup> groups, ProcessorView& view);
 
-    /// Shows the processor's values if they have changed.
     void refresh();
     void paint(juce::Graphics& g) override;
     void resized() override;

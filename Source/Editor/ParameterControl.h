@@ -16,7 +16,6 @@ class ParameterControl final : public juce::Component {
 public:
     ParameterControl(const ParameterInfo& info, ProcessorView& view);
 
-    /// Shows the processor's value if it has changed.
     void refresh();
 
     /// The menu for a right click or Shift+F10.

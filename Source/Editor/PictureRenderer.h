@@ -30,7 +30,6 @@ struct SceneBody {
     std::array<float, 16> pose{}; ///< column-major
 };
 
-/// The content of one picture.
 struct SceneFrame {
     std::shared_ptr<const ObjectScene> scene;
     std::array<float, 16> viewProjection{}; ///< column-major

@@ -14,7 +14,7 @@ class PresetList final : public juce::ListBox, private juce::ListBoxModel {
 public:
     PresetList();
 
-    /// Called when the user selects a row.
+    /// Called when the user, not `show`, selects a row.
     std::function<void(const ShelvedPreset&)> onSelect;
     /// Called on Return or a double click.
     std::function<void()> onChoose;

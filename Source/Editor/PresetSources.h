@@ -13,7 +13,6 @@ class PresetSources final : public juce::Component {
 public:
     PresetSources();
 
-    /// Called when the choice changes.
     std::function<void()> onChange;
 
     /// Lists the sources and tags of these presets. Keeps choices that still exist.

@@ -28,7 +28,6 @@ public:
     /// Advances the motion by a time in seconds, as the viewer sees it.
     void advance(double seconds);
 
-    /// Empty if no motion is visible.
     std::vector<Swing> swings() const;
     bool atRest() const { return shown.empty(); }
 

@@ -13,7 +13,7 @@ class StatusBar final : public juce::Component {
 public:
     StatusBar();
 
-    /// Shows the status. The screen reader announces a new error.
+    /// The screen reader announces a new error.
     void show(ProcessorView::Status status);
 
     void paint(juce::Graphics& g) override;

@@ -6,7 +6,6 @@
 
 namespace idiophone {
 
-/// The tuning of the keys and its source.
 struct TuningStatus {
     enum class Source {
         equal,   ///< no source: twelve equal steps
@@ -16,7 +15,7 @@ struct TuningStatus {
     };
 
     Source source = Source::equal;
-    std::string scale;       ///< description of the scale
+    std::string scale;       ///< description of the scale, may be empty
     std::string mappingFile; ///< name of the keyboard mapping's file, or empty
 
     bool operator==(const TuningStatus&) const = default;

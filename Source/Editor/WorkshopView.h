@@ -10,7 +10,6 @@
 
 namespace idiophone {
 
-/// The settings for making an object from a mesh.
 struct ImportSettings {
     std::string unit = {};          ///< "m", "cm", "mm", "in", "ft"; empty: guess from the size
     std::string material = "Steel"; ///< name of a material of the library or the user
