@@ -1,4 +1,4 @@
-// The air that objects radiate into: 20 °C at sea level.
+// The air that objects radiate into, at 20 °C and sea level.
 #pragma once
 
 namespace idiophone {

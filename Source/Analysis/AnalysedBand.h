@@ -1,14 +1,14 @@
-// How far an analysis reaches where nobody says otherwise.
+// The default frequency band and mode limit of an analysis.
 #pragma once
 
 namespace idiophone {
 
-/// From the lowest that is heard as a tone to twice the highest that is heard: a material chosen
-/// while an object is played moves its modes, from glass to plastic down to 1/4.3 of their
-/// frequencies, and there must be some that come down into what is heard.
+/// The default band starts at the lowest audible tone and ends at twice the highest audible
+/// frequency. A live material change can lower all modes, from glass to plastic to 1/4.3 of their
+/// frequencies. The modes above the audible band then become audible.
 inline constexpr double lowestAnalysedHz = 20, highestAnalysedHz = 44000;
 
-/// An object with more would take longer than anyone waits, and not sound in real time.
+/// The limit of modes: more would make the analysis too slow and could not play in real time.
 inline constexpr int mostAnalysedModes = 5000;
 
 } // namespace idiophone

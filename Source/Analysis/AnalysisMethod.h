@@ -1,4 +1,4 @@
-// The models that a mesh can be analysed with, and their names.
+// The vibration models for a mesh, and their names.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,12 @@ namespace idiophone {
 enum class AnalysisMethod {
     tetrahedra, ///< finite elements, for solids
     twoLayer,   ///< two layers of springs over the thickness, for shells
-    springMass, ///< as published, k = Y t
-    vanGelder   ///< the same with k = Y t (A1 + A2)/L²
+    springMass, ///< springs with k = Y t, as published
+    vanGelder   ///< springs with k = Y t (A1 + A2)/L²
 };
 
-/// "fem", "two-layer", "spring-mass", "van-gelder": as objects and the console name them.
+/// Returns "fem", "two-layer", "spring-mass" or "van-gelder", the names in object files and in the
+/// console.
 std::string_view methodName(AnalysisMethod method);
 std::optional<AnalysisMethod> findMethod(std::string_view name);
 

@@ -18,12 +18,13 @@ constexpr double pi = std::numbers::pi;
 constexpr double samplesPerWidth = 1.6;
 constexpr Index longestBand = 256, longestStart = 640, fewestSamples = 24;
 constexpr Index widestHankel = 96, widestStartHankel = 240;
-// Of a subspace: above what noise spreads to in a Hankel matrix, and above rounding.
+// The minimum energy of a signal space, over the noise and over the rounding errors in a Hankel
+// matrix.
 constexpr double aboveNoise = 6, aboveRounding = 1e-13;
-// The energy that a pole must take out of the recordings, in those of one value of noise.
+// The minimum energy that a pole explains in the recordings, over the noise energy of one value.
 constexpr double energyOverNoise = 14;
 
-/// I₀ for |x| < 10 by its power series, from its smallest term on, as not every standard library
+/// I₀ for |x| < 10 by its power series, summed from the smallest term. Not every standard library
 /// has std::cyl_bessel_i.
 double modifiedBessel0(double x) {
     double sum = 1;
@@ -32,8 +33,8 @@ double modifiedBessel0(double x) {
     return sum;
 }
 
-/// A low-pass of finite length, −6 dB at 0.8 widths and −90 dB from 1.1 on: a windowed sinc in a
-/// table, as the instants of the new samples lie anywhere between the old.
+/// A low-pass of finite length: −6 dB at 0.8 widths, −90 dB from 1.1 on. It is a tabulated windowed
+/// sinc, because the new samples lie anywhere between the old ones.
 class BandFilter {
 public:
     explicit BandFilter(double widthHz) : reach(halfLength / widthHz) {
@@ -67,7 +68,7 @@ private:
     std::vector<double> table = std::vector<double>(steps);
 };
 
-/// The new samples of a recording moved down by `centreHz` and filtered.
+/// Shifts a recording down by `centreHz`, filters it and returns the new samples.
 template <class Taps>
 VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps, double centreHz) {
     const auto length = static_cast<Index>(taps.back().first + taps.back().weights.size());
@@ -91,7 +92,7 @@ VectorXcd zoomed(const DecayRecording& recording, const std::vector<Taps>& taps,
     return result;
 }
 
-/// z of the signals' common exponentials z^m: more rather than fewer than there are.
+/// Returns z of the exponentials z^m that the signals share. The order errs on the high side.
 VectorXcd commonExponentials(const std::vector<VectorXcd>& signals, Index widest) {
     const Index length = signals.front().size();
     const Index rows = std::min(length * 2 / 5, widest);
@@ -117,7 +118,7 @@ VectorXcd commonExponentials(const std::vector<VectorXcd>& signals, Index widest
     return Eigen::ComplexEigenSolver<MatrixXcd>(rotation, false).eigenvalues();
 }
 
-/// Which exponentials take out more energy than noise has, their amplitudes found together.
+/// Fits all amplitudes together and marks the exponentials that explain more energy than the noise.
 std::vector<bool> standOut(const std::vector<VectorXcd>& signals, const VectorXcd& exponentials) {
     const Index length = signals.front().size(), count = exponentials.size();
     MatrixXcd powers(length, count);
@@ -141,7 +142,7 @@ std::vector<bool> standOut(const std::vector<VectorXcd>& signals, const VectorXc
     return result;
 }
 
-/// Those that decay and stand out.
+/// Returns the exponentials that decay and stand out from the noise.
 std::vector<Complex> audibleExponentials(const std::vector<VectorXcd>& signals, Index widest) {
     std::vector<Complex> result;
     if (signals.empty())
@@ -201,7 +202,7 @@ std::vector<DecayPole> BandPoles::polesAbout(double centreHz, double fastestDeca
 }
 
 std::vector<DecayPole> polesOfStart(std::span<const DecayRecording> recordings) {
-    // Recordings of one rate have their samples at the same instants; others tell nothing here.
+    // Only recordings of one rate have samples at the same instants. The others are ignored.
     const double rate = recordings.front().sampleRateHz;
     Index count = longestStart;
     for (const auto& recording : recordings)

@@ -1,5 +1,5 @@
-// The poles that several free decays share in one band of frequencies, by a subspace method. First
-// estimates: PoleRefinement makes them exact, RecordingFit chooses the bands.
+// First estimates of the poles that several free decays share in one frequency band, by a subspace
+// method. PoleRefinement refines the poles and RecordingFit chooses the bands.
 #pragma once
 
 #include "Analysis/DampedSinusoid.h"
@@ -9,22 +9,23 @@
 
 namespace idiophone {
 
-/// Bands of one width. Each recording is shifted to 0 Hz, cut to the band by a filter of finite
-/// length, and sampled anew at 1.6 times the width. Where the filter lies within the free decay,
-/// the outcome is a sum of exponentials with the same poles; ESPRIT (Roy & Kailath 1989) finds them
-/// from the signal space of the Hankel matrices of all recordings side by side. Poles that grow,
-/// that lie beyond the band's edges, or whose energy the noise could have, are left out.
+/// Finds poles in bands of one width. Each recording is shifted to 0 Hz, low-passed by a filter of
+/// finite length and resampled at 1.6 times the width. Where the filter lies within the free decay,
+/// the result is a sum of exponentials with the same poles. ESPRIT (Roy & Kailath 1989) finds these
+/// in the signal space of the Hankel matrices of all recordings side by side. Growing poles, poles
+/// outside the band and poles with no more energy than the noise are left out.
 class BandPoles {
 public:
-    /// The recordings outlive it.
+    /// The recordings must outlive this object.
     BandPoles(std::span<const DecayRecording> recordings, double widthHz);
 
-    /// At most half a width from the centre, and no faster than that: faster ones are left to wider
-    /// bands. None where the recordings are shorter than the filter.
+    /// Returns poles at most half a width from the centre that decay no faster than the maximum.
+    /// Wider bands find the faster ones. The result is empty if a recording is shorter than the
+    /// filter.
     std::vector<DecayPole> polesAbout(double centreHz, double fastestDecayPerSecond) const;
 
 private:
-    /// The filter about one new sample: weights of old samples from `first` on.
+    /// The filter for one new sample: weights of the old samples from `first` on.
     struct Taps {
         std::size_t first = 0;
         std::vector<double> weights;
@@ -35,8 +36,8 @@ private:
     std::vector<std::vector<Taps>> taps; ///< [recordings][new samples]
 };
 
-/// The same of the whole spectrum, without a filter, from the first milliseconds: for what dies
-/// away too fast for any band.
+/// Finds poles in the whole spectrum of the first milliseconds, without a filter. It serves modes
+/// that decay too fast for any band.
 std::vector<DecayPole> polesOfStart(std::span<const DecayRecording> recordings);
 
 } // namespace idiophone

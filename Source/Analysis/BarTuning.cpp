@@ -28,8 +28,8 @@ BodyModel bodyOf(const BarSpecification& bar, const SolidBar& solid) {
     return body;
 }
 
-/// By the share of motion on top that is up and down and the same across the width. `motionAt`
-/// takes the place of a vertex in the outline.
+/// A mode bends vertically if most motion of the top is vertical and equal across the width.
+/// `motionAt` takes a vertex index of the outline.
 template <class MotionAt>
 bool bendsVertically(int topCount, const MotionAt& motionAt) {
     constexpr std::array<double, BarOutline::topAcross> weights{0.25, 0.5, 0.25};
@@ -65,7 +65,7 @@ double targetHz(const PartialTargets& targets, int partial) {
     return targets.fundamentalHz * ratios[static_cast<std::size_t>(partial)];
 }
 
-/// The bending partials among the lowest modes, as many as there are targets.
+/// Returns the lowest bending partials, as many as there are targets.
 Result<std::vector<double>>
 lowestPartialsHz(const BarSpecification& bar, const SolidBar& solid, const WorkControl& control) {
     const int count = targetCount(bar.targets);
@@ -86,7 +86,8 @@ lowestPartialsHz(const BarSpecification& bar, const SolidBar& solid, const WorkC
     return partials;
 }
 
-/// Moves what the beam is asked for by what the elements found; false when nothing needs moving.
+/// Corrects the beam's targets by the error that the elements show. Returns false if all partials
+/// are within tolerance.
 bool correct(const PartialTargets& targets,
              const std::vector<double>& partialsHz,
              PartialTargets& asked) {
@@ -104,7 +105,7 @@ bool correct(const PartialTargets& targets,
     return !isMet;
 }
 
-/// The object with the outline for its mesh; its shapes are those of the vertices on top.
+/// Replaces the object's mesh by the outline. The shapes belong to the top vertices.
 Result<ModalObject> withOutline(ModalObject object, const BarOutline& outline) {
     setMesh(object, outline.mesh);
     for (std::size_t k = 0; k < object.shapeVertices.size(); ++k)
@@ -112,13 +113,13 @@ Result<ModalObject> withOutline(ModalObject object, const BarOutline& outline) {
     return validated(std::move(object));
 }
 
-/// The middle of the tube's mouth, where the bar's top is z = 0.
+/// The centre of the tube's mouth; the bar's top is z = 0.
 Eigen::Vector3d mouthMetres(const UndercutBar& shape, const Tube& tube) {
     return {tube.offsetMetres, 0, -shape.heightMetres - tube.gapMetres};
 }
 
-/// Over a disc, exact to the fifth degree (Abramowitz & Stegun 1964, 25.4.61): a quarter of the
-/// centre's and an eighth of those of six points about it.
+/// Quadrature points on a disc, exact to the fifth degree (Abramowitz & Stegun 1964, 25.4.61). The
+/// centre has weight 1/4 and each of the six points around it 1/8.
 std::vector<Eigen::Vector3d> mouthPoints(const Eigen::Vector3d& centre, double radiusMetres) {
     std::vector<Eigen::Vector3d> points{centre};
     for (int k = 0; k < 6; ++k) {
@@ -128,16 +129,16 @@ std::vector<Eigen::Vector3d> mouthPoints(const Eigen::Vector3d& centre, double r
     return points;
 }
 
-/// By how much a closed tube raises the mean pressure over its mouth above that of the bar alone.
-/// A fit to boundary elements of bar and tube together (incompressible, bars of 15 to 39 cm, gaps
-/// of 10 to 30 mm): within 7 % for radius/gap of 0.6 to 1.9 (docs/decisions/0034).
+/// The ratio by which a closed tube raises the mean pressure over its mouth. It is a fit to
+/// boundary elements of bar and tube together (incompressible, bars of 15 to 39 cm, gaps of 10 to
+/// 30 mm), within 7 % for radius/gap of 0.6 to 1.9 (docs/decisions/0034).
 double blockedOverFree(const UndercutBar& shape, const Tube& tube) {
     const double underMiddleMetres =
         shape.heightMetres - heightMetresAt(shape, tube.offsetMetres) + tube.gapMetres;
     return 1.22 + 0.165 * tube.radiusMetres / underMiddleMetres;
 }
 
-/// The blocked pressure of each mode [M] over the mouth, by its acceleration.
+/// [M] the blocked pressure of each mode, averaged over the mouth, per acceleration.
 std::vector<double> mouthKgPerM2(double blockedOverFree,
                                  const Eigen::MatrixXcd& pressures,
                                  const std::vector<double>& eigenvalues) {
@@ -193,7 +194,7 @@ analysed(const BarSpecification& bar, const UndercutBar& shape, const WorkContro
     return result;
 }
 
-/// Of a uniform bar of that pitch after Euler and Bernoulli, less what an arch takes from it.
+/// The length of a uniform Euler–Bernoulli bar of that pitch, reduced by the effect of the arch.
 double estimatedLengthMetres(const BarSpecification& bar) {
     const double speed = std::sqrt(bar.material.youngsModulusPa / bar.material.densityKgPerM3);
     const double share = bar.targets.secondRatio == 0    ? 0.9

@@ -1,5 +1,5 @@
-// Bars in tune: a beam finds the arch, finite elements confirm it and correct what the beam cannot
-// know. From a specification to the object that is played and the mesh that could be cut.
+// Tunes a bar to its partials. A beam model finds the arch, then finite elements check it and
+// correct the errors of the beam model. The result is a modal object and a mesh for manufacture.
 #pragma once
 
 #include "Analysis/CordSupport.h"
@@ -17,40 +17,42 @@ namespace idiophone {
 struct BarSpecification {
     std::string name = {};
     std::string source = {}; ///< for the object's provenance
-    /// Where the search starts: what the targets do not ask for stays. Length 0: estimated.
+    /// The start of the search. Dimensions that no target concerns stay. A length of 0 is
+    /// estimated.
     UndercutBar shape = {};
-    PartialTargets targets = {}; ///< of the partials heard, damped
-    Material material = {};      ///< of wood, the grain runs along the bar, the rings face up
+    PartialTargets targets = {}; ///< for the damped partials
+    Material material = {};      ///< in wood, the grain runs along the bar and the rings face up
     BarGrid grid = {};
     double maxFrequencyHz = 20000;
-    /// Empty: the material's loss was measured on an instrument, cords and all.
+    /// Empty if the material's loss was measured on an instrument and includes the cords.
     std::optional<CordSupport> cords = {};
     std::optional<Tube> tube = {};
 };
 
 struct TunedBar {
     UndercutBar shape;
-    /// Damped frequencies of the vertical bending modes in the band, ascending, and which modes of
-    /// the object they are: the others twist, bend sideways, stretch, or bend across.
+    /// Damped frequencies of the vertical bending modes in the band, ascending, and their mode
+    /// indices in the object. The other modes twist, bend sideways, stretch, or bend across the
+    /// width.
     std::vector<double> partialsHz = {};
     std::vector<Eigen::Index> bendingModes = {};
     Mesh surface = {}; ///< the whole bar, closed, in metres
-    /// With the bar's outline as its mesh, whose vertices on top carry shapes.
+    /// Its mesh is the bar's outline. The outline's top vertices carry the shapes.
     ModalObject object = {};
 };
 
-/// The targets' partials are met within 0.5 cent (the fundamental) and 2 cents (the others).
+/// Tolerances for the fundamental and for the other target partials.
 inline constexpr double fundamentalToleranceCents = 0.5, partialToleranceCents = 2;
 
-/// The bar as tuned, analysed up to `maxFrequencyHz`. Errors: those of tunedArch, solveModes and
-/// `validated`, named after the bar; a band that does not hold the targets; `cancelledMessage`.
+/// Tunes the bar and analyses it up to `maxFrequencyHz`. Errors: those of tunedArch, solveModes and
+/// `validated`, with the bar's name; targets outside the band; `cancelledMessage`.
 Result<TunedBar> tuneBar(const BarSpecification& bar, const WorkControl& control = {});
 
-/// Which modes of a tuned bar's object bend up and down, ascending. Of two that share a shape with
-/// a tube, the one of the larger gain.
+/// Returns the modes of a tuned bar that bend vertically, ascending. If a bar mode and a tube mode
+/// share a shape, only the one with the larger gain counts.
 std::vector<Eigen::Index> verticalBendingModes(const ModalObject& bar);
 
-/// What the beam needs to know of a material whose grain runs along it.
+/// Returns the beam's constants for a material whose grain runs along the bar.
 BeamMaterial beamMaterial(const Material& material);
 
 } // namespace idiophone

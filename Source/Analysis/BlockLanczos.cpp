@@ -14,10 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double tolerance = 1e-9; ///< of a residual relative to its eigenvalue 1/(λ − σ)
+constexpr double tolerance = 1e-9; ///< of a residual, relative to its eigenvalue 1/(λ − σ)
 
-/// Narrow blocks converge in fewer vectors; wide ones read a factor that is too large for the cache
-/// less often.
+/// Narrow blocks converge with fewer vectors. Wide blocks read a factor larger than the cache less
+/// often.
 Index blockColumns(Index wanted, double factorEntries) {
     return wanted >= 24 && factorEntries > 1.5e6 ? 8 : 4;
 }
@@ -52,15 +52,15 @@ private:
     const LanczosTask& task_;
     Index width_, capacity_;
     KrylovBasis basis_;
-    MatrixXd projected_;       ///< the operator within the basis: block tridiagonal
-    Vectors next_, nextImage_; ///< the block to come, and M times it
-    MatrixXd link_;            ///< what ties it to the last one
+    MatrixXd projected_;       ///< the operator within the basis, block tridiagonal
+    Vectors next_, nextImage_; ///< the next block, and M times it
+    MatrixXd link_;            ///< the coupling of the next block to the last one
     VectorXd theta_, lambda_, residuals_;
     MatrixXd ritz_; ///< eigenvectors within the basis
 };
 
 Vectors BlockLanczos::start() const {
-    // One solve leaves little of the stiff modes, which would take part to no use.
+    // One solve reduces the stiff modes, which contribute nothing useful.
     Vectors block =
         factor_.solve(space_.times(fixedRandomBlock(space_.rows(), width_, task_.seed)));
     for (int pass = 0; pass < 2; ++pass)
@@ -68,7 +68,7 @@ Vectors BlockLanczos::start() const {
     return block;
 }
 
-/// Leaves what is M-orthogonal to all that is known.
+/// Makes a block M-orthogonal to `found_` and to the basis.
 void BlockLanczos::projectOut(Vectors& block) const {
     const Vectors image = space_.times(block);
     if (found_.cols() > 0) {
@@ -79,7 +79,7 @@ void BlockLanczos::projectOut(Vectors& block) const {
     basis_.projectOut(image, block);
 }
 
-/// Takes `next_` into the basis and makes the block after it; false where there is none.
+/// Appends `next_` to the basis and makes the next block. Returns false if none is left.
 bool BlockLanczos::extend() {
     const Index size = basis_.size();
     Vectors image = factor_.solve(nextImage_);
@@ -97,7 +97,7 @@ bool BlockLanczos::extend() {
     link_ = space_.orthonormalise(image, nextImage_);
     if (link_.size() == 0)
         return false;
-    // Where little was left of a column, rounding is a large part of it.
+    // If a column lost most of its length, rounding errors are a large part of the rest.
     if (const VectorXd left = link_.diagonal().cwiseAbs();
         left.minCoeff() < 0.03 * left.maxCoeff()) {
         projectOut(image);
@@ -129,9 +129,10 @@ bool BlockLanczos::hasConverged(Index i) const {
     return residuals_(i) <= tolerance * std::abs(theta_(i));
 }
 
-/// How many more vectors to make before it is worth looking again: none if all are there, or if
-/// those that are missing will not come: modes outside have converged, and none inside is on its
-/// way. Copies of a mode beyond a block's columns are missing like that.
+/// Returns the number of vectors to add before the next check. It is 0 if all wanted modes have
+/// converged, or if the missing ones cannot converge. The latter shows when modes outside have
+/// converged and no mode inside is converging. Surplus copies of a degenerate mode are missing in
+/// this way.
 Index BlockLanczos::vectorsToGo() const {
     Index inside = 0, underWay = 0, outside = 0;
     for (Index i = 0; i < theta_.size(); ++i) {
@@ -151,7 +152,8 @@ EigenBlock BlockLanczos::ritzPairs() const {
     std::ranges::sort(chosen, {}, [&](Index i) { return lambda_(i); });
     const Vectors within = ritz_(Eigen::all, chosen);
     EigenBlock pairs{lambda_(chosen), basis_.combinations(within)};
-    // The operator's image of a Ritz vector, for nothing: one more step of inverse iteration.
+    // Add the operator's image of each Ritz vector. This costs no solve and equals one more step of
+    // inverse iteration.
     if (next_.cols() == width_)
         addCombinations(pairs.vectors, 1, next_,
                         link_ * within.bottomRows(width_) *

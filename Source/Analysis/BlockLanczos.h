@@ -1,5 +1,5 @@
 // The modes nearest to a shift, by shift-invert Lanczos on blocks of vectors. Internal to Analysis:
-// Eigensolver decides on shifts, and proves that none is missing.
+// Eigensolver chooses the shifts and proves that no mode is missing.
 #pragma once
 
 #include "Analysis/MassSpace.h"
@@ -16,26 +16,27 @@ struct EigenBlock {
 };
 
 struct LanczosTask {
-    double low = 0, high = 0;   ///< λ asked for, the shift at or between them
-    Eigen::Index wanted = 0;    ///< stops when so many have converged
-    unsigned seed = 1;          ///< of the starting block
+    double low = 0, high = 0;   ///< range of λ; the shift lies inside or on its edge
+    Eigen::Index wanted = 0;    ///< number of modes after which the search stops
+    unsigned seed = 1;          ///< seed of the starting block
     std::function<void()> step; ///< called after each block of solves; may throw
 };
 
-/// The converged eigenpairs of (K − σM)⁻¹M between `low` and `high` that are M-orthogonal to
-/// `found` (columns M-orthonormal). Usually all that are wanted; fewer where modes have more copies
-/// than a block has columns, or the basis grew to three times their number: call again with those
-/// added to `found`. The block Lanczos process (Golub & Underwood 1977; with shifts, Grimes, Lewis
-/// & Simon 1994), each block orthogonalised against all before it, in products of matrices.
+/// Returns converged eigenpairs of (K − σM)⁻¹M between `low` and `high`, M-orthogonal to `found`
+/// (columns M-orthonormal). Usually it returns all wanted pairs. It returns fewer if a mode has
+/// more copies than a block has columns, or if the basis reaches its maximum. Then call again with
+/// the new pairs added to `found`. The method is block Lanczos (Golub & Underwood 1977; with
+/// shifts, Grimes, Lewis & Simon 1994). Each block is orthogonalised against all earlier ones by
+/// matrix products.
 EigenBlock nearestModes(const ShiftedFactor& factor,
                         const MassSpace& space,
                         const Vectors& found,
                         const LanczosTask& task);
 
-/// The number of vectors that `nearestModes` may keep.
+/// The maximum number of vectors in the basis of `nearestModes`.
 Eigen::Index largestBasis(Eigen::Index wanted);
 
-/// The same numbers between −½ and ½ on every machine.
+/// Returns pseudo-random numbers between −½ and ½, the same ones on every machine.
 Vectors fixedRandomBlock(Eigen::Index rows, Eigen::Index columns, unsigned seed);
 
 } // namespace idiophone

@@ -33,8 +33,9 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
     return notes;
 }
 
-/// The part of each λ that grows with the square of the thickness: Rayleigh's quotient of the mode
-/// in a shell a little thicker, whose layers move apart as they turn together.
+/// Returns the part of each λ that grows with the square of the thickness. It is Rayleigh's
+/// quotient of the mode in a slightly thicker shell, with its layers moved apart and turning with
+/// the old ones.
 std::vector<double>
 bendingParts(const BodyModel& body, const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd shapes) {
     constexpr double ratio = 1.25;
@@ -64,7 +65,7 @@ std::string joined(const std::string& notes, const std::string& sentence) {
     return notes + (notes.empty() || sentence.empty() ? "" : " ") + sentence;
 }
 
-/// Work that is the part of another's from one share of it to another.
+/// Maps the progress of a subtask to the range `from` to `to` of the whole.
 WorkControl partOf(const WorkControl& whole, double from, double to) {
     return {.progress =
                 [&whole, from, to](double fraction, std::string_view step) {
@@ -73,7 +74,7 @@ WorkControl partOf(const WorkControl& whole, double from, double to) {
             .cancelled = whole.cancelled};
 }
 
-/// `shapes` [3N×M] are those of all vertices, of which `vertices` keep theirs.
+/// `shapes` [3N×M] covers all vertices; the object keeps those of `vertices`.
 void storeModes(const Eigen::VectorXd& eigenvalues,
                 const Eigen::MatrixXd& shapes,
                 const std::vector<int>& vertices,
@@ -88,7 +89,7 @@ void storeModes(const Eigen::VectorXd& eigenvalues,
     object.eigenvalues.assign(eigenvalues.begin(), eigenvalues.end());
 }
 
-/// [3N×M] the displacement of the surface for shapes of the model.
+/// [3N×M] displacements of the surface for shapes of the model.
 Eigen::MatrixXd surfaceShapes(const BodyModel& body, const Eigen::MatrixXd& shapes) {
     if (body.kind == ModelKind::twoLayers)
         return midSurfaceShapes(shapes);

@@ -1,5 +1,5 @@
-// A body ready to be solved for its modes, whichever model it was made by, and the modal object
-// that comes of it.
+// A body with its stiffness and mass matrices, from any of the models, and its solution as a modal
+// object.
 #pragma once
 
 #include "Analysis/AnalysedBand.h"
@@ -15,24 +15,24 @@
 namespace idiophone {
 
 enum class ModelKind {
-    points,   ///< three rows a point, the surface's vertices first
-    twoLayers ///< six rows a vertex of the surface: see TwoLayerShell
+    points,   ///< three rows per point, the surface's vertices first
+    twoLayers ///< six rows per vertex of the surface, see TwoLayerShell
 };
 
 struct BodyModel {
-    Mesh surface; ///< what is drawn, struck and radiates: N vertices, as repairMesh leaves it
+    Mesh surface; ///< N vertices for display, strikes and radiation, as repairMesh leaves them
     VibrationModel model;
     ModelKind kind = ModelKind::points;
-    Eigen::MatrixXd pointsMetres; ///< [P×3] where the model's points lie, three rows each
+    Eigen::MatrixXd pointsMetres; ///< [P×3] positions of the model's points
     BodyKind body = BodyKind::shell;
-    double thicknessMetres = 0; ///< of a shell
+    double thicknessMetres = 0; ///< shells only
     Material material;
     std::string method;
-    /// The end of the band that its elements serve: that asked for, or less where a budget made
-    /// them coarser than the shortest wavelength there wants.
+    /// The upper end of the band that the elements resolve. It is below the requested band if a
+    /// budget made the elements coarser than the shortest wavelength needs.
     double servedBandHz = highestAnalysedHz;
-    int components = 1; ///< that do not touch: each has six rigid motions
-    std::string notes;  ///< what there is to say of how it was made
+    int components = 1; ///< separate parts; each has six rigid motions
+    std::string notes;  ///< remarks for the user about how the model was made
 };
 
 struct SolveSettings {
@@ -41,16 +41,17 @@ struct SolveSettings {
     double lowestFrequencyHz = lowestAnalysedHz;
     double maxFrequencyHz = highestAnalysedHz;
     int maximumModes = mostAnalysedModes;
-    std::vector<int> shapeVertices = {}; ///< of the surface, ascending; empty: all
-    std::vector<Eigen::Vector3d> listeningDirections = stereoDirections(); ///< of its radiation
+    std::vector<int> shapeVertices = {}; ///< vertices of the surface, ascending; empty: all
+    std::vector<Eigen::Vector3d> listeningDirections = stereoDirections(); ///< for the radiation
     RadiationMethod radiation = RadiationMethod::quick;
-    /// [P] outside, where pressures are wanted too, as `Radiation::nearPressures`.
+    /// [P] points outside for pressures, as for `Radiation::nearPressures`.
     std::vector<Eigen::Vector3d> nearPointsMetres = {};
 };
 
-/// Every mode of the body in the band, as an object that passes `validated`, with radiation and
-/// mass. Errors are one sentence: those of solveModes and radiationOf, no mode in the band,
-/// `cancelledMessage`. `nearPressures`, where given, receives those at the near points [P×M].
+/// Returns an object with every mode of the body in the band, its radiation and its mass. The
+/// object passes `validated`. Errors, each one sentence: those of solveModes and radiationOf, no
+/// mode in the band, `cancelledMessage`. `nearPressures`, if given, receives the pressures at the
+/// near points [P×M].
 Result<ModalObject> solveBody(const BodyModel& body,
                               const SolveSettings& settings,
                               const WorkControl& control = {},

@@ -18,18 +18,18 @@ using Eigen::Index;
 /// Single precision solves these systems to 1e-5, in half of the time and memory.
 using Matrix = Eigen::Matrix<std::complex<float>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Parts of the velocity with less than this of its energy are left out.
+/// The share of the velocity's energy below which a part of it is left out.
 constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
 constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
 
-/// The edge of equilateral triangles that are as many. Much more would let the errors of N, which
-/// converge slowest, outweigh what K knows of low frequencies.
+/// The edge of equilateral triangles with the same number and area. A much larger β would let the
+/// errors of N, which converges slowest, dominate the exact low-frequency terms of K.
 double couplingMetresOf(const Mesh& surface) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
 }
 
-/// The faces at which equations are collocated.
+/// Returns the faces that have collocation points.
 std::vector<int> targetsOf(const SharedUnknowns& unknowns, const SurfaceOrbits& orbits) {
     std::vector<int> faces;
     for (const auto& collocation : unknowns.collocations)
@@ -39,11 +39,11 @@ std::vector<int> targetsOf(const SharedUnknowns& unknowns, const SurfaceOrbits& 
 
 } // namespace
 
-/// The part of the solution that turns by one character under the symmetry.
+/// The part of the solution that transforms by one character of the symmetry.
 struct BoundaryElements::CharacterSystem {
     Eigen::RowVectorXcd character; ///< [G]
-    std::vector<Index> modes;      ///< of which velocities
-    std::vector<bool> isSilent;    ///< [orbits] whether no such part lives there
+    std::vector<Index> modes;      ///< indices of the velocities that contain this part
+    std::vector<bool> isSilent;    ///< [orbits] where this part is zero by symmetry
     Eigen::MatrixXcd slopes;       ///< [orbits×modes] q
     Matrix matrix;                 ///< [n×n]
     Eigen::MatrixXcd rightSide;    ///< [n×modes]
@@ -171,7 +171,7 @@ Result<void> BoundaryElements::assemble(double waveNumber,
                     sources.row(static_cast<Index>(r));
         }
     }
-    // Where nothing of a part lives, its unknown is 0.
+    // Unknowns without an equation become 0.
     for (auto& system : systems)
         for (Index unknown = 0; unknown < unknownCount(); ++unknown)
             if (system.matrix(unknown, unknown) == Matrix::Scalar(0))
@@ -212,7 +212,7 @@ Eigen::MatrixXcd BoundaryElements::planeWaves(double waveNumber,
         const BoundaryPanel& panel = rows_.panels()[static_cast<std::size_t>(face)];
         const Complex strength(0, waveNumber * panel.areaM2 / (4 * std::numbers::pi));
         for (Index direction = 0; direction < directions.rows(); ++direction) {
-            // The middles of the sides: exact to the second degree.
+            // The midpoints of the sides integrate exactly to the second degree.
             Complex wave = 0;
             for (int side = 0; side < 3; ++side) {
                 const Eigen::Vector3d middle =

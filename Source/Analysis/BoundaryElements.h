@@ -1,5 +1,5 @@
-// Sound outside a closed surface that vibrates, by boundary elements: the pressure on the surface
-// from its velocity, and what reaches a listener far away.
+// Sound outside a closed vibrating surface, by boundary elements. Computes the surface pressure
+// from the velocity, and the pressure at a distant listener.
 #pragma once
 
 #include "Analysis/BoundaryRow.h"
@@ -15,44 +15,44 @@
 
 namespace idiophone {
 
-/// Time runs as e^{+jωt}. One unknown a triangle, collocated at its centroid, after Burton & Miller
-/// 1971 (Proc. R. Soc. A 323): the Helmholtz integral equation plus β times its normal derivative,
-/// so that no resonance of the space inside disturbs it.
+/// The time factor is e^{+jωt}. Each triangle is one unknown, collocated at its centroid. The
+/// method is Burton & Miller 1971 (Proc. R. Soc. A 323): the Helmholtz integral equation plus β
+/// times its normal derivative. Resonances of the enclosed space then cause no error.
 ///
 ///     p/2 − K p − β N p = −S q − β (q/2 + K' q),   q = ∂p/∂n = −jωρ v_n,   β = −j min(1/k, h)
 ///
 /// S, K, K' and N are the single layer, the double layer, its adjoint and the hypersingular
-/// operator of e^{−jkr}/(4πr); h is the mean edge of its triangles. Of near triangles the parts
-/// that grow as r → 0 are integrated in closed form (PanelPotentials), the rest by Gauss' rules: so
-/// the two faces of a sheet may be much closer than its triangles are wide.
+/// operator of e^{−jkr}/(4πr). h is the mean edge of the triangles. For near triangles, the parts
+/// that grow as r → 0 are integrated in closed form (PanelPotentials) and the rest by Gauss rules.
+/// So the two faces of a sheet may be much closer than its triangles are wide.
 ///
-/// With a symmetry of G elements a system of F/G unknowns is solved for each character that the
-/// velocity has a part of, in place of one of F. Any velocity may be given.
+/// With a symmetry of G elements, one system of F unknowns becomes a system of F/G unknowns for
+/// each character that the velocity contains. The velocity itself need not be symmetric.
 ///
 /// Immutable once built; any number of threads may use one at once.
 class BoundaryElements {
 public:
-    /// `surface` is closed and oriented outward, F faces, none degenerate, and `symmetry` its own.
-    /// With more orbits than `maximumUnknowns` neighbouring triangles of like normals share an
-    /// unknown (SharedUnknowns): the velocity keeps its detail, the pressure does
-    /// not.
+    /// `surface` is closed and oriented outward, with F faces, none degenerate. `symmetry` is that
+    /// of `surface`. If there are more orbits than `maximumUnknowns`, neighbouring triangles with
+    /// similar normals share an unknown (SharedUnknowns). The velocity keeps its detail, the
+    /// pressure does not.
     BoundaryElements(const Mesh& surface,
                      SurfaceSymmetry symmetry,
                      Eigen::Index maximumUnknowns = std::numeric_limits<Eigen::Index>::max());
 
     Eigen::Index faceCount() const { return static_cast<Eigen::Index>(rows_.panels().size()); }
-    /// Of the system of each character.
+    /// The size of the system of each character.
     Eigen::Index unknownCount() const { return unknowns_.count; }
     Eigen::Index symmetryOrder() const { return symmetry_.order(); }
 
-    /// Pressures [F×M] in Pa for outward velocities [F×M] in m/s at the wave number k > 0 in rad/m.
-    /// Error: `cancelledMessage`.
+    /// Returns pressures [F×M] in Pa for outward velocities [F×M] in m/s at the wave number k > 0
+    /// in rad/m. Error: `cancelledMessage`.
     Result<Eigen::MatrixXcd> surfacePressures(double waveNumber,
                                               const Eigen::MatrixXd& normalVelocities,
                                               const WorkControl& control = {}) const;
 
-    /// [D×M] in Pa·m: W with p = W e^{−jkR}/R at a distance R, far away, from `originMetres`
-    /// towards each of the unit `directions` [D×3],
+    /// Returns W [D×M] in Pa·m. The pressure at a large distance R from `originMetres` along each
+    /// of the unit `directions` [D×3] is p = W e^{−jkR}/R,
     ///
     ///     W = 1/4π ∫ [jωρ v_n + jk (d·n) p] e^{jk d·y} dS.
     Eigen::MatrixXcd farField(double waveNumber,
@@ -61,17 +61,17 @@ public:
                               const Eigen::MatrixXd& normalVelocities,
                               const Eigen::MatrixXcd& pressures) const;
 
-    /// [P×M] in Pa at points [P×3] outside of the surface, as near to it as need be.
+    /// Returns pressures [P×M] in Pa at points [P×3] outside the surface, at any distance from it.
     Eigen::MatrixXcd pressuresAt(double waveNumber,
                                  const Eigen::MatrixXd& pointsMetres,
                                  const Eigen::MatrixXd& normalVelocities,
                                  const Eigen::MatrixXcd& pressures) const;
 
-    /// ρc, in Pa s/m.
+    /// Returns ρc in Pa s/m.
     static double impedance();
 
-    /// The same as `farField` where waves are short against the surface, without solving: every
-    /// face that is visible from there is a part of an infinite wall, and the others are not heard.
+    /// Approximates `farField` without solving, for waves much shorter than the surface. Each face
+    /// visible from a direction acts as part of an infinite wall; hidden faces are silent.
     Eigen::MatrixXcd shortWaveField(double waveNumber,
                                     const Eigen::MatrixXd& directions,
                                     const Eigen::Vector3d& originMetres,
@@ -86,7 +86,7 @@ private:
                                 const Eigen::Vector3d& originMetres) const;
     /// [D×F] d·n.
     Eigen::MatrixXd cosines(const Eigen::MatrixXd& directions) const;
-    /// [orbits] of which faces nothing lives that turns by this character.
+    /// [orbits] true where a field with this character is zero by symmetry.
     std::vector<bool> silentOrbits(const Eigen::RowVectorXcd& character) const;
     std::vector<CharacterSystem> systemsFor(const Eigen::MatrixXd& normalVelocities,
                                             double waveNumber) const;
@@ -95,13 +95,13 @@ private:
                           const WorkControl& control) const;
 
     Eigen::Index orbitCount() const { return static_cast<Eigen::Index>(orbits_.firsts.size()); }
-    /// [orbits×G] the values of all faces.
+    /// [orbits×G] the values of all faces, sorted by orbit and group element.
     Eigen::MatrixXd arranged(const Eigen::ArrayXd& values) const;
 
     SurfaceSymmetry symmetry_;
     SurfaceOrbits orbits_;
     SharedUnknowns unknowns_;
-    BoundaryRows rows_; ///< one for each collocation
+    BoundaryRows rows_; ///< one per collocation
     double largestCouplingMetres_ = 0;
 };
 

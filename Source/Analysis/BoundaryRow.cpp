@@ -15,12 +15,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// In longest edges of a source: nearer centroids ask for closed forms, or for three points.
+/// Distances between centroids in longest edges of the source. Panels below the first need closed
+/// forms, panels below the second three points.
 constexpr double nearDistance = 2.5, middleDistance = 6;
-/// The longest edge in radians of a wave from which three points are needed at any distance.
+/// The longest edge, in radians of a wave, above which all panels need three points.
 constexpr double longEdgeRadians = 1;
 
-/// Points that are treated at once. Array expressions of this size are SIMD code on any processor.
+/// Points computed together. Array expressions of this size compile to SIMD code on any processor.
 using Lanes = Eigen::Array<double, 16, 1>;
 
 struct QuadraturePoint {
@@ -51,8 +52,8 @@ const std::vector<QuadraturePoint>& sixPointRule() {
     return rule;
 }
 
-/// Cosine and sine of phases from 0 to 1e6, within 1e-12: those of a quarter of the remainder of
-/// 2π, by their power series, doubled twice.
+/// Cosine and sine of phases from 0 to 1e6, within 1e-12. Computes a quarter of the phase modulo 2π
+/// by power series, then doubles the angle twice.
 void cosineAndSine(const Lanes& phases, Lanes& cosine, Lanes& sine) {
     constexpr double turn = 2 * std::numbers::pi;
     constexpr double toInteger = 6755399441055744.0; // 1.5·2^52: adding it rounds
@@ -160,7 +161,7 @@ void BoundaryRows::add(const Equation& equation,
         std::array<int, lanes> owners{};
         const std::size_t used = std::min(lanes, count - first);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            // Lanes without a point repeat the last one, and nobody asks for what comes of it.
+            // Unused lanes repeat the last point; their results are ignored.
             const std::size_t at = first + std::min(lane, used - 1);
             owners[lane] = sources[at / perSource];
             const Point& point =
@@ -184,8 +185,8 @@ void BoundaryRows::add(const Equation& equation,
         Lanes cosine, sine;
         cosineAndSine(phase, cosine, sine);
 
-        // Times w/4πr: the wave e^{−jkr}, (1 + jkr) e^{−jkr}, and what stands beside `product` in
-        // N.
+        // All times w/4πr: the wave e^{−jkr}, the dipole factor (1 + jkr) e^{−jkr}, and the factor
+        // of `product` in N.
         Lanes waveReal = cosine, waveImaginary = -sine;
         Lanes dipoleReal = cosine + phase * sine, dipoleImaginary = phase * cosine - sine;
         const Lanes phaseSquare = phase * phase;

@@ -1,4 +1,4 @@
-// One equation of BoundaryElements: what every triangle adds to it at one collocation point.
+// One equation of BoundaryElements: the coefficients of all triangles at one collocation point.
 // Internal to Analysis.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// A triangle as a source of sound and as a place to collocate at.
+/// A triangle as a source and as a collocation point.
 struct BoundaryPanel {
     Eigen::Matrix3d corners; ///< columns, counter-clockwise seen from outside
     Eigen::Vector3d centroid, normal;
@@ -18,47 +18,47 @@ struct BoundaryPanel {
 };
 std::vector<BoundaryPanel> boundaryPanels(const Mesh& mesh);
 
-/// The coefficients of an equation, real and imaginary parts apart. K, S, K' and N are those of
-/// `BoundaryElements`.
+/// The coefficients of one equation, with separate real and imaginary parts. `BoundaryElements`
+/// defines K, S, K' and N.
 struct BoundaryRow {
     Eigen::ArrayXd pressureReal, pressureImaginary; ///< [F] of p: −K − β N
     Eigen::ArrayXd slopeReal, slopeImaginary;       ///< [F] of q = ∂p/∂n: −S − β K'
 };
 
-/// Makes rows at the centroids of some of the panels. Keeps what does not depend on the frequency.
+/// Makes rows at the centroids of selected panels. Precomputes the frequency-independent parts.
 /// Immutable once built.
 class BoundaryRows {
 public:
-    /// `targets` are the panels at which there will be equations.
+    /// `targets` are the panels that get equations.
     BoundaryRows(std::vector<BoundaryPanel> panels, std::vector<int> targets);
 
     const std::vector<BoundaryPanel>& panels() const { return panels_; }
 
-    /// The row of `targets[target]` for the wave number k in rad/m and β = −j·coupling, without the
-    /// terms p/2 and βq/2.
+    /// Fills the row of `targets[target]` for the wave number k in rad/m and β = −j·coupling,
+    /// without the terms p/2 and βq/2.
     void fill(std::size_t target, double waveNumber, double couplingMetres, BoundaryRow& row) const;
 
-    /// That of a point on no panel, with β = 0.
+    /// Fills the row of a point on no panel, with β = 0.
     void fillAt(const Eigen::Vector3d& pointMetres, double waveNumber, BoundaryRow& row) const;
 
 private:
     struct Point {
         Eigen::Vector3d place, normal;
-        double weight = 0; ///< of the rule, times the area
+        double weight = 0; ///< of the rule, times the panel's area
     };
 
-    /// The closed forms of a triangle near a collocation point: the static integrals, and what does
-    /// not vanish as r → 0 of the next terms of K and N in powers of k.
+    /// Closed forms for a triangle near a collocation point. They hold the static integrals, and
+    /// the next terms of K and N in powers of k as far as these do not vanish for r → 0.
     struct NearPair {
         double singleLayer = 0, doubleLayer = 0, adjoint = 0, hypersingular = 0;
         double doubleLayerOfK2 = 0, hypersingularOfK2 = 0; ///< times k²
     };
 
-    /// What is not far from a collocation point.
+    /// The panels that are near a collocation point.
     struct Surroundings {
         std::vector<int> near;       ///< panels with closed forms
-        std::vector<NearPair> pairs; ///< theirs
-        std::vector<int> middle;     ///< panels that need three points at any frequency
+        std::vector<NearPair> pairs; ///< closed forms of `near`
+        std::vector<int> middle;     ///< panels that need at least three points at any frequency
     };
 
     struct Equation;
@@ -67,8 +67,8 @@ private:
     Surroundings surroundingsOf(const BoundaryPanel& target) const;
     void fill(const Equation& equation, const Surroundings& around, BoundaryRow& row) const;
 
-    /// Adds the sources' kernels by quadrature; `points` holds as many of each panel as the other.
-    /// With `isRemainder` without what the closed forms of a NearPair contain.
+    /// Adds the sources' kernels by quadrature. `points` holds the same number of points for each
+    /// panel. With `isRemainder`, leaves out the terms that a NearPair has in closed form.
     template <bool isRemainder>
     void add(const Equation& equation,
              std::span<const int> sources,

@@ -15,7 +15,7 @@ namespace {
 using Edge = std::pair<int, int>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// [count] whether a component has an edge without exactly two faces.
+/// [count] true for components with an edge that does not have exactly two faces.
 std::vector<bool> openComponents(const Mesh& mesh, const Components& components) {
     std::vector<bool> isOpen(static_cast<std::size_t>(components.count), false);
     for (const auto& edge : uniqueEdges(mesh))
@@ -42,8 +42,8 @@ struct SurfaceBuilder {
     }
 };
 
-/// The way along the boundary, each edge as the face at it goes, as often as no other face goes the
-/// opposite way.
+/// Returns the boundary edges, directed as in their face. An edge counts once for each use that no
+/// face of the opposite direction cancels.
 std::vector<Edge> boundaryEdges(const std::vector<Eigen::RowVector3i>& faces) {
     std::map<Edge, int> uses;
     for (const auto& face : faces)
@@ -59,7 +59,7 @@ std::vector<Edge> boundaryEdges(const std::vector<Eigen::RowVector3i>& faces) {
     return edges;
 }
 
-/// Closes the gap between both sides over the edge a to b, with a vertex in its middle.
+/// Closes the gap between both sides along one edge, with a vertex in its middle.
 void addRim(SurfaceBuilder& surface, Edge edge, Edge upper, Edge lower) {
     const auto place = [&](int vertex) {
         return surface.vertices[static_cast<std::size_t>(vertex)];
@@ -74,7 +74,7 @@ void addRim(SurfaceBuilder& surface, Edge edge, Edge upper, Edge lower) {
     surface.faces.emplace_back(lower.second, upper.second, middle);
 }
 
-/// Whether a face has an area to speak of.
+/// Returns whether a face has a non-negligible area.
 bool hasArea(const SurfaceBuilder& surface, const Eigen::RowVector3i& face) {
     const auto corner = [&](int k) { return surface.vertices[static_cast<std::size_t>(face(k))]; };
     const Eigen::RowVector3d first = corner(1) - corner(0), second = corner(2) - corner(0);
@@ -84,7 +84,7 @@ bool hasArea(const SurfaceBuilder& surface, const Eigen::RowVector3i& face) {
                                   (second - first).squaredNorm()});
 }
 
-/// Without faces that have no area.
+/// Makes the surface and removes faces without area.
 ClosedSurface built(SurfaceBuilder builder, Eigen::Index movingVertices) {
     std::erase_if(builder.faces, [&](const auto& face) { return !hasArea(builder, face); });
     const auto vertexCount = static_cast<Eigen::Index>(builder.vertices.size());
@@ -139,7 +139,8 @@ Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres) {
     const Eigen::MatrixXd offsets = thicknessMetres / 2 * vertexNormals(mesh);
 
     SurfaceBuilder surface;
-    std::vector<int> upper, lower; // where each vertex went; one place in closed components
+    std::vector<int> upper,
+        lower; // index of each vertex on both sides; the same one in closed components
     for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
         const Eigen::RowVector3d place = mesh.vertices.row(vertex);
         const Eigen::RowVector3d offset = offsets.row(vertex);

@@ -1,5 +1,5 @@
-// The closed surface by which a body touches the air, and how it moves with the mesh that was
-// analysed: bodies as they are, sheets with their thickness and a rim.
+// The closed surface between a body and the air, and its motion as a function of the analysed mesh.
+// Closed bodies stay as they are; sheets get two sides and a rim.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -12,25 +12,24 @@ namespace idiophone {
 
 struct ClosedSurface {
     Mesh mesh; ///< V vertices, F faces; every component closed and oriented outward
-    /// [V×N] how much of the motion of each vertex analysed each vertex here shares; rows sum to 1.
+    /// [V×N] the share of each analysed vertex's motion in each vertex here; rows sum to 1.
     Eigen::SparseMatrix<double> motion;
 
-    /// [F×M] the outward shapes of all faces, the means over their corners, of shapes [3N×M] whose
-    /// rows 3v … 3v+2 are vertex v's.
+    /// Returns [F×M] outward normal shapes of the faces, averaged over their corners. Rows 3v …
+    /// 3v+2 of `shapes` [3N×M] belong to vertex v.
     Eigen::MatrixXd normalShapes(const Eigen::MatrixXd& shapes) const;
 };
 
-/// Components that are closed stay as they are. Of the others every face becomes two, at half of
-/// the thickness to either side along the vertices' normals, and four triangles close each piece of
-/// the boundary, so that symmetries of a sheet are left to it. `mesh` as repairMesh leaves it.
-/// Error: an open component without thickness.
+/// Closed components stay. In open ones, each face becomes two, offset by half the thickness along
+/// the vertex normals. Four triangles close each boundary edge, which keeps the symmetries of a
+/// sheet. `mesh` is as repairMesh leaves it. Error: an open component without thickness.
 Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres);
 
-/// Every face cut into four. The shape stays, and so do symmetries.
+/// Splits every face into four. Shape and symmetries stay.
 ClosedSurface withFacesSplit(const ClosedSurface& surface);
 
-/// The surface covered anew with triangles of about this edge length, moving as the nearest points
-/// of the former one do. Symmetries are lost. Errors: those of remesh.
+/// Covers the surface with new triangles of about this edge length. They move like the nearest
+/// points of the old ones. Symmetries are lost. Errors: those of remesh.
 Result<ClosedSurface>
 remeshed(const ClosedSurface& surface, double edgeLengthMetres, const WorkControl& control = {});
 

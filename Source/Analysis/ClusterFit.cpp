@@ -13,11 +13,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Keeps divisions by what may be nothing at all from overflowing.
+// Keeps divisions by a value that may be 0 from overflowing.
 constexpr double nothing = 1e-300;
 
-/// Of complex values that are mostly noise, the variance of one part: half their mean power, which
-/// is their median over ln 2.
+/// Returns the variance of one part of complex values that are mostly noise. It is half their mean
+/// power, which is their median power over ln 2.
 double noiseOf(const VectorXd& parts) {
     std::vector<double> powers;
     for (Index k = 0; k < parts.size(); k += 2)
@@ -32,8 +32,8 @@ void setParts(MatrixXd& matrix, Index k, Index column, const Complex& value) {
     matrix(2 * k + 1, column) = value.imag();
 }
 
-/// One piece: rows are the real and imaginary parts of its bins; columns a cosine and a sine of
-/// each mode, then the background.
+/// The fit of one piece. Rows are the real and imaginary parts of its bins. Columns are a cosine
+/// and a sine of each mode, then the background.
 class PieceFit {
 public:
     PieceFit(std::span<const DecayPole> ofPoles, const SpectrumPiece& ofPiece, bool background)
@@ -54,7 +54,7 @@ public:
             if (background)
                 setBackground(k);
         }
-        // Columns differ by the ratio of decays.
+        // Scale the columns, whose norms differ as the decay rates do.
         scale = basis.colwise().norm().cwiseMax(nothing).cwiseInverse().transpose();
         basis *= scale.asDiagonal();
         solver.compute(basis);
@@ -124,7 +124,7 @@ private:
     MatrixXd basis; ///< scaled to columns of norm 1
     VectorXd scale, scaled, residual;
     Eigen::HouseholderQR<MatrixXd> solver;
-    MatrixXd triangle; ///< of which the upper half counts
+    MatrixXd triangle; ///< only the upper half is used
 };
 
 } // namespace
@@ -157,7 +157,7 @@ ClusterFit fitCluster(std::span<const DecayPole> poles,
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (2 * pieces[i].bins.size() > columns)
             PieceFit(poles, pieces[i], background).addTo(fit, i);
-    // Where nothing depends on a pole, as on that of a mode without amplitude, it stays.
+    // A mode without amplitude has no curvature; this keeps its pole where it is.
     fit.curvature.diagonal().array() += nothing;
     return fit;
 }

@@ -1,5 +1,6 @@
-// Least squares of a few damped sinusoids, of given poles, against pieces of Fourier transforms:
-// how well they fit, and which way the poles should go. PoleRefinement makes the steps.
+// Least-squares fit of a few damped sinusoids with given poles to parts of Fourier transforms.
+// Returns the quality of the fit and the descent direction of the poles. PoleRefinement takes the
+// steps.
 #pragma once
 
 #include "Analysis/DampedSinusoid.h"
@@ -11,13 +12,13 @@
 
 namespace idiophone {
 
-/// The discrete Fourier transform Σ z^n w^{−n} over n < N of an exponential that is cut off there,
-/// z = e^{pole/rate}, in closed form.
+/// The discrete Fourier transform Σ z^n w^{−n} over n < N of an exponential truncated at N, with z
+/// = e^{pole/rate}, in closed form.
 class CutExponential {
 public:
     CutExponential(const std::complex<double>& polePerSecond, double rateHz, std::size_t length);
 
-    /// At w* = e^{−2πik/N}.
+    /// The transform at w* = e^{−2πik/N}.
     std::complex<double> at(const std::complex<double>& conjugateBin) const {
         return (1.0 - last) / (1.0 - z * conjugateBin);
     }
@@ -47,26 +48,26 @@ struct CutSinusoid {
 /// e^{−2πik/N}
 std::complex<double> conjugateBin(std::size_t k, std::size_t length);
 
-/// Some bins of the transform of a recording.
+/// Some bins of a recording's transform.
 struct SpectrumPiece {
-    std::size_t length = 0; ///< N, of the transform
+    std::size_t length = 0; ///< N, the length of the transform
     double rateHz = 0;
     std::size_t firstBin = 0;
     std::vector<std::complex<double>> bins;
 };
 
 struct ClusterFit {
-    double cost = 0;           ///< what is left, squared and summed
+    double cost = 0;           ///< sum of squared residuals
     Eigen::MatrixXd curvature; ///< of half the cost over (ω, ln α) of each mode, by Kaufman (1975)
-    Eigen::VectorXd slope;     ///< downhill
+    Eigen::VectorXd slope;     ///< descent direction
     std::vector<std::vector<std::complex<double>>> amplitudes; ///< [modes][pieces]
-    /// [modes] the energy that only this mode takes out, in those of one value of noise.
+    /// [modes] the energy that only this mode explains, over the noise energy of one value.
     std::vector<double> significances;
 };
 
-/// Fits modes of those poles to all pieces, each with amplitudes of its own, and with `background`
-/// each also with a part that is linear in frequency. Pieces with fewer values than unknowns are
-/// passed over.
+/// Fits modes with these poles to all pieces. Each piece has its own amplitudes and, with
+/// `background`, its own term linear in frequency. Pieces with fewer values than unknowns are
+/// ignored.
 ClusterFit fitCluster(std::span<const DecayPole> poles,
                       std::span<const SpectrumPiece> pieces,
                       bool background);

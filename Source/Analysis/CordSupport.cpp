@@ -18,11 +18,11 @@ public:
     double xMetres(std::size_t line) const {
         return bar_.vertices[3 * static_cast<std::size_t>(bar_.shapeVertices[line])];
     }
-    /// φ up and down at the front edge, the middle or the back edge (0 to 2) of a line.
+    /// The vertical φ at the front edge, the middle or the back edge (0 to 2) of a line.
     double upward(std::size_t line, std::size_t across, std::size_t mode) const {
         return bar_.shapesAt(across * count_ + line)[3 * mode + 2];
     }
-    /// φ² at x, a mean over the width. x lies within the bar.
+    /// φ² at x, averaged over the width. x lies within the bar.
     double meanSquare(double x, std::size_t mode) const {
         std::size_t line = 0;
         while (line + 2 < count_ && xMetres(line + 1) < x)

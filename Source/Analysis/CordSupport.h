@@ -14,20 +14,21 @@ namespace idiophone {
 /// factor of 1.6 each (docs/materials.md).
 struct CordSupport {
     double resistanceNsPerM = 2.0; ///< R₁ ≥ 0, of one cord at 1 kHz
-    /// n, −1 to 0: 0 for a dashpot, −1 for a spring with a constant loss factor.
+    /// n, −1 to 0. 0 is a dashpot, −1 a spring with a constant loss factor.
     double resistanceExponent = 0;
-    /// How far a cord touches the bar from the fundamental's node, over the bar's length: 0 to 0.1.
+    /// Distance of a cord's contact from the fundamental's node, over the bar's length, 0 to 0.1.
     double spreadOverLength = 0.06;
 };
 
-/// The nodes of the fundamental along the middle of the top: [2] x in metres from the bar's middle,
-/// ascending. Empty if the bar has no bending mode. `bar` is a tuned bar's object (BarTuning.h).
+/// Returns x in metres from the bar's middle of the nodes of the fundamental along the middle of
+/// the top, ascending. A bar has two. The result is empty if the bar has no bending mode. `bar` is
+/// a tuned bar's object (BarTuning.h).
 std::vector<double> cordPlacesMetres(const ModalObject& bar);
 
-/// Adds the cords' loss to each mode's decay, Δα = R(f)/2 Σ φ², at each mode's own f. The sum runs
-/// over the cords. φ² is the vertical shape squared, a mean over the bar's width and over both
-/// sides of the node at the spread's distance. `bar` is a tuned bar's object with two nodes;
-/// another one stays as it is.
+/// Adds the cords' loss to each mode's decay: Δα = R(f)/2 Σ φ², at the mode's own frequency, summed
+/// over the cords. φ² is the squared vertical shape, averaged over the bar's width and over both
+/// sides of the node at the spread's distance. `bar` is a tuned bar's object. A bar that has not
+/// exactly two nodes stays unchanged.
 void addCordLoss(ModalObject& bar, const CordSupport& cords);
 
 } // namespace idiophone

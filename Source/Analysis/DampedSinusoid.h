@@ -1,4 +1,4 @@
-// What recordings of free decays are made of. Knows neither samples nor objects.
+// Damped sinusoids, and recordings of free decays, which are sums of them.
 #pragma once
 
 #include <complex>
@@ -23,7 +23,7 @@ struct DampedSinusoid {
     std::vector<std::complex<double>> amplitudes; ///< [R]
 };
 
-/// A free decay: samples of it and of nothing else.
+/// Samples of a free decay and nothing else.
 struct DecayRecording {
     std::vector<double> samples;
     double sampleRateHz = 0;

@@ -1,12 +1,12 @@
-// Products of small dense matrices with tall ones, for the instruction set of this machine.
-// Internal to Analysis; for everything wider than a few columns or less hot, Eigen's own products.
+// Products of small dense matrices with tall ones, for this machine's instruction set. Internal to
+// Analysis. Other products, wide or rarely used, are left to Eigen.
 #pragma once
 
 #include <cstddef>
 
 namespace idiophone {
 
-/// One set for each instruction set that the program was compiled for. B and C are stored by rows.
+/// One set for each instruction set in the program. B and C are stored by rows.
 struct DenseKernels {
     using Index = std::ptrdiff_t;
 
@@ -25,7 +25,7 @@ struct DenseKernels {
                        Index cRow);
 };
 
-/// The best set that this processor runs, always the same one.
+/// Returns the best set for this processor, always the same one.
 const DenseKernels& denseKernels();
 
 } // namespace idiophone

@@ -1,6 +1,6 @@
-// The code of DenseKernels, compiled once an instruction set: included by the files that do so,
-// with Eigen and the namespace `kernels` under names of their own. It may use nothing else that is
-// not inlined for certain: the linker would keep one copy of it, for whichever instruction set.
+// The code of DenseKernels, compiled once per instruction set. Each including file gives Eigen and
+// the namespace `kernels` names of its own. Use only code that is certainly inlined: the linker
+// would keep one copy of anything else, for an arbitrary instruction set.
 #pragma once
 
 #include "Analysis/DenseKernels.h"
@@ -12,7 +12,8 @@ namespace idiophone::kernels {
 using Index = DenseKernels::Index;
 using Packet = Eigen::internal::find_best_packet<double, 4>::type;
 constexpr int packetSize = Eigen::internal::unpacket_traits<Packet>::size;
-constexpr int tileSums = 8; ///< packets: enough to hide an addition's latency, few for registers
+constexpr int tileSums =
+    8; ///< packets: enough to hide the latency of additions, few enough for the registers
 
 struct Operands {
     Index inner;

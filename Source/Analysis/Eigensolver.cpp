@@ -20,18 +20,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index denseUpTo = 400; ///< rows; below, LAPACK-style dense solves are quicker
+constexpr Index denseUpTo = 400; ///< rows; dense solves are faster below
 constexpr double workLimitBytes = 3e9;
-constexpr double countingShare = 0.05; ///< of the progress
+constexpr double countingShare = 0.05; ///< share of the counting phase in the progress
 constexpr std::string_view cannotFactorise =
     "The stiffness matrix cannot be factorised; the mesh is too badly shaped.";
 
-/// Thrown out of iterations; never leaves this file.
+/// Thrown by iterations, caught in this file.
 struct Cancelled {};
 
-/// A slice costs some three factorisations, and about 7 n products a mode for each mode that shares
-/// its basis; fewer than 60 would spend more on modes outside, and more than 220 try a cancelling
-/// user's patience with one step of dense algebra.
+/// A slice costs about three factorisations, and about 7 n products per mode for each mode in its
+/// basis. Fewer than 60 modes would waste work on modes outside. More than 220 would make one dense
+/// step too long to cancel.
 Index modesPerSlice(Index rows, double factorisationProducts) {
     return std::clamp(
         static_cast<Index>(std::sqrt(3 * factorisationProducts / (7 * static_cast<double>(rows)))),
@@ -47,7 +47,7 @@ struct Fault {
     std::string message;
 };
 
-/// Eigenvalues between `low` and `high` (in λ), `below` of them below `low`.
+/// A range of λ with `count` eigenvalues; `below` more lie under `low`.
 struct Slice {
     double low = 0, high = 0;
     Index below = 0, count = 0;
@@ -120,9 +120,9 @@ EigenBlock BandSolver::solveDense() {
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-/// An orthonormal basis of the zero modes, by subspace iteration just below zero. Their
-/// shift-invert images outgrow all others by orders of magnitude, so two or three steps do; a
-/// Lanczos process would find hundreds of equal eigenvalues one copy at a time.
+/// Returns an orthonormal basis of the zero modes, by subspace iteration with a shift just below
+/// zero. Their shift-invert images exceed all others by orders of magnitude, so two or three steps
+/// suffice. A Lanczos process would find hundreds of equal eigenvalues one copy at a time.
 Vectors BandSolver::zeroSpace() {
     if (zeroModes_ == 0)
         return Vectors(rows(), 0);
@@ -145,8 +145,8 @@ Vectors BandSolver::zeroSpace() {
     return basis;
 }
 
-/// Cuts until a slice holds few enough, at places with no eigenvalue within a millionth, where the
-/// counts on both sides leave no doubt.
+/// Halves a slice until it has few enough modes. Cuts only where no eigenvalue lies within a
+/// millionth, so that the counts on both sides are certain.
 void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
     if (slice.count == 0)
         return;
@@ -169,8 +169,8 @@ void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
 
 EigenBlock
 BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vectors& before) {
-    // The `count` eigenvalues nearest to the shift are exactly those of the slice: from its middle,
-    // or for the lowest slice, whose zero modes are deflated, from below.
+    // The `count` eigenvalues nearest to the shift are exactly those of the slice. The shift is its
+    // middle. For the lowest slice, whose zero modes are deflated, it lies below.
     const bool lowest = slice.below == zeroModes_;
     factoriseAndCount(lowest ? -lambdaOf(band_.lowestHz) : (slice.low + slice.high) / 2);
     Vectors found = deflated;
@@ -191,7 +191,8 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
                                    .seed = 7 + pass,
                                    .step = [&] { countOperation(); }});
         if (fresh.values.size() == 0) {
-            // Modes crowd too far from the shift: nearer to either end of the slice by turns.
+            // The modes are too far from the shift. Try nearer to the two ends of the slice in
+            // turn.
             ++stalls;
             const double inward = std::exp2(-(stalls / 2 + 1)) * (slice.high - slice.low);
             factoriseAndCount(stalls % 2 == 1 ? slice.high - inward : slice.low + inward);
@@ -208,7 +209,7 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
     const Vectors image = symmetricTimes(model_.stiffness, vectors);
     if (pass <= 1)
         return {vectors.cwiseProduct(image).colwise().sum(), std::move(vectors)};
-    // Modes near one another that were found apart are mixed a little.
+    // Close modes from different passes are slightly mixed: separate them in their common space.
     Vectors products = Vectors::Zero(slice.count, slice.count);
     addInnerProducts(products, 1, vectors, image);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> small(products);
@@ -251,8 +252,8 @@ EigenBlock BandSolver::solve() {
     const Vectors zeros = zeroSpace();
     Index filled = 0, previous = 0;
     for (const auto& slice : slices) {
-        // Modes of the slice before lie near enough for what the iteration leaves of them to be
-        // seen; those further off are orthogonal by themselves.
+        // Only the previous slice's modes are near enough to leave a visible part in this one.
+        // Modes farther away are orthogonal without help.
         const EigenBlock block = solveSlice(slice, filled == 0 ? zeros : Vectors(n, 0),
                                             all.vectors.middleCols(filled - previous, previous));
         all.values.segment(filled, slice.count) = block.values;
@@ -274,10 +275,10 @@ Modes modesInBand(const VibrationModel& model,
     for (Index i = 0; i < all.values.size(); ++i)
         if (all.values(i) >= lambdaOf(band.lowestHz) && all.values(i) <= lambdaOf(band.highestHz))
             inBand.push_back(i);
-    // Rounding may put equal ones, each with a quotient of its own, in any order.
+    // Equal modes have separate Rayleigh quotients; rounding may leave them in any order.
     std::ranges::stable_sort(inBand, {}, [&](Index i) { return all.values(i); });
     const Index lowerThanBand = (all.values.array() < lambdaOf(band.lowestHz)).count();
-    const bool holdsZeroModes = all.values.size() == model.mass.rows(); // the dense solver's
+    const bool holdsZeroModes = all.values.size() == model.mass.rows(); // true for the dense solver
     modes.belowBand = lowerThanBand - (holdsZeroModes ? modes.zeroModes : 0);
     modes.eigenvalues = all.values(inBand);
     modes.shapes = all.vectors(Eigen::all, inBand);
@@ -290,7 +291,7 @@ Modes modesInBand(const VibrationModel& model,
     return modes;
 }
 
-/// What `work` gives, with all that it throws as a sentence.
+/// Runs `work` and turns each exception into an error sentence.
 template <class Work>
 auto sentenceOrResultOf(const Work& work) -> Result<decltype(work())> {
     try {

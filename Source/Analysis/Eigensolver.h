@@ -1,5 +1,5 @@
-// All modes of a vibration model within a band of frequencies: asked for by frequency, not by
-// number, and proved complete by counting.
+// All modes of a vibration model within a frequency band. A count of eigenvalues proves that none
+// is missing.
 #pragma once
 
 #include "Analysis/AnalysedBand.h"
@@ -19,21 +19,21 @@ struct FrequencyBand {
 struct Modes {
     Eigen::VectorXd eigenvalues; ///< [M] λ = ω² in rad²/s², ascending
     Eigen::MatrixXd shapes;      ///< [n×M] G in 1/√kg, with GᵀMG = I and GᵀKG = Λ
-    /// Rigid and spurious modes: below a twentieth of the lowest Hz, or in a stiff model below what
-    /// rounding leaves of zero, as far as that lies below the lowest Hz.
+    /// Number of rigid and spurious modes, those below a twentieth of the lowest frequency. In a
+    /// stiff model the limit rises to the rounding error of zero, at most to the lowest frequency.
     Eigen::Index zeroModes = 0;
-    Eigen::Index belowBand = 0; ///< modes between those and the band
+    Eigen::Index belowBand = 0; ///< modes between the zero modes and the band
 };
 
-/// Every mode of K x = λ M x with lowestHz ≤ √λ/2π ≤ highestHz (undamped frequency), none twice and
-/// none missing: their number equals the difference of the inertias of K − λM at both ends, however
-/// degenerate they are. The sign of a shape makes its largest component positive; the same model
-/// gives the same bits on the same machine. Errors: cancelled, too many modes, a matrix that cannot
-/// be factorised, no convergence.
+/// Returns every mode of K x = λ M x with lowestHz ≤ √λ/2π ≤ highestHz (undamped frequency), each
+/// once. Their number equals the difference of the inertias of K − λM at both ends, also for
+/// degenerate modes. The largest component of a shape is positive. The same model gives the same
+/// bits on the same machine. Errors: cancelled, too many modes, a matrix that cannot be factorised,
+/// no convergence.
 Result<Modes>
 solveModes(const VibrationModel& model, const FrequencyBand& band, const WorkControl& = {});
 
-/// How many modes lie below a frequency, zero modes included.
+/// Counts the modes below a frequency, including zero modes.
 Result<Eigen::Index> countModesBelow(const VibrationModel& model, double frequencyHz);
 
 } // namespace idiophone

@@ -31,7 +31,7 @@ Matrix6d complianceAlongAxes(const OrthotropicElasticity& e) {
     return s;
 }
 
-/// Bond's matrix: Voigt stresses along the columns of `axes` to stresses along x, y, z.
+/// Bond's matrix: turns Voigt stresses along the columns of `axes` into stresses along x, y, z.
 Matrix6d stressRotation(const Eigen::Matrix3d& axes) {
     Matrix6d rotation;
     for (int column = 0; column < 6; ++column) {
@@ -68,12 +68,12 @@ Matrix6d alongAxes(const OrthotropicElasticity& elasticity, const Eigen::Matrix3
     return (global + global.transpose()) / 2;
 }
 
-/// [642×3] unit vectors all round, the axes among them or within 6° of one.
+/// [642×3] unit vectors in all directions. The axes are among them or within 6° of one.
 Eigen::MatrixXd allDirections() {
     return icosphereMesh(1, 3).vertices;
 }
 
-/// Strain–displacement matrix of a plane wave along n: Voigt strain of u(n·x) is B u'.
+/// Strain–displacement matrix of a plane wave along n: the Voigt strain of u(n·x) is B u'.
 Eigen::Matrix<double, 6, 3> strainOfDirection(const Eigen::Vector3d& n) {
     Eigen::Matrix<double, 6, 3> b = Eigen::Matrix<double, 6, 3>::Zero();
     b(0, 0) = b(4, 2) = b(5, 1) = n.x();

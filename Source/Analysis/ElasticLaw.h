@@ -1,5 +1,5 @@
-// Stress from strain in a body's own axes, isotropic or along a grain: what finite elements
-// integrate. It is linear and the same everywhere in the body.
+// Stress from strain in the body's axes, isotropic or along a grain, for finite elements. The law
+// is linear and the same everywhere in the body.
 #pragma once
 
 #include "Object/Material.h"
@@ -17,27 +17,27 @@ struct ElasticLaw {
     Matrix6d stiffnessPa; ///< symmetric, positive definite
 };
 
-/// How the grain of a body of wood lies.
+/// The directions of the grain in a wooden body.
 struct GrainAxes {
     Eigen::Vector3d grain = Eigen::Vector3d::UnitX(); ///< L, of any length but 0
-    /// Which way the growth rings face; made perpendicular to the grain. Left empty, R is as near
-    /// to z as it can be (to y when the grain runs along z).
+    /// The normal of the growth rings; it is made perpendicular to the grain. If empty, R is as
+    /// near to z as possible (to y if the grain runs along z).
     std::optional<Eigen::Vector3d> radial = {};
 };
 
-/// The law of constants that pass `validated` along axes L, R and T = L × R. Errors: constants that
-/// no solid has, or directions that are zero or parallel.
+/// Returns the law of constants that pass `validated`, along the axes L, R and T = L × R. Errors:
+/// constants that no solid has, or directions that are zero or parallel.
 Result<ElasticLaw> elasticLaw(const OrthotropicElasticity& elasticity, const GrainAxes& axes = {});
 
-/// Of a material that passes `validated`: isotropic, or of wood along the axes, which are
-/// neither zero nor parallel.
+/// Returns the law of a material that passes `validated`. Wood follows the axes, which are neither
+/// zero nor parallel; other materials are isotropic.
 ElasticLaw elasticLaw(const Material& material, const GrainAxes& axes = {});
 
-/// √(C/ρ) of the slowest plane wave, over all directions and polarisations: √(G/ρ) when isotropic.
-/// Sampled in 642 directions.
+/// Returns √(C/ρ) of the slowest plane wave over all directions and polarisations, √(G/ρ) if
+/// isotropic. It samples 642 directions.
 double slowestShearSpeedMetresPerSecond(const ElasticLaw& law, double densityKgPerM3);
 
-/// The least Young's modulus over the same directions.
+/// Returns the minimum Young's modulus over the same directions.
 double leastYoungsModulusPa(const ElasticLaw& law);
 
 } // namespace idiophone

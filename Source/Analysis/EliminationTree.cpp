@@ -23,7 +23,7 @@ std::vector<int> minimumDegreeOrder(const Pattern& symmetric) {
     return {permutation.indices().begin(), permutation.indices().end()};
 }
 
-/// Of each unknown the first later one that its elimination reaches, or −1 (Liu 1986).
+/// Returns the parent of each unknown in the elimination tree, or −1 (Liu 1986).
 std::vector<int> parents(const Pattern& symmetric, const std::vector<int>& original) {
     const auto place = inverse(original);
     std::vector<int> parent(original.size(), -1), ancestor(original.size(), -1);
@@ -39,14 +39,14 @@ std::vector<int> parents(const Pattern& symmetric, const std::vector<int>& origi
     return parent;
 }
 
-/// The order in which every subtree stands together.
+/// Returns an order in which every subtree is contiguous.
 std::vector<int> postorder(const std::vector<int>& parent) {
     const int n = static_cast<int>(parent.size());
     std::vector<std::vector<int>> children(n);
     std::vector<int> stack, order;
     for (int i = n; i-- > 0;)
         (parent[i] < 0 ? stack : children[parent[i]]).push_back(i);
-    // Depth first, each after its children: the reverse of parents first, last child first.
+    // Depth first, children before parents.
     while (!stack.empty()) {
         const int node = stack.back();
         if (children[node].empty()) {
@@ -61,7 +61,7 @@ std::vector<int> postorder(const std::vector<int>& parent) {
     return order;
 }
 
-/// Which later unknowns each one meets, by merging what its children in the tree meet.
+/// Returns the later unknowns coupled to each one, merged from its children in the tree.
 std::vector<std::vector<int>> structures(const Pattern& symmetric, const EliminationTree& tree) {
     const int n = static_cast<int>(tree.original.size());
     std::vector<std::vector<int>> below(n), children(n);
@@ -85,7 +85,7 @@ std::vector<std::vector<int>> structures(const Pattern& symmetric, const Elimina
     return below;
 }
 
-/// Whether it pays to work on zeros for the sake of larger dense matrices (CHOLMOD's rule).
+/// Returns whether larger dense matrices make up for work on zeros (CHOLMOD's rule).
 bool isWorthJoining(double zeros, double entries, int scalarColumns) {
     const double share = zeros / entries;
     return share == 0 || (scalarColumns <= 12 && share < 0.8) ||

@@ -1,5 +1,5 @@
-// In which order a sparse symmetric matrix is eliminated, and which unknowns together. Internal to
-// Analysis: the part of a factorisation that its values have no influence on.
+// The elimination order of a sparse symmetric matrix and its groups of unknowns. Internal to
+// Analysis: the symbolic part of a factorisation, which does not depend on the values.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -7,23 +7,23 @@
 
 namespace idiophone {
 
-/// Consecutive unknowns of the elimination order that have nearly the same neighbours to come.
+/// Consecutive unknowns of the elimination order with nearly the same later neighbours.
 struct Supernode {
     int first = 0, width = 0;
-    int parent = -1;           ///< the supernode that what this one leaves is added to
-    std::vector<int> below;    ///< unknowns after them that meet them, ascending
+    int parent = -1;           ///< the supernode that receives this one's update matrix
+    std::vector<int> below;    ///< later unknowns coupled to this one's, ascending
     std::vector<int> children; ///< supernodes
 };
 
 struct EliminationTree {
-    std::vector<int> original;         ///< [n] which unknown comes when
-    std::vector<int> place;            ///< [n] its inverse
+    std::vector<int> original;         ///< [n] the unknown at each place in the order
+    std::vector<int> place;            ///< [n] the inverse of `original`
     std::vector<Supernode> supernodes; ///< children before parents
 };
 
-/// For a symmetric matrix with entries in these places [n×n] (either triangle will do; the diagonal
-/// is among them), in an approximate minimum-degree order. `blockSize` is how many rows of the true
-/// matrix an unknown stands for; wide ones are joined less willingly.
+/// Orders a symmetric matrix by approximate minimum degree. `places` [n×n] has an entry wherever
+/// the matrix has one, in either triangle and on the diagonal. `blockSize` is the number of matrix
+/// rows per unknown. Supernodes of wide unknowns merge less readily.
 EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& places, int blockSize);
 
 } // namespace idiophone

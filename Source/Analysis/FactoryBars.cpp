@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-/// From the lowest to the highest bar of a keyboard.
+/// Values at the lowest and the highest bar of a keyboard.
 struct Span {
     double lowest, highest;
     double at(double share) const { return std::lerp(lowest, highest, share); }
@@ -20,7 +20,7 @@ double noteOf(double frequencyHz) {
 struct BarMeasures {
     Span widthMetres, heightMetres;
     Span archHalfLengthShare = {0.3, 0.3};
-    Span endHeightShare = {1, 1}; ///< of the height
+    Span endHeightShare = {1, 1}; ///< as a share of the height
     double archExponent = 2;
 };
 
@@ -35,15 +35,16 @@ UndercutBar start(const BarMeasures& measures, double share, double centreShare)
             .archExponent = measures.archExponent};
 }
 
-/// Where the second partial is no longer tuned the arch grows shallower, up to the highest bar.
+/// Above the last note with a tuned second partial, the arch grows shallower towards the highest
+/// bar.
 double untunedCentreShare(double note, Span notes, Span centreShare) {
     return centreShare.at(
         std::clamp((note - notes.lowest) / (notes.highest - notes.lowest), 0.0, 1.0));
 }
 
-/// Quint tuning: the twelfth by the arch's depth. Its steep edges and the thin ends bring the next
-/// two partials near 5.8 and 8.5, where a recorded xylophone has them. The highest octave is too
-/// short for it.
+/// Quint tuning: the depth of the arch sets the twelfth. The arch's steep edges and the thin ends
+/// bring the next two partials near 5.8 and 8.5, as on a recorded xylophone. The bars of the
+/// highest octave are too short for it.
 BarSpecification xylophoneBar(const char* material, double frequencyHz, double share) {
     constexpr double lastTuned = 96;
     const double note = noteOf(frequencyHz);
@@ -74,7 +75,7 @@ BarSpecification padaukBar(double frequencyHz, double share) {
     return xylophoneBar("Padauk", frequencyHz, share);
 }
 
-/// Three partials in the low octave, then two; at the top, as on real ones, one.
+/// Three tuned partials in the low octave, then two, and one at the top, as on real marimbas.
 BarSpecification marimbaBar(double frequencyHz, double share) {
     constexpr double lastTuned = 84, lastOfThreePartials = 56;
     const double note = noteOf(frequencyHz);
@@ -83,7 +84,7 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
             .shape = start({.widthMetres = {0.064, 0.040},
                             .heightMetres = {0.022, 0.020},
                             .archHalfLengthShare = {0.36, 0.36},
-                            .archExponent = 3.4}, // what 1:4:10 makes of the lowest bars
+                            .archExponent = 3.4}, // result of tuning the lowest bars to 1:4:10
                            share,
                            isTuned ? 0.3 : untunedCentreShare(note, {lastTuned, 96}, {0.21, 0.75})),
             .targets = {.fundamentalHz = frequencyHz,
@@ -96,7 +97,8 @@ BarSpecification marimbaBar(double frequencyHz, double share) {
                          .gapMetres = std::lerp(0.010, 0.045, share)}};
 }
 
-/// The measured sets' first overtone: two octaves up to F5, from there down to a ratio of 3.5.
+/// Follows the first overtone of measured sets: two octaves up to F5, falling to a ratio of 3.5
+/// above.
 BarSpecification vibraphoneBar(double frequencyHz, double share) {
     const double note = noteOf(frequencyHz);
     return {.source = "undercut bar after concert vibraphones, tuned 1:4, to 1:3.5 at the top",
@@ -108,14 +110,14 @@ BarSpecification vibraphoneBar(double frequencyHz, double share) {
                         .secondRatio = 4 - 0.5 * std::clamp((note - 77) / 12, 0.0, 1.0)},
             .material = *findMaterial("Aluminium"),
             .maxFrequencyHz = 18000,
-            // Drilled at the nodes. An estimate: no vibraphone was measured.
+            // The holes are at the nodes. The value is an estimate: no vibraphone was measured.
             .cords = CordSupport{.spreadOverLength = 0.02},
             .tube =
                 Tube{.frequencyHz = frequencyHz, .radiusMetres = std::lerp(0.019, 0.013, share)}};
 }
 
 BarSpecification glockenspielBar(double frequencyHz, double share) {
-    // 1 1/4 by 5/16 inches: they bring the twisting and sideways partials of the recorded bars.
+    // 1 1/4 by 5/16 inches give the twisting and sideways partials of the recorded bars.
     return {.source = "steel bar after orchestra bells, uniform",
             .shape =
                 start({.widthMetres = {0.032, 0.032}, .heightMetres = {0.008, 0.008}}, share, 1),

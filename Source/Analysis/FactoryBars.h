@@ -1,5 +1,5 @@
-// The bars of the factory's instruments, before they are tuned. docs/instruments.md has the sources
-// of their measures.
+// The bars of the factory instruments before tuning. docs/instruments.md lists the sources of their
+// dimensions.
 #pragma once
 
 #include "Analysis/BarTuning.h"
@@ -11,24 +11,24 @@
 
 namespace idiophone {
 
-/// A row of bars, one a note.
+/// A row of bars, one per note.
 struct BarInstrument {
     std::string_view name;                 ///< "xylophone": its bars are "xylophone-65" and so on
     int lowestNote = 60, highestNote = 72; ///< MIDI
     BarSpecification (*bar)(double frequencyHz, double keyboardShare) = nullptr;
 
-    /// The bar of a note; `frequencyHz` may be that of another scale.
+    /// Returns the bar of a note. `frequencyHz` may belong to another scale.
     BarSpecification barAt(int midiNote, double frequencyHz) const;
     std::string barName(int midiNote) const;
 };
 
-/// All of them.
+/// Returns all of them.
 std::span<const BarInstrument> barInstruments();
 
-/// The instrument of that name, or nullptr.
+/// Returns the instrument with this name, or nullptr.
 const BarInstrument* findBarInstrument(std::string_view name);
 
-/// The equal-tempered frequency of a MIDI note, A4 (69) = 440 Hz.
+/// Returns the equal-tempered frequency of a MIDI note; A4 (69) is 440 Hz.
 double noteFrequencyHz(double midiNote);
 
 } // namespace idiophone

@@ -1,5 +1,5 @@
-// The modal objects that ship with the instrument, made from generated meshes: what
-// `idiophone factory` writes into Resources/Objects.
+// The modal objects that ship with the instrument, made from generated meshes. `idiophone factory`
+// writes them to Resources/Objects.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// Those of FactoryBars, FactoryShapes and FactoryProps.
+/// Returns the names of all objects of FactoryBars, FactoryShapes and FactoryProps.
 std::vector<std::string> factoryObjectNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

@@ -15,7 +15,7 @@ std::vector<int> someVertices(const Mesh& mesh, std::size_t count) {
     return spreadVertices(mesh, allVertices(mesh), count);
 }
 
-/// As hollow as a curtain ring.
+/// A hollow ring, like a curtain ring.
 Result<ModalObject> makeSmallRing(const WorkControl& control) {
     return analyse(torusMesh(0.05, 0.006, 20, 10),
                    {.name = "small-ring",
@@ -91,7 +91,7 @@ Result<ModalObject> makePebble(const WorkControl& control) {
     Mesh mesh = icosphereMesh(1, 3);
     for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i) {
         const Eigen::RowVector3d unit = mesh.vertices.row(i);
-        // Three shallow waves: worn, but not round.
+        // Three shallow waves make it look worn, but not round.
         const double bump = 1 + 0.05 * std::sin(2.1 * unit.x() + 0.7) * std::cos(2.7 * unit.y()) +
                             0.03 * std::sin(3.3 * unit.z() + 1.1 * unit.x());
         mesh.vertices.row(i) = bump * unit.cwiseProduct(Eigen::RowVector3d(0.026, 0.021, 0.014));
@@ -108,7 +108,7 @@ Result<ModalObject> makePebble(const WorkControl& control) {
                    control);
 }
 
-/// Ribs across, on a sheet that is bent along: what rolls on it goes to and fro.
+/// The sheet has ribs across and is bent along, so that bodies roll back and forth on it.
 Result<ModalObject> makeWashboard(const WorkControl& control) {
     constexpr double ribMetres = 0.016, ribHeightMetres = 0.0006, bendRadiusMetres = 1.5;
     Mesh mesh = sheetMesh(0.40, 0.12, 2600);

@@ -1,5 +1,5 @@
-// What falls, rolls and is fallen upon in the factory's scenes, from generated meshes.
-// docs/scenes.md has their measures.
+// The bodies and floors of the factory scenes, from generated meshes. docs/scenes.md lists their
+// dimensions.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// "die" and so on.
+/// Returns the names: "die" and so on.
 std::vector<std::string> factoryPropNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

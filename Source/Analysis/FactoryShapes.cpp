@@ -65,14 +65,14 @@ Result<ModalObject> analysedTurned(const std::vector<LathePoint>& section,
     return object;
 }
 
-/// A steel baking tray's worth of sheet, struck all over.
+/// A sheet like a steel baking tray, struck all over.
 Result<ModalObject> makePlate(const WorkControl& control) {
     return analysedSheet(sheetMesh(0.30, 0.20, 1900),
                          {.name = "plate",
                           .source = "generated steel plate, 300 x 200 x 3 mm",
                           .material = "Steel",
                           .thicknessMetres = 0.003,
-                          // Beyond, a wavelength has fewer than eight edges.
+                          // Above, a wavelength has fewer than eight edges.
                           .maxFrequencyHz = 22000,
                           .shapeVertexCount = 180},
                          control);
@@ -177,7 +177,7 @@ constexpr Shape shapes[] = {
     {"glass-bowl", makeGlassBowl}, {"wok", makeWok},   {"table", makeTable},
     {"shell-case", makeShellCase}};
 
-constexpr int lowestTubularBell = 60, highestTubularBell = 77; // MIDI, as they are written
+constexpr int lowestTubularBell = 60, highestTubularBell = 77; // MIDI, as written
 
 std::string tubularBellName(int note) {
     return "tubular-bell-" + std::to_string(note);

@@ -1,5 +1,5 @@
-// The factory's instruments that are not bars: plates, rings, bowls, bells and tubes, from
-// generated meshes. docs/instruments.md has their measures and where these come from.
+// The factory instruments that are not bars: plates, rings, bowls, bells and tubes, from generated
+// meshes. docs/instruments.md lists their dimensions and the sources.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// "plate" and so on; of a keyboard of tubes one for each note, "tubular-bell-60".
+/// Returns the names: "plate" and so on. A keyboard of tubes has one per note, "tubular-bell-60".
 std::vector<std::string> factoryShapeNames();
 
 /// Analyses one of them, in seconds. Errors: an unknown name, or `cancelledMessage`.

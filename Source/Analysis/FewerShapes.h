@@ -1,4 +1,4 @@
-// A modal object with shapes at fewer vertices, so that it is light enough to travel in a project.
+// Reduces the shapes of a modal object to fewer vertices, so that a project file can hold it.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -7,9 +7,9 @@
 
 namespace idiophone {
 
-/// The object with shapes at no more than `rows` ≥ 1 of its vertices, spread evenly over the
-/// surface (each the farthest from those before), and rounded to half precision, in which files
-/// then hold them without loss. The mesh stays. The same object gives the same.
+/// Keeps shapes at no more than `rows` ≥ 1 vertices, spread evenly over the surface: each is the
+/// farthest from the earlier ones. Rounds them to half precision, which files hold without loss.
+/// The mesh stays. The result is deterministic.
 ModalObject withFewerShapes(ModalObject object, std::size_t rows);
 
 } // namespace idiophone

@@ -12,7 +12,7 @@ constexpr double faintestPeak = 1e-6; // of full scale
 constexpr double nearFullScale = 0.9;
 constexpr double riseSeconds = 0.01, attackSeconds = 0.05;
 constexpr double shortestContactSeconds = 0.0002, longestContactSeconds = 0.008;
-// What counts as a strike, against the strongest: as little as a beat rarely rises to.
+// Minimum rise and energy of a strike, relative to the strongest. A beat rarely reaches them.
 constexpr double strikeRise = 100, strikeEnergy = 1e-3;
 
 class Strikes {
@@ -32,8 +32,9 @@ public:
 
     double peakLevel() const { return std::abs(at(peak)); }
 
-    /// Where the energy after is greatest against that before, not long before the peak; there,
-    /// where the samples first leave what was before.
+    /// Returns the first sample of the strike. First finds the largest ratio of the energy after to
+    /// the energy before, shortly before the peak. Then finds the first sample near it that exceeds
+    /// the level before.
     std::size_t onset() const {
         const std::size_t before = count(0.005), after = count(0.002);
         const double floor = 1e-5 * peakLevel() * peakLevel() * static_cast<double>(before);
@@ -67,7 +68,7 @@ public:
                                   count(longestContactSeconds));
     }
 
-    /// The next sudden rise from `begin` on, or the end.
+    /// Returns the next sudden rise from `begin` on, or the end of the recording.
     std::size_t nextStrike(std::size_t onset, std::size_t begin) const {
         const std::size_t window = count(0.005);
         const double least = strikeEnergy * energy(sharpEnergies, onset, onset + window);
@@ -86,9 +87,9 @@ public:
         return false;
     }
 
-    /// Three samples in a row at the greatest value of all, near full scale, or where the recording
-    /// was made quieter since, with a fall beside them that is more than one step of 16 bits: in
-    /// what is quiet and low, steps make flat tops as well.
+    /// Returns true if three samples in a row have the maximum value. They must be near full scale,
+    /// or fall off by more than a few 16-bit steps, as in a recording that was attenuated later. In
+    /// quiet low sounds, steps make flat tops too.
     bool clipped() const {
         const double highest = peakLevel() * (1 - 1e-6);
         const double leastFall = std::max(0.01 * peakLevel(), 4.0 / 32768);
@@ -109,7 +110,7 @@ public:
     }
 
 private:
-    /// 0 before the first sample.
+    /// Returns 0 before the first sample.
     double at(std::size_t i) const {
         return i < samples.size() ? static_cast<double>(samples[i]) : 0;
     }
@@ -124,7 +125,8 @@ private:
 
     std::span<const float> samples;
     double rate;
-    std::vector<double> energies, sharpEnergies; ///< up to each sample; the latter of its bends
+    std::vector<double> energies,
+        sharpEnergies; ///< cumulative energies of the samples and of their second differences
     std::size_t peak = 0;
 };
 

@@ -1,5 +1,5 @@
-// Where in a recording a struck object rings freely: after the strongest strike's contact, until
-// the next strike or the end. What it rings with is RecordingFit's.
+// Finds the part of a recording in which a struck object rings freely: after the strongest strike's
+// contact, until the next strike or the end. RecordingFit finds its modes.
 #pragma once
 
 #include "Object/Result.h"
@@ -11,19 +11,19 @@ namespace idiophone {
 
 inline constexpr double shortestDecaySeconds = 0.02;
 
-/// Sample numbers: the contact lasts from `onset` to `begin`, the free decay from `begin` to `end`.
+/// Sample indices. The contact lasts from `onset` to `begin`, the free decay from `begin` to `end`.
 struct FreeDecay {
     std::size_t onset = 0;
     std::size_t begin = 0;
     std::size_t end = 0;
-    bool clipped = false; ///< the strike went over full scale
-    bool others = false;  ///< the recording holds other strikes, too
+    bool clipped = false; ///< the strike exceeds full scale
+    bool others = false;  ///< the recording also has other strikes
 };
 
-/// Finds the strike of the greatest peak. A contact of unknown length (`contactSeconds` 0) is taken
-/// to last twice as long as the sound rises, 0.2 to 8 ms.
+/// Finds the strike with the highest peak. If the contact's length is unknown (`contactSeconds` 0),
+/// it is taken as twice the rise time of the sound, 0.2 to 8 ms.
 ///
-/// The error is what the recording lacks, to be put after its name: "it is silent".
+/// An error continues a sentence that starts with the recording's name: "it is silent".
 Result<FreeDecay>
 findFreeDecay(std::span<const float> samples, double sampleRateHz, double contactSeconds = 0);
 

@@ -9,7 +9,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index stripRows = 128; ///< of all blocks, taken together while the other side is at hand
+constexpr Index stripRows =
+    128; ///< rows of all blocks, processed together while the other operand is in the cache
 
 template <class Step>
 void forStrips(Index rows, const Step& step) {

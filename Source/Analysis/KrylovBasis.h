@@ -1,4 +1,4 @@
-// The growing set of vectors that a Lanczos process keeps. Internal to Analysis.
+// The growing basis of a Lanczos process. Internal to Analysis.
 #pragma once
 
 #include "Analysis/MassSpace.h"
@@ -7,8 +7,7 @@
 
 namespace idiophone {
 
-/// M-orthonormal blocks of vectors [n×w], each in memory of its own so that none moves as more
-/// come.
+/// M-orthonormal blocks of vectors [n×w]. Each has its own memory, so that appending moves none.
 class KrylovBasis {
 public:
     Eigen::Index size() const { return size_; } ///< in vectors
@@ -16,10 +15,11 @@ public:
 
     void append(Vectors block);
 
-    /// Subtracts from the columns of `block` their parts within the basis, given M times them.
+    /// Subtracts from the columns of `block` their parts within the basis. `image` is M times
+    /// `block`.
     void projectOut(const Vectors& image, Vectors& block) const;
 
-    /// The vectors with these coefficients [size×m].
+    /// Returns the combinations with these coefficients [size×m].
     Vectors combinations(const Vectors& coefficients) const;
 
 private:

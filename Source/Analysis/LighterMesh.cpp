@@ -9,7 +9,7 @@ namespace {
 
 using Places = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// For each vertex of the lighter mesh the object's nearest.
+/// Returns the object's nearest vertex for each vertex of the lighter mesh.
 std::vector<std::int32_t> nearestVertices(const Places& places, const Mesh& lighter) {
     std::vector<std::int32_t> nearest;
     for (const auto& vertex : lighter.vertices.rowwise()) {

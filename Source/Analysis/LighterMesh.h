@@ -1,4 +1,5 @@
-// A lighter mesh for an object that had to be analysed on a finer one than files should hold.
+// Replaces the mesh of an object by a lighter one, if the analysis needed a finer mesh than a file
+// should hold.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -8,9 +9,9 @@
 
 namespace idiophone {
 
-/// The object with this mesh to be drawn and struck instead, whose vertices go to the nearest of
-/// its own, each to another; of them `shapeVertices`, ascending, keep their shapes. Errors: one of
-/// these had none, or two vertices go to one place.
+/// Replaces the mesh for display and strikes. Each vertex of `lighter` moves to the nearest vertex
+/// of the object. The vertices in `shapeVertices`, ascending, keep their shapes. Errors: one of
+/// these has no shape, or two vertices move to the same place.
 Result<ModalObject> withLighterMesh(const ModalObject& object,
                                     const Mesh& lighter,
                                     const std::vector<int>& shapeVertices);

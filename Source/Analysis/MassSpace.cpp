@@ -11,7 +11,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index stripRows = 64; ///< of tall matrices, taken together while they are in the cache
+constexpr Index stripRows =
+    64; ///< rows of tall matrices, processed together while they are in the cache
 
 template <int width>
 void addSymmetric(const Eigen::SparseMatrix<double>& lower, const Vectors& x, Vectors& y) {
@@ -51,7 +52,7 @@ Vectors symmetricTimes(const Eigen::SparseMatrix<double>& lower, const Vectors& 
     case 4:
         addSymmetric<4>(lower, x, y);
         break;
-    case 6: // as many as rigid modes
+    case 6: // the number of rigid modes
         addSymmetric<6>(lower, x, y);
         break;
     case 8:
@@ -72,7 +73,8 @@ void MassSpace::projectOut(const Vectors& basis, Vectors& block) const {
 }
 
 MatrixXd MassSpace::orthonormalise(Vectors& block, Vectors& image) const {
-    // Cholesky's factor of the products loses digits where columns are nearly dependent, so twice.
+    // The Cholesky factor of the products loses digits if columns are nearly dependent, so run
+    // twice.
     MatrixXd back = MatrixXd::Identity(block.cols(), block.cols());
     for (int pass = 0; pass < 2; ++pass) {
         image = times(block);
@@ -89,7 +91,7 @@ MatrixXd MassSpace::orthonormalise(Vectors& block, Vectors& image) const {
         const Vectors toNew = upper.triangularView<Eigen::Upper>().solve(
             MatrixXd::Identity(block.cols(), block.cols()));
         back = (upper * back).eval();
-        // Columns of nearly equal directions lose digits: then once more, from the vectors.
+        // Nearly parallel columns lose digits. A second pass then starts from the vectors.
         const bool isSafe = upper.diagonal().cwiseQuotient(lengths).minCoeff() > 0.1;
         const auto change = [&](Vectors& vectors) {
             Vectors changed = Vectors::Zero(vectors.rows(), vectors.cols());

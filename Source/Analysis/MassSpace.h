@@ -1,5 +1,5 @@
-// The inner product xᵀMy, in which modes are orthogonal, and products of the tall matrices whose
-// columns are vectors of that space. Internal to Analysis.
+// The inner product xᵀMy, in which modes are orthogonal, and products of tall matrices with columns
+// in that space. Internal to Analysis.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// Vectors in columns [n×m], stored row by row: what is done to one is done to all of them.
+/// Vectors in columns [n×m], stored by rows, because operations apply to all of them.
 using Vectors = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// C += factor · AᵀB for A [n×m] and B [n×w].
@@ -16,7 +16,7 @@ void addInnerProducts(Vectors& c, double factor, const Vectors& a, const Vectors
 /// C += factor · A B for A [n×m] and the small B [m×w].
 void addCombinations(Vectors& c, double factor, const Vectors& a, const Vectors& b);
 
-/// S X for a symmetric S given by its lower triangle [n×n].
+/// Returns S X for a symmetric S [n×n], given by its lower triangle.
 Vectors symmetricTimes(const Eigen::SparseMatrix<double>& lower, const Vectors& x);
 
 class MassSpace {
@@ -26,16 +26,16 @@ public:
 
     Eigen::Index rows() const { return mass_.rows(); }
 
-    /// M times each column.
+    /// Returns M times each column.
     Vectors times(const Vectors& block) const { return symmetricTimes(mass_, block); }
 
-    /// Subtracts from each column its part within the span of the M-orthonormal basis, once: what
-    /// is left of it is rounding of what was there.
+    /// Subtracts from each column its part in the span of the M-orthonormal basis, once. The rest
+    /// is of the size of rounding errors.
     void projectOut(const Vectors& basis, Vectors& block) const;
 
-    /// Makes the columns M-orthonormal, with their `image` M times them on return, and returns the
-    /// upper triangle R that takes them back to what they were; it is empty, and the columns are of
-    /// no use, if they depend on one another.
+    /// Makes the columns M-orthonormal and sets `image` to M times them. Returns the upper triangle
+    /// R that turns the new columns back into the old ones. R is empty if the columns are linearly
+    /// dependent; they are then useless.
     Eigen::MatrixXd orthonormalise(Vectors& block, Vectors& image) const;
 
 private:

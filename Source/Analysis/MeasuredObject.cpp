@@ -22,7 +22,8 @@ double eigenvalueOf(const MeasuredMode& mode) {
     return omega * omega + mode.decayPerSecond * mode.decayPerSecond;
 }
 
-/// Strikes at one place are one: [places, modes] amplitudes, and which place each recording has.
+/// Returns [places, modes] amplitudes. Strikes at one place become one row, the root of their mean
+/// energy. `distinct` receives the places.
 template <class Place, class Same>
 MatrixXd amplitudesAt(const RecordingFit& fit,
                       const std::vector<Place>& places,
@@ -95,7 +96,7 @@ Result<CarriedModes> carriedModes(const RecordingFit& fit,
 Material materialOf(const RecordingFit& fit, const MeasuredObjectSettings& settings) {
     if (settings.material)
         return *settings.material;
-    // Only its damping can be heard: for the rest something usual stands.
+    // Only the damping is audible. The other constants are those of steel.
     Material material = *findMaterial("Steel");
     material.name = "Measured";
     material.damping = fittedDamping(fit.modes);
@@ -103,7 +104,7 @@ Material materialOf(const RecordingFit& fit, const MeasuredObjectSettings& setti
     return material;
 }
 
-/// As if it were made of equal parts at its vertices.
+/// The mass is distributed equally over the vertices.
 MassProperties
 massOf(const Mesh& mesh, const Material& material, const MeasuredObjectSettings& settings) {
     MassProperties mass;
@@ -132,7 +133,7 @@ void setGeometry(const Mesh& mesh, ModalObject& object) {
     object.shapeVertices.assign(all.begin(), all.end());
 }
 
-/// Along the normals, as what strikes push along them.
+/// The shapes point along the normals, as strikes do.
 void setShapes(const CarriedModes& carried, double massKg, ModalObject& object) {
     const double strongest = carried.amplitudes.colwise().mean().maxCoeff();
     const MatrixXd squares = carried.carrier.weights * carried.amplitudes / (strongest * massKg);
@@ -146,8 +147,8 @@ void setShapes(const CarriedModes& carried, double massKg, ModalObject& object) 
 
 } // namespace
 
-// Over relative errors (γ + ηλ)/(2α) − 1 the equations of the best fit are linear; where its γ or η
-// is negative, the best one without it is.
+// The best fit minimises the relative errors (γ + ηλ)/(2α) − 1, a linear problem. If γ or η is
+// negative, the best fit with one of them alone replaces it.
 DampingLaw fittedDamping(std::span<const MeasuredMode> modes) {
     MatrixXd terms(static_cast<Index>(modes.size()), 2);
     for (std::size_t i = 0; i < modes.size(); ++i) {
@@ -186,7 +187,7 @@ Result<ModalObject> measuredObject(const RecordingFit& fit,
     object.material = materialOf(fit, settings);
     object.method = "measured";
     object.mass = massOf(mesh, object.material, settings);
-    // By λ, which heavy damping orders differently than the frequencies heard.
+    // Sort by λ: heavy damping can give the damped frequencies another order.
     std::vector<Index> order;
     for (std::size_t i = 0; i < fit.modes.size(); ++i)
         order.push_back(static_cast<Index>(i));

@@ -1,5 +1,5 @@
-// Which model suits a mesh: tetrahedra for closed and chunky bodies, a shell for what is thin or
-// open.
+// Chooses the model for a mesh: tetrahedra for closed, chunky bodies, a shell for thin or open
+// ones.
 #pragma once
 
 #include "Analysis/AnalysisMethod.h"
@@ -11,15 +11,15 @@ namespace idiophone {
 
 struct MethodChoice {
     AnalysisMethod method = AnalysisMethod::twoLayer;
-    std::string reason; ///< a sentence that says which and why
+    std::string reason; ///< a sentence that names the choice and its reason
 };
 
 MethodChoice chooseMethod(const MeshCheck& check, double shellThicknessMetres);
 
-/// For a body that tetrahedra did not fill, whatever its check had said. `why` is a sentence.
+/// The choice after tetrahedra could not fill a body. `why` is a sentence.
 MethodChoice shellInstead(const std::string& why, double shellThicknessMetres);
 
-/// "it has 12 boundary edges": what keeps tetrahedra from filling a mesh that is not solid.
+/// Says why tetrahedra cannot fill a mesh that is not solid: "it has 12 boundary edges".
 std::string whyNotSolid(const MeshCheck& check);
 
 } // namespace idiophone

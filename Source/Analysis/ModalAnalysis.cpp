@@ -19,7 +19,7 @@
 namespace idiophone {
 namespace {
 
-/// The sentences that are not empty, one after another.
+/// Joins the sentences that are not empty.
 std::string joined(std::initializer_list<std::string> sentences) {
     std::string text;
     for (const std::string& sentence : sentences)
@@ -28,7 +28,7 @@ std::string joined(std::initializer_list<std::string> sentences) {
     return text;
 }
 
-/// The method asked for, if the mesh allows it, or the one that suits the mesh.
+/// Returns the requested method if the mesh allows it, or the method that suits the mesh.
 Result<MethodChoice>
 methodFor(const Mesh& mesh, const AnalysisSettings& settings, const std::atomic<bool>* cancelled) {
     if (settings.method && *settings.method != AnalysisMethod::tetrahedra)
@@ -41,7 +41,7 @@ methodFor(const Mesh& mesh, const AnalysisSettings& settings, const std::atomic<
     return MethodChoice{AnalysisMethod::tetrahedra, {}};
 }
 
-/// The vertices of the repaired mesh that are named to carry shapes, ascending.
+/// Returns the vertices of the repaired mesh that carry shapes, ascending.
 Result<std::vector<int>> shapeVertices(const AnalysisSettings& settings,
                                        const RepairedMesh& repaired) {
     std::vector<int> chosen;
@@ -135,13 +135,13 @@ Result<BodyModel> bodyBy(AnalysisMethod method,
     }
 }
 
-/// Parts that move by themselves: hollows are none.
+/// Counts the parts that move separately. A hollow is not one.
 int componentsOf(const BodyModel& body, const RepairReport& report) {
     const int surfaces = connectedComponents(body.surface).count;
     return body.body == BodyKind::solid ? std::max(1, surfaces - report.hollows) : surfaces;
 }
 
-/// Remeshing cuts what hung together at edges of more than two faces, or at a vertex, alone.
+/// Remeshing separates parts that share only a vertex, or an edge of more than two faces.
 std::string noteOnParts(const BodyModel& body, const RepairReport& report) {
     const int more = connectedComponents(body.surface).count - report.components;
     if (more <= 0)
@@ -151,7 +151,8 @@ std::string noteOnParts(const BodyModel& body, const RepairReport& report) {
            std::to_string(more + report.components) + " parts now move by themselves.";
 }
 
-/// A body as `method` says, or where that was our own choice and no tetrahedra fill it, a shell.
+/// Builds the body by the chosen method. If tetrahedra were an automatic choice and do not fill the
+/// body, it becomes a shell.
 Result<BodyModel> preparedBody(const Mesh& mesh,
                                MethodChoice& choice,
                                const AnalysisSettings& settings,
@@ -164,7 +165,8 @@ Result<BodyModel> preparedBody(const Mesh& mesh,
     return bodyBy(choice.method, mesh, settings, control);
 }
 
-/// Ascending vertices of `surface` nearest to these of the repaired mesh, which it may replace.
+/// Returns the vertices of `surface` nearest to these of the repaired mesh, ascending. `surface`
+/// may be a remesh of it.
 std::vector<int>
 nearestVertices(const Mesh& surface, const Mesh& repaired, const std::vector<int>& vertices) {
     std::vector<int> nearest;

@@ -1,5 +1,5 @@
-// From a mesh and a material to a modal object: repair, model, modes. What a musician drops on the
-// window goes through here.
+// Analyses a mesh with a material into a modal object: repair, model, modes. Meshes dropped on the
+// window go through here.
 #pragma once
 
 #include "Analysis/AnalysedBand.h"
@@ -19,35 +19,36 @@ struct AnalysisSettings {
     std::string source; ///< mesh file or generator, for the object's provenance
     Material material;
     std::optional<AnalysisMethod> method = {}; ///< empty: the one that suits the mesh
-    double thicknessMetres = 0.005;            ///< of a shell
+    double thicknessMetres = 0.005;            ///< shells only
     double lowestFrequencyHz = lowestAnalysedHz;
     double maxFrequencyHz = highestAnalysedHz;
-    int maximumModes = mostAnalysedModes; ///< an object with more in the band is refused
-    int elementBudget = 8000;             ///< tetrahedra, about; for a wider band they are coarser
-    bool largestComponentOnly = false;    ///< leave smaller components of the mesh out
-    double weldTolerance = 1e-7;          ///< see RepairSettings
-    std::vector<int> shapeVertices = {};  ///< input vertices whose shapes to keep; empty: all
-    /// From where it can be heard; `directionsAllAround` for what turns in scenes.
+    int maximumModes = mostAnalysedModes; ///< more modes in the band are an error
+    int elementBudget = 8000; ///< approximate number of tetrahedra; a wider band makes them coarser
+    bool largestComponentOnly = false;   ///< leave smaller components of the mesh out
+    double weldTolerance = 1e-7;         ///< see RepairSettings
+    std::vector<int> shapeVertices = {}; ///< input vertices that keep their shapes; empty: all
+    /// Directions to the listener; `directionsAllAround` for bodies that turn in scenes.
     std::vector<Eigen::Vector3d> listeningDirections = stereoDirections();
     RadiationMethod radiation = RadiationMethod::quick;
 };
 
-/// Fails with a sentence where a setting, or a figure of the material, is out of range.
+/// Error, one sentence: a setting or a constant of the material is out of range.
 Result<void> validate(const AnalysisSettings& settings);
 
-/// Shells of more vertices (after repair) are remeshed; the paper's springs, which want every
-/// vertex as it is, are refused: they would take minutes to hours.
+/// Larger shells (after repair) are remeshed. The published springs need every original vertex, so
+/// larger meshes are an error; they would take minutes to hours.
 inline constexpr int shellVertexLimit = 20000;
 inline constexpr int springMassVertexLimit = 40000;
 
-/// The modal object of the repaired mesh, holding every mode in the band; it passes `validated`.
-/// Finite elements, and shells that were not asked for by name, may remesh the surface, whose
-/// vertices nearest to the `shapeVertices` then carry the shapes, and end the band below what was
-/// asked for (`bandHz`, and a note). `provenance.notes`
-/// says in plain words what repair did, which method was chosen and why, and what to beware of
-/// (more than the six rigid zero modes, for one). The same input gives the same object, but for the
-/// time it took. Errors are one sentence: settings out of range, an unusable or too large mesh, no
-/// mode in the band, too many modes, or `cancelledMessage`.
+/// Returns the modal object of the repaired mesh with every mode in the band; it passes
+/// `validated`. Finite elements, and shells chosen automatically, may remesh the surface. The
+/// vertices nearest to `shapeVertices` then carry the shapes. They may also end the band below the
+/// requested maximum (`bandHz`, and a note).
+///
+/// `provenance.notes` says what repair did, which method was chosen and why, and any warnings, such
+/// as more than six rigid zero modes. The same input gives the same object except for the elapsed
+/// time. Errors, each one sentence: settings out of range, an unusable or too large mesh, no mode
+/// in the band, too many modes, or `cancelledMessage`.
 Result<ModalObject>
 analyse(const Mesh& mesh, const AnalysisSettings& settings, const WorkControl& control = {});
 

@@ -8,7 +8,7 @@
 namespace idiophone {
 namespace {
 
-/// ∫ n·R/r³ dS.
+/// Returns ∫ n·R/r³ dS.
 double signedSolidAngle(const Eigen::Matrix3d& corners, const std::array<double, 3>& distances) {
     const auto a = corners.col(0), b = corners.col(1), c = corners.col(2);
     const double volume = a.dot(b.cross(c));
@@ -23,7 +23,7 @@ double signedSolidAngle(const Eigen::Matrix3d& corners, const std::array<double,
 PanelPotentials panelPotentials(const Eigen::Matrix3d& corners,
                                 const Eigen::Vector3d& normal,
                                 const Eigen::Vector3d& point) {
-    constexpr double flat = 1e-9; // of a distance: a point so near to the plane lies in it
+    constexpr double flat = 1e-9; // of a distance; a nearer point counts as in the plane
     const Eigen::Matrix3d fromPoint = corners.colwise() - point;
     std::array<double, 3> distances{};
     for (int k = 0; k < 3; ++k)

@@ -1,22 +1,22 @@
-// The static potentials of a flat triangle that carries an even charge or an even dipole layer:
-// the singular part of boundary integrals, in closed form. BoundaryElements adds the waves.
+// The static potentials of a flat triangle with a uniform charge or dipole layer, in closed form.
+// They are the singular part of the boundary integrals; BoundaryElements adds the waves.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace idiophone {
 
-/// With R = x − y, r = |R| and n the triangle's normal.
+/// R = x − y, r = |R|, and n is the triangle's normal.
 struct PanelPotentials {
     double singleLayer = 0;              ///< ∫ 1/(4πr) dS, in metres
     double doubleLayer = 0;              ///< ∫ n·R/(4πr³) dS, positive on the side of n
-    Eigen::Vector3d singleLayerGradient; ///< by x, without unit
+    Eigen::Vector3d singleLayerGradient; ///< by x, dimensionless
     Eigen::Vector3d doubleLayerGradient; ///< by x, in 1/m
 };
 
-/// At a point that lies on no edge. In the triangle's plane the double layer is its principal
-/// value, 0, and the gradients are their mean over both sides: the finite part of the hypersingular
-/// integral. `corners` are the columns, counter-clockwise about `normal`.
+/// Returns the potentials at a point that lies on no edge. In the triangle's plane, the double
+/// layer is its principal value, 0. There the gradients are their mean over both sides, the finite
+/// part of the hypersingular integral. `corners` are the columns, counter-clockwise about `normal`.
 ///
 /// Single layer: Wilton et al. 1984, IEEE Trans. Antennas Propag. 32, eq. 5. Double layer: a solid
 /// angle, van Oosterom & Strackee 1983, IEEE Trans. Biomed. Eng. 30, eq. 8. Its gradient is the

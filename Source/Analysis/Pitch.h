@@ -1,4 +1,4 @@
-// Where a mode sounds, and how far that is from where it should.
+// The damped frequency of a mode, and frequency ratios in cents.
 #pragma once
 
 #include "Object/Material.h"
@@ -7,12 +7,12 @@
 
 namespace idiophone {
 
-/// The frequency in Hz of a mode that is damped by its material's law.
+/// Returns the frequency in Hz of a mode damped by its material's law.
 inline double dampedFrequencyHz(double eigenvalue, const Material& material) {
     return dampedFrequencyHz(eigenvalue, material.damping.perSecond(eigenvalue) / 2);
 }
 
-/// Frequency ratio as 1/100 of an equal-tempered semitone.
+/// Returns a frequency ratio in cents, 1/100 of an equal-tempered semitone.
 inline double cents(double frequencyHz, double referenceHz) {
     return 1200 * std::log2(frequencyHz / referenceHz);
 }

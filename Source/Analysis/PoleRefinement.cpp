@@ -16,22 +16,23 @@ using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t largestCluster = 6;
 constexpr int iterations = 12;
-constexpr double settledStep = 1e-7;                 // in ln α, and of a width
+constexpr double settledStep = 1e-7;                 // in ln α, and in widths
 constexpr double lowestHz = 20, highestShare = 0.49; // of the sample rate
 constexpr double slowestDecayPerSecond = 0.023, fastestDecayPerSecond = 3450;
-// How far a mode may go from where it was found, in factors of its decay and in widths and bins,
-// and how far one may have gone that is kept.
+// Maximum distance of a mode from its origin during the search, and maximum for a kept mode: as a
+// factor of its decay, and as a sum of widths and bins.
 constexpr double farthestDecay = 4, farthestWidths = 3, farthestBins = 3;
 constexpr double keptDecay = 2.5, keptWidths = 1, keptBins = 2;
 constexpr double faintestAmplitude = 1e-4; // −80 dB
-// Energy a mode must take out, in those of one value of noise, for itself and for each recording.
+// Minimum energy that a mode explains, over the noise energy of one value: a constant and a term
+// per recording.
 constexpr double significantEnergy = 20, significantEnergyEach = 8;
 
 double widthHz(const DecayPole& pole) {
     return pole.decayPerSecond / pi;
 }
 
-/// As it is, but with only small prime factors and at most a 64th shorter.
+/// Returns a length with only small prime factors, at most a 64th shorter.
 std::size_t quickLength(std::size_t length) {
     std::size_t factor = 1;
     while (length / factor >= 128)
@@ -51,9 +52,9 @@ std::vector<Complex> transform(const std::vector<double>& samples) {
 
 struct PoleRefinement::Cluster {
     std::vector<std::size_t> modes;
-    double lowHz = 0, highHz = 0; ///< the band that is fitted
+    double lowHz = 0, highHz = 0; ///< the fitted band
 
-    /// Bins [first, second) of that band, or of one so much wider to either side.
+    /// Returns bins [first, second) of that band, extended by `moreHz` on each side.
     std::pair<std::size_t, std::size_t> bins(const Spectrum& spectrum, double moreHz = 0) const {
         const double bin = spectrum.binHz();
         const auto last = static_cast<double>(spectrum.residual.size() - 1);
@@ -107,7 +108,7 @@ void PoleRefinement::sortModes() {
     significances = sorted(significances);
 }
 
-/// A pole of that mode after a step, as far as it may go.
+/// Returns the mode's pole after a step, limited to the allowed distance from its origin.
 DecayPole
 PoleRefinement::moved(std::size_t mode, const DecayPole& pole, double upHz, double faster) const {
     const auto& origin = origins[mode];
@@ -144,7 +145,7 @@ std::vector<PoleRefinement::Cluster> PoleRefinement::clusters() const {
     return result;
 }
 
-// Loud ones first: what they leave of their neighbours' bands is what those are fitted to.
+// Loud clusters come first, because their residual falls into their neighbours' bands.
 void PoleRefinement::refine(int sweeps, Background background) {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         const auto groups = clusters();
@@ -159,7 +160,7 @@ void PoleRefinement::refine(int sweeps, Background background) {
     }
 }
 
-/// The highest bin that is the cluster's, with what it already explains.
+/// Returns the highest bin of the cluster in the residual or in its own modes.
 double PoleRefinement::loudness(const Cluster& cluster) const {
     double most = 0;
     for (std::size_t r = 0; r < spectra.size(); ++r) {
@@ -202,7 +203,7 @@ void PoleRefinement::refine(const Cluster& cluster, Background background) {
     changeResidual(cluster, -1);
 }
 
-/// Levenberg-Marquardt steps from `poles`, which become the best found.
+/// Takes Levenberg-Marquardt steps from `poles`, which become the best found.
 ClusterFit PoleRefinement::settle(const Cluster& cluster,
                                   std::vector<DecayPole>& poles,
                                   const std::vector<SpectrumPiece>& pieces,
@@ -219,7 +220,7 @@ ClusterFit PoleRefinement::settle(const Cluster& cluster,
         double largest = 0;
         for (std::size_t i = 0; i < poles.size(); ++i) {
             const auto at = static_cast<Eigen::Index>(2 * i);
-            // A few widths at a time: farther off the slope says nothing.
+            // Limit a step to a few widths: the slope says nothing about poles farther away.
             const double reach = 2 * std::max(widthHz(poles[i]), spectra.front().binHz());
             const double up = std::clamp(step(at) / (2 * pi), -reach, reach);
             const double faster = std::clamp(step(at + 1), -1.2, 1.2);
@@ -242,7 +243,7 @@ ClusterFit PoleRefinement::settle(const Cluster& cluster,
     return best;
 }
 
-/// Adds a cluster's modes (`sign` 1) to the residual about their frequencies, or takes them out.
+/// Adds a cluster's modes to the residual near their frequencies (`sign` 1) or subtracts them (−1).
 void PoleRefinement::changeResidual(const Cluster& cluster, double sign) {
     const double more = std::max(500.0, 4 * (cluster.highHz - cluster.lowHz));
     for (std::size_t r = 0; r < spectra.size(); ++r) {

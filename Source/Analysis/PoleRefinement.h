@@ -1,5 +1,5 @@
-// Damped sinusoids fitted to free decays by least squares, all recordings at once: exact where
-// BandPoles' estimates start it near enough. It invents no modes.
+// Fits damped sinusoids to all free decays at once by least squares. It is exact if the estimates
+// of BandPoles are near enough. It adds no modes.
 #pragma once
 
 #include "Analysis/ClusterFit.h"
@@ -11,43 +11,43 @@
 
 namespace idiophone {
 
-/// Works on the recordings' discrete Fourier transforms, in which the transform of a mode that is
-/// cut off at the end of the recording is known in closed form: least squares there are least
-/// squares in time (Parseval), but near modes only concern one another. Clusters of modes take
-/// turns in a Levenberg-Marquardt search over their poles; the amplitudes, which are linear, are
-/// solved for each pole tried (variable projection, Golub & Pereyra 1973, with Kaufman's
-/// derivative).
+/// Works on the discrete Fourier transforms of the recordings. There, the transform of a mode
+/// truncated at the end of the recording has a closed form. Least squares there equal least squares
+/// in time (Parseval), and only near modes interact.
+///
+/// Clusters of modes take turns in a Levenberg-Marquardt search over their poles. The amplitudes
+/// are linear and solved for each trial pole (variable projection, Golub & Pereyra 1973, with
+/// Kaufman's derivative).
 class PoleRefinement {
 public:
-    /// Recordings end at most a 64th earlier here, at a length that transforms quickly.
+    /// Truncates recordings by at most a 64th to a length with a fast transform.
     explicit PoleRefinement(std::span<const DecayRecording> recordings);
 
-    /// Modes of those poles join, still without amplitudes. What is no mode that can be heard to
-    /// ring stays out: below 20 Hz, above 0.49 times a sample rate, T60 over 5 minutes or under 2
-    /// ms, an amplitude that falls to less than 1/e within a period.
+    /// Adds modes with these poles and no amplitudes. Ignores poles that cannot be audible modes:
+    /// below 20 Hz, above 0.49 times a sample rate, T60 over 5 minutes or under 2 ms, or an
+    /// amplitude that falls below 1/e within a period.
     void add(std::span<const DecayPole> poles);
 
-    /// Whether each cluster may also have a part that is linear in frequency, for what is not
-    /// modelled yet.
+    /// `linear` gives each cluster a term linear in frequency, for parts that are not modelled yet.
     enum class Background { none, linear };
     void refine(int sweeps, Background background);
 
-    /// Modes leave that explain no more than noise would, or are fainter than −80 dB of the
-    /// strongest in every recording, or that `refine` has moved far from where they were added or
-    /// last kept: those stand for what is no mode. True where any did.
+    /// Removes doubtful modes and returns true if there were any. A mode is doubtful if it explains
+    /// no more than noise, or if it is below −80 dB of the strongest in every recording. It is also
+    /// doubtful if `refine` moved it far from where it was added or last kept.
     bool dropDoubtful();
 
     const std::vector<DampedSinusoid>& modes() const { return sinusoids; }
 
-    /// What the modes leave of the recordings.
+    /// Returns the recordings minus all modes.
     std::vector<DecayRecording> residuals() const;
 
 private:
     struct Spectrum {
-        std::size_t length = 0; ///< of the transform
+        std::size_t length = 0; ///< length of the transform
         double rateHz = 0;
         std::vector<double> samples;
-        std::vector<std::complex<double>> residual; ///< bins 0 to length/2, less all modes
+        std::vector<std::complex<double>> residual; ///< bins 0 to length/2, minus all modes
 
         double binHz() const { return rateHz / static_cast<double>(length); }
     };
@@ -68,8 +68,8 @@ private:
 
     std::vector<Spectrum> spectra;
     std::vector<DampedSinusoid> sinusoids; ///< ascending in frequency between calls
-    /// Of each mode where it was added or last kept, and the energy it takes out of the recordings
-    /// in those of one value of noise.
+    /// For each mode: the pole where it was added or last kept, and the energy that it explains,
+    /// over the noise energy of one value.
     std::vector<DecayPole> origins;
     std::vector<double> significances;
     double highestHz = 0;
