@@ -1,4 +1,4 @@
-// Compiled for processors with AVX2 and FMA; called on no others.
+// DenseKernels compiled for AVX2 and FMA. No other processor may call it.
 #define Eigen EigenAvx2
 #define kernels kernelsAvx2
 #include "Analysis/DenseKernelsBody.h"

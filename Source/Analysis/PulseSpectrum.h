@@ -1,4 +1,4 @@
-// What a contact's length takes from high modes.
+// The low-pass effect of a contact's length on the modes.
 #pragma once
 
 #include <cmath>

@@ -50,7 +50,7 @@ Eigen::Matrix<double, 6, 30> strainMatrix(const Eigen::Matrix<double, 10, 3>& gr
     return b;
 }
 
-/// The lower triangle of `element`, whose `width` rows a node belong to the global nodes.
+/// Adds the lower triangle of `element`. Each node has `Width` rows.
 template <int Width, class Matrix>
 void scatter(const Eigen::RowVectorXi& nodes, const Matrix& element, Triplets& triplets) {
     for (int p = 0; p < 10; ++p)
@@ -69,7 +69,7 @@ Eigen::SparseMatrix<double> assembled(Eigen::Index rows, const Triplets& triplet
     return matrix;
 }
 
-/// The same mass for each of the three directions.
+/// Repeats the mass for each of the three directions.
 Eigen::SparseMatrix<double> threefold(const Eigen::SparseMatrix<double>& mass) {
     Eigen::SparseMatrix<double> result(3 * mass.rows(), 3 * mass.cols());
     result.reserve(3 * mass.nonZeros());

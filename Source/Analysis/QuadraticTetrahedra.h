@@ -1,5 +1,5 @@
-// Finite elements for solids: 10-node tetrahedra, whose quadratic displacements bend without
-// locking. Straight edges; linear elasticity; not for sheets so thin that TwoLayerShell serves.
+// Finite elements for solids: 10-node tetrahedra. Their quadratic displacements bend without
+// locking. Straight edges, linear elasticity. Use TwoLayerShell for thin sheets.
 #pragma once
 
 #include "Analysis/ElasticLaw.h"
@@ -8,19 +8,18 @@
 
 namespace idiophone {
 
-/// The stiffness of one element, [30×30] in N/m with rows node by node in TetMesh's order, exact:
-/// its integrand is quadratic, which four points integrate (Hammer, Marlowe & Stroud 1956).
+/// The stiffness of one element, [30×30] in N/m, with rows node by node in TetMesh's order. It is
+/// exact: four points integrate the quadratic integrand (Hammer, Marlowe & Stroud 1956).
 Eigen::Matrix<double, 30, 30> elementStiffness(const Eigen::Matrix<double, 4, 3>& cornersMetres,
                                                const ElasticLaw& law);
 
-/// ∫ N_i N_j dV over the element's volume, [10×10], exact: the consistent mass per ρ V and
+/// [10×10] ∫ N_i N_j dV over the element's volume, exact: the consistent mass per ρ V and
 /// direction.
 Eigen::Matrix<double, 10, 10> elementMassShares();
 
-/// The body free in space. Row 3n + axis is the displacement of node n; the first
-/// 3·surfaceVertexCount rows are those of the vertices of the surface that was meshed. The mass is
-/// the consistent one: with it frequencies come down to the true ones as elements shrink, within a
-/// closed, polyhedral body.
+/// Assembles the matrices of a free body. Row 3n + axis is the displacement of node n. The first
+/// 3·surfaceVertexCount rows belong to the surface's vertices. The mass is consistent, so
+/// frequencies of a closed polyhedral body fall to the true ones as elements shrink.
 VibrationModel
 quadraticTetrahedra(const TetMesh& mesh, const ElasticLaw& law, double densityKgPerM3);
 

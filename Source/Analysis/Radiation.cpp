@@ -20,20 +20,22 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-/// How finely the surface pressure is resolved. Time grows with the square of the unknowns, then
-/// with their cube.
+/// Limits on the resolution of the surface pressure. Time grows with the square, later with the
+/// cube of the unknowns.
 struct Effort {
-    int unknowns = 0; ///< a symmetry of G elements divides them between G systems, to a quarter
-    double maximumKernels = 0; ///< of an even finer surface the triangles are made larger
-    double sameFrequency = 0;  ///< modes that differ by less than this share are solved at one
-    /// Edges of what shares an unknown that a wave must span.
+    int unknowns =
+        0; ///< total; each system of a symmetry of G elements gets 1/G of it, at least 1/4
+    double maximumKernels =
+        0; ///< maximum kernel evaluations per frequency; finer surfaces are remeshed
+    double sameFrequency = 0; ///< modes that differ by less than this share are solved together
+    /// Minimum number of edges, between unknowns, per wavelength.
     double edgesPerWavelength = 0;
 };
-/// A sphere is within 0.2 dB with 2.5 edges. Beyond what the quick estimate solves, with fewer,
-/// bars and bowls have larger errors.
+/// With 2.5 edges a sphere is within 0.2 dB. With fewer edges, bars and bowls have larger errors
+/// above the band of the quick estimate.
 constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8};
 
-/// A surface is made finer only where it serves less of the band than this.
+/// A surface is refined only if it resolves less than this share of the band.
 constexpr double enoughOfBand = 0.6;
 constexpr double mostMatrixBytes = 1e9;
 
@@ -41,7 +43,7 @@ double waveNumberOf(double frequencyHz) {
     return 2 * std::numbers::pi * frequencyHz / speedOfSoundMetresPerSecond;
 }
 
-/// The edge of equilateral triangles that are so many on the surface.
+/// Returns the edge of that number of equilateral triangles on the surface.
 double edgeMetresOf(const Mesh& surface, double count) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).sum() / count);
 }
@@ -51,19 +53,19 @@ double servedHz(const Mesh& surface, double unknowns, const Effort& effort) {
            (effort.edgesPerWavelength * edgeMetresOf(surface, unknowns));
 }
 
-/// How many unknowns one system may have.
+/// Returns the maximum number of unknowns of one system.
 Index unknownsOf(const Effort& effort, Index symmetryOrder) {
     return std::max<Index>(effort.unknowns / symmetryOrder, effort.unknowns / 4);
 }
 
-/// How often the matrices of one frequency ask for a kernel.
+/// Returns the number of kernel evaluations for the matrices of one frequency.
 double kernelsOf(const Effort& effort, double faces, Index symmetryOrder) {
     return faces *
            std::min(faces / static_cast<double>(symmetryOrder),
                     static_cast<double>(mostCollocations * unknownsOf(effort, symmetryOrder)));
 }
 
-/// As fine as the band asks for and the effort allows.
+/// Returns a surface as fine as the band needs, within the limits of the effort.
 Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
                                  const Effort& effort,
                                  double bandHz,
@@ -85,7 +87,7 @@ Result<ClosedSurface> surfaceFor(const RadiatingBody& body,
     return surface;
 }
 
-/// What all tasks share.
+/// The common input of all tasks.
 struct Hearing {
     const BoundaryElements& elements;
     Eigen::MatrixXd normalShapes;     ///< [F×M]
@@ -95,15 +97,15 @@ struct Hearing {
     double solvedHz = 0;
 };
 
-/// Whether a solution is one. Faces that touch or cross, as of meshes that are folded flat, have
-/// none.
+/// Returns whether a solution is valid. The equations have none if faces touch or cross, as in
+/// meshes folded flat.
 bool isSound(const Eigen::MatrixXcd& pressures, const Eigen::MatrixXd& velocities) {
-    constexpr double most = 1e4; // of ρc v, far above what any cavity does
+    constexpr double most = 1e4; // of ρc v, far above the pressure in any cavity
     return pressures.allFinite() &&
            pressures.norm() <= most * BoundaryElements::impedance() * velocities.norm();
 }
 
-/// A cancelled task stays without weights.
+/// Solves one task. If cancelled, the task has no weights.
 void solve(RadiationTask& task, const Hearing& hearing, const WorkControl& control) {
     const double waveNumber = waveNumberOf(task.frequencyHz);
     const Eigen::MatrixXd velocities = hearing.normalShapes(Eigen::all, task.modes);
@@ -126,7 +128,7 @@ void solve(RadiationTask& task, const Hearing& hearing, const WorkControl& contr
         elements.pressuresAt(waveNumber, hearing.nearPointsMetres, velocities, pressures);
 }
 
-/// On several threads, of which the caller's reports.
+/// Solves on several threads; only the calling thread reports progress.
 Result<void> solveAll(std::vector<RadiationTask>& tasks,
                       const Hearing& hearing,
                       unsigned threads,

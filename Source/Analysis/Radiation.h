@@ -1,5 +1,5 @@
-// The pressure that each mode of an object sends to listeners far away, by boundary elements:
-// exactly for factory objects and whoever asks, or quickly.
+// The pressure that each mode of an object radiates to distant listeners, by boundary elements. The
+// exact method is for factory objects and on request, the quick one for all others.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -13,25 +13,27 @@
 
 namespace idiophone {
 
-/// N vertices, M modes. Refers to what the caller keeps.
+/// A body with N vertices and M modes. It holds references to the caller's data.
 struct RadiatingBody {
-    const Mesh& mesh;                   ///< as repairMesh leaves it; an open shell's middle surface
+    const Mesh& mesh; ///< as repairMesh leaves it; for an open shell, the middle surface
     const Eigen::MatrixXd& shapes;      ///< [3N×M] rows 3v … 3v+2 are vertex v's, in 1/√kg
     const Eigen::VectorXd& eigenvalues; ///< [M] λ = ω² in rad²/s², ascending, > 0
-    double thicknessMetres = 0;         ///< of a shell; 0 for a solid
+    double thicknessMetres = 0;         ///< 0 for a solid
     Eigen::Vector3d centreMetres = Eigen::Vector3d::Zero(); ///< of mass
 };
 
-/// Left and right, 6° apart and 60° above the horizon, as the player hears a bar who stands at its
-/// end, a step to one side. A bar lies along x. Its bending modes radiate as x² while they are
-/// small against the wavelength, so x is the same on both sides. Neither x nor y is 0 or mirrored:
-/// modes that are odd in it would be silent, or cancel in the sum of both channels.
+/// Returns the directions of the left and right ears: 6° apart, 60° above the horizon. The player
+/// stands at the end of a bar, a step to one side. A bar lies along x. Its bending modes radiate as
+/// x² while they are small against the wavelength, so both ears have the same x. Neither x nor y is
+/// 0 or mirrored. Otherwise modes that are odd in it would be silent, or cancel in the sum of both
+/// channels.
 std::vector<Eigen::Vector3d> stereoDirections();
 
-/// Those, then 26 all around: along the axes and halfway between two and three of them.
+/// Returns the stereo directions, then 26 all around: along the axes and the diagonals between two
+/// or three of them.
 std::vector<Eigen::Vector3d> directionsAllAround();
 
-/// 1/4 to 4 in steps of half an octave.
+/// Returns 1/4 to 4 in steps of half an octave.
 std::vector<double> halfOctaveRatios();
 
 enum class RadiationMethod { quick, exact };
@@ -40,34 +42,35 @@ struct RadiationSettings {
     std::vector<Eigen::Vector3d> directions = stereoDirections(); ///< [D] of any length but 0
     std::vector<double> frequencyRatios = halfOctaveRatios();     ///< [K] > 0, ascending
     RadiationMethod method = RadiationMethod::quick;
-    /// [P] outside the body, in the mesh's coordinates: where pressures are wanted too.
+    /// [P] points outside the body, in the mesh's coordinates, for pressures.
     std::vector<Eigen::Vector3d> nearPointsMetres = {};
-    unsigned threads = 0; ///< at most; 0: as many as the machine has. The result is always the same
+    unsigned threads = 0; ///< maximum; 0: all of the machine. The result does not depend on it
 };
 
 struct Radiation {
     RadiationTable table;
     /// [P×M] in Pa at the near points, for a unit modal velocity at each mode's own frequency.
     Eigen::MatrixXcd nearPressures;
-    /// Up to here the pressure on the surface was solved. Above, where the elements are too large,
-    /// modes have the limit of short waves.
+    /// The surface pressure is solved up to this frequency. Above, the elements are too large, and
+    /// modes use the short-wave limit.
     double solvedHz = 0;
-    std::string notes; ///< one sentence where exact modes lie above, or empty
+    std::string notes; ///< one sentence if modes of the exact method lie above, else empty
 };
 
-/// For every direction d, ratio r and mode φ of unit velocity at ω = r √λ the weight w of
-/// `RadiationTable`. Where ω/2π leaves the audible band it stays at 20 Hz or 22 kHz.
+/// Computes the weight w of `RadiationTable` for every direction d, ratio r and mode φ of unit
+/// velocity at ω = r √λ. Outside the audible band, ω/2π is clamped to 20 Hz or 22 kHz.
 ///
-/// At the ratio 1 each mode is solved at its own frequency; quickly, within 3 % of it. All modes
-/// are solved on half octaves from 20 Hz on, and other ratios interpolated between: the logarithm
-/// of the size and the phase, the short way round, over the logarithm of frequency. The surface
-/// pressure has at most some 1800 unknowns, or 700, which triangles share where there are more.
+/// At the ratio 1, each mode is solved at its own frequency, with the quick method within 3 % of
+/// it. For other ratios, all modes are solved on half octaves from 20 Hz and interpolated over log
+/// frequency: the log magnitude, and the phase along the shorter arc. The surface pressure has at
+/// most about 1800 unknowns, 700 with the quick method. Larger surfaces share unknowns between
+/// triangles.
 ///
-/// Closed components radiate from their outside; sheets from both faces and their rim. Above
-/// `solvedHz` every visible face acts as a part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y},
-/// and faces that look away are not heard. So it does where faces touch or cross and the equations
-/// have no solution. The sum over equal poles of w times the shape depends
-/// neither on the signs of shapes nor on their basis.
+/// Closed components radiate from their outside, sheets from both faces and their rim. Above
+/// `solvedHz`, every visible face acts as part of a large wall, w = jωρ/2π ∫ v_n e^{jk d·y}, and
+/// hidden faces are silent. The same holds if faces touch or cross and the equations have no
+/// solution. The sum over equal poles of w times the shape depends neither on the signs of the
+/// shapes nor on their basis.
 ///
 /// Errors: sizes that disagree, a surface without area, an open one without thickness, those of
 /// remesh, `cancelledMessage`.

@@ -14,9 +14,9 @@ using Eigen::Index;
 constexpr double lowestHz = 20, highestHz = 22000;
 constexpr double samePole = 1e-9;
 
-/// Between the weights of the modes of one pole in one direction, 0 ≤ share ≤ 1: the size of all of
-/// them by its logarithm, their common phase the short way round. Linear in both, so that it does
-/// not depend on the basis of equal poles.
+/// Interpolates the weights of the modes of one pole in one direction, 0 ≤ share ≤ 1. The common
+/// magnitude is interpolated by its logarithm, the common phase along the shorter arc. The result
+/// is linear in both arguments, so it does not depend on the basis of equal poles.
 Eigen::RowVectorXcd
 between(const Eigen::RowVectorXcd& from, const Eigen::RowVectorXcd& to, double share) {
     const double fromSize = from.norm(), toSize = to.norm();
@@ -28,7 +28,7 @@ between(const Eigen::RowVectorXcd& from, const Eigen::RowVectorXcd& to, double s
            std::polar(size * share / toSize, (share - 1) * turn) * to;
 }
 
-/// The weights [D×count] of modes of one pole at another frequency.
+/// Returns the weights [D×count] of the modes of one pole at another frequency.
 Eigen::MatrixXcd interpolated(const std::vector<RadiationTask>& grid,
                               double frequencyHz,
                               Index firstMode,

@@ -1,4 +1,4 @@
-// What Radiation solves, and the table that comes of it. Internal to Analysis.
+// The tasks that Radiation solves, and the table of their results. Internal to Analysis.
 #pragma once
 
 #include "Object/RadiationTable.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// What is solved at once: some modes at one frequency.
+/// Some modes that are solved together at one frequency.
 struct RadiationTask {
     double frequencyHz = 0;
     std::vector<Eigen::Index> modes;
@@ -16,18 +16,18 @@ struct RadiationTask {
     Eigen::MatrixXcd nearPressures = {}; ///< [P×modes]
 };
 
-/// Within 20 Hz to 22 kHz.
+/// Clamps to 20 Hz to 22 kHz.
 double audibleHz(double frequencyHz);
 
-/// Modes at their own frequencies, in Hz and ascending; those that differ by less than a share at
-/// one.
+/// Returns tasks for modes at their own frequencies in Hz, ascending. Modes that differ by less
+/// than the share `sameFrequency` become one task.
 std::vector<RadiationTask> ownTasks(const Eigen::VectorXd& frequenciesHz, double sameFrequency);
 
-/// All modes at half octaves, as far as any ratio asks for.
+/// Returns tasks for all modes at half octaves, over the range that the ratios need.
 std::vector<RadiationTask> gridTasks(const Eigen::VectorXd& frequenciesHz,
                                      const std::vector<double>& ratios);
 
-/// Without its directions, from both when they are solved.
+/// Returns the table from both kinds of solved tasks, without its directions.
 RadiationTable tableOf(const std::vector<RadiationTask>& own,
                        const std::vector<RadiationTask>& grid,
                        const Eigen::VectorXd& frequenciesHz,

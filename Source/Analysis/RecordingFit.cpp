@@ -16,10 +16,10 @@ namespace idiophone {
 namespace {
 
 constexpr double narrowestBandHz = 200;
-// A decay that is 14 dB down where its band's filter first lies within it.
+// The decay is 14 dB down where the band's filter first lies within it.
 constexpr double fastestDecayPerWidth = 0.35;
 constexpr double deepestPulse = 0.1;
-// Rms, of a recording's peak: what no room is quieter than. Without any noise the least rounding
+// Rms relative to a recording's peak; any real room is noisier. Without noise, rounding errors
 // would look like modes.
 constexpr double ditherLevel = 3e-5; // −90 dB
 
@@ -137,8 +137,8 @@ Result<RecordingFit> fitRecordings(std::span<const StrikeRecording> recordings,
         auto& mode =
             fit.modes.emplace_back(MeasuredMode{pole.frequencyHz, pole.decayPerSecond, {}});
         for (std::size_t r = 0; r < amplitudes.size(); ++r) {
-            // Back to where an impulse would have been: the middle of the contact, or about its
-            // onset, as one of unknown length is likely shorter than it seems.
+            // Extrapolate back to the equivalent impulse. That is the middle of the contact, or
+            // near its onset if the length is unknown, because the estimate is likely too long.
             const double back = decays->contactSeconds[r] - settings.contactSeconds / 2;
             double gain = decays->peaks[r] * std::exp(pole.decayPerSecond * back);
             if (settings.contactSeconds > 0)

@@ -1,6 +1,6 @@
-// Recordings of strikes to the modes that they share: frequencies, decays and a gain of each mode
-// in each recording (van den Doel, Kry & Pai 2001, section 4). What the recordings are of, and
-// where it was struck, is MeasuredObject's.
+// Finds the modes shared by recordings of strikes: frequencies, decays and a gain of each mode in
+// each recording (van den Doel, Kry & Pai 2001, section 4). MeasuredObject knows the object and the
+// struck places.
 #pragma once
 
 #include "Object/Result.h"
@@ -13,39 +13,40 @@
 namespace idiophone {
 
 struct StrikeRecording {
-    std::string name; ///< stands for it in errors
+    std::string name; ///< used in errors
     std::span<const float> samples;
     double sampleRateHz = 0;
 };
 
 struct RecordingFitSettings {
-    std::size_t modeCount = 50; ///< at most; those of the greatest energy are kept
-    double contactSeconds = 0;  ///< how long the striker touched; 0: unknown
-    double longestSeconds = 8;  ///< of each recording, from the strike on
+    std::size_t modeCount = 50; ///< maximum; the modes of greatest energy stay
+    double contactSeconds = 0;  ///< length of the mallet's contact; 0: unknown
+    double longestSeconds = 8;  ///< used length of each recording, from the strike
 };
 
 struct MeasuredMode {
     double frequencyHz = 0;    ///< damped, as it sounds
     double decayPerSecond = 0; ///< α of e^{−αt}
-    /// [R] of full scale, in the middle of the contact; where its length is unknown at its onset.
+    /// [R] relative to full scale, at the middle of the contact, or at its onset if its length is
+    /// unknown.
     std::vector<double> amplitudes;
 };
 
 struct RecordingFit {
     std::vector<MeasuredMode> modes;   ///< ascending in frequency
-    std::size_t modesFound = 0;        ///< before the strongest were chosen
-    std::vector<std::string> remarks;  ///< sentences for people: clipping, several strikes
-    std::vector<double> noiseDecibels; ///< [R] what the modes found leave, against the free decay
+    std::size_t modesFound = 0;        ///< before the strongest were selected
+    std::vector<std::string> remarks;  ///< sentences for the user: clipping, several strikes
+    std::vector<double> noiseDecibels; ///< [R] energy of the residual, relative to the free decay
 };
 
-/// Fits at least one recording, of any sample rates. Bands of frequency from narrow to wide are
-/// searched for the poles that the recordings share (BandPoles), slow decays before fast; all found
-/// so far are fitted together and taken out before the next (PoleRefinement).
+/// Fits one or more recordings of any sample rates. It searches frequency bands from narrow to wide
+/// for shared poles (BandPoles), so slow decays come first. After each width, all modes found so
+/// far are fitted together and subtracted (PoleRefinement).
 ///
-/// A contact's pulse shapes what it excites: where its length is given, amplitudes are divided by
-/// the spectrum of a raised cosine of that length, as far as that lies within 20 dB of its start.
+/// A contact's pulse filters the modes. If its length is given, amplitudes are divided by the
+/// spectrum of a raised cosine of that length, limited to 20 dB of correction.
 ///
-/// The error names the recording and what it lacks.
+/// An error names the recording and the fault.
 Result<RecordingFit> fitRecordings(std::span<const StrikeRecording> recordings,
                                    const RecordingFitSettings& settings = {});
 

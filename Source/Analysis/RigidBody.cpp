@@ -13,7 +13,7 @@ MassProperties massPropertiesOf(const VibrationModel& model, const Eigen::Matrix
     const Eigen::MatrixXd momenta = mass * shifts;
     MassProperties result;
     result.massKg = momenta.col(0).dot(shifts.col(0));
-    // The momentum of a unit shift along x, summed over places, is the mass times the centre.
+    // The momentum of a unit shift along x, weighted by position, is the mass times the centre.
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (Eigen::Index p = 0; p < points; ++p)
         centre += momenta(3 * p, 0) * pointsMetres.row(p).transpose() / result.massKg;
@@ -25,7 +25,8 @@ MassProperties massPropertiesOf(const VibrationModel& model, const Eigen::Matrix
     }
     const Eigen::Matrix3d inertia = turns.transpose() * (mass * turns);
     Eigen::Map<Eigen::Vector3d>(result.centreMetres.data()) = centre;
-    Eigen::Map<Eigen::Matrix3d>(result.inertiaKgM2.data()) = inertia; // symmetric: either order
+    Eigen::Map<Eigen::Matrix3d>(result.inertiaKgM2.data()) =
+        inertia; // symmetric: either storage order
     return result;
 }
 

@@ -1,4 +1,4 @@
-// The mass properties of a vibration model: what it weighs as a rigid body.
+// The mass properties of a vibration model as a rigid body.
 #pragma once
 
 #include "Analysis/VibrationModel.h"
@@ -6,8 +6,9 @@
 
 namespace idiophone {
 
-/// Of a model whose rows 3p, 3p + 1 and 3p + 2 are the displacement of the point in row p of
-/// `pointsMetres` [P×3]: the kinetic energy of unit motions, exact for the model's own mass.
+/// Returns the mass properties from the kinetic energy of unit motions, exact for the model's mass.
+/// Rows 3p, 3p + 1 and 3p + 2 of the model are the displacement of the point in row p of
+/// `pointsMetres` [P×3].
 MassProperties massPropertiesOf(const VibrationModel& model, const Eigen::MatrixXd& pointsMetres);
 
 } // namespace idiophone

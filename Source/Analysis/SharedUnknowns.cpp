@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Index;
 
-/// [panels×6] where each lies, and its normal, so long that faces of an edge or the two sides of a
-/// sheet are further apart than neighbours of one cluster.
+/// [panels×6] centroids and scaled normals. The scale puts the faces at a sharp edge, and the two
+/// sides of a sheet, farther apart than neighbours in one cluster.
 Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
                                  const std::vector<int>& chosen,
                                  Index clusters) {
@@ -29,8 +29,7 @@ Eigen::MatrixXd placesAndNormals(const std::vector<BoundaryPanel>& panels,
     return places;
 }
 
-/// Which of them are one cluster, around centres that lie as far apart as can be, each the point
-/// that is furthest from those before.
+/// Returns the cluster of each panel. Each new centre is the point farthest from the earlier ones.
 std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
     std::vector<int> owners(static_cast<std::size_t>(places.rows()), 0);
     Eigen::VectorXd distances =
@@ -49,8 +48,8 @@ std::vector<int> clustersOf(const Eigen::MatrixXd& places, Index clusters) {
     return owners;
 }
 
-/// A few of each cluster's members in even steps, those that nothing fixes if there are any, by
-/// their area.
+/// Returns a few members of each cluster at even steps, weighted by area. It prefers orbits that no
+/// symmetry fixes.
 std::vector<Collocation> collocationsOf(const std::vector<BoundaryPanel>& panels,
                                         const SurfaceOrbits& orbits,
                                         const std::vector<int>& owners,

@@ -1,5 +1,5 @@
-// Which triangles of a boundary share an unknown, where there are too many for one each. Internal
-// to Analysis.
+// Chooses the triangles of a boundary that share an unknown, if there are too many for one each.
+// Internal to Analysis.
 #pragma once
 
 #include "Analysis/BoundaryRow.h"
@@ -10,26 +10,25 @@
 
 namespace idiophone {
 
-/// The most equations of an unknown. With one, weak modes of plates are off by up to 24 dB, with
-/// three by 4.
+/// Maximum number of equations per unknown. With one, weak modes of plates are off by up to 24 dB,
+/// with three by 4 dB.
 inline constexpr Eigen::Index mostCollocations = 3;
 
-/// An orbit at whose first face an equation is collocated, and how much it counts in that of its
-/// unknown.
+/// An orbit whose first face has an equation, and its weight in the mean for its unknown.
 struct Collocation {
     int orbit = 0;
     double share = 1;
 };
 
 struct SharedUnknowns {
-    std::vector<int> ofOrbits; ///< [orbits] which unknown each has
+    std::vector<int> ofOrbits; ///< [orbits] the unknown of each orbit
     Eigen::Index count = 0;
-    std::vector<Collocation> collocations; ///< the shares of each unknown's sum to 1
+    std::vector<Collocation> collocations; ///< shares of one unknown sum to 1
 };
 
-/// Each orbit has its own; or, where there are more orbits than that, clusters of neighbours whose
-/// normals are alike share one. Its equation is the mean of those of a few of them: that of one
-/// alone would depend on where in the cluster it lies.
+/// Gives each orbit its own unknown. If there are more orbits than `maximumUnknowns`, clusters of
+/// neighbours with similar normals share one. Its equation is the mean over a few members, because
+/// a single one would depend on its place in the cluster.
 SharedUnknowns sharedUnknowns(const std::vector<BoundaryPanel>& panels,
                               const SurfaceOrbits& orbits,
                               Eigen::Index maximumUnknowns);

@@ -14,7 +14,7 @@ namespace idiophone {
 namespace {
 
 constexpr double edgesPerWavelength = 10, fewestEdgesPerWavelength = 4;
-/// Of equilateral triangles, in squares of their edge: √3/2.
+/// Area per vertex of equilateral triangles, in squares of their edge: √3/2.
 constexpr double areaPerVertex = 0.866;
 
 /// The two layers must not pass through each other where the surface curves.
@@ -33,8 +33,8 @@ bool isTooThick(const Mesh& mesh, double thicknessMetres) {
     return false;
 }
 
-/// What a shell lies in is wider than it is thick; empty where this one is. The second of the
-/// mesh's three extents along its principal axes tells, as flat sheets lack the third.
+/// Returns a warning if a shell is thicker than it is wide, else an empty text. The width is the
+/// second of three extents along the principal axes, because flat sheets lack the third.
 std::string doubtOfThickness(const Mesh& mesh, double thicknessMetres) {
     constexpr double rounding = 1e-9;
     const Eigen::MatrixXd centred = mesh.vertices.rowwise() - mesh.vertices.colwise().mean();
@@ -49,7 +49,7 @@ std::string doubtOfThickness(const Mesh& mesh, double thicknessMetres) {
            ": check its thickness and the mesh's unit.";
 }
 
-/// Remeshes where the triangles do not suit the band; returns the end of the band that they serve.
+/// Remeshes if the triangles do not suit the band. Returns the end of the band that they resolve.
 Result<double> fitMesh(Mesh& mesh,
                        std::string& notes,
                        const ShellBodySettings& settings,

@@ -1,5 +1,5 @@
-// A surface as a two-layer shell, with triangles as fine as the band asks for and the budget
-// allows.
+// Builds a two-layer shell from a surface, with triangles as fine as the band needs within a
+// budget.
 #pragma once
 
 #include "Analysis/BodyModel.h"
@@ -10,13 +10,13 @@ struct ShellBodySettings {
     Material material;
     double thicknessMetres = 0.005;
     double maxFrequencyHz = highestAnalysedHz;
-    int vertexBudget = 4000; ///< about; where the band asks for more they are coarser
-    bool fitsMesh = true;    ///< false leaves the mesh and the band as they are
+    int vertexBudget = 4000; ///< approximate; wider bands get coarser triangles than they need
+    bool fitsMesh = true;    ///< false leaves the mesh and the band unchanged
 };
 
-/// The surface is remeshed where its triangles are much coarser or finer than they should be; edges
-/// over 40° stay; four serve the shortest wavelength. `surface` is as repairMesh leaves it. Errors,
-/// one sentence each: those of remesh, `cancelledMessage`.
+/// Remeshes the surface if its triangles are much coarser or finer than the band needs. Edges over
+/// 40° stay. The band ends where four edges span the shortest wavelength. `surface` is as
+/// repairMesh leaves it. Errors, each one sentence: those of remesh, `cancelledMessage`.
 Result<BodyModel>
 shellBody(const Mesh& surface, const ShellBodySettings& settings, const WorkControl& control = {});
 

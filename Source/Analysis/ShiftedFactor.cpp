@@ -54,8 +54,8 @@ Vectors ShiftedFactor::solve(Vectors right) const {
 }
 
 bool ShiftedFactor::isAccurate(const Eigen::SparseMatrix<double>& shifted) const {
-    // Pivots are not exchanged between blocks, so an indefinite matrix may lose digits: the
-    // backward error of one solve tells.
+    // Pivots are not exchanged between blocks, so an indefinite matrix may lose digits. Check the
+    // backward error of one solve.
     Eigen::VectorXd right(shifted.rows());
     for (Eigen::Index i = 0; i < right.size(); ++i)
         right(i) = std::cos(1.7 * static_cast<double>(i) + 0.3);

@@ -1,4 +1,4 @@
-// The factorisation K − σM = L D Lᵀ of a model's matrices: solves for the Lanczos process, and
+// The factorisation K − σM = L D Lᵀ of a model's matrices. It solves for the Lanczos process and
 // counts eigenvalues below σ. Internal to Analysis.
 #pragma once
 
@@ -13,30 +13,30 @@ namespace idiophone {
 
 class ShiftedFactor {
 public:
-    /// Keeps references to the model, and to the control. Orders the matrices once for all shifts.
+    /// Keeps references to the model and to the control. Orders the matrices once for all shifts.
     ShiftedFactor(const VibrationModel& model, const WorkControl& control);
 
     enum class Outcome { done, failed, cancelled };
 
-    /// Factorises at σ, or at a shift within 1 % of it (away from zero) where the pivots at σ
-    /// itself are too small to be trusted. Nothing to do if σ is as before. Not thread-safe.
+    /// Factorises at σ. If the pivots there are too small for accuracy, moves the shift away from
+    /// zero, by at most about 1 %. Does nothing if σ is unchanged. Not thread-safe.
     Outcome factorise(double shift);
 
     double shift() const { return shift_; }
-    /// An upper bound of the stiffest eigenvalue's order of magnitude: ‖K‖₁ over the least diagonal
-    /// mass.
+    /// An upper bound on the order of magnitude of the stiffest eigenvalue: ‖K‖₁ over the minimum
+    /// diagonal mass.
     double norm() const { return norm_; }
 
     /// The number of eigenvalues below the shift: negative pivots, by Sylvester's law of inertia.
     Eigen::Index eigenvaluesBelow() const;
 
-    /// How many multiplications a factorisation takes.
+    /// The number of multiplications of one factorisation.
     double products() const { return factor_.products(); }
 
-    /// How many numbers a solve reads, twice.
+    /// The number of entries that a solve reads twice.
     double entries() const { return factor_.entries(); }
 
-    /// (K − σM)⁻¹ b for each column [n×m].
+    /// Returns (K − σM)⁻¹ b for each column [n×m].
     Vectors solve(Vectors right) const;
 
 private:

@@ -10,7 +10,7 @@
 namespace idiophone {
 namespace {
 
-/// Points on the grid of corners and mid-edges: even coordinates are corners.
+/// A grid of corners and mid-edges. Even coordinates are corners.
 struct Lattice {
     Eigen::Vector3i points; ///< along each axis
 
@@ -23,7 +23,7 @@ struct Lattice {
     int count() const { return points.prod(); }
 };
 
-/// Where the lines across lie, symmetric, two of them on the edges of the arch.
+/// Returns the positions of the lines across, symmetric, with two of them on the arch's edges.
 std::vector<double> linesAlong(const UndercutBar& bar, int along) {
     const double half = bar.lengthMetres / 2, edge = bar.archHalfLengthShare * bar.lengthMetres;
     const int halfLines = along / 2;
@@ -59,7 +59,7 @@ Eigen::MatrixXd latticePlaces(const UndercutBar& bar, const BarGrid& grid, const
     for (int k = 0; k < lattice.points.z(); ++k)
         for (int j = 0; j < lattice.points.y(); ++j)
             for (int i = 0; i < lattice.points.x(); ++i) {
-                // The middle of the edge that ends in these two corners, as addBox mirrors it.
+                // The middle of the edge between these two corners, mirrored as in addBox.
                 int first = i / 2, second = (i + 1) / 2;
                 if (isMirrored(first, grid.along))
                     std::swap(first, second);
@@ -69,8 +69,8 @@ Eigen::MatrixXd latticePlaces(const UndercutBar& bar, const BarGrid& grid, const
     return places;
 }
 
-/// The six tetrahedra of Kuhn's division of a box, each a way from corner to corner along the axes
-/// in another order.
+/// Adds the six tetrahedra of Kuhn's division of a box. Each is a path between opposite corners
+/// that takes the axes in another order.
 void addBox(const Lattice& lattice,
             const Eigen::Vector3i& box,
             const Eigen::Vector3i& direction,
@@ -101,11 +101,11 @@ void addBox(const Lattice& lattice,
     } while (std::next_permutation(axes.begin(), axes.end()));
 }
 
-/// Corners of each face, seen from outside a positive tetrahedron, and the nodes between them.
+/// The corners of each face, seen from outside a positive tetrahedron, and the nodes between them.
 constexpr std::array<std::array<int, 6>, 4> faceNodes{
     {{0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {1, 2, 3, 5, 9, 8}, {2, 0, 3, 6, 7, 9}}};
 
-/// Four triangles for each face that belongs to one tetrahedron only.
+/// Returns four triangles for each face that belongs to one tetrahedron only.
 std::vector<std::array<int, 3>>
 boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
     std::map<std::array<int, 3>, std::pair<int, std::array<int, 6>>> faces;
@@ -124,7 +124,8 @@ boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
     for (const auto& [key, entry] : faces) {
         if (entry.first > 1)
             continue;
-        const auto& n = entry.second; // n[3] lies between 0 and 1, n[4] 1 and 2, n[5] 2 and 0
+        const auto& n =
+            entry.second; // n[3] lies between 0 and 1, n[4] between 1 and 2, n[5] between 2 and 0
         triangles.push_back({n[0], n[3], n[5]});
         triangles.push_back({n[1], n[4], n[3]});
         triangles.push_back({n[2], n[5], n[4]});
@@ -133,7 +134,7 @@ boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
     return triangles;
 }
 
-/// Every second line across; three points of it on top, two below.
+/// Takes every second line across, with three points on top and two below.
 BarOutline outlineOf(const BarGrid& grid, const Lattice& lattice, const std::vector<int>& number) {
     const int lines = grid.along / 2 + 1, across = BarOutline::topAcross;
     BarOutline outline;
@@ -190,7 +191,7 @@ SolidBar solidBar(const UndercutBar& bar, const BarGrid& grid) {
                        tetrahedra);
     const auto triangles = boundaryTriangles(tetrahedra);
 
-    // The nodes on the surface first, in the lattice's order.
+    // Surface nodes come first, in the lattice's order.
     std::vector<char> onSurface(static_cast<std::size_t>(lattice.count()), 0);
     for (const auto& triangle : triangles)
         for (const int node : triangle)

@@ -15,11 +15,11 @@
 namespace idiophone {
 namespace {
 
-/// Elements of edge e in a volume V: TetGen's fill about 0.11 e³ each.
+/// The volume of a TetGen element of edge e is about 0.11 e³.
 constexpr double elementVolumeShare = 0.11;
 constexpr double coarsestElementsPerWavelength = 3;
 
-/// The least edge that the budget allows: of a thin wall the elements are as flat as it is thin.
+/// Returns the minimum edge within the budget. In a thin wall, elements are as flat as the wall.
 double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
     const double edge =
         std::cbrt(check.volumeM3 / elementVolumeShare / static_cast<double>(elementBudget));
@@ -32,13 +32,12 @@ double budgetEdgeMetres(const MeshCheck& check, int elementBudget) {
 }
 
 struct CoveredSurface {
-    std::optional<Mesh> mesh; ///< nothing where no edge length kept the body what it was
+    std::optional<Mesh> mesh; ///< empty if no edge length preserved the body
     double edgeMetres = 0;
 };
 
-/// A surface with edges of about this length. A wall thinner than them may be pierced, or its
-/// curves flattened: then finer ones are tried, down to the finest that would have been left as
-/// they are.
+/// Remeshes the surface to edges of about this length. Long edges may pierce a thin wall or flatten
+/// its curves. It then tries finer ones, down to the finest that need no remeshing.
 Result<CoveredSurface> coveredAnew(const Mesh& surface,
                                    const MeshCheck& check,
                                    double edgeMetres,
@@ -65,8 +64,8 @@ Result<CoveredSurface> coveredAnew(const Mesh& surface,
     return CoveredSurface{};
 }
 
-/// A finer surface that could not be covered anew, as that of a thin tube, with fewer triangles
-/// that keep its volume; as it is where there are none.
+/// Decimates a surface that could not be remeshed, such as a thin tube's, and keeps its volume. If
+/// that fails, returns the surface unchanged.
 Mesh lightened(const Mesh& surface,
                const MeshCheck& check,
                double edgeMetres,

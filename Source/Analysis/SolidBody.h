@@ -1,5 +1,5 @@
-// A closed surface as a body of quadratic tetrahedra, as fine as the band asks for and the budget
-// allows.
+// Builds a body of quadratic tetrahedra from a closed surface, as fine as the band needs within a
+// budget.
 #pragma once
 
 #include "Analysis/BodyModel.h"
@@ -7,20 +7,21 @@
 
 namespace idiophone {
 
-/// Wood grows along the longest side of what is made of it.
+/// Returns the grain along the longest side of the body.
 GrainAxes grainAlong(const Mesh& mesh);
 
 struct SolidBodySettings {
     Material material;
-    ElasticLaw law; ///< of that material in the body's axes
+    ElasticLaw law; ///< of the material, in the body's axes
     double maxFrequencyHz = highestAnalysedHz;
-    int elementBudget = 8000; ///< tetrahedra, about; where the band asks for more they are coarser
+    int elementBudget =
+        8000; ///< approximate number of tetrahedra; wider bands get coarser ones than they need
 };
 
-/// The surface is remeshed where its triangles are much coarser or finer than the elements should
-/// be; edges over 40° stay; three elements serve the shortest wavelength. Precondition: `surface`
-/// is as repairMesh leaves it and its MeshCheck says that it is solid. Errors, one sentence each:
-/// those of remesh and tetrahedralise, `cancelledMessage`.
+/// Remeshes the surface if its triangles are much coarser or finer than the elements need. Edges
+/// over 40° stay. The band ends where three elements span the shortest wavelength. Precondition:
+/// `surface` is as repairMesh leaves it, and its MeshCheck says that it is solid. Errors, each one
+/// sentence: those of remesh and tetrahedralise, `cancelledMessage`.
 Result<BodyModel>
 solidBody(const Mesh& surface, const SolidBodySettings& settings, const WorkControl& control = {});
 

@@ -15,7 +15,7 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-/// Outer and inner side of the wall, and the rims between them along the middle's boundary.
+/// Returns the outer and inner side of the wall and the rims along the middle surface's boundary.
 Mesh wallSurface(const Mesh& middle, const Eigen::VectorXd& thicknessMetres) {
     const auto count = static_cast<int>(middle.vertexCount());
     const Eigen::MatrixXd offsets = (0.5 * thicknessMetres).asDiagonal() * vertexNormals(middle);
@@ -42,8 +42,9 @@ Mesh wallSurface(const Mesh& middle, const Eigen::VectorXd& thicknessMetres) {
     return surface;
 }
 
-/// Three tetrahedra over a triangle of the middle surface. The walls between prisms are cut from
-/// the inner corner of lower number to the outer one of higher, so that neighbours agree.
+/// Returns three tetrahedra over a triangle of the middle surface. The walls between prisms are cut
+/// from the inner corner of the lower number to the outer corner of the higher one. So neighbours
+/// agree.
 std::array<std::array<int, 4>, 3> prismCorners(Eigen::RowVector3i triangle, int count) {
     std::sort(triangle.begin(), triangle.end());
     const int a = triangle(0), b = triangle(1), c = triangle(2);

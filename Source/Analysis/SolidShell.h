@@ -1,5 +1,6 @@
-// A wall about a middle surface as finite elements, one layer of prisms cut into tetrahedra: for
-// thin bodies whose thickness varies, such as bells. TwoLayerShell serves where it does not.
+// Builds finite elements for a wall around a middle surface: one layer of prisms, cut into
+// tetrahedra. It serves thin bodies of varying thickness, such as bells. TwoLayerShell serves
+// constant thickness.
 #pragma once
 
 #include "Analysis/BodyModel.h"
@@ -8,13 +9,13 @@
 
 namespace idiophone {
 
-/// The wall reaches half of its thickness [N] in metres, > 0, to either side of the middle surface,
-/// an oriented manifold of N vertices, open or closed. Its thickness is nowhere as much as the
-/// radius of curvature or the triangles' edges. Each triangle becomes three quadratic tetrahedra of
-/// straight edges.
+/// The wall extends half of its thickness [N] in metres, > 0, to both sides of the middle surface.
+/// That is an oriented manifold of N vertices, open or closed. The thickness is everywhere less
+/// than the radius of curvature and the triangles' edges. Each triangle becomes three quadratic
+/// tetrahedra with straight edges.
 ///
-/// The body's surface is the wall's, closed: vertex v lies on the side the faces look to, vertex N
-/// + v opposite.
+/// The body's surface is that of the wall, closed. Vertex v lies on the outer side of the faces,
+/// vertex N + v opposite.
 BodyModel
 solidShell(const Mesh& middle, const Eigen::VectorXd& thicknessMetres, const Material& material);
 

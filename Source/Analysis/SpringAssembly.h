@@ -8,8 +8,8 @@
 
 namespace idiophone {
 
-/// A rank-one stiffness k g gᵀ, where gᵀu is an elongation (or a difference of elongations) of the
-/// displacements of `Points` points. For a spring, g = (n, −n).
+/// Adds rank-one stiffnesses k g gᵀ. gᵀu is an elongation, or a difference of elongations, of the
+/// displacements of `Points` points. A spring has g = (n, −n).
 class SpringAssembly {
 public:
     using Triplet = Eigen::Triplet<double>;
@@ -32,7 +32,7 @@ public:
             }
     }
 
-    /// The lower triangle.
+    /// Returns the lower triangle.
     Eigen::SparseMatrix<double> matrix(Eigen::Index rows) const {
         Eigen::SparseMatrix<double> result(rows, rows);
         result.setFromTriplets(triplets_.begin(), triplets_.end());

@@ -5,7 +5,7 @@
 namespace idiophone {
 namespace {
 
-/// In N/m.
+/// Returns the stiffness in N/m.
 double springStiffness(const MeshEdge& edge,
                        double lengthMetres,
                        double youngsModulusPa,

@@ -13,11 +13,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index panelColumns = 48;    ///< eliminated before the rest of a front hears of it
-constexpr Index solvedTogether = 8;   ///< right-hand sides, at most
-constexpr Index streamsTogether = 16; ///< columns of L read side by side, as prefetching allows
+constexpr Index panelColumns = 48;    ///< eliminated before the rest of a front is updated
+constexpr Index solvedTogether = 8;   ///< maximum number of right-hand sides
+constexpr Index streamsTogether = 16; ///< columns of L read together, as prefetching allows
 
-/// Which blocks of a matrix of scalars have an entry.
+/// Returns a matrix with an entry for each block that has one.
 Eigen::SparseMatrix<double> blockPlaces(const Eigen::SparseMatrix<double>& lower, int blockSize) {
     const Index count = lower.rows() / blockSize;
     std::vector<Eigen::Triplet<double>> entries;
@@ -125,10 +125,10 @@ void SupernodalLdlt::assemble(const Supernode& node,
     }
 }
 
-/// Eliminates the first `width` columns of what is left of a front, whose rows start at `first`.
+/// Eliminates the first `width` columns of the rest of a front, whose rows start at `first`.
 bool SupernodalLdlt::eliminate(Index first, Eigen::Ref<MatrixXd> left, Index width) {
     const Index b = blockSize_, size = left.rows();
-    MatrixXd unscaled(size, width); // L D, of which L is left in place
+    MatrixXd unscaled(size, width); // L D; L stays in `left`
     for (Index j = 0; j < width; j += b) {
         const Index rest = size - j - b;
         if (!diagonalisePivot(first + j, left.block(j, j, b, b)))
@@ -150,7 +150,7 @@ bool SupernodalLdlt::eliminate(Index first, Eigen::Ref<MatrixXd> left, Index wid
 }
 
 bool SupernodalLdlt::diagonalisePivot(Index first, const Block& pivot) {
-    const Eigen::SelfAdjointEigenSolver<Block> eigen(pivot); // of its lower triangle
+    const Eigen::SelfAdjointEigenSolver<Block> eigen(pivot); // reads the lower triangle
     const auto& values = eigen.eigenvalues();
     if (!values.allFinite() || (values.array() == 0).any())
         return false;
@@ -203,7 +203,7 @@ void SupernodalLdlt::solvePermuted(Vectors& x) const {
         substituteInto(x, below, s);
 }
 
-/// Solves a supernode's own rows with L and takes them out of those below.
+/// Solves a supernode's rows with L and subtracts them from the rows below.
 void SupernodalLdlt::eliminateFrom(Vectors& x, Vectors& below, std::size_t s) const {
     const auto& node = tree_.supernodes[s];
     const auto& l = columns_[s];
@@ -221,7 +221,7 @@ void SupernodalLdlt::eliminateFrom(Vectors& x, Vectors& below, std::size_t s) co
         x.middleRows(node.below[i] * b, b) -= below.middleRows(static_cast<Index>(i) * b, b);
 }
 
-/// Solves a supernode's own rows with Lᵀ, those below being known.
+/// Solves a supernode's rows with Lᵀ; the rows below are known.
 void SupernodalLdlt::substituteInto(Vectors& x, Vectors& below, std::size_t s) const {
     const auto& node = tree_.supernodes[s];
     const auto& l = columns_[s];
@@ -239,7 +239,7 @@ void SupernodalLdlt::substituteInto(Vectors& x, Vectors& below, std::size_t s) c
         turn(own + row * w, w, node.first * b + row, false);
 }
 
-/// Into the axes of a pivot, or out of them.
+/// Turns rows into the axes of a pivot, or back.
 void SupernodalLdlt::turn(double* rows, Index w, Index first, bool into) const {
     const Index b = blockSize_;
     std::array<double, 6 * solvedTogether> turned{};

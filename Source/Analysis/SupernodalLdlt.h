@@ -1,6 +1,6 @@
-// L D Lᵀ of a sparse symmetric, possibly indefinite matrix made of B × B blocks, one for each pair
-// of neighbouring vertices. Internal to Analysis. CHOLMOD's supernodal code takes definite matrices
-// only and cannot be stopped; Eigen's works entry by entry.
+// L D Lᵀ of a sparse symmetric, possibly indefinite matrix of B × B blocks, one for each pair of
+// neighbouring vertices. Internal to Analysis. CHOLMOD's supernodal code needs definite matrices
+// and cannot be stopped; Eigen's works on single entries.
 #pragma once
 
 #include "Analysis/EliminationTree.h"
@@ -15,30 +15,30 @@ namespace idiophone {
 
 enum class LdltOutcome { done, singular, stopped };
 
-/// The multifrontal method (Duff & Reid 1983): columns of like structure, a supernode, are
-/// eliminated together in a dense matrix, so that nearly all work is products of dense matrices.
-/// Pivots are the B × B blocks, applied through their eigenvectors: as large as they can be without
-/// exchanging blocks, and none is inverted, which would cost digits.
+/// The multifrontal method (Duff & Reid 1983). A supernode is a set of columns with like structure,
+/// eliminated together in a dense matrix. So nearly all work is products of dense matrices. Pivots
+/// are the B × B blocks, applied through their eigenvectors. They are as large as possible without
+/// exchanging blocks. None is inverted, which would cost digits.
 class SupernodalLdlt {
 public:
-    /// Orders and analyses a lower triangle [n×n], n a multiple of the block size 1 … 6, for the
-    /// places of its entries.
+    /// Orders and analyses the pattern of a lower triangle [n×n]. n is a multiple of the block
+    /// size, 1 … 6.
     SupernodalLdlt(const Eigen::SparseMatrix<double>& lower, int blockSize);
 
-    /// Factorises a matrix of the same places, or some of them. `stop` is asked now and then.
+    /// Factorises a matrix with this pattern or part of it. Calls `stop` regularly.
     LdltOutcome factorise(const Eigen::SparseMatrix<double>& lower,
                           const std::function<bool()>& stop);
 
     Eigen::Index negativePivots() const { return negativePivots_; }
 
-    /// How many multiplications a factorisation takes.
+    /// The number of multiplications of one factorisation.
     double products() const;
 
-    /// How many entries L has.
+    /// The number of entries of L.
     double entries() const;
 
-    /// Replaces right-hand sides [n×m] by the solutions. They are taken four or eight at a time,
-    /// which is several times quicker than one by one.
+    /// Replaces right-hand sides [n×m] by the solutions. It solves four or eight together, which is
+    /// several times faster than one by one.
     void solve(Vectors& right) const;
 
 private:
@@ -58,9 +58,9 @@ private:
     EliminationTree tree_;
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;
     std::vector<Eigen::MatrixXd>
-        columns_; ///< each supernode's part of L, unit lower triangle on top
-    std::vector<Eigen::MatrixXd> updates_; ///< what a supernode leaves for its parent
-    std::vector<int> placeInFront_;        ///< of each block of unknowns, its first row
+        columns_; ///< each supernode's part of L; its top is a unit lower triangle
+    std::vector<Eigen::MatrixXd> updates_; ///< update matrix of each supernode for its parent
+    std::vector<int> placeInFront_;        ///< first row of each block of unknowns in the front
     Eigen::MatrixXd axes_, pivots_;        ///< of each pivot: [B × n] and [B × blocks]
     Eigen::Index negativePivots_ = 0;
 };

@@ -18,8 +18,8 @@ constexpr double pi = std::numbers::pi;
 constexpr std::size_t longestFit = std::size_t{1} << 19;
 constexpr double steepestExponent = -4, shallowestExponent = 1;
 
-/// The greatest even number up to `length` without prime factors above 5, of which transforms are
-/// fast.
+/// Returns the largest even number up to `length` without prime factors above 5, for fast
+/// transforms.
 std::size_t transformLength(std::size_t length) {
     const auto isSmooth = [](std::size_t n) {
         for (const std::size_t prime : {2u, 3u, 5u})
@@ -33,7 +33,8 @@ std::size_t transformLength(std::size_t length) {
     return length;
 }
 
-/// The middle of the recording without its mean, faded in and out: a transform joins its ends.
+/// Returns the middle of the recording without its mean, faded in and out because a transform joins
+/// its ends.
 std::vector<double> middleOf(std::span<const float> samples) {
     const std::size_t length = transformLength(std::min(samples.size(), longestFit));
     const auto middle = samples.subspan((samples.size() - length) / 2, length);
@@ -50,10 +51,10 @@ std::vector<double> middleOf(std::span<const float> samples) {
     return result;
 }
 
-/// The bin below which the recording has its whole spectrum: above may be nothing but what a steep
-/// cut leaves (a lower sample rate before, a lossy codec). From one 64th of the band to the next a
-/// power law falls by a few decibels once past the lowest; a reson's peak, which is narrow and may
-/// fall faster, does not stand out from the least of four.
+/// Returns the bin below which the spectrum is complete. A lower original sample rate or a lossy
+/// codec may have cut it off above. Past the lowest bands, a power law falls by a few decibels
+/// between 64ths of the band. The peak of a reson may fall faster, but is narrow: it is not below
+/// the minimum of four bands.
 std::size_t cutBin(const std::vector<std::complex<double>>& spectrum) {
     constexpr std::size_t bandCount = 64, compared = 4, lowestBand = 8;
     constexpr double steepFall = 0.1;
@@ -71,17 +72,16 @@ std::size_t cutBin(const std::vector<std::complex<double>>& spectrum) {
     return bins;
 }
 
-/// An autoregressive model of order 2 that oscillates and decays, and how likely it makes the
-/// recording.
+/// An autoregressive model of order 2 that oscillates and decays, and its likelihood.
 struct ResonFit {
     std::complex<double> pole; ///< in the upper half plane, inside the unit circle
-    double cost = 0;           ///< minus twice the log-likelihood a sample, but for a constant
+    double cost = 0;           ///< minus twice the log-likelihood per sample, up to a constant
 };
 
-/// A recording's spectrum, to be whitened and fitted for one β after another.
+/// A recording's spectrum, whitened and fitted for one β after another.
 class WhitenedScrape {
 public:
-    /// `bins` of the `given` spectrum, which reaches to the Nyquist frequency, are fitted.
+    /// Fits the first `bins` of the `given` spectrum, which reaches to the Nyquist frequency.
     WhitenedScrape(std::vector<std::complex<double>> given, std::size_t lowest, std::size_t bins)
         : spectrum(std::move(given)), lowestBin(lowest),
           bandRatio(static_cast<double>(bins) / static_cast<double>(spectrum.size() - 1)) {
@@ -94,14 +94,15 @@ public:
             meanLogFrequency += value / static_cast<double>(bins);
     }
 
-    /// Nothing where the best A has no resonance. Its pole is that at the rate of twice the bins.
+    /// Returns nothing if the best A has no resonance. The pole refers to a sample rate of twice
+    /// the bins.
     std::optional<ResonFit> fit(double exponent) {
         std::vector<std::complex<double>> whitened(spectrum.size());
         for (std::size_t k = lowestBin; k < spectrum.size(); ++k)
             whitened[k] = spectrum[k] * std::exp(-exponent / 2 * logFrequencies[k]);
         auto found = covarianceFit(whitened);
-        // Within a part of the band the model is still that of the recording's own rate: what is
-        // left between the two is taken out with the pole found before.
+        // In a part of the band, the model still refers to the recording's rate. Remove the
+        // difference between both rates with the pole found before.
         constexpr int rounds = 3;
         double correction = 0;
         for (int round = 0; round < rounds && found && bandRatio < 1; ++round) {
@@ -121,8 +122,8 @@ private:
         return std::norm((1.0 - pole * turn) * (1.0 - std::conj(pole) * turn));
     }
 
-    /// Multiplies by |A| at the recording's rate over |A| at the fit's; the mean of ln |A|² at the
-    /// recording's rate, which over the whole band would be 0.
+    /// Multiplies by |A| at the recording's rate over |A| at the fit's rate. Returns the mean of ln
+    /// |A|² at the recording's rate, which would be 0 over the whole band.
     double bringToRecordingRate(std::vector<std::complex<double>>& values,
                                 std::complex<double> pole) const {
         const auto poleOfRecording = std::exp(std::log(pole) * bandRatio);
@@ -141,7 +142,7 @@ private:
         transform.inv(samples, whitened, static_cast<Eigen::Index>(2 * (whitened.size() - 1)));
         const Eigen::Map<const Eigen::VectorXd> x(samples.data(),
                                                   static_cast<Eigen::Index>(samples.size()));
-        // Without the faded ends, which the whitening spreads a little.
+        // Leave out the faded ends, which the whitening spreads a little.
         const Eigen::Index first = x.size() / 16, count = x.size() - 2 * first;
         const auto product = [&](Eigen::Index i, Eigen::Index j) {
             return x.segment(first - i, count).dot(x.segment(first - j, count));
@@ -164,7 +165,7 @@ private:
     std::vector<double> logFrequencies; ///< relative to the highest; 0 at 0
     double meanLogFrequency = 0;
     std::size_t lowestBin;
-    double bandRatio; ///< of the fitted band to the recording's
+    double bandRatio; ///< fitted band over the recording's band
 };
 
 struct BestFit {
@@ -172,7 +173,7 @@ struct BestFit {
     ResonFit reson;
 };
 
-/// A scan that finds the right valley, then halving steps down to its floor.
+/// Scans for the global minimum, then refines it with halved steps.
 std::optional<BestFit> mostLikely(WhitenedScrape& scrape) {
     std::optional<BestFit> best;
     const auto tryExponent = [&](double exponent) {
@@ -214,7 +215,7 @@ Result<SurfaceFit> fitSurface(std::span<const float> samples, double sampleRateH
     transform.fwd(spectrum, recording);
     const std::size_t bins = transformLength(2 * cutBin(spectrum)) / 2;
     const double binHz = sampleRateHz / static_cast<double>(recording.size());
-    // Handling noise and rumble are not the scrape's.
+    // Leave out handling noise and rumble.
     constexpr double lowestHz = 20;
     const auto lowestBin = static_cast<std::size_t>(std::ceil(lowestHz / binHz));
     WhitenedScrape scrape(std::move(spectrum), lowestBin, bins);

@@ -17,12 +17,12 @@ using Permutation = std::vector<int>;
 constexpr double positionTolerance = 1e-6; // of the bounding diagonal
 constexpr int mostTurns = 360;
 
-/// None that meshes are aligned with, so that few points share a place along it.
+/// Meshes are not aligned with this direction, so that few points share a place along it.
 Eigen::Vector3d obliqueDirection() {
     return {0.8191, 0.4713, 0.3272};
 }
 
-/// Finds faces by where their corners are.
+/// Finds faces by the positions of their corners.
 class FaceFinder {
 public:
     explicit FaceFinder(const Mesh& mesh)
@@ -33,7 +33,7 @@ public:
             faces_.emplace(sorted(mesh.faces.row(face)), static_cast<int>(face));
     }
 
-    /// Where the isometry about `centre` takes each face, if it takes them all to faces.
+    /// Returns the image of each face under the isometry about `centre`, if all images are faces.
     std::optional<Permutation> imagesUnder(const Eigen::Matrix3d& isometry,
                                            const Eigen::RowVector3d& centre) const {
         std::vector<int> vertices;
@@ -77,7 +77,7 @@ private:
     std::map<std::array<int, 3>, int> faces_;
 };
 
-/// A cyclic group: what generates it, and how many times it must be applied to come back.
+/// A cyclic group: its generator, and the number of applications that give the identity.
 struct Generator {
     Permutation images;
     int order = 1;
@@ -101,7 +101,8 @@ std::vector<std::vector<int>> elementsOf(const std::vector<Generator>& generator
     return elements;
 }
 
-/// Rows and columns in the order of `elementsOf`: the exponent of the first generator runs fastest.
+/// Rows and columns have the order of `elementsOf`: the exponent of the first generator runs
+/// fastest.
 Eigen::MatrixXcd charactersOf(const std::vector<Generator>& generators) {
     Eigen::MatrixXcd characters = Eigen::MatrixXcd::Ones(1, 1);
     for (const auto& generator : generators) {
@@ -138,8 +139,8 @@ SurfaceSymmetry noSymmetry(const Mesh& mesh) {
 }
 
 SurfaceOrbits orbitsOf(const SurfaceSymmetry& symmetry, const Mesh& mesh) {
-    // The first face of an orbit is the one that lies furthest along a direction: those of mirrors
-    // then fill one corner, those of turns one wedge.
+    // The first face of an orbit is the farthest along a direction. So the first faces fill one
+    // corner for mirrors and one wedge for turns.
     std::vector<double> places;
     for (const auto& face : mesh.faces.rowwise())
         places.push_back(

@@ -1,6 +1,5 @@
-// Which turns and mirrors map a mesh onto itself, for solvers that need to treat but one sector of
-// it. Only groups whose elements commute: their solutions fall apart into one set for each
-// character.
+// Finds the turns and mirrors that map a mesh onto itself, so that solvers need only one sector of
+// it. Only commuting groups: their solutions separate into one set per character.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -12,31 +11,32 @@ namespace idiophone {
 
 /// A group of G commuting isometries of a mesh of F faces.
 ///
-/// Every function f on the faces is the sum over the characters χ of parts with
-/// f_χ(g·face) = χ(g) f_χ(face), which the orbits' first faces tell of.
+/// Every function f on the faces is a sum of parts, one per character χ, with f_χ(g·face) = χ(g)
+/// f_χ(face). The values on the orbits' first faces determine a part.
 struct SurfaceSymmetry {
-    std::vector<std::vector<int>> images; ///< [G][F] where each face goes; the first is identity
-    /// [G×G] one row for each character, its value of each element.
+    std::vector<std::vector<int>>
+        images; ///< [G][F] image of each face; the first element is the identity
+    /// [G×G] a row per character with its value for each element.
     Eigen::MatrixXcd characters;
 
     Eigen::Index order() const { return characters.rows(); }
 };
 
-/// The largest that is found: mirrors of the coordinate planes through the centroid, or turns by a
-/// whole part of a circle about a line along a coordinate axis through it, perhaps with the mirror
-/// across. Of a mesh without any, the identity alone. Vertices may be off by 1e-6 of the size.
+/// Returns the largest group found. It consists of mirrors at coordinate planes through the
+/// centroid, or of turns about a coordinate axis through it, possibly with the mirror across. A
+/// mesh without symmetry gets the identity alone. Vertices may be off by 1e-6 of the size.
 SurfaceSymmetry surfaceSymmetry(const Mesh& mesh);
 
-/// The identity alone.
+/// Returns the identity alone.
 SurfaceSymmetry noSymmetry(const Mesh& mesh);
 
-/// Faces that the elements take to each other.
+/// Orbits: sets of faces that the elements map to each other.
 struct SurfaceOrbits {
-    std::vector<int> firsts;   ///< of each orbit one face; they lie side by side, as one sector
-    std::vector<int> orbits;   ///< [F] which orbit a face is in
-    std::vector<int> elements; ///< [F] an element that takes the orbit's first face there
-    /// [orbits] whether other elements than the identity leave its faces in place. Only functions
-    /// of characters that are 1 for these elements live there.
+    std::vector<int> firsts;   ///< one face of each orbit; they lie side by side and form a sector
+    std::vector<int> orbits;   ///< [F] the orbit of each face
+    std::vector<int> elements; ///< [F] an element that maps the orbit's first face to this one
+    /// [orbits] true if elements other than the identity map a face to itself. Only parts with a
+    /// character of 1 for these elements are nonzero there.
     std::vector<bool> areFixed;
 };
 SurfaceOrbits orbitsOf(const SurfaceSymmetry& symmetry, const Mesh& mesh);

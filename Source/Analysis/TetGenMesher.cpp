@@ -3,7 +3,7 @@
 #include "Analysis/TetGenWatch.h"
 #include "Object/WorkControl.h"
 
-#define TETLIBRARY // else the header ends the process on an error
+#define TETLIBRARY // without it, the header ends the process on an error
 #include <tetgen.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ void configure(const TetGenSettings& settings, tetgenbehavior& behavior) {
     }
 }
 
-/// What `tetrahedralize` does for these switches.
+/// Repeats the steps of `tetrahedralize` for these switches.
 void fill(tetgenmesh& mesh, tetgenio& output) {
     const tetgenbehavior& behavior = *mesh.b;
     std::clock_t ignored = 0;
@@ -86,9 +86,9 @@ void fill(tetgenmesh& mesh, tetgenio& output) {
         mesh.outelements(&output);
 }
 
-/// `tetrahedralize` keeps its workspace on the stack, and terminatetetgen() frees the workspace
-/// before it throws: the destructor then frees it again. Here that one is not destroyed, and its
-/// memory alone goes back.
+/// `tetrahedralize` has its workspace on the stack, and terminatetetgen() frees it before it
+/// throws. The destructor would then free it again. So here the workspace is not destroyed after an
+/// exception; only its memory is released.
 void fillOrThrow(tetgenio& input, tetgenbehavior& behavior, tetgenio& output) {
     auto workspace = std::make_unique<tetgenmesh>();
     workspace->b = &behavior;
@@ -148,7 +148,7 @@ std::string sentence(TetGenStop stop) {
     }
 }
 
-/// Ten times those of a body of 200,000 elements; some half a minute.
+/// Ten times the number for a body of 200,000 elements; about half a minute.
 constexpr std::int64_t mostChecks = 30'000'000;
 
 } // namespace
@@ -160,7 +160,7 @@ std::mutex& tetGenTurn() {
 
 Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings) {
     std::unique_lock turn(tetGenTurn(), std::defer_lock);
-    // Another may take half a minute. The thread sanitizer does not know std::timed_mutex.
+    // Another call may take half a minute. The thread sanitizer does not know std::timed_mutex.
     while (!turn.try_lock()) {
         if (settings.cancelled != nullptr && settings.cancelled->load())
             return failure(sentence(TetGenStop::cancelled));

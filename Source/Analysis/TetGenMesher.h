@@ -1,4 +1,4 @@
-// TetGen behind a plain function. Internal to Analysis: TetMesh is what others see.
+// TetGen behind a plain function. Internal to Analysis; other modules use TetMesh.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -12,22 +12,22 @@ namespace idiophone {
 struct TetGenSettings {
     bool keepSurface = true;                      ///< no new points on the surface (-Y)
     double radiusEdgeRatio = 2;                   ///< bound on circumradius over shortest edge (-q)
-    double maximumVolumeM3 = 0;                   ///< of a tetrahedron (-a); 0 for no bound
-    int maximumAddedPoints = -1;                  ///< (-S); −1 for no bound
+    double maximumVolumeM3 = 0;                   ///< of a tetrahedron (-a); 0: no limit
+    int maximumAddedPoints = -1;                  ///< (-S); −1: no limit
     const std::atomic<bool>* cancelled = nullptr; ///< true ends it within a fraction of a second
 };
 
-/// Four-node tetrahedra over the convex hull of nothing but the surface's inside.
+/// Four-node tetrahedra that fill the inside of a surface.
 struct LinearTetrahedra {
-    Eigen::MatrixXd points;     ///< [P×3] those of the surface first, in its order
+    Eigen::MatrixXd points;     ///< [P×3] the surface's points first, in its order
     Eigen::MatrixXi tetrahedra; ///< [T×4]
-    Eigen::VectorXi regions;    ///< [T] number of the closed-off part of space, ≥ 0
+    Eigen::VectorXi regions;    ///< [T] index of the closed-off part of space, ≥ 0
 };
 
-/// Whoever is in TetGen, whose arithmetic has globals (exactinit), holds it.
+/// Lock it while in TetGen, whose arithmetic uses globals (exactinit).
 std::mutex& tetGenTurn();
 
-/// See `tetrahedralise`. No exception leaves it; a stopped one fails with `cancelledMessage`, also
+/// See `tetrahedralise`. Throws no exception. A cancelled call fails with `cancelledMessage`, also
 /// while it waits for its turn.
 Result<LinearTetrahedra> runTetGen(const Mesh& surface, const TetGenSettings& settings);
 

@@ -1,6 +1,5 @@
-// The way out of TetGen: its assertions, built so that they throw instead of ending the process,
-// and that look up on the way whether it should go on. Internal to Analysis and to TetGen's own
-// build.
+// Stops TetGen. Its assertions are built to throw instead of ending the process. They also check
+// for cancellation. Internal to Analysis and to TetGen's own build.
 #pragma once
 
 #include <atomic>
@@ -8,15 +7,15 @@
 
 namespace idiophone {
 
-/// Thrown out of TetGen's loops; its workspace is still whole enough to be destroyed.
+/// Thrown out of TetGen's loops. Its workspace can still be destroyed.
 enum class TetGenStop { assertionFailed, cancelled, tooLong };
 
 struct TetGenWatch {
     const std::atomic<bool>* cancelled = nullptr;
-    /// Assertions passed, not time, so that the same input ends the same way.
+    /// Counts assertions, not time, so that the same input gives the same result.
     std::int64_t checksLeft = 0;
 
-    /// What this thread's calls of TetGen heed.
+    /// The settings for TetGen calls on this thread.
     static TetGenWatch& current() {
         static thread_local TetGenWatch watch;
         return watch;

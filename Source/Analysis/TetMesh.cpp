@@ -18,12 +18,12 @@
 namespace idiophone {
 namespace {
 
-/// Circumradius over shortest edge allowed where no flat element is wanted: TetGen's proof of
-/// termination begins at 2, and its practice well below.
+/// Maximum circumradius over shortest edge if no flat elements are wanted. TetGen is proved to
+/// terminate from 2 on, but does so well below in practice.
 constexpr double chunkyRatio = 1.6;
 
-/// The volume bound that makes the mean edge about the target, over that of a regular tetrahedron:
-/// found by trying on bars, spheres and blocks.
+/// The volume bound over the volume of a regular tetrahedron of the target edge. It makes the mean
+/// edge about the target; found by trials on bars, spheres and blocks.
 constexpr double volumeShare = 1.4;
 
 std::string faultOf(const Mesh& surface, const TetMeshSettings& settings) {
@@ -46,8 +46,8 @@ std::string faultOf(const Mesh& surface, const TetMeshSettings& settings) {
     return {};
 }
 
-/// Thin walls keep flat elements: a prism of the surface's triangles and a wall of thickness
-/// h = 2V/A has R/h = √(e²/3 + h²/4)/h, and a lower bound would have TetGen cut it into cubes.
+/// Thin walls keep flat elements. A prism of the surface's triangles and a wall of thickness h =
+/// 2V/A has R/h = √(e²/3 + h²/4)/h. With a lower bound, TetGen would cut it into cubes.
 double radiusEdgeRatio(const Mesh& surface, const TetMeshSettings& settings) {
     if (!settings.keepSurface)
         return chunkyRatio;
@@ -57,12 +57,12 @@ double radiusEdgeRatio(const Mesh& surface, const TetMeshSettings& settings) {
     return std::max(chunkyRatio, 1.5 * std::sqrt(edge * edge / 3 + 0.25));
 }
 
-/// Of the parts of space that the surface closes off, those an odd number of its sheets lie around.
+/// Returns true for regions that an odd number of the surface's sheets encloses.
 std::vector<bool> solidRegions(const Mesh& surface, const LinearTetrahedra& filled) {
     std::vector<bool> solid(static_cast<std::size_t>(filled.regions.maxCoeff()) + 1, true);
     if (connectedComponents(surface).count == 1)
         return solid;
-    std::map<int, std::pair<double, Eigen::Index>> largest; // of each region, volume and element
+    std::map<int, std::pair<double, Eigen::Index>> largest; // volume and element of each region
     for (Eigen::Index t = 0; t < filled.tetrahedra.rows(); ++t) {
         const auto corner = [&](int k) {
             return Eigen::Vector3d(filled.points.row(filled.tetrahedra(t, k)).transpose());
@@ -83,7 +83,7 @@ std::vector<bool> solidRegions(const Mesh& surface, const LinearTetrahedra& fill
     return solid;
 }
 
-/// Elements and points that are used, the surface's points first as they were.
+/// Returns the used elements and points. The surface's points stay first.
 Result<LinearTetrahedra> withoutCavities(const Mesh& surface, LinearTetrahedra filled) {
     const auto solid = solidRegions(surface, filled);
     std::vector<int> newIndex(static_cast<std::size_t>(filled.points.rows()), -1);
@@ -193,7 +193,7 @@ double volumeM3(const TetMesh& mesh) {
 }
 
 double meanEdgeLengthMetres(const TetMesh& mesh) {
-    // An edge is known by the node in its middle, which all of its elements share.
+    // An edge is identified by its mid-edge node, which its elements share.
     std::unordered_map<int, double> lengths;
     for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t)
         for (int e = 0; e < 6; ++e) {

@@ -9,7 +9,7 @@
 namespace idiophone {
 namespace {
 
-/// Of an element's ends and middle at ξ in −1 … 1.
+/// The shape functions of an element's ends and middle at ξ in −1 … 1.
 Eigen::Vector3d shapesAt(double xi) {
     return {xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2};
 }
@@ -30,7 +30,7 @@ const std::array full{QuadraturePoint{-std::sqrt(0.6), 5.0 / 9}, QuadraturePoint
 using ElementMatrix = Eigen::Matrix<double, 6, 6>;
 using ElementRow = Eigen::Matrix<double, 6, 1>;
 
-/// Rows are deflection and rotation of each of the three nodes in turn.
+/// Returns a row with the deflection and rotation of each of the three nodes in turn.
 ElementRow interleaved(const Eigen::Vector3d& deflection, const Eigen::Vector3d& rotation) {
     ElementRow row;
     for (Eigen::Index node = 0; node < 3; ++node)

@@ -9,7 +9,7 @@ namespace idiophone {
 namespace {
 
 constexpr double slowestDecayPerSecond = 0.0115; // ln(1000) in ten minutes
-// In α_ij: farther apart, what two modes add to one another is below −30 dB.
+// In α_ij. Beyond this distance, two modes contribute less than −30 dB to each other.
 constexpr double farthestApart = 32;
 
 struct Tone {
@@ -32,8 +32,8 @@ std::vector<Tone> audibleTones(const ModalObject& object) {
     return tones;
 }
 
-/// Calls with two tones and ½ α_ij / (α_ij² + Δ_ij²), where that counts. There are as many as the
-/// square of the modes, so that nobody keeps them.
+/// Calls `use` with two tones and ½ α_ij / (α_ij² + Δ_ij²), if not negligible. The couplings are
+/// not stored, because their number is the square of the modes.
 template <class Use>
 void forEachCoupling(const std::vector<Tone>& tones, const Use& use) {
     double fastest = 0;
@@ -51,11 +51,11 @@ void forEachCoupling(const std::vector<Tone>& tones, const Use& use) {
         }
 }
 
-/// Vertices whose sums go on side by side.
+/// Vertices whose sums are computed together.
 constexpr std::size_t rowsTogether = 8;
 using OfRows = std::array<double, rowsTogether>;
 
-/// (φ · n)² of each tone at some vertices that carry shapes; of those beyond the last nothing.
+/// Returns (φ · n)² of each tone at some shape vertices. Unused entries are 0.
 std::vector<OfRows> gainsOf(const std::vector<Tone>& tones,
                             const ModalObject& object,
                             const std::vector<float>& normals,

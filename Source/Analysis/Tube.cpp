@@ -16,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double pi = std::numbers::pi;
-/// A tube that is farther off than this shares no mode.
+/// A resonance farther from a mode than this does not share it.
 constexpr double wholeTone = 1.122;
 constexpr double leastSharedGain = 1e-3;
 
@@ -24,7 +24,7 @@ double waveNumber(double omega) {
     return omega / speedOfSoundMetresPerSecond;
 }
 
-/// The far pressure of a flow out of the mouth of 1 m³/s, towards a direction.
+/// Returns the far pressure in one direction of a flow of 1 m³/s out of the mouth.
 Complex monopole(double omega,
                  const std::array<float, 3>& direction,
                  const std::array<double, 3>& placeMetres) {
@@ -35,17 +35,17 @@ Complex monopole(double omega,
            std::polar(1.0, waveNumber(omega) * along);
 }
 
-/// One mode of the object to come.
+/// One mode of the new object.
 struct Mode {
-    std::size_t source = 0; ///< whose shape, and whose radiation as the bar, it has
+    std::size_t source = 0; ///< the bar's mode with this shape and radiation
     double eigenvalue = 0;
-    double decay = 0; ///< that follows the material
+    double decay = 0; ///< the part that follows the material
     double extraDecay = 0;
     Complex gain = 1;
     Complex flow = 0; ///< into the tube, per unit modal velocity
 };
 
-/// A mode that is not near a resonance drives the tube as the impedance there lets it.
+/// Returns a mode away from the resonances. It drives the tube's impedance at its frequency.
 Mode drivingMode(const ModalObject& bar, std::size_t mode, const Tube& tube, double mouthKgPerM2) {
     const double omega = std::sqrt(bar.eigenvalues[mode]);
     const Complex pressure(0, omega * mouthKgPerM2); // per unit modal velocity
@@ -59,8 +59,8 @@ Mode drivingMode(const ModalObject& bar, std::size_t mode, const Tube& tube, dou
             .flow = pressure / impedance};
 }
 
-/// Both modes that the bar's mode becomes. What of a decay follows the material is found by varying
-/// the bar's own.
+/// Returns both modes that replace the bar's mode. The part of a decay that follows the material is
+/// found by varying the bar's decay.
 std::array<Mode, 2> sharingModes(const ModalObject& bar,
                                  std::size_t mode,
                                  const TubeResonance& resonance,
@@ -85,7 +85,7 @@ std::array<Mode, 2> sharingModes(const ModalObject& bar,
     return result;
 }
 
-/// The mode that takes most from a resonance, if one is near.
+/// Returns the mode with the strongest coupling to a resonance, if one is near.
 std::optional<std::size_t> sharingMode(const ModalObject& bar,
                                        const TubeResonance& resonance,
                                        std::span<const double> mouthKgPerM2) {
@@ -168,7 +168,7 @@ std::array<SharedMode, 2> sharedModes(double barOmega,
     mass << 1, -mouthKgPerM2, -mouthKgPerM2, inertance;
     damping << 2 * barDecayPerSecond, 0, 0, 2 * inertance * tube.decayPerSecond;
     stiffness << barOmega * barOmega, 0, 0, inertance * tube.omega * tube.omega;
-    // In units of the bar's ω, so that displacements and velocities are of one size.
+    // Use units of the bar's ω, so that displacements and velocities have similar sizes.
     Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
     companion.topRightCorner<2, 2>().setIdentity();
     companion.bottomLeftCorner<2, 2>() = -mass.inverse() * stiffness / (barOmega * barOmega);

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double toleranceCents = 0.1;
-// As many rows for every length: the pitch is then a smooth function of it. Twice as many would
-// shorten the tubes by 0.5 % and leave the ratios of the modes alone. Every eighth row with every
-// other vertex is the lighter mesh.
+// The number of rows is the same for every length, so that the pitch is a smooth function of it.
+// Twice as many rows would shorten the tubes by 0.5 % and keep the ratios of the modes. The lighter
+// mesh has every eighth row with every other vertex.
 constexpr int around = 20, rows = 240, rowsOfOne = 8;
 
 double meanRadius(const TubeSpecification& tube) {
@@ -31,7 +31,8 @@ Mesh midSurface(const TubeSpecification& tube, double lengthMetres) {
     return hoopMesh(meanRadius(tube), lengthMetres, around, rows);
 }
 
-/// Whether a mode bends the tube as a beam: most of its motion is that of whole sections sideways.
+/// Returns whether a mode bends the tube like a beam: most of its motion moves whole sections
+/// sideways.
 bool isBending(const Eigen::Ref<const Eigen::VectorXd>& middle,
                const Eigen::VectorXd& vertexMasses) {
     double share = 0; // of the modal mass 1
@@ -44,7 +45,7 @@ bool isBending(const Eigen::Ref<const Eigen::VectorXd>& middle,
     return share > 0.6;
 }
 
-/// λ of bending modes 1 to 6, the mean of each pair.
+/// Returns λ of bending modes 1 to 6, each the mean of a pair.
 Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
                                                  double lengthMetres,
                                                  double highestHz,
@@ -70,8 +71,8 @@ Result<std::array<double, 6>> bendingEigenvalues(const TubeSpecification& tube,
     return pairs;
 }
 
-/// What the tube radiates with its ends closed, as chimes have a cap and the air within moves with
-/// the wall: from the outside alone, where a sheet's other side would nearly cancel it.
+/// Returns the radiation of the tube with closed ends. Chimes have a cap, and the air inside moves
+/// with the wall. So only the outside radiates; the other side of a sheet would nearly cancel it.
 Result<Radiation>
 outerRadiation(const Mesh& tube, const ModalObject& object, const WorkControl& control) {
     const auto count = static_cast<int>(tube.vertexCount());
@@ -108,7 +109,7 @@ outerRadiation(const Mesh& tube, const ModalObject& object, const WorkControl& c
                        {.method = RadiationMethod::exact}, control);
 }
 
-/// Of the half towards the listener, +y, about four around for each row of them along.
+/// Returns vertices on the half towards the listener, +y, about four around for each row along.
 std::vector<int> struckVertices(const Mesh& mesh, const TubeSpecification& tube) {
     const double radius = meanRadius(tube);
     std::vector<int> reachable;

@@ -9,8 +9,8 @@
 namespace idiophone {
 namespace {
 
-/// Shear stiffness κ G t of the sheet in N/m, made softer by what bending within one edge would
-/// add (MacNeal's residual bending flexibility, L²/12D): without it coarse meshes of thin shells
+/// Returns the shear stiffness κ G t of the sheet in N/m, softened by the bending within one edge
+/// (MacNeal's residual bending flexibility, L²/12D). Without this, coarse meshes of thin shells
 /// lock.
 double shearStiffness(const Material& material, double thicknessMetres, double lengthMetres) {
     const double nu = material.poissonRatio, y = material.youngsModulusPa;
@@ -37,7 +37,7 @@ void addBraces(SpringAssembly& springs,
                             (layers.upper.row(edge.b) - layers.lower.row(edge.b)).squaredNorm()) /
                            2;
     // A shear strain γ along the edge makes the elongations differ by 2 γ L H/ℓ. On equilateral
-    // triangles edges of stiffness (2/3) S (A1+A2)/L² against L γ make a sheet of shear stiffness
+    // triangles, edges of stiffness (2/3) S (A1+A2)/L² against L γ make a sheet of shear stiffness
     // S.
     const double edgeStiffness =
         2.0 / 3 * sheetShearStiffness * edge.adjacentAreaM2 / (lengthMetres * lengthMetres);
@@ -46,9 +46,9 @@ void addBraces(SpringAssembly& springs,
                    {6 * edge.a, 6 * edge.a + 3, 6 * edge.b, 6 * edge.b + 3}, {-n1, n2, -n2, n1});
 }
 
-/// The plane-stress triangle of one strain, as three springs that each pull on all its corners: one
-/// for the change of area, two for the change of shape. On an equilateral triangle with ν = 1/3
-/// they are the three springs along its edges, which on others could not be isotropic.
+/// Adds the plane-stress triangle of one strain as three springs, each acting on all three corners.
+/// One resists the change of area, two the change of shape. On an equilateral triangle with ν = 1/3
+/// they equal three springs along the edges, which are not isotropic on other triangles.
 void addTriangle(SpringAssembly& springs,
                  const Eigen::MatrixXd& points,
                  const Eigen::RowVector3i& corners,

@@ -13,7 +13,7 @@ namespace {
 constexpr int elements = 48; ///< of the beam
 constexpr double lowestCentreShare = 0.05, highestExponent = 12;
 
-/// Ascending, with the arch's edges among them.
+/// Returns ascending nodes that include the arch's edges.
 std::vector<double> beamNodes(const UndercutBar& bar) {
     const double half = bar.lengthMetres / 2, edge = bar.archHalfLengthShare * bar.lengthMetres;
     const int inArch =
@@ -29,7 +29,7 @@ std::vector<double> beamNodes(const UndercutBar& bar) {
     return nodes;
 }
 
-/// How the shape's unknowns stand for it: logarithms, which keep them positive.
+/// The unknowns are logarithms, which keep the dimensions positive.
 Eigen::VectorXd unknownsOf(const UndercutBar& bar, Eigen::Index count) {
     const Eigen::Vector3d all(std::log(bar.lengthMetres),
                               std::log(bar.centreHeightMetres / bar.heightMetres),
@@ -55,7 +55,7 @@ bool isPossible(const UndercutBar& bar) {
            bar.archExponent >= 1 && bar.archExponent <= highestExponent;
 }
 
-/// Logarithms of fundamental and ratios over their targets, as many as there are unknowns.
+/// Returns logarithms of the fundamental and the ratios over their targets, one per unknown.
 Eigen::VectorXd missOf(const UndercutBar& bar,
                        const BeamMaterial& material,
                        const PartialTargets& targets,
@@ -114,7 +114,7 @@ tunedArch(const UndercutBar& start, const BeamMaterial& material, const PartialT
             slope.col(k) = (miss - missAt(moved)) / h;
         }
         const Eigen::VectorXd direction = slope.partialPivLu().solve(-miss);
-        // Halved until it leads somewhere possible that is nearer.
+        // Halve the step until the shape is possible and its error smaller.
         double share = std::min(1.0, 0.5 / std::max(direction.cwiseAbs().maxCoeff(), 1e-12));
         for (; share > 1e-3; share /= 2) {
             const Eigen::VectorXd there = unknowns + share * direction;

@@ -1,5 +1,5 @@
-// The shape of a bar of a mallet instrument: flat on top, an arch cut into its underside, which
-// brings the second and third partials where the ear wants them. Shape only: BarTuning finds it.
+// The shape of a mallet instrument's bar: flat on top, with an arch cut into its underside. The
+// arch tunes the second and third partials. BarTuning finds its dimensions.
 #pragma once
 
 #include "Analysis/TimoshenkoBeam.h"
@@ -9,28 +9,28 @@
 
 namespace idiophone {
 
-/// Half the bar, seen from the side, from its middle: up to `archHalfLengthShare` of the length the
-/// height is
+/// One half of the bar in side view, from its middle. Up to `archHalfLengthShare` of the length,
+/// the height is
 ///
-///     centre + (height − centre) (|x| / (share · length))^exponent,
+///     centre + (height − centre) (|x| / (share · length))^exponent.
 ///
-/// the full height at the arch's edge, and from there to the end a straight line to `endHeight`.
+/// The arch's edge has the full height. A straight line leads from there to `endHeight` at the end.
 struct UndercutBar {
     double lengthMetres = 0.3;
     double widthMetres = 0.04;
-    double heightMetres = 0.02;       ///< where the arch begins
+    double heightMetres = 0.02;       ///< at the arch's edge
     double centreHeightMetres = 0.02; ///< in the middle of the arch; ≤ height
     double endHeightMetres = 0.02;    ///< at both ends
     double archHalfLengthShare = 0.3; ///< of the length, 0.1 to 0.49
-    double archExponent = 2;          ///< 2 is a parabola; more is steeper at the edges. ≥ 1
+    double archExponent = 2; ///< ≥ 1; 2 is a parabola, higher values are steeper at the edges
 
     bool operator==(const UndercutBar&) const = default;
 };
 
-/// Height in metres at x from the middle, |x| ≤ length/2.
+/// Returns the height in metres at x from the middle, |x| ≤ length/2.
 double heightMetresAt(const UndercutBar& bar, double xMetres);
 
-/// What bending along a bar asks of its material.
+/// The material constants for bending along a bar.
 struct BeamMaterial {
     double youngsModulusPa = 0; ///< along the bar
     double shearModulusPa = 0;  ///< in the plane of length and height
@@ -38,21 +38,21 @@ struct BeamMaterial {
     double densityKgPerM3 = 0;
 };
 
-/// Undamped bending frequencies in Hz after Timoshenko's theory, `count` from the lowest on.
+/// Returns the `count` lowest undamped bending frequencies in Hz by Timoshenko's theory.
 std::vector<double>
 bendingFrequenciesHz(const UndercutBar& bar, const BeamMaterial& material, int count);
 
-/// What the partials should be. A ratio of 0 leaves that partial where it falls.
+/// The target partials. A ratio of 0 leaves that partial untuned.
 struct PartialTargets {
     double fundamentalHz = 440;
     double secondRatio = 0; ///< 3 for a xylophone, 4 for marimba and vibraphone
     double thirdRatio = 0;  ///< 6 and 10; needs a second ratio
 };
 
-/// The bar with the length, the height in the middle and the arch's exponent, each as far as the
-/// targets ask, that brings its partials within a hundredth of a cent of them after Timoshenko; all
-/// else is kept. Without a second ratio the arch is kept as it is. Errors: targets or measures out
-/// of range, a ratio that no such arch reaches.
+/// Changes the length, the centre height and the arch's exponent, as far as the targets need. By
+/// Timoshenko's theory, the partials then lie within a hundredth of a cent of the targets. All
+/// other dimensions stay. Without a second ratio the arch stays too. Errors: targets or dimensions
+/// out of range, a ratio that no such arch reaches.
 Result<UndercutBar>
 tunedArch(const UndercutBar& start, const BeamMaterial& material, const PartialTargets& targets);
 

@@ -1,5 +1,4 @@
-// A mesh as masses and springs in matrices: K x = λ M x, the meeting point of models and
-// eigensolver.
+// A body as stiffness and mass matrices, K x = λ M x: the interface between models and eigensolver.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +6,7 @@
 
 namespace idiophone {
 
-/// n degrees of freedom; the order of its rows is the model's own.
+/// n degrees of freedom; each model defines the order of its rows.
 struct VibrationModel {
     Eigen::SparseMatrix<double> stiffness; ///< [n×n] K: symmetric, lower triangle only, in N/m
     Eigen::SparseMatrix<double> mass; ///< [n×n] M: positive definite, lower triangle only, in kg
