@@ -18,8 +18,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double samplesPerWidth = 1.6;
 constexpr Index longestBand = 256, longestStart = 640, fewestSamples = 24;
 constexpr Index widestHankel = 96, widestStartHankel = 240;
-// The minimum energy of a signal space, over the noise and over the rounding errors in a Hankel
-// matrix.
+// Minimum energy in a signal space, over the noise (which spreads in a Hankel matrix) and over the
+// maximum energy (against rounding errors).
 constexpr double aboveNoise = 6, aboveRounding = 1e-13;
 // The minimum energy that a pole explains in the recordings, over the noise energy of one value.
 constexpr double energyOverNoise = 14;

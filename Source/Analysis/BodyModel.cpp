@@ -33,9 +33,9 @@ std::string notesOn(const BodyModel& body, const SolveSettings& settings, const 
     return notes;
 }
 
-/// Returns the part of each λ that grows with the square of the thickness. It is Rayleigh's
-/// quotient of the mode in a slightly thicker shell, with its layers moved apart and turning with
-/// the old ones.
+/// Returns the part of each λ that grows with the square of the thickness. It compares λ with
+/// Rayleigh's quotient of the mode in a slightly thicker shell. There, the layers move apart as
+/// they turn together.
 std::vector<double>
 bendingParts(const BodyModel& body, const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd shapes) {
     constexpr double ratio = 1.25;

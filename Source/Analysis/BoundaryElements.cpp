@@ -23,8 +23,8 @@ constexpr double negligibleEnergy = 1e-10;
 constexpr Index rowsAtOnce = 32;
 constexpr double airImpedance = speedOfSoundMetresPerSecond * airDensityKgPerM3;
 
-/// The edge of equilateral triangles with the same number and area. A much larger β would let the
-/// errors of N, which converges slowest, dominate the exact low-frequency terms of K.
+/// The edge of equilateral triangles with the same number and area. With a much larger edge, the
+/// errors of N, which converge slowest, would dominate K at low frequencies.
 double couplingMetresOf(const Mesh& surface) {
     return std::sqrt(4 / std::sqrt(3.0) * faceAreas(surface).mean());
 }

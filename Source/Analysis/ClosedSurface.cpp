@@ -74,7 +74,6 @@ void addRim(SurfaceBuilder& surface, Edge edge, Edge upper, Edge lower) {
     surface.faces.emplace_back(lower.second, upper.second, middle);
 }
 
-/// Returns whether a face has a non-negligible area.
 bool hasArea(const SurfaceBuilder& surface, const Eigen::RowVector3i& face) {
     const auto corner = [&](int k) { return surface.vertices[static_cast<std::size_t>(face(k))]; };
     const Eigen::RowVector3d first = corner(1) - corner(0), second = corner(2) - corner(0);

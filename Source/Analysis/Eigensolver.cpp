@@ -145,8 +145,8 @@ Vectors BandSolver::zeroSpace() {
     return basis;
 }
 
-/// Halves a slice until it has few enough modes. Cuts only where no eigenvalue lies within a
-/// millionth, so that the counts on both sides are certain.
+/// Divides a slice until the parts have few enough modes. Cuts only where no eigenvalue lies within
+/// a millionth, so that the counts on both sides are certain.
 void BandSolver::split(const Slice& slice, std::vector<Slice>& slices) {
     if (slice.count == 0)
         return;
@@ -191,7 +191,7 @@ BandSolver::solveSlice(const Slice& slice, const Vectors& deflated, const Vector
                                    .seed = 7 + pass,
                                    .step = [&] { countOperation(); }});
         if (fresh.values.size() == 0) {
-            // The modes are too far from the shift. Try nearer to the two ends of the slice in
+            // The modes are too far from the shift. Move it nearer to the ends of the slice in
             // turn.
             ++stalls;
             const double inward = std::exp2(-(stalls / 2 + 1)) * (slice.high - slice.low);

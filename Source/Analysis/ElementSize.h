@@ -1,5 +1,5 @@
-// The element size that a frequency band needs, and checks whether a mesh has it. Sizes in elements
-// per wavelength hold for quadratic tetrahedra only.
+// The element size that a frequency band needs. Sizes in elements per wavelength hold for quadratic
+// tetrahedra only.
 #pragma once
 
 #include "Analysis/ElasticLaw.h"

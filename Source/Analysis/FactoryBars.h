@@ -22,7 +22,6 @@ struct BarInstrument {
     std::string barName(int midiNote) const;
 };
 
-/// Returns all of them.
 std::span<const BarInstrument> barInstruments();
 
 /// Returns the instrument with this name, or nullptr.

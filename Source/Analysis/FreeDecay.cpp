@@ -12,7 +12,8 @@ constexpr double faintestPeak = 1e-6; // of full scale
 constexpr double nearFullScale = 0.9;
 constexpr double riseSeconds = 0.01, attackSeconds = 0.05;
 constexpr double shortestContactSeconds = 0.0002, longestContactSeconds = 0.008;
-// Minimum rise and energy of a strike, relative to the strongest. A beat rarely reaches them.
+// A strike's minimum rise of energy, and its minimum energy relative to the strongest strike. A
+// beat rarely reaches them.
 constexpr double strikeRise = 100, strikeEnergy = 1e-3;
 
 class Strikes {

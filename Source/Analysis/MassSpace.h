@@ -26,11 +26,10 @@ public:
 
     Eigen::Index rows() const { return mass_.rows(); }
 
-    /// Returns M times each column.
     Vectors times(const Vectors& block) const { return symmetricTimes(mass_, block); }
 
-    /// Subtracts from each column its part in the span of the M-orthonormal basis, once. The rest
-    /// is of the size of rounding errors.
+    /// Subtracts from each column its part in the span of the M-orthonormal basis, once. Only
+    /// rounding errors of that part remain.
     void projectOut(const Vectors& basis, Vectors& block) const;
 
     /// Makes the columns M-orthonormal and sets `image` to M times them. Returns the upper triangle

@@ -28,11 +28,11 @@ struct Effort {
     double maximumKernels =
         0; ///< maximum kernel evaluations per frequency; finer surfaces are remeshed
     double sameFrequency = 0; ///< modes that differ by less than this share are solved together
-    /// Minimum number of edges, between unknowns, per wavelength.
+    /// Minimum edges per wavelength. The edge is that of a triangle with one unknown's area.
     double edgesPerWavelength = 0;
 };
-/// With 2.5 edges a sphere is within 0.2 dB. With fewer edges, bars and bowls have larger errors
-/// above the band of the quick estimate.
+/// With 2.5 edges a sphere is within 0.2 dB. With fewer than the quick estimate needs, bars and
+/// bowls have larger errors.
 constexpr Effort exactEffort{1800, 1.5e8, 0.002, 2.5}, quickEffort{700, 1.5e7, 0.03, 1.8};
 
 /// A surface is refined only if it resolves less than this share of the band.

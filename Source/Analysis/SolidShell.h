@@ -10,8 +10,8 @@
 namespace idiophone {
 
 /// The wall extends half of its thickness [N] in metres, > 0, to both sides of the middle surface.
-/// That is an oriented manifold of N vertices, open or closed. The thickness is everywhere less
-/// than the radius of curvature and the triangles' edges. Each triangle becomes three quadratic
+/// It is an oriented manifold of N vertices, open or closed. The thickness is everywhere less than
+/// the radius of curvature and the triangles' edges. Each triangle becomes three quadratic
 /// tetrahedra with straight edges.
 ///
 /// The body's surface is that of the wall, closed. Vertex v lies on the outer side of the faces,

@@ -27,7 +27,6 @@ struct SurfaceSymmetry {
 /// mesh without symmetry gets the identity alone. Vertices may be off by 1e-6 of the size.
 SurfaceSymmetry surfaceSymmetry(const Mesh& mesh);
 
-/// Returns the identity alone.
 SurfaceSymmetry noSymmetry(const Mesh& mesh);
 
 /// Orbits: sets of faces that the elements map to each other.

@@ -44,7 +44,6 @@ struct TetMeshSettings {
 /// keeps its tolerances in globals.
 Result<TetMesh> tetrahedralise(const Mesh& closedSurface, const TetMeshSettings& settings);
 
-/// Returns the sum of the elements' volumes.
 double volumeM3(const TetMesh& mesh);
 
 /// Returns the mean length of the edges between corners.
