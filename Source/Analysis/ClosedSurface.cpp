@@ -138,8 +138,7 @@ Result<ClosedSurface> closedSurface(const Mesh& mesh, double thicknessMetres) {
     const Eigen::MatrixXd offsets = thicknessMetres / 2 * vertexNormals(mesh);
 
     SurfaceBuilder surface;
-    std::vector<int> upper,
-        lower; // index of each vertex on both sides; the same one in closed components
+    std::vector<int> upper, lower; // indices on both sides; equal in closed components
     for (Eigen::Index vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
         const Eigen::RowVector3d place = mesh.vertices.row(vertex);
         const Eigen::RowVector3d offset = offsets.row(vertex);

@@ -13,7 +13,7 @@ using Index = DenseKernels::Index;
 using Packet = Eigen::internal::find_best_packet<double, 4>::type;
 constexpr int packetSize = Eigen::internal::unpacket_traits<Packet>::size;
 constexpr int tileSums =
-    8; ///< packets: enough to hide the latency of additions, few enough for the registers
+    8; ///< packets: enough to hide an addition's latency, few for the registers
 
 struct Operands {
     Index inner;

@@ -126,8 +126,7 @@ private:
 
     std::span<const float> samples;
     double rate;
-    std::vector<double> energies,
-        sharpEnergies; ///< cumulative energies of the samples and of their second differences
+    std::vector<double> energies, sharpEnergies; ///< cumulative, of samples and second differences
     std::size_t peak = 0;
 };
 

@@ -9,8 +9,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index stripRows =
-    128; ///< rows of all blocks, processed together while the other operand is in the cache
+constexpr Index stripRows = 128; ///< rows of all blocks per step; the other operand stays cached
 
 template <class Step>
 void forStrips(Index rows, const Step& step) {

@@ -11,8 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index stripRows =
-    64; ///< rows of tall matrices, processed together while they are in the cache
+constexpr Index stripRows = 64; ///< rows of tall matrices per step, so that they stay cached
 
 template <int width>
 void addSymmetric(const Eigen::SparseMatrix<double>& lower, const Vectors& x, Vectors& y) {

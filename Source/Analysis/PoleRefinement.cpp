@@ -19,8 +19,8 @@ constexpr int iterations = 12;
 constexpr double settledStep = 1e-7;                 // in ln α, and in widths
 constexpr double lowestHz = 20, highestShare = 0.49; // of the sample rate
 constexpr double slowestDecayPerSecond = 0.023, fastestDecayPerSecond = 3450;
-// Maximum distance of a mode from its origin during the search, and maximum for a kept mode: as a
-// factor of its decay, and as a sum of widths and bins.
+// Maximum distance of a mode from its origin, as a factor of its decay and as a sum of widths and
+// bins. The first line limits the search, the second a kept mode.
 constexpr double farthestDecay = 4, farthestWidths = 3, farthestBins = 3;
 constexpr double keptDecay = 2.5, keptWidths = 1, keptBins = 2;
 constexpr double faintestAmplitude = 1e-4; // −80 dB

@@ -23,11 +23,9 @@ using Eigen::Index;
 /// Limits on the resolution of the surface pressure. Time grows with the square, later with the
 /// cube of the unknowns.
 struct Effort {
-    int unknowns =
-        0; ///< total; each system of a symmetry of G elements gets 1/G of it, at least 1/4
-    double maximumKernels =
-        0; ///< maximum kernel evaluations per frequency; finer surfaces are remeshed
-    double sameFrequency = 0; ///< modes that differ by less than this share are solved together
+    int unknowns = 0;          ///< with G symmetries, each system gets 1/G, at least 1/4
+    double maximumKernels = 0; ///< per frequency; finer surfaces are remeshed
+    double sameFrequency = 0;  ///< modes that differ by less than this share are solved together
     /// Minimum edges per wavelength. The edge is that of a triangle with one unknown's area.
     double edgesPerWavelength = 0;
 };

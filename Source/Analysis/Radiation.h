@@ -61,9 +61,9 @@ struct Radiation {
 /// velocity at ω = r √λ. Outside the audible band, ω/2π is clamped to 20 Hz or 22 kHz.
 ///
 /// At the ratio 1, each mode is solved at its own frequency, with the quick method within 3 % of
-/// it. For other ratios, all modes are solved on half octaves from 20 Hz and interpolated over log
-/// frequency: the log magnitude, and the phase along the shorter arc. The surface pressure has at
-/// most about 1800 unknowns, 700 with the quick method. Larger surfaces share unknowns between
+/// it. For other ratios, all modes are solved on half octaves from 20 Hz. The log magnitude, and
+/// the phase along the shorter arc, are interpolated over log frequency. The surface pressure has
+/// at most about 1800 unknowns, 700 with the quick method. Larger surfaces share unknowns between
 /// triangles.
 ///
 /// Closed components radiate from their outside, sheets from both faces and their rim. Above

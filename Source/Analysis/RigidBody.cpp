@@ -25,8 +25,7 @@ MassProperties massPropertiesOf(const VibrationModel& model, const Eigen::Matrix
     }
     const Eigen::Matrix3d inertia = turns.transpose() * (mass * turns);
     Eigen::Map<Eigen::Vector3d>(result.centreMetres.data()) = centre;
-    Eigen::Map<Eigen::Matrix3d>(result.inertiaKgM2.data()) =
-        inertia; // symmetric: either storage order
+    Eigen::Map<Eigen::Matrix3d>(result.inertiaKgM2.data()) = inertia; // symmetric: any order
     return result;
 }
 

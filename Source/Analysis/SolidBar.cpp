@@ -124,8 +124,7 @@ boundaryTriangles(const std::vector<std::array<int, 10>>& tetrahedra) {
     for (const auto& [key, entry] : faces) {
         if (entry.first > 1)
             continue;
-        const auto& n =
-            entry.second; // n[3] lies between 0 and 1, n[4] between 1 and 2, n[5] between 2 and 0
+        const auto& n = entry.second; // n[3] is between 0 and 1, n[4] 1 and 2, n[5] 2 and 0
         triangles.push_back({n[0], n[3], n[5]});
         triangles.push_back({n[1], n[4], n[3]});
         triangles.push_back({n[2], n[5], n[4]});

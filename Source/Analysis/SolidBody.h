@@ -14,8 +14,7 @@ struct SolidBodySettings {
     Material material;
     ElasticLaw law; ///< of the material, in the body's axes
     double maxFrequencyHz = highestAnalysedHz;
-    int elementBudget =
-        8000; ///< approximate number of tetrahedra; wider bands get coarser ones than they need
+    int elementBudget = 8000; ///< approximate; wider bands get coarser tetrahedra
 };
 
 /// Remeshes the surface if its triangles are much coarser or finer than the elements need. Edges

@@ -14,8 +14,7 @@ namespace idiophone {
 /// Every function f on the faces is a sum of parts, one per character χ, with f_χ(g·face) = χ(g)
 /// f_χ(face). The values on the orbits' first faces determine a part.
 struct SurfaceSymmetry {
-    std::vector<std::vector<int>>
-        images; ///< [G][F] image of each face; the first element is the identity
+    std::vector<std::vector<int>> images; ///< [G][F] images of the faces; first the identity
     /// [G×G] a row per character with its value for each element.
     Eigen::MatrixXcd characters;
 
