@@ -130,9 +130,8 @@ bool BlockLanczos::hasConverged(Index i) const {
 }
 
 /// Returns the number of vectors to add before the next check. It is 0 if all wanted modes have
-/// converged, or if the missing ones cannot converge. The latter shows when modes outside have
-/// converged and no mode inside is converging. Surplus copies of a degenerate mode are missing in
-/// this way.
+/// converged, or if the missing ones cannot converge. They cannot if modes outside have converged
+/// and none inside is converging. Surplus copies of a degenerate mode are missing in this way.
 Index BlockLanczos::vectorsToGo() const {
     Index inside = 0, underWay = 0, outside = 0;
     for (Index i = 0; i < theta_.size(); ++i) {

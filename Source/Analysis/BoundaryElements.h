@@ -52,7 +52,7 @@ public:
                                               const WorkControl& control = {}) const;
 
     /// Returns W [D×M] in Pa·m. The pressure at a large distance R from `originMetres` along each
-    /// of the unit `directions` [D×3] is p = W e^{−jkR}/R,
+    /// of the unit `directions` [D×3] is p = W e^{−jkR}/R with
     ///
     ///     W = 1/4π ∫ [jωρ v_n + jk (d·n) p] e^{jk d·y} dS.
     Eigen::MatrixXcd farField(double waveNumber,

@@ -12,8 +12,7 @@ namespace idiophone::kernels {
 using Index = DenseKernels::Index;
 using Packet = Eigen::internal::find_best_packet<double, 4>::type;
 constexpr int packetSize = Eigen::internal::unpacket_traits<Packet>::size;
-constexpr int tileSums =
-    8; ///< packets: enough to hide an addition's latency, few for the registers
+constexpr int tileSums = 8; ///< packets: many hide the latency of sums, few fit the registers
 
 struct Operands {
     Index inner;
