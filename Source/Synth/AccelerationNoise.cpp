@@ -50,11 +50,11 @@ double between(const Vector& left, const Matrix& m, const Vector& right) noexcep
     return sum;
 }
 
-/// Lamb's α, β, γ as a matrix, of the ellipsoid xᵀ Q⁻¹ x = 1: √(det Q) ∫ (Q + λ)⁻¹/√det(Q + λ) dλ.
-/// Along ln λ the trapezoidal rule converges faster than any power.
+/// Lamb's α, β, γ as a matrix, for the ellipsoid xᵀ Q⁻¹ x = 1: √(det Q) ∫ (Q + λ)⁻¹/√det(Q + λ) dλ.
+/// In ln λ the trapezoidal rule converges faster than any power.
 Matrix lambIntegrals(const Matrix& squaredAxes) noexcept {
     constexpr double step = 0.5;
-    constexpr int steps = 80; // from 1e-11 to 1e6 of the trace
+    constexpr int steps = 80; // from 1e-11 to 1e6 times the trace
     const double root = std::sqrt(inverse(squaredAxes).determinant);
     Matrix sum{};
     for (int k = 0; k < steps; ++k) {
@@ -74,13 +74,13 @@ RigidRadiator rigidRadiator(const ModalObject& object) noexcept {
         return {};
     const Matrix& inertia = object.mass.inertiaKgM2;
     const double volume = massKg / object.material.densityKgPerM3;
-    // Mean of x xᵀ over the mass, no flatter than 1 : 300.
+    // The mean of x xᵀ over the mass, bounded to a flatness of 1 : 300.
     const Matrix spread = plusIdentity(inertia, -1 / massKg, trace(inertia) / (2 * massKg));
     const Matrix moments = plusIdentity(spread, 1, 1e-5 * trace(spread));
     const auto ellipsoidVolume = [&](double squares) {
         return 4 * pi / 3 * std::sqrt(squares * squares * squares * inverse(moments).determinant);
     };
-    // A full ellipsoid has a²/5, a hollow one a²/3.
+    // The mean square along an axis is a²/5 for a full ellipsoid and a²/3 for a hollow one.
     const double squares = 3 + 2 * std::min(volume / ellipsoidVolume(5), 1.0);
     const Matrix lamb = lambIntegrals(plusIdentity(moments, squares, 0));
     // V α/(2 − α), where the trace of α is 2: V (2/(2 − α) − 1).
@@ -118,7 +118,7 @@ RigidClick rigidClick(const RigidRadiator& body,
                       double sizeRatio,
                       double sampleRateHz,
                       const std::array<std::array<float, 3>, 2>& towards) noexcept {
-    // A longer click keeps its spectrum at low frequencies and does not alias.
+    // A minimum length keeps the spectrum at low frequencies, so that the click does not alias.
     constexpr double shortestSamples = 4;
     const double seconds = std::max(clickSeconds(body, impulse, contactSeconds, sizeRatio),
                                     shortestSamples / sampleRateHz);

@@ -1,4 +1,4 @@
-// A vector whose elements start on a cache line, as the SIMD loops demand.
+// A vector whose elements start on a cache line, as the SIMD loops require.
 #pragma once
 
 #include <cstddef>

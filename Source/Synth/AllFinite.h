@@ -1,4 +1,4 @@
-// Whether figures from outside are numbers, without a branch for each.
+// Checks that input values are finite or bounded, without a branch per value.
 #pragma once
 
 #include <bit>
@@ -15,11 +15,11 @@ inline bool allFinite(std::span<const float> values) noexcept {
     return finite;
 }
 
-/// Whether each is a number between −limit and limit (≥ 0).
+/// Returns whether each value is a number between −limit and limit (≥ 0).
 inline bool allWithin(std::span<const float> values, float limit) noexcept {
-    // Magnitudes are in the order of their bits; what is not a number comes last.
+    // As integers, the bits of magnitudes sort like the magnitudes; NaN sorts last.
     const auto limitBits = std::bit_cast<std::int32_t>(limit);
-    std::int32_t room = 0; // negative once there is none
+    std::int32_t room = 0; // negative if a value exceeds the limit
     for (const float value : values)
         room |= limitBits - (std::bit_cast<std::int32_t>(value) & 0x7fffffff);
     return room >= 0;

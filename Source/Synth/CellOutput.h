@@ -1,4 +1,4 @@
-// Where a cell of sound goes: 64 samples of one channel, or of two.
+// The destination of a cell of sound: 64 samples of one or two channels.
 #pragma once
 
 #include "Synth/SynthesisSettings.h"
@@ -28,7 +28,7 @@ private:
     std::size_t count;
 };
 
-/// A cell of one channel for each of some slots, in `samples` [slots, 64]. Allocates.
+/// Returns one mono cell per slot, as views of `samples` [slots, 64]. Allocates.
 inline std::vector<CellOutput> cellsOfSlotsIn(std::span<float> samples) {
     std::vector<CellOutput> cells;
     for (; samples.size() >= cellSamples; samples = samples.subspan(cellSamples))

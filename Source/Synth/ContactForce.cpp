@@ -9,12 +9,12 @@ namespace {
 
 constexpr auto period = static_cast<double>(SurfaceProfile::periodSamples);
 
-/// NaN is no number from `lowest` up, so it becomes `lowest`.
+/// NaN becomes `lowest`.
 double bounded(double value, double lowest, double highest) noexcept {
     return value >= lowest ? std::min(value, highest) : lowest;
 }
 
-/// A seed's place on the profile: multiplicative hashing spreads neighbouring seeds.
+/// Returns a seed's place on the profile. Multiplicative hashing spreads neighbouring seeds.
 double placeOnProfile(std::uint64_t seed) noexcept {
     const std::uint64_t hash = (seed + 1) * 0x9e3779b97f4a7c15u;
     return static_cast<double>(hash >> 11) * 0x1p-53 * period;
@@ -47,9 +47,9 @@ void ContactForce::setCoupledModes(std::span<const CoupledMode> modes) noexcept 
         if (!sounds)
             continue;
         auto& filter = modeFilters[count++];
-        // A mode that hardly decays would take for ever to reach its level.
+        // A mode that hardly decays would take very long to reach its level.
         filter.pole = ResonPole::at(frequencyHz, std::max(dampingPerSecond, 0.1), rateHz);
-        // So that Re z of a sine at the pole's angle becomes that sine.
+        // With this gain, Re z of a sine at the pole's angle becomes that sine.
         filter.gain = 2 * (1 - std::hypot(filter.pole.real, filter.pole.imaginary));
     }
     for (std::size_t i = count; i < modeCount; ++i)
@@ -96,7 +96,7 @@ bool ContactForce::render(const ContactMotion& motion,
         std::ranges::fill(forceNewtons, 0.0f);
         return false;
     }
-    // Out of silence there is no sound whose pitch or mix could glide.
+    // After silence, start at the new levels: there is no sound whose pitch or mix could glide.
     const Levels& from = before.force == 0 ? levels : before;
     const bool lowPassed = from.filtered > 0 || levels.filtered > 0;
     const bool coupled = from.coupled > 0 || levels.coupled > 0;
@@ -119,7 +119,7 @@ bool ContactForce::render(const ContactMotion& motion,
         if (position >= period)
             position -= period;
     }
-    // What was not fed must not come back later as it was.
+    // Clear the filters that had no input, so that their old state is not heard later.
     if (!lowPassed)
         lowPass = {};
     if (!coupled)

@@ -34,9 +34,9 @@ ForcedResponse::ForcedResponse(const ModalPole& pole,
     const double delta = dampingPerSecond;
     constantStiffness = delta * delta + pole.damping * delta + pole.stiffness;
     stiffnessIncrease = {-omega * omega, omega * (2 * delta + pole.damping)};
-    // Not as a sum: λ − Ω² near resonance is exact when formed first.
+    // Form λ − Ω² first: near resonance it is exact, and a sum from the left is not.
     double real = (delta * delta + pole.damping * delta) + (pole.stiffness - omega * omega);
-    // And at resonance, undamped, not 0: the limit is finite.
+    // At an undamped resonance, keep the denominator away from 0: the limit is finite.
     const double nearest = 1e-9 * omega * omega;
     if (std::abs(real) < nearest && std::abs(stiffnessIncrease.imag()) < nearest)
         real = std::copysign(nearest, real);
@@ -46,7 +46,7 @@ ForcedResponse::ForcedResponse(const ModalPole& pole,
 }
 
 Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
-    // 1/P(δ) − e^{iΩt}/P(δ + iΩ) over a common denominator: at phase 1 the difference is small.
+    // 1/P(δ) − e^{iΩt}/P(δ + iΩ) over a common denominator, as the difference is small at phase 1.
     const auto numerator = stiffnessIncrease + constantStiffness * (1.0 - phase);
     const auto displacement = quotient(numerator, constantStiffness * swingStiffness);
     return {steady + product(swing, phase).real(), contactRate * displacement.real()};
@@ -54,7 +54,7 @@ Motion ForcedResponse::motion(std::complex<double> phase) const noexcept {
 
 double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
                              double seconds) noexcept {
-    // Rounding must not decide where a contact is a resonance's period to the last bit.
+    // If a contact equals a resonance's period to the last bit, rounding must not decide.
     constexpr double rounding = 1e-6;
     constexpr double farEnough = 0.01 - rounding;
     double best = distanceFrom(ascendingResonancesHz, seconds);

@@ -1,5 +1,5 @@
-// How a mode answers a raised-cosine force, in closed form (docs/decisions/0014): a steady part
-// while the contact lasts and a free part that starts and ends with it.
+// The response of a mode to a raised-cosine force, in closed form (docs/decisions/0014): a forced
+// part during the contact, and free motion that starts and ends with it.
 #pragma once
 
 #include "Synth/ModalPole.h"
@@ -9,14 +9,13 @@
 
 namespace idiophone {
 
-/// The part of the response that follows the force f(t) = (1/T)(1 − cos Ωt), Ω = 2π/T, of a mode of
-/// residue 1 whose free motion is multiplied by e^{−δt}: v(t) = steady + Re(swing e^{iΩt}), with
-/// V(s) = s/(s² + d s + λ), steady = V(δ)/T and swing = −V(δ + iΩ)/T. These are called G0 and
-/// H where they are summed (StrikeKernel.h); they hold for real roots too in this form; without δ
-/// no velocity answers a constant force.
+/// The part of the response that follows the force f(t) = (1/T)(1 − cos Ωt), Ω = 2π/T, for a mode
+/// of residue 1 whose free motion is multiplied by e^{−δt}: v(t) = steady + Re(swing e^{iΩt}). With
+/// V(s) = s/(s² + d s + λ), steady = V(δ)/T and swing = −V(δ + iΩ)/T. StrikeKernel.h sums these as
+/// G0 and H. This form holds for real roots too. If δ = 0, a constant force causes no velocity.
 ///
-/// The whole response is this plus free motion: from −`motion(1)` at the contact's start and, at
-/// its end, with `motion(1)` added again.
+/// The whole response adds free motion: it starts from −`motion(1)` at the start of the contact,
+/// and `motion(1)` is added again at its end.
 class ForcedResponse {
 public:
     ForcedResponse(const ModalPole& pole, double contactSeconds, double dampingPerSecond) noexcept;
@@ -24,7 +23,7 @@ public:
     double steadyVelocity() const noexcept { return steady; }
     std::complex<double> swingVelocity() const noexcept { return swing; }
 
-    /// Velocity and displacement where e^{iΩt} is `phase`.
+    /// Returns velocity and displacement at the time when e^{iΩt} is `phase`.
     Motion motion(std::complex<double> phase) const noexcept;
 
 private:
@@ -36,9 +35,9 @@ private:
     std::complex<double> swing;
 };
 
-/// The contact time to use for T: T itself, or up to 3 % shorter or longer where a resonance f has
-/// |fT − 1| < 1 % and the closed form would be the small difference of large numbers: the nearest
-/// time that is clear of all resonances, or that which is clearest.
+/// Returns the contact time to use for T. If a resonance f has |fT − 1| < 1 %, the closed form
+/// would be the small difference of large numbers. Then T changes by up to 3 %, to the nearest time
+/// that is clear of all resonances or, if there is none, to the clearest.
 double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
                              double seconds) noexcept;
 

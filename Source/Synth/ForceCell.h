@@ -1,4 +1,4 @@
-// A cell of continuous force: what something that scrapes or rolls does to an object meanwhile.
+// A cell of continuous force that scrapes or rolls exert on an object.
 #pragma once
 
 #include "Synth/Strike.h"
@@ -10,7 +10,7 @@
 
 namespace idiophone {
 
-/// Forces that a synthesiser takes at a time.
+/// Maximum number of simultaneous continuous contacts of a synthesiser.
 inline constexpr std::size_t forceCapacity = 34;
 
 /// A point of an object's surface and the force there for each newton of the signal.
@@ -21,18 +21,18 @@ struct ForcePoint {
     bool operator==(const ForcePoint&) const = default;
 };
 
-/// A place between two neighbouring points of a path. What the object answers at a point is kept
-/// for as long as the contact is near, so that only new points cost.
+/// A place between two neighbouring points of a path. The responses at both points are cached while
+/// the contact is near, so that only new points cost time.
 struct ForcePlace {
     std::array<ForcePoint, 2> points;
-    float way = 0; ///< 0 at the first to 1 at the second, which is not read at 0
+    float way = 0; ///< 0 at the first to 1 at the second point, which is not read at 0
 
     bool operator==(const ForcePlace&) const = default;
 };
 
 struct ForceCell {
-    std::size_t contact = 0; ///< below forceCapacity: which of the contacts at that time it is
-    ForcePlace start, end;   ///< where the contact is at the cell's start and at its end
+    std::size_t contact = 0; ///< index of the contact among the simultaneous ones, < forceCapacity
+    ForcePlace start, end;   ///< place of the contact at the cell's start and at its end
     std::span<const float, cellSamples> newtons;
 };
 

@@ -23,9 +23,9 @@ HWY_INLINE Complex moveAndAdd(Complex a, Complex by, Complex b) {
 
 constexpr std::size_t hornerStep = 8; ///< samples
 
-/// Σ_j ρ^(15 − j) f[j] over each sub-block, some samples a step of Horner's rule: a product with a
-/// real number costs half of one with a complex number. The sub-blocks go side by side, or each
-/// addition would wait for the one before.
+/// Computes Σ_j ρ^(15 − j) f[j] over each sub-block, several samples per step of Horner's rule: a
+/// product with a real number costs half of a complex one. The sub-blocks are interleaved;
+/// otherwise each addition would wait for the one before.
 HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
                              const Complex (&power)[hornerStep + 1],
                              Complex (&sums)[subBlocks]) {
@@ -53,7 +53,7 @@ HWY_INLINE void sumSubBlocks(const float* HWY_RESTRICT impulses,
     }
 }
 
-/// What the sub-blocks come to at the end of the last.
+/// Combines the sums of all sub-blocks at the end of the last one.
 HWY_INLINE Complex joined(const Complex (&sums)[subBlocks], Complex subBlock) {
     Complex all = sums[0];
 #pragma GCC unroll 4
@@ -62,14 +62,14 @@ HWY_INLINE Complex joined(const Complex (&sums)[subBlocks], Complex subBlock) {
     return all;
 }
 
-/// What a force adds to a batch of modes.
+/// The state increments of a force for a batch of modes.
 template <std::size_t Channels>
 struct Increments {
     alignas(64) float x[Channels][batchModes];
     alignas(64) float y[Channels][batchModes];
 };
 
-/// Σ_k r ρ^(64 − k) f[k] for `count` modes from `first` on.
+/// Computes Σ_k r ρ^(64 − k) f[k] for `count` modes from `first` on.
 template <std::size_t Channels, bool Moves>
 HWY_INLINE void findIncrements(const ForcedModes& modes,
                                const float* HWY_RESTRICT impulses,
@@ -151,7 +151,7 @@ void forceOn(const ForcedModes& modes,
     ForcedChannel channels[Channels];
     for (std::size_t c = 0; c < Channels; ++c)
         channels[c] = given[c];
-    // In two passes: the machine looks ahead over a mode of either, but not of both.
+    // Two passes: the CPU's reorder window holds one mode of either loop, but not of both.
     Increments<Channels> found;
     for (std::size_t first = 0; first < count; first += batchModes) {
         const std::size_t batch = std::min(batchModes, count - first);
@@ -178,7 +178,7 @@ void convolve(const float* HWY_RESTRICT impulses,
               float* HWY_RESTRICT output) {
     const Floats f;
     constexpr std::size_t lanes = hn::MaxLanes(f);
-    // Zeros before the response, so that every impulse adds whole vectors.
+    // Zeros before the response let every impulse add whole vectors.
     alignas(64) float response[2 * cellSize];
     for (std::size_t k = 0; k < cellSize; k += lanes)
         hn::Store(hn::Zero(f), f, response + k);
@@ -192,7 +192,8 @@ void convolve(const float* HWY_RESTRICT impulses,
             hn::Store(hn::MulAdd(share, way, from), f, response + cellSize + k);
         }
         for (std::size_t n = first; n < cellSize; n += subBlockSamples) {
-            // Even and odd impulses apart, or each product would wait for the one before.
+            // Separate sums for even and odd impulses; otherwise each product would wait for the
+            // one before.
             hn::Vec<Floats> sums[2][vectors];
 #pragma GCC unroll 4
             for (std::size_t v = 0; v < vectors; ++v) {

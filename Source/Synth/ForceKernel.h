@@ -1,5 +1,5 @@
-// What a cell of continuous force does to many modes at once, with SIMD chosen at run time. Arrays
-// in, arrays out; counts are whole blocks.
+// The effect of a cell of continuous force on many modes, with SIMD chosen at run time. Arrays in,
+// arrays out; counts are whole blocks.
 #pragma once
 
 #include "Synth/ModalBankKernel.h"
@@ -18,8 +18,8 @@ struct ForcedModes {
     const double* velocityShare; ///< α/ω_d
 };
 
-/// One channel: complex residues for the point and direction at the start and at the end of the
-/// cell, and states.
+/// One channel: the states, and complex residues for the point and direction at the cell's start
+/// and end.
 struct ForcedChannel {
     const float* startRe;
     const float* startIm;
@@ -29,28 +29,28 @@ struct ForcedChannel {
     double* y;
 };
 
-/// Adds to the states x, y at the end of the cell what a force did to them: for impulses f[k] at
-/// sample k, b Σ_k r ρ^(64 − k) f[k] with b = 1 + iα/ω_d (docs/decisions/0006). The
-/// residue r goes from start to end in steps of a sub-block; a contact that stays gives the same
-/// array for both, in each channel. `energies` become the states' |s|² in the louder channel.
+/// Adds the effect of a force on the states x, y at the end of the cell. For impulses f[k] at
+/// sample k this is b Σ_k r ρ^(64 − k) f[k] with b = 1 + iα/ω_d (docs/decisions/0006). The residue
+/// r moves from start to end in steps of a sub-block. If the contact rests, each channel has the
+/// same array for both. Writes |s|² of the louder channel to `energies`.
 void forceModes(const ForcedModes& modes,
                 const float* impulses,
                 std::size_t count,
                 std::span<const ForcedChannel> channels,
                 float* energies) noexcept;
 
-/// Adds to `output` what impulses sound through responses that go from start to end in steps of a
-/// sub-block; all of a cell.
+/// Adds the sound of a cell of impulses to `output`. The response moves from start to end in steps
+/// of a sub-block.
 void convolveForce(std::span<const float, cellSize> impulses,
                    std::span<const float, cellSize> startResponse,
                    std::span<const float, cellSize> endResponse,
                    std::span<float, cellSize> output) noexcept;
 
-/// output = from + way (to − from), over whole blocks.
+/// Computes output = from + way (to − from) over whole blocks.
 void blendResponses(
     const float* from, const float* to, float way, std::size_t count, float* output) noexcept;
 
-/// How far on the way from start to end the middle of sub-block b is.
+/// Returns the position of the middle of sub-block b between start (0) and end (1).
 constexpr float shareOfWay(std::size_t block) noexcept {
     return (static_cast<float>(block) + 0.5f) / static_cast<float>(subBlocks);
 }

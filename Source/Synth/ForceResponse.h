@@ -1,5 +1,5 @@
-// What an object answers to an impulse of 1 N s at one point: kept from cell to cell while a
-// contact is near.
+// An object's response to an impulse of 1 N s at one point, kept from cell to cell while a contact
+// is near.
 #pragma once
 
 #include "Synth/ForceCell.h"
@@ -10,8 +10,8 @@
 
 namespace idiophone {
 
-/// How the object is heard: what the residues near and from afar are multiplied by, and the share
-/// of the latter, 0 to 1.
+/// How the object is heard: gains of the near residues (contact microphone) and the far ones
+/// (radiation), and the share of the far ones, 0 to 1.
 struct Hearing {
     double nearGain = 1; ///< [Pa per m/s]
     double farGain = 1;
@@ -21,18 +21,19 @@ struct Hearing {
 };
 
 struct ForceResponse {
-    const void* object = nullptr; ///< whose it is
-    std::uint64_t version = 0;    ///< of what it depends on besides
+    const void* object = nullptr; ///< resonator that the response belongs to
+    std::uint64_t version = 0;    ///< version of everything else that the response depends on
     std::uint64_t lastUse = 0;
     ForcePoint at;
     Hearing heard;
     ModeResidues residues;         ///< [G]
-    alignas(64) CellSound sound{}; ///< within a cell
-    alignas(64) CellSound tube{};  ///< of this, what the tube adds
+    alignas(64) CellSound sound{}; ///< over one cell
+    alignas(64) CellSound tube{};  ///< the tube's part of `sound`
     bool knowsTube = false;
 };
 
-/// A contact's at the two points around where it starts a cell, and where it ends it.
+/// The cached responses of one contact: two points around its place at the cell's start and two at
+/// its end.
 using ForceResponses = std::array<ForceResponse, 4>;
 
 } // namespace idiophone

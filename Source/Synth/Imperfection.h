@@ -1,5 +1,5 @@
-// The asymmetry of real bodies: no cast bell or thrown bowl is as round as its mesh, so its pairs
-// of equal modes part, and warble.
+// The asymmetry of real bodies: no cast bell or thrown bowl is as round as its mesh. Each pair of
+// equal modes splits in frequency and beats.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -11,26 +11,26 @@
 
 namespace idiophone {
 
-/// A pair of modes of one frequency, with the two shapes that keep to themselves once mass is added
-/// somewhere: those at hand turned by an angle.
+/// A pair of modes of equal frequency. The angle rotates their shapes to those two that stay
+/// uncoupled when mass is added somewhere.
 struct ModePair {
-    std::int32_t first = 0; ///< the other one is the next
+    std::int32_t first = 0; ///< first mode; the second is the next one
     float cosine = 1, sine = 0;
-    float part = 0; ///< of the imperfection, 0.5 to 1: how far this pair parts
+    float part = 0; ///< this pair's splitting, as a share of the imperfection, 0.5 to 1
 };
 
-/// The pairs of an object: neighbours within 0.05 % in frequency, but not the two modes that a bar
-/// shares with its tube. Angles and parts are drawn from `seed`, so that a render repeats and no
-/// two keys are alike. Allocates.
+/// Returns the pairs of an object: neighbours within 0.05 % in frequency, except the two modes that
+/// a bar shares with its tube. Angles and shares are drawn from `seed`, so that renders repeat and
+/// keys differ. Allocates.
 std::vector<ModePair> modePairs(const ModalObject& object, std::uint32_t seed);
 
-/// First-order perturbation of the mass: of each pair one eigenvalue falls and the other rises, so
-/// that their frequencies part by `imperfection` times its part. Any thread.
+/// Splits each pair by first-order perturbation of the mass: one eigenvalue falls and the other
+/// rises. Their frequencies differ by `imperfection` times the pair's share. Any thread.
 void partPairs(std::span<const ModePair> pairs,
                double imperfection,
                std::span<double> eigenvalues) noexcept;
 
-/// Turns what belongs to the shapes of each pair, such as gains or weights. Any thread.
+/// Rotates values that belong to the shapes of each pair, such as gains or weights. Any thread.
 template <class Value>
 void turnPairs(std::span<const ModePair> pairs, std::span<Value> ofModes) noexcept {
     for (const ModePair& pair : pairs) {

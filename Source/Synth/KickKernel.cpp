@@ -37,11 +37,11 @@ HWY_INLINE Vector polynomial(Vector z, const float (&coefficients)[N]) {
 constexpr float sine[] = {3.14159264f, -5.167710091f, 2.550077663f, -0.5982921687f, 0.07765940864f};
 constexpr float cosine[] = {0.9999999998f, -4.934802137f, 4.058709165f,
                             -1.335212058f, 0.2349375609f, -0.0243967165f};
-// (2^u − 1)/u there: within 4e-9.
+// (2^u − 1)/u on the same interval, within 4e-9.
 constexpr float powers[] = {0.6931472057f,   0.2402264689f,   0.05550328773f,
                             0.009618488958f, 0.001339993293f, 0.0001534581622f};
 
-/// 2^octaves for −120 ≤ octaves ≤ 0 as whole · (1 + part), where it is exact near 1.
+/// 2^octaves for −120 ≤ octaves ≤ 0, as whole · (1 + part), which is exact near 1.
 struct PowerOfTwo {
     Vector whole, part;
 };
@@ -57,8 +57,8 @@ HWY_INLINE PowerOfTwo powerOfTwo(Vector octaves) {
             hn::Mul(rest, polynomial(rest, powers))};
 }
 
-/// factor · ρ^samples for less than a sample: within the band the angle is less than half a turn,
-/// and sine and cosine need no reduction.
+/// Returns factor · ρ^samples for less than a sample. Within the band the angle is below half a
+/// turn, so sine and cosine need no reduction.
 HWY_INLINE Complex rotation(const KickModes& modes, const UnitKicks& unit, std::size_t g) {
     const Floats f;
     const auto samples = hn::Set(f, static_cast<float>(unit.samples));
@@ -72,7 +72,7 @@ HWY_INLINE Complex rotation(const KickModes& modes, const UnitKicks& unit, std::
             hn::Mul(size, polynomial(z, cosine))};
 }
 
-/// Sine and cosine of half the angle ωt, and what is left of the amplitude: any time, in single
+/// Sine and cosine of half the angle ωt, and the remaining amplitude, for any time in single
 /// precision.
 struct Motion {
     Vector sin, cos;
@@ -103,7 +103,7 @@ HWY_INLINE Complex moved(const Motion& motion) {
     return {hn::NegMulAdd(twice, motion.sin, size), hn::Mul(twice, motion.cos)};
 }
 
-/// 1 − e^{(−α + iω)t}, precise where it is small.
+/// 1 − e^{(−α + iω)t}, precise even if it is small.
 HWY_INLINE Complex change(const Motion& motion) {
     const Floats f;
     const auto whole = motion.left.whole;
@@ -122,7 +122,7 @@ HWY_INLINE Complex unitKick(const KickModes& modes, const UnitKicks& unit, std::
     return {hn::Mul(factor, kick.re), hn::Mul(factor, kick.im)};
 }
 
-/// Stores the residues times the kick, and returns the residues.
+/// Stores the residues times the increment and returns the residues.
 HWY_INLINE Complex storeHeard(const KickChannel& channel, Complex kick, std::size_t g) {
     const Floats f;
     const Complex residue = load(channel.residuesRe, channel.residuesIm, g);

@@ -1,6 +1,6 @@
-// What a strike does to many modes at once, with SIMD chosen at run time: kicks are states that a
-// contact adds, in single precision, as a kick is small beside hours of phase. Arrays in, arrays
-// out; counts are whole blocks.
+// Applies strikes to many modes, with SIMD chosen at run time. Kicks are state increments that a
+// contact adds. Single precision suffices for them, though not for states, which keep their phase
+// for hours. Arrays in, arrays out; counts are whole blocks.
 #pragma once
 
 #include "Synth/ModalBankKernel.h"
@@ -11,11 +11,11 @@
 
 namespace idiophone {
 
-/// As many as there are listening directions: a merged group has a state for each, as its modes are
-/// heard in other proportions.
+/// Maximum number of channels, one per listening direction. A merged group needs a state for each,
+/// as its modes are heard in different proportions.
 inline constexpr std::size_t mostChannels = 2;
 
-/// One channel: the complex residues of the modes there, and their kicks.
+/// One channel: the complex residues of the modes and their state increments.
 struct KickChannel {
     const float* residuesRe;
     const float* residuesIm;
@@ -24,17 +24,17 @@ struct KickChannel {
 };
 using KickChannels = std::span<const KickChannel>; ///< at most `mostChannels`
 
-/// Oscillating modes −α ± iω, and what a sample does to them: angle in half turns, which is below
-/// one within the band, and decay in octaves (≤ 0).
+/// Oscillating modes −α ± iω and their motion in one sample: the angle in half turns (below 1
+/// within the band) and the decay in octaves (≤ 0).
 struct KickModes {
     const double* frequency; ///< ω in rad/s
     const float* halfTurnsPerSample;
     const float* octavesPerSample;
 };
 
-/// Kicks for residues of 1, [count] each, at a time between two samples; a share of a sample of
-/// free motion (0 ≤ `samples` < 1) and `factor` take them to the next one. Modes above the band,
-/// which are not heard, arrive with another phase.
+/// Increments for residues of 1, [count] each, at a time between two samples. Free motion over a
+/// part of a sample (0 ≤ `samples` < 1) and `factor` move them to the next sample. Modes above the
+/// band, which are not heard, get another phase.
 struct UnitKicks {
     const float* x;
     const float* y;
@@ -42,43 +42,44 @@ struct UnitKicks {
     double factor = 1;
 };
 
-/// Kicks become residue times unit kick at the start of a contact, and `energies` their |s|² in the
-/// louder channel.
+/// Sets the increments at the start of a contact to residue times unit increment, and `energies` to
+/// their |s|² in the louder channel.
 void startKicks(const KickModes& modes,
                 const UnitKicks& unit,
                 std::size_t count,
                 KickChannels channels,
                 float* energies) noexcept;
 
-/// The forced part of a contact, to be gathered: states for residues of 1, and what of the force
-/// the imaginary parts of residues hear at once.
+/// The forced part of a contact: states for residues of 1, and the part of the force that the
+/// imaginary parts of residues hear at once.
 struct ForcedKicks {
     const float* x;
     const float* y;
     const float* perFrequency; ///< Ω/ω
-    double force = 0;          ///< f/Ω of a unit impulse
+    double force = 0;          ///< force over Ω, for a unit impulse
     double factor = 1;
 };
 
-/// Kicks grow by `factor` times the residues times these.
+/// Adds `factor` times the residues times the forced states to the increments.
 void gatherKicks(const ForcedKicks& forced, std::size_t count, KickChannels channels) noexcept;
 
-/// A time of free motion, and how much a damper takes meanwhile (≥ 0).
+/// A time of free motion, and the damper's attenuation over it in octaves (≥ 0).
 struct KickMove {
     double seconds = 0;
-    double samples = 0; ///< the same
+    double samples = 0; ///< the same time in samples
     double damperOctaves = 0;
 };
 
-/// Kicks become those of a whole contact: what its end adds and what is left of its start, to
-/// single precision of the difference, which is small for contacts much shorter than a period.
+/// Sets the increments to those of a whole contact: the increment at its end minus the rest of the
+/// one at its start. For contacts much shorter than a period this difference is small, and still
+/// has the full single precision.
 void finishKicks(const KickModes& modes,
                  const UnitKicks& end,
                  const KickMove& contact,
                  std::size_t count,
                  KickChannels channels) noexcept;
 
-/// One channel of the states that kicks join.
+/// One channel: the states and the increments that are added to them.
 struct KickedChannel {
     const float* kickX;
     const float* kickY;
@@ -86,7 +87,8 @@ struct KickedChannel {
     double* y;
 };
 
-/// Adds moved kicks to states; `energies` become the states' |s|² in the louder channel.
+/// Moves the increments and adds them to the states; sets `energies` to the states' |s|² in the
+/// louder channel.
 void joinKicks(const KickModes& modes,
                const KickMove& move,
                std::size_t count,

@@ -1,5 +1,5 @@
-// What is heard of a mode's motion: near, the velocity of the struck point, or from afar, the
-// pressure that the whole surface radiates, where the object knows it.
+// How a mode's motion is heard: near, as the velocity of the struck point; or far, as the pressure
+// that the whole surface radiates, if the object has a radiation table.
 #pragma once
 
 #include "Synth/Strike.h"
@@ -8,14 +8,14 @@
 
 namespace idiophone {
 
-/// What a contact microphone gives for the velocity of the struck point, in Pa per m/s: 1 Pa is
-/// full scale, and so is 1 m/s (Raghuvanshi & Lin 2006 listen to velocity).
+/// The contact microphone's sensitivity to the velocity of the struck point, in Pa per m/s. Full
+/// scale is 1 Pa, and so 1 m/s (Raghuvanshi & Lin 2006 listen to velocity).
 inline constexpr double contactMicrophonePascals = 1;
 
-/// The direction ℓ along which the surface velocity at the struck point is heard: a mode's residue
-/// for the impulse J at p is (φ(p)·J)(φ(p)·ℓ), which does not depend on the sign of φ or, summed
-/// over equal poles, on their basis. ℓ points inwards, so that a strike straight into the surface
-/// has no negative residue.
+/// Returns the direction ℓ along which the velocity of the struck point is heard. A mode's residue
+/// for the impulse J at p is (φ(p)·J)(φ(p)·ℓ). It does not depend on the sign of φ. Its sum over
+/// equal poles does not depend on their basis. ℓ points inwards, so that a strike straight into the
+/// surface has no negative residue.
 inline std::array<float, 3> listeningDirection(const StrikePoint& point) noexcept {
     return {-point.normal[0], -point.normal[1], -point.normal[2]};
 }

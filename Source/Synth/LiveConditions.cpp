@@ -10,7 +10,7 @@ double ratio(double value, double reference) noexcept {
     return value > 0 && reference > 0 ? value / reference : 1;
 }
 
-/// By what the eigenvalues are multiplied so that the mode sounds at its pitch.
+/// Returns the eigenvalue ratio at which the mode sounds at its pitch.
 double ratioKeeping(const PitchMode& pitch,
                     double thicknessRatio,
                     double frequencyRatio,
@@ -50,7 +50,8 @@ LiveConditions liveConditions(const Material& reference,
                                          : stiffness / density * tuning * tuning,
                   .damping = material.damping};
     result.gainRatio = 1 / (density * size * size * size);
-    // At equal frequency times size the radiated pressure goes as frequency · shape · area.
+    // At equal frequency times size, the radiated pressure is proportional to frequency · shape ·
+    // area.
     result.radiationGainRatio = result.gainRatio * size;
     result.radiationRatio = result.frequencyRatio() * size;
     return result;

@@ -1,5 +1,5 @@
-// What the settings make of an object while it is played: its poles, how it answers a blow and how
-// it radiates. Pure numbers: no bank, no time, no samples.
+// The effect of the settings on an object while it is played: its poles, its gain and its
+// radiation. Pure numbers: no bank, no time, no samples.
 #pragma once
 
 #include "Object/Material.h"
@@ -8,18 +8,18 @@
 
 namespace idiophone {
 
-/// The band in which modes sound, judged by their natural frequency: from here ...
+/// Lower edge of the band in which modes sound, in natural frequency.
 inline constexpr double lowestSoundingHz = 20;
-/// ... to below this share of the sample rate.
+/// Upper edge of the band, as a share of the sample rate; exclusive.
 inline constexpr double highestSoundingShare = 0.49;
 
 bool soundsAt(const ModalPole& pole, double sampleRateHz) noexcept;
 
-/// The mode whose frequency is the pitch of what a key plays.
+/// The mode whose frequency is the pitch of a key's sound.
 struct PitchMode {
-    double hz = 0;         ///< > 0, damped, under settings that change nothing
+    double hz = 0;         ///< damped, > 0, under settings that change nothing
     double eigenvalue = 0; ///< λ of the object's reference, > 0
-    double bending = 0;    ///< ModalObject::bending, 0 without
+    double bending = 0;    ///< ModalObject::bending, or 0
     ModeDamping damping = {};
 
     bool operator==(const PitchMode&) const = default;
@@ -27,22 +27,22 @@ struct PitchMode {
 
 struct LiveConditions {
     PoleLaw law;
-    double gainRatio = 1;          ///< of residues near: 1/mass ratio
-    double radiationGainRatio = 1; ///< of residues from afar, beside what the table tells
-    /// What RadiationTable::weightsAt looks up: frequencies times size, relative to the reference.
-    /// A live thickness moves each mode by a ratio of its own; the weights stay those of the shapes
-    /// at the thickness that was analysed.
+    double gainRatio = 1;          ///< of near residues: 1/mass ratio
+    double radiationGainRatio = 1; ///< of far residues, on top of the radiation table
+    /// Argument of RadiationTable::weightsAt: frequency times size, relative to the reference. A
+    /// live thickness moves each mode by its own ratio; the weights remain those of the shapes at
+    /// the analysed thickness.
     double radiationRatio = 1;
 
-    /// By what the natural frequencies of the reference are multiplied.
+    /// Returns the ratio of the natural frequencies to those of the reference.
     double frequencyRatio() const noexcept;
 };
 
-/// Returns the conditions of an object with that reference material; figures of either that are not
-/// positive count as equal to the other's. The slot's size and frequency ratios (> 0) come on top
-/// of the settings'. Where the settings keep the pitch, `pitch` sounds at its frequency times the
-/// frequency ratios, whatever the material, size and thickness; nullptr has no pitch to keep. The
-/// thickness acts on each mode beside (ModalObject::eigenvalueAt).
+/// Returns the conditions of an object with that reference material. A material value that is not
+/// positive counts as equal to its counterpart. The slot's size and frequency ratios (> 0) multiply
+/// the settings'. If the settings keep the pitch, `pitch` sounds at its frequency times the
+/// frequency ratios, whatever the material, size and thickness. nullptr: no pitch to keep. The
+/// thickness acts on each mode separately (ModalObject::eigenvalueAt).
 LiveConditions liveConditions(const Material& reference,
                               const SynthesisSettings& settings,
                               double slotSizeRatio = 1,
