@@ -81,7 +81,7 @@ void ModalBank::resize(std::size_t modes) noexcept {
     forgetHeavy();
     std::fill(audibles.begin(), audibles.end(), 0.0f);
     resonancesHz.clear();
-    // Padding and modes to come are oscillating modes at rest.
+    // Padding and future modes are oscillating modes at rest.
     std::fill(stiffness.begin(), stiffness.end(), 1.0);
     std::fill(damping.begin(), damping.end(), 0.0);
     clear();
@@ -97,8 +97,8 @@ void ModalBank::clear() noexcept {
 void ModalBank::regroup(std::size_t modes,
                         std::span<const ModeShare> shares,
                         ModeStates& room) noexcept {
-    // A mode to come starts with the pole of the first that it takes from. `movePoles` fills in
-    // anew what is used as room for them.
+    // A new mode starts with the pole of the first mode that it takes from. The arrays that serve
+    // as scratch are refilled by `movePoles`.
     auto& newStiffness = cellRe;
     auto& newDamping = cellIm;
     std::fill(newStiffness.begin(), newStiffness.end(), 1.0);
@@ -170,7 +170,7 @@ void ModalBank::movePoles(std::span<const double> referenceEigenvalues,
         if (!oscillates)
             heavyModes.emplace_back().mode = static_cast<std::int32_t>(g);
     }
-    if (!std::ranges::is_sorted(resonancesHz)) // which thickness may change
+    if (!std::ranges::is_sorted(resonancesHz)) // a live thickness may change the order
         std::ranges::sort(resonancesHz);
     std::fill(firstHeavy.begin() + static_cast<std::ptrdiff_t>(blockCount()), firstHeavy.end(),
               heavyModes.size());

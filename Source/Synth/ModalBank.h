@@ -1,5 +1,5 @@
-// The poles, coefficients and states of one object's modes (groups of merged modes) in arrays for
-// the SIMD loops. It moves and renders them; which of them sound is decided elsewhere.
+// The poles, coefficients and states of one object's modes (or groups of merged modes), in arrays
+// for the SIMD loops. The bank moves and renders modes; its owner decides which of them sound.
 #pragma once
 
 #include "Synth/AlignedVector.h"
@@ -26,20 +26,20 @@ struct ModeRun {
 /// Replaces `runs` by the runs of consecutive numbers in ascending `modes`.
 void findRuns(std::span<const std::int32_t> modes, std::vector<ModeRun>& runs) noexcept;
 
-/// A part of what a mode sounds.
+/// A share of a mode's sound.
 struct ModePart {
     std::int32_t mode = 0;
     float share = 1;
 };
 
-/// States of all modes of a bank for each channel.
+/// States of all modes of a bank in each channel.
 struct ModeStates {
     std::array<AlignedVector<double>, mostChannels> x;
     std::array<AlignedVector<double>, mostChannels> y;
 };
 
-/// Complex residues of the modes in one channel, zero in the padding: a mode whose state is s
-/// sounds Re(r s), so that the imaginary part hears the acceleration over the frequency.
+/// Complex residues of the modes in one channel, zero in the padding. A mode of state s sounds Re(r
+/// s), so the imaginary part hears the acceleration over the frequency.
 struct ChannelResidues {
     AlignedVector<float> re;
     AlignedVector<float> im;
@@ -48,7 +48,7 @@ struct ChannelResidues {
         re.resize(modes);
         im.resize(modes);
     }
-    /// Copies the first `modes`, for which there is room.
+    /// Copies the first `modes`, which must fit.
     void copyFrom(const ChannelResidues& other, std::size_t modes) noexcept {
         std::copy_n(other.re.begin(), modes, re.begin());
         std::copy_n(other.im.begin(), modes, im.begin());
@@ -56,16 +56,16 @@ struct ChannelResidues {
 };
 using ModeResidues = std::array<ChannelResidues, mostChannels>;
 
-/// States that a contact adds to all modes of a bank, and their |s|² (or the square of their bound)
-/// in the louder channel.
+/// State increments that a contact adds to all modes of a bank, and their |s|² in the louder
+/// channel (for heavy modes the square of `amplitudeBound`).
 struct ModeKicks {
     std::array<AlignedVector<float>, mostChannels> x;
     std::array<AlignedVector<float>, mostChannels> y;
     AlignedVector<float> energies;
 };
 
-/// What a contact does to modes of residue 1: the state of its forced part at one instant, and the
-/// amplitudes of what of it is heard (StrikeKernel.h).
+/// The response of modes of residue 1 to a contact: the state of the forced part at one instant,
+/// and its amplitudes (StrikeKernel.h).
 struct UnitContact {
     AlignedVector<float> x;
     AlignedVector<float> y;
@@ -81,21 +81,21 @@ struct UnitContact {
     }
 };
 
-/// What of one mode's state goes to another: its share of it.
+/// The share of one mode's state that another mode takes over.
 struct ModeShare {
     std::int32_t from = 0;
     std::int32_t to = 0;
     double share = 0;
 };
 
-/// A time between two samples: the share of a sample that is left to the later one (below 1), and
-/// what states are multiplied by on the way there beside their free motion.
+/// A time between two samples: the part of a sample up to the later one (below 1), and a factor
+/// that multiplies states on the way there, besides their free motion.
 struct BeforeSample {
     double samples = 0;
     double factor = 1;
 };
 
-/// Where each channel is added to.
+/// The buffers that each channel is added to.
 using ChannelOutputs = std::array<float*, mostChannels>;
 
 /// A cell of each channel.
@@ -106,7 +106,7 @@ inline ChannelOutputs outputsOf(CellSound& sound) noexcept {
 }
 
 /// Memory is reserved by the constructor; every other member is for the audio thread. Modes are
-/// held in blocks of `modeBlock`; those beyond `size` are silent.
+/// stored in blocks of `modeBlock`; the padding beyond `size` is silent.
 class ModalBank {
 public:
     ModalBank(std::size_t capacity, std::size_t channelCapacity, double sampleRateHz);
@@ -121,24 +121,24 @@ public:
     ModeStates emptyStates() const; ///< allocates
     ModeKicks emptyKicks() const;   ///< allocates
 
-    /// Channels in use, at most the capacity; those that join start as copies of the first. States
-    /// elsewhere are read and written for as many.
+    /// Number of channels in use, at most the capacity. New channels start as copies of the first.
+    /// States passed in are read and written for this many.
     std::size_t channels() const noexcept { return channelCount; }
     void setChannels(std::size_t wanted) noexcept;
 
-    /// Starts anew with so many modes, all silent; `movePoles` gives them their poles.
+    /// Starts again with `modes` modes, all silent. Call `movePoles` next, which sets their poles.
     void resize(std::size_t modes) noexcept;
 
-    /// The modes become `modes` others, each of which takes over what `shares` (ascending in both)
-    /// give it: where those of each mode sum to 1 nothing steps. Every mode to come has a share.
-    /// `room` is for states of this bank, and left with anything; `movePoles` is to follow.
+    /// Replaces the modes by `modes` new ones, which take over the states as `shares` say (both
+    /// indices ascend). If the shares of each old mode sum to 1, no velocity steps. Every new mode
+    /// needs a share. `room` is scratch for states of this bank. Call `movePoles` next.
     void regroup(std::size_t modes, std::span<const ModeShare> shares, ModeStates& room) noexcept;
 
-    /// Gives every mode the pole that `law` makes of its reference eigenvalue [size] and damping
-    /// ([size], or empty: the law's). States stay, so that the velocity does not step; where the
-    /// coordinates change near critical damping, velocity and displacement stay. Modes outside
-    /// `lowestHz` ≤ f < `highestHz` (natural frequency) become inaudible, and so do `silenced` ones
-    /// ([size] not 0, or empty: none).
+    /// Sets every mode's pole by `law`, from its reference eigenvalue [size] and damping ([size],
+    /// or empty: the law's). States stay, so that the velocity does not step. If the coordinates
+    /// change near critical damping, velocity and displacement stay. Modes outside `lowestHz` ≤ f <
+    /// `highestHz` (natural frequency) become inaudible, and so do modes with `silenced` ≠ 0
+    /// ([size], or empty: none).
     void movePoles(std::span<const double> referenceEigenvalues,
                    const PoleLaw& law,
                    double lowestHz,
@@ -156,21 +156,21 @@ public:
     void silence(std::size_t g) noexcept;
     void clear() noexcept;
 
-    /// |s|² in the louder channel [paddedSize], and (`amplitudeBound`)² of modes that do not
-    /// oscillate: of the states as they are, but after `render`, for modes that oscillate, of those
-    /// at the start of the cell times `scale`.
+    /// Energies [paddedSize]: |s|² in the louder channel; for heavy modes `amplitudeBound`². They
+    /// belong to the current states. After `render`, those of oscillating modes belong to the start
+    /// of the cell, times `scale`.
     const float* energies() const noexcept { return energy.data(); }
     const float* audibleWeights() const noexcept { return audibles.data(); }
     float energyOfLoudest(std::size_t block) const noexcept;
 
-    /// Free motion of one block over any time, times `factor`, exact, then `clearFaint`.
+    /// Moves one block by exact free motion over any time, times `factor`; then `clearFaint`.
     void advanceBlock(std::size_t block, double seconds, double factor, double faintest) noexcept;
-    /// States below `faintest` [m/s], or beyond all reason, become zero.
+    /// Sets states to zero that are below `faintest` [m/s], not finite or absurdly large.
     void clearFaint(std::size_t block, double faintest) noexcept;
 
-    /// Adds a cell of the modes in `runs` to `output` and takes the states of `blocks` (ascending,
-    /// holding all of `runs`) on by a cell, times `scale`. `parts` (ascending) of these modes are
-    /// added to `partOutputs` besides.
+    /// Adds a cell of the modes in `runs` to `output`. Moves the states of `blocks` (ascending,
+    /// containing all of `runs`) by a cell, times `scale`. Also adds `parts` (ascending) of these
+    /// modes to `partOutputs`.
     void render(std::span<const std::int32_t> blocks,
                 std::span<const ModeRun> runs,
                 double scale,
@@ -178,53 +178,56 @@ public:
                 std::span<const ModePart> parts = {},
                 const ChannelOutputs& partOutputs = {}) noexcept;
 
-    /// The same from other states, which are taken on; their energies are not kept.
+    /// Does the same with other states and moves those; stores no energies.
     void renderFrom(ModeStates& from,
                     std::span<const ModeRun> runs,
                     const ChannelOutputs& outputs) noexcept;
 
-    // ModalBankContact.cpp. Kicks, residues and contacts have room for this bank.
+    // ModalBankContact.cpp. Increments, residues and contacts must have room for this bank.
 
-    /// Modes that do not oscillate have no phase: their residues become real, of the same size.
+    /// Makes the residues of heavy modes real with the same magnitude, as these modes have no
+    /// phase.
     void makeHeavyReal(ModeResidues& residues) const noexcept;
 
-    /// Returns the sound of an impulse at once in each channel, beside the motion of the modes in
-    /// `runs`: with it, and half of the first sample of that motion, a force that rests sounds
-    /// nothing, as velocity and acceleration are 0. About Σ Im r/(ω × the sample's time).
+    /// Returns the immediate sound of an impulse in each channel, to be added to the motion of the
+    /// modes in `runs`. Together with half of the motion's first sample it makes a constant force
+    /// silent, as velocity and acceleration are then 0. About Σ Im r/(ω × sample time).
     std::array<float, mostChannels> directSound(const ModeResidues& residues,
                                                 std::span<const ModeRun> runs) const noexcept;
 
-    /// The forced part of a contact, or the motion after an impulse.
+    /// Computes the forced part of a contact, or the motion after an impulse.
     void forcedStates(const PulseInstant& pulse, UnitContact& unit) const noexcept;
     void impulseStates(UnitContact& unit) const noexcept;
 
-    /// Kicks become residues times the unit's states, taken on to a whole sample.
+    /// Sets the increments to residues times the unit's states, moved to a whole sample.
     void startKicks(const UnitContact& unit,
                     const ModeResidues& residues,
                     const BeforeSample& before,
                     ModeKicks& kicks) const noexcept;
 
-    /// Kicks become none, and grow by residues times the unit's states times `factor`.
+    /// Sets the increments to 0.
     void clearKicks(ModeKicks& kicks) const noexcept;
-    /// With what the contact's force `share` (0 to 2, of 1/T) sounds at once.
+    /// Adds residues times the unit's states times `factor`, with the immediate sound of the
+    /// contact's force `share` (0 to 2, in units of 1/T).
     void gatherKicks(const UnitContact& unit,
                      const ModeResidues& residues,
                      double factor,
                      double share,
                      ModeKicks& kicks) const noexcept;
 
-    /// Kicks become those of the whole contact, started and ended. Their energies stay behind.
+    /// Sets the increments to those of a whole contact, from start to end. Does not set their
+    /// energies.
     void finishKicks(const UnitContact& unit,
                      const ModeResidues& residues,
                      const BeforeSample& before,
                      const KickMove& contact,
                      ModeKicks& kicks) const noexcept;
 
-    /// Adds moved kicks to the states.
+    /// Moves the increments and adds them to the states.
     void join(const ModeKicks& kicks, const KickMove& move) noexcept;
 
-    /// Adds the first 16 · `subBlockCount` samples (at most a cell) that `runs` sound from kicks,
-    /// and `parts` of them as `render` does.
+    /// Adds the first 16 · `subBlockCount` samples (at most a cell) of the increments' sound over
+    /// `runs`, and `parts` of them as `render` does.
     void sound(const ModeKicks& kicks,
                std::span<const ModeRun> runs,
                std::size_t subBlockCount,
@@ -232,24 +235,25 @@ public:
                std::span<const ModePart> parts = {},
                const ChannelOutputs& partOutputs = {}) noexcept;
 
-    /// Adds to the states, at the end of a cell, what 64 impulses did to them, one at each sample,
-    /// with residues that go from start to end (ForceKernel.h).
+    /// Adds the effect of 64 impulses, one per sample, to the states at the end of a cell. The
+    /// residues move from start to end (ForceKernel.h).
     void force(std::span<const float, cellSize> impulses,
                const ModeResidues& startResidues,
                const ModeResidues& endResidues,
                double dampingPerSecond) noexcept;
 
-    /// Frequencies of lightly damped modes within the band in Hz, ascending, silenced or not: those
-    /// that a contact time must keep clear of.
+    /// Frequencies of lightly damped modes within the band in Hz, ascending, silenced or not. A
+    /// contact time must keep clear of them.
     std::span<const double> resonances() const noexcept { return resonancesHz; }
 
 private:
-    /// Modes that do not oscillate: a 2 × 2 propagator over 16 and 64 samples each.
+    /// A mode near or beyond critical damping: a 2 × 2 propagator each over 16 and 64 samples.
     struct HeavyMode {
         std::int32_t mode = 0;
         Propagator subBlock;
         Propagator cell;
-        std::array<ModalState, mostChannels> aside; ///< its states while SIMD passes over them
+        std::array<ModalState, mostChannels>
+            aside; ///< its states while the SIMD loops pass over them
     };
 
     void renderStates(ModeStates& from,
@@ -269,12 +273,12 @@ private:
                       SubBlockStates& ahead) noexcept;
     KickModes kickModes() const noexcept;
     void forgetHeavy() noexcept;
-    /// Those of modes `first` to `end` − 1, which are whole blocks.
+    /// Returns the heavy modes among `first` to `end` − 1, which are whole blocks.
     std::span<HeavyMode> heavyIn(std::size_t first, std::size_t end) noexcept {
         const std::size_t from = firstHeavy[first / modeBlock];
         return std::span(heavyModes).subspan(from, firstHeavy[end / modeBlock] - from);
     }
-    /// Keeps the states of heavy modes, of any kind of states.
+    /// Saves the states of heavy modes, from any kind of states.
     template <class States>
     void setAside(const States& from, std::span<HeavyMode> modes) const noexcept {
         for (HeavyMode& heavy : modes)
@@ -323,8 +327,9 @@ private:
     ModeStates states;
     AlignedVector<float> energy;
 
-    std::vector<HeavyMode> heavyModes;      ///< ascending
-    std::vector<std::size_t> firstHeavy;    ///< of each block and those after it, in `heavyModes`
+    std::vector<HeavyMode> heavyModes; ///< ascending
+    std::vector<std::size_t>
+        firstHeavy; ///< index in `heavyModes` of the first one in each block or after it
     std::vector<std::int32_t> blockNumbers; ///< 0, 1, 2, …
 };
 

@@ -1,4 +1,4 @@
-// What contacts do to the states of a modal bank.
+// Contacts of a modal bank: state increments and continuous force.
 #include "Synth/ContactPulse.h"
 #include "Synth/ForceKernel.h"
 #include "Synth/ModalBank.h"
@@ -65,7 +65,7 @@ ModalBank::directSound(const ModeResidues& residues, std::span<const ModeRun> ru
             for (std::size_t c = 0; c < channelCount; ++c)
                 sums[c] -= residues[c].re[g] * restRe - residues[c].im[g] * restIm;
         }
-    // Heavy modes, whose rotations are 0, sound as they are: their whole first sample.
+    // Heavy modes have rotations of 0 above. Their whole first sample sounds.
     for (const HeavyMode& heavy : heavyModes)
         if (const std::size_t g = index(heavy.mode); isIn(runs, heavy.mode))
             for (std::size_t c = 0; c < channelCount; ++c)
@@ -227,7 +227,7 @@ void ModalBank::force(std::span<const float, cellSize> impulses,
                       const ModeResidues& startResidues,
                       const ModeResidues& endResidues,
                       double dampingPerSecond) noexcept {
-    // The damper takes its share of each impulse by the end of the cell.
+    // The damper has attenuated each impulse by the end of the cell.
     alignas(64) std::array<float, cellSize> fallen;
     std::copy(impulses.begin(), impulses.end(), fallen.begin());
     if (dampingPerSecond > 0) {

@@ -17,7 +17,8 @@ constexpr std::size_t floatLanes = hn::MaxLanes(Floats());
 constexpr std::size_t doubleLanes = hn::MaxLanes(Doubles());
 constexpr std::size_t tableVectors = subBlockSamples / floatLanes;
 
-/// Stores the states at the start of the first sub-blocks and leaves those at the end of the last.
+/// Stores the states at the start of the first `Blocks` sub-blocks; xs and ys become those at the
+/// end of the last.
 template <std::size_t Blocks>
 HWY_INLINE void turnThrough(const ModeRotations& rotations,
                             std::size_t g,
@@ -122,9 +123,9 @@ void advanceBatch(const ModeRotations& rotations,
         advance<true>(rotations, count, scale, x, y, energies, ahead);
 }
 
-/// Sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers: the loops over them are
-/// unrolled in full. Where few of them are needed each is kept in `Ways` parts, as a sum can only
-/// take one product in the time in which the machine forms eight.
+/// Mixes sub-blocks `Start` to `Start + Count − 1`. The sums stay in registers, as the loops over
+/// them are fully unrolled. With few sub-blocks each sum is split into `Ways` partial sums: one sum
+/// takes one product in the time in which the CPU can compute eight.
 template <std::size_t Start, std::size_t Count, std::size_t Ways>
 HWY_INLINE void mixSubBlocks(const float* HWY_RESTRICT table,
                              const float* HWY_RESTRICT x,
@@ -141,7 +142,7 @@ HWY_INLINE void mixSubBlocks(const float* HWY_RESTRICT table,
             for (std::size_t v = 0; v < tableVectors; ++v)
                 sums[w][b][v] = w == 0 ? hn::LoadU(f, output + b * subBlockSamples + v * floatLanes)
                                        : hn::Zero(f);
-    // Ways are (even and odd modes) × (x and y); with two of them x and y, with one none.
+    // 4 ways: even and odd modes, x and y. 2 ways: x and y. 1 way: no split.
     constexpr std::size_t modesAtOnce = Ways == 4 ? 2 : 1;
     const auto add = [&](std::size_t g, std::size_t way) HWY_ATTR {
         const float* HWY_RESTRICT row = table + 2 * subBlockSamples * g;
@@ -188,7 +189,7 @@ void mix(const float* tables,
          float* output) {
     const float* x = ahead.x[0] + from;
     const float* y = ahead.y[0] + from;
-    // No more sums at a time than registers hold beside the tables.
+    // Use no more sums at a time than fit in registers beside the tables.
     if constexpr (tableVectors <= 2) {
         switch (blocks) {
         case 1:
@@ -237,7 +238,7 @@ EnergySurvey survey(const float* HWY_RESTRICT energies,
             std::uint8_t lanes[8] = {};
             hn::StoreMaskBits(f, rings, lanes);
             bits |= (lanes[0] | (std::uint32_t{lanes[1]} << 8)) << k;
-            // Fading into denormals, or not finite.
+            // Decaying into denormals, or not finite.
             const auto fading = hn::And(hn::Lt(energy, faint), hn::Gt(energy, hn::Zero(f)));
             outside = hn::Or(outside, hn::Or(fading, hn::Not(hn::Lt(energy, largest))));
         }

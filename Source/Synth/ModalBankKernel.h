@@ -1,5 +1,5 @@
-// The inner loops of synthesis, with SIMD chosen at run time: states of many modes are taken on by
-// a cell, and what they sound is added to a buffer. Arrays in, arrays out; nothing is kept.
+// The inner loops of synthesis, with SIMD chosen at run time: they move the states of many modes by
+// a cell and add their sound to a buffer. Arrays in, arrays out; no state.
 #pragma once
 
 #include <cstddef>
@@ -10,27 +10,29 @@ namespace idiophone {
 
 inline constexpr std::size_t subBlockSamples = 16;
 inline constexpr std::size_t subBlocks = 4;
-inline constexpr std::size_t cellSize = subBlocks * subBlockSamples; ///< cellSamples
+inline constexpr std::size_t cellSize = subBlocks * subBlockSamples; ///< equals cellSamples
 
-/// Arrays over modes are padded to whole blocks of this many, aligned to 64 bytes.
+/// Arrays over modes are padded to whole blocks of this size and aligned to 64 bytes.
 inline constexpr std::size_t modeBlock = 16;
 
-/// |s|² that no object that makes sense reaches; beyond, squares would overflow.
+/// |s|² that no sensible object reaches; larger values would overflow when squared.
 inline constexpr float largestEnergy = 1e36f;
 
-/// Residues [m/s] and forces [N] that nothing reaches, however light it is and hard it is struck:
-/// up to these all that is added to states and sound is finite.
+/// Residues [m/s] and forces [N] beyond any real object or strike. Up to these, everything that is
+/// added to states and sound is finite.
 inline constexpr float largestResidue = 1e17f;
 inline constexpr float largestForceNewtons = 1e12f;
 
-/// Smaller entries of tables are zero: far below the rounding of a table, far above denormals even
-/// when multiplied by a faint state.
+/// Smaller table entries become zero. This is far below the rounding of a table and, even when
+/// multiplied by a faint state, far above denormals.
 inline constexpr double faintestTableEntry = 1e-15;
 
-/// States below this [m/s], −360 dB of full scale, are zero: far above single-precision denormals.
+/// States below this [m/s], −360 dB of full scale, become zero. This is far above single-precision
+/// denormals.
 inline constexpr double faintestVelocity = 1e-18;
 
-/// Modes whose states are computed ahead of mixing them; what they touch stays in the first cache.
+/// Number of modes whose states are computed before they are mixed; their data stays in the L1
+/// cache.
 inline constexpr std::size_t batchModes = 128;
 
 /// States of a batch at the start of each sub-block.
@@ -39,7 +41,7 @@ struct SubBlockStates {
     alignas(64) float y[subBlocks][batchModes];
 };
 
-/// Rotations of oscillating modes: with ρ = e^{ω⁺/fs}, ρ¹⁶ and ρ⁶⁴ as real and imaginary parts.
+/// Rotations of oscillating modes, with ρ = e^{ω⁺/fs}: real and imaginary parts of ρ¹⁶ and ρ⁶⁴.
 struct ModeRotations {
     const float* subBlockRe;
     const float* subBlockIm;
@@ -48,8 +50,8 @@ struct ModeRotations {
 };
 
 /// Fills `ahead` with the states of `count` modes (whole blocks, at most a batch) at the start of
-/// each sub-block, takes x, y on by one cell times `scale`, and writes |s|² there. States are kept
-/// in double, so that the phase holds for hours; within a cell, single precision does.
+/// each sub-block. Moves x, y by one cell times `scale` and writes |s|² to `energies`. States are
+/// double, so that the phase holds for hours; within a cell single precision suffices.
 void advanceModes(const ModeRotations& rotations,
                   std::size_t count,
                   double scale,
@@ -58,7 +60,7 @@ void advanceModes(const ModeRotations& rotations,
                   float* energies,
                   SubBlockStates& ahead) noexcept;
 
-/// Only fills the first `blocks` sub-blocks of `ahead`, from states in single precision.
+/// Fills the first `blocks` sub-blocks of `ahead` from states in single precision; moves nothing.
 void lookAhead(const ModeRotations& rotations,
                std::size_t count,
                std::size_t blocks,
@@ -66,9 +68,9 @@ void lookAhead(const ModeRotations& rotations,
                const float* y,
                SubBlockStates& ahead) noexcept;
 
-/// Adds to `output` (16 · `blocks` samples) what a run of `count` modes of a batch sounds, whose
-/// tables start at `tables` and whose states stand in `ahead` from place `from` on: in sub-block b,
-/// sample k of mode g, tables[32 g + k] x + tables[32 g + 16 + k] y.
+/// Adds the sound of a run of `count` modes of a batch to `output` (16 · `blocks` samples). Their
+/// tables start at `tables`, their states in `ahead` at place `from`. Sample k of mode g in a
+/// sub-block is tables[32 g + k] x + tables[32 g + 16 + k] y.
 void mixModes(const float* tables,
               const SubBlockStates& ahead,
               std::size_t from,
@@ -76,15 +78,15 @@ void mixModes(const float* tables,
               std::size_t blocks,
               float* output) noexcept;
 
-/// What a survey of some blocks found.
+/// The result of a survey of some blocks.
 struct EnergySurvey {
     double amplitudes = 0;  ///< Σ |s| over the modes above τ
-    std::int32_t modes = 0; ///< their number
-    bool faint = false;     ///< some state should become zero
+    std::int32_t modes = 0; ///< number of modes above τ
+    bool faint = false;     ///< some state must become zero
 };
 
-/// Which modes of `blocks` are above τ: bit k of masks[b] becomes whether energies[g] audible[g] >
-/// τ² for mode g = 16 b + k.
+/// Finds the modes of `blocks` that are above τ. Bit k of masks[b] is set if energies[g] audible[g]
+/// > τ² for mode g = 16 b + k.
 EnergySurvey surveyEnergies(const float* energies,
                             const float* audible,
                             float tauSquared,

@@ -1,4 +1,4 @@
-// How the states of a modal bank move and sound.
+// Free motion and sound of a modal bank.
 #include "Synth/ModalBank.h"
 #include "Synth/ModeIndex.h"
 #include "Synth/PoleKernel.h"
@@ -56,7 +56,7 @@ ModeRotations ModalBank::rotations(std::size_t first) const noexcept {
             cellIm.data() + first};
 }
 
-/// Its states at the start of each sub-block, from the one set aside.
+/// Fills in the states of a heavy mode at the start of each sub-block, from the saved one.
 void ModalBank::lookAtHeavy(const HeavyMode& heavy,
                             std::size_t channel,
                             std::size_t place,
@@ -69,7 +69,7 @@ void ModalBank::lookAtHeavy(const HeavyMode& heavy,
     }
 }
 
-/// Mixes what of `runs` lies within modes `first` to `end` − 1, whose states stand in `ahead`.
+/// Mixes the part of `runs` within modes `first` to `end` − 1, whose states are in `ahead`.
 void ModalBank::mixRuns(std::span<const ModeRun> runs,
                         std::size_t first,
                         std::size_t end,
@@ -85,7 +85,7 @@ void ModalBank::mixRuns(std::span<const ModeRun> runs,
     }
 }
 
-/// The same for parts of modes; the states in `ahead` become theirs.
+/// Does the same for parts of modes; scales their states in `ahead`.
 void ModalBank::mixParts(std::span<const ModePart> parts,
                          std::size_t first,
                          std::size_t end,
@@ -115,7 +115,7 @@ void ModalBank::renderStates(ModeStates& from,
                              const ChannelOutputs& partOutputs) noexcept {
     SubBlockStates ahead;
     for (std::size_t b = 0; b < blocks.size();) {
-        // A batch is as many consecutive blocks as it holds.
+        // A batch is as many consecutive blocks as fit.
         const std::size_t firstBlock = index(blocks[b]);
         std::size_t blocksHere = 1;
         while (b + blocksHere < blocks.size() && blocksHere < batchModes / modeBlock &&
@@ -142,7 +142,7 @@ void ModalBank::advanceBatch(ModeStates& from,
                              double scale,
                              float* energies,
                              SubBlockStates& ahead) noexcept {
-    // The louder channel counts.
+    // Keep the energy of the louder channel.
     alignas(64) std::array<float, batchModes> others;
     float* here = energies != nullptr && channel == 0 ? energies + first : others.data();
     double* x = from.x[channel].data() + first;

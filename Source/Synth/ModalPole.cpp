@@ -8,10 +8,10 @@ namespace idiophone {
 
 namespace {
 
-// ω_d² > 0.01 λ keeps the amplification of s against the motion below 10.
+// ω_d² > 0.01 λ keeps the ratio of s to the motion below 10.
 constexpr double oscillatingShare = 0.99;
 
-// Near critical damping the two halves blow up; widening the gap of the roots to a tenth of α keeps
+// Near critical damping the two terms diverge. Widening the gap of the roots to a tenth of α keeps
 // a true bound, as sinh(βt)/β grows with β.
 constexpr double narrowestGap = 0.1;
 
@@ -45,7 +45,7 @@ Propagator heavilyDamped(const ModalPole& pole, double seconds) noexcept {
 } // namespace
 
 ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) const noexcept {
-    // The limits, far outside hearing, keep extreme settings from overflowing.
+    // The limits, far outside the audible range, keep extreme settings from overflowing.
     const double stiffness = std::clamp(eigenvalueRatio * referenceEigenvalue, 1e-6, 1e18);
     const double ofMaterial = mode.scale * damping.perSecond(stiffness);
     const double extra =
@@ -53,8 +53,8 @@ ModalPole PoleLaw::pole(double referenceEigenvalue, const ModeDamping& mode) con
     return {stiffness, std::clamp(ofMaterial + extra, 0.0, 1e12)};
 }
 
-// λ − α² − ω² rises with λ while α² < λ/2, and the law has no power of λ beyond the first: its
-// double root lies at 2ω² or beyond. Newton's steps from ω² come from below, up to there.
+// λ − α² − ω² rises with λ while α² < λ/2. The law has no power of λ above the first, so its double
+// root is at 2ω² or beyond. Newton's method from ω² approaches from below.
 double stiffnessSoundingAt(double dampedFrequency,
                            const DampingLaw& damping,
                            const ModeDamping& mode,
@@ -129,7 +129,7 @@ double decayBound(const ModalPole& pole) noexcept {
     if (isOscillating(pole))
         return alpha;
     const double gap = rootGap(pole);
-    // α − β without the cancellation of a heavily over-damped mode.
+    // α − β without the cancellation at heavy over-damping.
     return gap > narrowestGap * alpha ? pole.stiffness / (alpha + gap) : alpha - gap;
 }
 

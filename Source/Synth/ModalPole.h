@@ -1,5 +1,5 @@
-// The equation of one mode, z'' + d z' + λ z = 0, solved in closed form for any damping. No
-// samples, no object: numbers in, numbers out.
+// The equation of one mode, z'' + d z' + λ z = 0, solved in closed form for any damping. It knows
+// neither samples nor objects.
 #pragma once
 
 #include "Object/DampingLaw.h"
@@ -17,8 +17,8 @@ struct ModalPole {
     bool operator==(const ModalPole&) const = default;
 };
 
-/// How the eigenvalues of an object's reference become poles now: λ = ratio · λ_ref, and d = scale
-/// times the damping law at that λ, plus twice the extra decay, which grows with the frequency.
+/// Converts an object's reference eigenvalues to poles: λ = ratio · λ_ref. d is scale times the
+/// damping law at that λ, plus twice the extra decay, which grows with the frequency.
 struct PoleLaw {
     double eigenvalueRatio = 1;
     DampingLaw damping;
@@ -27,16 +27,16 @@ struct PoleLaw {
     ModalPole pole(double referenceEigenvalue, const ModeDamping& mode = {}) const noexcept;
 };
 
-/// The λ at which a mode under this law sounds at `dampedFrequency` [rad/s] > 0: λ − d(λ)²/4 = ω².
-/// Its extra decay is that at `referenceEigenvalue` > 0. At most 2ω², ζ = 1/√2: a law that damps
-/// more leaves no pitch to keep. Continuous in all arguments. Takes at most twenty steps, mostly
-/// three.
+/// Returns the λ at which a mode under this law sounds at `dampedFrequency` ω [rad/s] > 0: λ −
+/// d(λ)²/4 = ω². The mode's extra decay is given at `referenceEigenvalue` > 0. The result is at
+/// most 2ω² (ζ = 1/√2): under a law that damps more there is no pitch to keep. Continuous in all
+/// arguments. Takes at most 20 Newton steps, mostly 3.
 double stiffnessSoundingAt(double dampedFrequency,
                            const DampingLaw& damping,
                            const ModeDamping& mode = {},
                            double referenceEigenvalue = 1) noexcept;
 
-/// The damping of a mode or group; where there are none, all keep to the law.
+/// Returns the damping of a mode or group; if `dampings` is empty, all follow the law.
 inline ModeDamping dampingOf(std::span<const ModeDamping> dampings, std::size_t index) noexcept {
     return dampings.empty() ? ModeDamping() : dampings[index];
 }
@@ -47,15 +47,15 @@ struct Motion {
     double displacement = 0;
 };
 
-/// The same in the coordinates of a pole. Where the mode oscillates (`isOscillating`) x + iy is the
-/// complex velocity amplitude s = 2 c ω⁺, so that v(t) = Re(s e^{ω⁺t}). Close to critical damping
-/// and beyond, where s is ill-conditioned or does not exist, x = z' and y = √λ z.
+/// The motion in the coordinates of a pole. If the mode oscillates (`isOscillating`), x + iy is the
+/// complex velocity amplitude s = 2 c ω⁺, so that v(t) = Re(s e^{ω⁺t}). Near critical damping and
+/// beyond, where s is ill-conditioned or undefined, x = z' and y = √λ z.
 struct ModalState {
     double x = 0;
     double y = 0;
 };
 
-/// A real 2 × 2 matrix that takes a state on in time; its first row gives the velocity.
+/// A real 2 × 2 matrix that moves a state in time; its first row gives the velocity.
 struct Propagator {
     double xx = 1, xy = 0, yx = 0, yy = 1;
 
@@ -68,24 +68,24 @@ struct Propagator {
     }
 };
 
-/// Whether the damped angular frequency is at least a tenth of √λ.
+/// Returns whether the damped angular frequency is at least a tenth of √λ.
 bool isOscillating(const ModalPole& pole) noexcept;
 
-/// √λ/2π: the frequency by which the audible band is judged at any damping.
+/// Returns √λ/2π, which decides at any damping whether a mode is in the audible band.
 double naturalFrequencyHz(const ModalPole& pole) noexcept;
 
-/// √(λ − d²/4) [rad/s], 0 where over-damped.
+/// Returns √(λ − d²/4) [rad/s], or 0 if over-damped.
 double dampedFrequency(const ModalPole& pole) noexcept;
 
-/// The state after `seconds` ≥ 0 of free motion, exact in every regime.
+/// Returns the free motion over `seconds` ≥ 0, exact in every regime.
 Propagator propagator(const ModalPole& pole, double seconds) noexcept;
 
 ModalState stateOf(const ModalPole& pole, const Motion& motion) noexcept;
 Motion motionOf(const ModalPole& pole, const ModalState& state) noexcept;
 
-/// A and α such that |v(t)| ≤ A e^{−αt} for all t ≥ 0 (Raghuvanshi & Lin 2006, eq. 13 and 14),
-/// where A = 2|c||ω⁺| and α = −Re ω⁺. Beyond critical damping A = |c⁺ω⁺| + |c⁻ω⁻| with the slower
-/// root.
+/// Return A and α such that |v(t)| ≤ A e^{−αt} for all t ≥ 0 (Raghuvanshi & Lin 2006, eq. 13 and
+/// 14), with A = 2|c||ω⁺| and α = −Re ω⁺. Beyond critical damping A = |c⁺ω⁺| + |c⁻ω⁻| and α is that
+/// of the slower root.
 double amplitudeBound(const ModalPole& pole, const ModalState& state) noexcept;
 double decayBound(const ModalPole& pole) noexcept;
 

@@ -10,11 +10,11 @@ namespace idiophone {
 namespace {
 
 constexpr double samePole = 1e-9;
-// Decay times that cannot be told apart, as ratios.
+// Ratios of decay times that cannot be told apart.
 constexpr double leastLikeDecay = 0.75, mostLikeDecay = 1.4;
 constexpr double fullTurn = 2 * std::numbers::pi;
 
-/// The first mode of a group, with what all others are compared with.
+/// The first mode of a group, with the values that all others are compared with.
 struct FirstMode {
     FirstMode(const ModalPole& first, const ModeDamping& firstDamping, double compression) noexcept
         : pole(first), damping(firstDamping), oscillates(isOscillating(first)),
@@ -31,7 +31,7 @@ struct FirstMode {
             return true;
         if (!oscillates || !isOscillating(next))
             return false;
-        // In squares, as a root for every mode would cost more than all else.
+        // Compare squares, as a root for every mode would dominate the cost.
         const double meanDecay = (pole.damping + next.damping) / 4;
         const double most = std::min(noticeable, meanDecay);
         const double squared = next.stiffness - next.damping * next.damping / 4;
@@ -136,7 +136,7 @@ std::complex<float> mergedResidue(std::span<const std::complex<float>> residues,
     std::complex<double> sum = 0;
     for (const auto& residue : residues)
         sum += residue;
-    // a²/(a² + Δ²) = 1 − Δ²/(a² + Δ²): written so, equal poles leave |Σr|² without rounding.
+    // With a²/(a² + Δ²) written as 1 − Δ²/(a² + Δ²), equal poles leave |Σr|² without rounding.
     double lost = 0;
     std::size_t pair = 0;
     for (std::size_t i = 0; i < residues.size(); ++i)

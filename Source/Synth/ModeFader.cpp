@@ -42,7 +42,7 @@ void ModeFader::take(const ModalBank& bank, std::int32_t mode, double share) noe
     }
 }
 
-/// Renders what was taken of these modes.
+/// Renders the saved states of these modes.
 void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes) noexcept {
     if (modes.empty())
         return;
@@ -56,7 +56,7 @@ void ModeFader::fade(ModalBank& bank, std::span<const std::int32_t> modes) noexc
             for (std::size_t k = 0; k < cellSamples; ++k)
                 tails[c][start + k] += window[start + k] * cell[c][k];
     }
-    // The modes between them are carried along, and must not fade into denormals.
+    // Later renders also move the modes between two runs. They must not decay into denormals.
     for (std::size_t c = 0; c < channels; ++c)
         for (const std::int32_t mode : modes)
             states.x[c][static_cast<std::size_t>(mode)] =

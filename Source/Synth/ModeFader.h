@@ -1,6 +1,6 @@
-// Modes that leave or return without a click: what they would sound for 3 ms under a raised cosine
-// is rendered ahead into a buffer of its own, so that the bank itself only knows modes that are in
-// or out, and modes that are struck while they fade need no special case.
+// Fades modes out and in without a click. It renders the next 3 ms of their sound under a raised
+// cosine into a separate buffer. So the bank only knows modes that are in or out, and modes that
+// are struck during a fade need no special case.
 #pragma once
 
 #include "Synth/ModalBank.h"
@@ -16,23 +16,23 @@ namespace idiophone {
 /// Memory is reserved by the constructor; every other member is for the audio thread.
 class ModeFader {
 public:
-    /// For modes of this bank.
+    /// Works for modes of this bank.
     ModeFader(const ModalBank& bank, double sampleRateHz);
 
-    /// Fades out, from the next sample to be played on, the share of each mode that is no longer
-    /// rendered. A share below 0 fades in: the mode is rendered in full from there on, and what the
-    /// fade holds back is taken away.
+    /// Fades out the given share of each mode from the next sample on, as the mode is no longer
+    /// rendered. A share below 0 fades in: the mode is rendered in full from now on, and the fade
+    /// subtracts the held-back part.
     void change(ModalBank& bank,
                 std::span<const std::int32_t> modes,
                 std::span<const float> shares) noexcept;
 
-    /// Adds the next cell of the fades and moves on.
+    /// Adds the next cell of the fades and moves on by a cell.
     void addCell(const ChannelOutputs& cell) noexcept;
 
-    /// Multiplies what is left to play.
+    /// Multiplies the rest of the fades.
     void scale(float factor) noexcept;
 
-    /// The second channel goes on as a copy of the first.
+    /// Copies the first channel's fades to the second.
     void widen() noexcept;
 
     bool active() const noexcept { return remaining > 0; }
@@ -43,7 +43,7 @@ private:
     void fade(ModalBank& bank, std::span<const std::int32_t> modes) noexcept;
 
     std::vector<float> window; ///< raised cosine from 1 to 0, in whole cells
-    /// What is left to play in each channel, from its next sample.
+    /// The rest of the fades in each channel, from its next sample.
     std::array<std::vector<float>, mostChannels> tails;
     ModeStates states;
     std::vector<ModeRun> runs;

@@ -1,4 +1,4 @@
-// Numbers of modes and blocks, which are stored in 32 bits, as indices of arrays.
+// Converts numbers of modes and blocks, which are stored in 32 bits, to array indices.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace idiophone {
 
-/// Of a number that is not negative.
+/// `number` is not negative.
 constexpr std::size_t index(std::int32_t number) noexcept {
     return static_cast<std::size_t>(number);
 }

@@ -7,7 +7,8 @@
 
 namespace idiophone {
 
-/// From mode `firstMode` on. Points into the object; the point's rows exist.
+/// Returns the shapes from mode `firstMode` on. They point into the object; the point's rows must
+/// exist.
 inline ShapePoint pointShapes(const ModalObject& object,
                               const StrikePoint& point,
                               std::size_t firstMode = 0) noexcept {

@@ -21,8 +21,8 @@ using Vector = hn::Vec<Doubles>;
 using Complex = DoubleComplex;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 
-/// e^{(−α + iω)t}. The angle is first taken to within half a turn, beyond which the library's sine
-/// loses precision.
+/// Returns e^{(−α + iω)t}. The angle is first reduced to half a turn, as the library's sine loses
+/// precision beyond.
 HWY_INLINE Complex rotation(Vector decay, Vector frequency, double seconds) {
     const Doubles d;
     const auto t = hn::Set(d, seconds);
@@ -34,7 +34,7 @@ HWY_INLINE Complex rotation(Vector decay, Vector frequency, double seconds) {
     return {hn::Mul(size, hn::Cos(d, rest)), hn::Mul(size, hn::Sin(d, rest))};
 }
 
-/// Table entries far below rounding become zero, so that no product is denormal.
+/// Sets table entries far below rounding to zero, so that no product is denormal.
 HWY_INLINE Vector cleared(Vector value) {
     const Doubles d;
     return hn::IfThenElseZero(hn::Gt(hn::Abs(value), hn::Set(d, faintestTableEntry)), value);

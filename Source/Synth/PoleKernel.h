@@ -1,5 +1,5 @@
-// What follows from many poles at once, with SIMD chosen at run time: rotations and tables of
-// oscillating modes, and free motion over any time. Arrays in, arrays out; counts are whole blocks.
+// Computes rotations and tables of oscillating modes from their poles, and free motion over any
+// time, with SIMD chosen at run time. Arrays in, arrays out; counts are whole blocks.
 #pragma once
 
 #include <cstddef>
@@ -24,11 +24,11 @@ struct PoleArrays {
     float* tables;
 };
 
-/// Fills in all but λ and d. Modes that do not oscillate are left for the caller to correct.
+/// Fills in all arrays but λ and d. The caller corrects modes that do not oscillate.
 void rotationsOfPoles(const PoleArrays& arrays, std::size_t count, double sampleSeconds) noexcept;
 
-/// x + iy times `factor` e^{(−α + iω)t}: free motion of oscillating modes over `seconds`, which may
-/// be hours.
+/// Multiplies x + iy by `factor` e^{(−α + iω)t}: free motion of oscillating modes over `seconds`,
+/// which may be hours.
 void rotateModes(const double* decay,
                  const double* frequency,
                  std::size_t count,

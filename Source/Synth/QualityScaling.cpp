@@ -8,13 +8,13 @@ namespace idiophone {
 
 namespace {
 
-// More than any budget; keeps an infinite Q within integers.
+// Above any budget; keeps an infinite Q within integers.
 constexpr double largestBudget = 1e9;
 
-// Greedy for any number of objects, and finite.
+// Finite, and greedy for any number of objects.
 constexpr double steepestSlope = 1e12;
 
-/// The entitlement falls on a line; `top` is the first's and `fall` from each to the next.
+/// Entitlements fall on a line: `top` for the first rank, `fall` less from each rank to the next.
 struct Entitlement {
     double top = 0;
     double fall = 0;
@@ -22,7 +22,7 @@ struct Entitlement {
     double at(std::size_t rank) const noexcept {
         return rank == 0 ? top : std::max(0.0, top - fall * static_cast<double>(rank));
     }
-    /// What is as good as whole counts as such.
+    /// Rounds down; values within rounding error of a whole number count as whole.
     double wholeAt(std::size_t rank) const noexcept {
         return std::floor(at(rank) * (1 + 1e-9) + 1e-9);
     }
@@ -31,7 +31,7 @@ struct Entitlement {
 Entitlement entitlement(std::size_t objects, double budget, double slope) noexcept {
     const auto n = static_cast<double>(objects);
     const double fall = std::min(slope, steepestSlope) * budget / (n * n);
-    // With the first k entitled to something, k a − fall k(k−1)/2 = Q; the k-th must stay above 0.
+    // If the first k have an entitlement, k a − fall k(k−1)/2 = Q. The k-th must stay above 0.
     double entitled = n;
     while (entitled > 1 && budget / entitled <= fall * (entitled - 1) / 2)
         entitled -= 1;

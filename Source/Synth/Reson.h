@@ -1,6 +1,6 @@
 // A resonance as one complex pole, z[n] = p z[n−1] + x[n]. Each step shrinks |z| by |p| before it
-// adds the input, so the pole may move at every sample without a burst (two real coefficients of a
-// direct form promise no such thing).
+// adds the input, so the pole may move at every sample without a burst. The two real coefficients
+// of a direct form do not guarantee this.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct ResonPole {
     double real = 0;
     double imaginary = 0;
 
-    /// Frequencies above 0.45 of the sample rate count as that.
+    /// Frequencies are limited to 0.45 of the sample rate.
     static ResonPole at(double frequencyHz, double dampingPerSecond, double sampleRateHz) noexcept {
         const double angle =
             2 * std::numbers::pi * std::min(frequencyHz / sampleRateHz, highestFrequency);
@@ -22,19 +22,20 @@ struct ResonPole {
         return {radius * std::cos(angle), radius * std::sin(angle)};
     }
 
-    /// The poles of a Butterworth low-pass of order 2, where −3 dB lies far below the sample rate.
+    /// Returns the pole of a Butterworth low-pass of order 2; the −3 dB frequency must be far below
+    /// the sample rate.
     static ResonPole lowPass(double cutoffHz, double sampleRateHz) noexcept {
         const double equalParts = cutoffHz / std::numbers::sqrt2;
         return at(equalParts, 2 * std::numbers::pi * equalParts, sampleRateHz);
     }
 
-    /// What the input is multiplied by so that Im z answers a constant with itself: the transfer
-    /// function is then that of the resonance (d² + ω²)/((s + d)² + ω²).
+    /// Returns the input gain for which Im z answers a constant with itself. The transfer function
+    /// is then that of the resonance (d² + ω²)/((s + d)² + ω²).
     double unitGainAtZero() const noexcept {
         return ((1 - real) * (1 - real) + imaginary * imaginary) / imaginary;
     }
 
-    /// |Im z / x|² at an angle per sample whose cosine is given, for an input of gain 1.
+    /// Returns |Im z / x|² at the angle per sample with this cosine, for an input gain of 1.
     double power(double cosine) const noexcept {
         const double a1 = -2 * real, a2 = real * real + imaginary * imaginary;
         return imaginary * imaginary /

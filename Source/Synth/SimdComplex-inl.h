@@ -1,5 +1,6 @@
-// What the SIMD kernels share, compiled for each instruction set: their vectors, complex numbers in
-// lanes, and states in double that meet sums in single precision. Included after foreach_target.h.
+// Shared by the SIMD kernels and compiled for each instruction set: vector types, complex numbers
+// in lanes, and conversions between double states and single-precision sums. Include it after
+// foreach_target.h.
 #if defined(IDIOPHONE_SIMD_COMPLEX_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef IDIOPHONE_SIMD_COMPLEX_INL_H
 #undef IDIOPHONE_SIMD_COMPLEX_INL_H
@@ -41,7 +42,7 @@ HWY_INLINE ComplexOf<Vector> product(ComplexOf<Vector> a, ComplexOf<Vector> b) {
                        hn::DemoteTo(half, hn::Load(d, values)));
 }
 
-/// Adds to states and returns the sum in single precision.
+/// Adds to the states and returns the sums in single precision.
 [[maybe_unused]] HWY_INLINE hn::Vec<Floats> addTo(double* HWY_RESTRICT values,
                                                   hn::Vec<Floats> added) {
     const Floats f;
