@@ -36,7 +36,7 @@ SoundingObject::SoundingObject(SynthesiserSlot slot,
     modeEigenvalues = referenceEigenvalues = object->eigenvalues;
     groupDampings = dampings = object->dampings();
     pairs = modePairs(*object, seed);
-    lostShares.resize(modes * (largestGroup - 1) / 2); // groups of at most that many
+    lostShares.resize(modes * (largestGroup - 1) / 2); // for groups of the maximum size
     if (!object->radiation.empty())
         for (auto& weights : radiationWeights)
             weights.resize(modes);
@@ -104,13 +104,13 @@ bool SoundingObject::beginSoundingCell(std::int64_t cell,
     return true;
 }
 
-// t_c of Raghuvanshi & Lin 2006, eq. 14, is where the amplitude, which falls as e^{−αt}, meets τ:
-// found here by comparing the two at every grid point, which needs no logarithm when the mode is
-// struck.
+// At t_c of Raghuvanshi & Lin 2006, eq. 14, the amplitude, which decays as e^{−αt}, reaches τ.
+// Comparing the two at every grid point finds it without a logarithm per struck mode.
 void SoundingObject::survey() noexcept {
     const EnergySurvey found = surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(),
                                               faintEnergy, activeBlocks, scratch.aboveTau.data());
-    // Under a contact nothing comes or goes; under a continuous force nothing goes.
+    // During a contact the set of ringing modes stays fixed. During a continuous force modes may
+    // join but not leave.
     const bool forced = forcedCell == cellIndex - 1;
     std::int32_t ringing = found.modes;
     for (const std::int32_t number : activeBlocks) {
@@ -206,7 +206,7 @@ void SoundingObject::retireBlocks(std::int64_t grid) noexcept {
     });
 }
 
-/// True where the block holds anything.
+/// Returns whether the block holds anything but zeros.
 bool SoundingObject::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
     if (!(bank.energyOfLoudest(b) > 0))
         return false;
@@ -218,7 +218,7 @@ bool SoundingObject::bringUpToDate(std::size_t b, std::int64_t grid) noexcept {
     return bank.energyOfLoudest(b) > 0;
 }
 
-/// Makes all blocks active that hold something above τ; the next survey says what of it rings.
+/// Activates all blocks that hold something above τ; the next survey finds the ringing modes.
 void SoundingObject::wakeBlocks() noexcept {
     const float tau = tauEnergy();
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
@@ -237,7 +237,7 @@ void SoundingObject::activate(std::size_t b) noexcept {
 }
 
 void SoundingObject::mix(std::int32_t share, const CellOutput& cell) noexcept {
-    // Under a force nothing goes, whatever the share.
+    // During a contact or a force the mixed modes stay, whatever the share.
     if (contacts.empty() && forcedCell != cellIndex - 1)
         chooseModes(share);
     mixedLastCell = static_cast<std::int32_t>(mixedModes.size());
@@ -271,7 +271,7 @@ void SoundingObject::renderCell(const ChannelOutputs& outputs) noexcept {
     }
 }
 
-/// What a damper leaves of the first `count` samples.
+/// Applies the damper's decay to the first `count` samples.
 void SoundingObject::fadeByDamper(const ChannelOutputs& sound, std::size_t count) const noexcept {
     const double fall = std::exp(-damping / sampleRate);
     double factor = 1;
@@ -282,8 +282,7 @@ void SoundingObject::fadeByDamper(const ChannelOutputs& sound, std::size_t count
     }
 }
 
-/// Adds `count` samples from sample `from` of the cell on. What sounds in one channel is heard in
-/// both.
+/// Adds `count` samples to the cell from sample `from` on. A mono sound goes to both channels.
 void SoundingObject::addToCell(const ChannelOutputs& sound,
                                std::size_t from,
                                std::size_t count,
@@ -296,8 +295,8 @@ void SoundingObject::addToCell(const ChannelOutputs& sound,
     }
 }
 
-/// Takes away what the discs close of `tube`, which the cell has as with open discs. States know
-/// nothing of the discs, so that no gain steps.
+/// Removes the part of `tube` that the discs block; the cell holds the sound of open discs. States
+/// ignore the discs, so that no gain steps.
 void SoundingObject::closeTubes(CellSound& tube,
                                 std::size_t from,
                                 std::size_t count,
@@ -308,7 +307,7 @@ void SoundingObject::closeTubes(CellSound& tube,
     addToCell(outputsOf(tube), from, count, cell);
 }
 
-/// Returns the tube's parts of the modes in ascending runs, valid until it is asked for others.
+/// Returns the tube's parts of the modes in ascending runs, valid until the next call.
 std::span<const ModePart>
 SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
     scratch.tubeParts.clear();
@@ -321,7 +320,7 @@ SoundingObject::tubePartsOf(std::span<const ModeRun> runs) const noexcept {
     return scratch.tubeParts;
 }
 
-/// Returns the share of a group that the discs leave where the states stand.
+/// Returns the gain of a group by the discs at the grid point where the states hold.
 float SoundingObject::openingNow(std::size_t g) const noexcept {
     const auto mode = static_cast<std::int32_t>(g);
     const auto part = std::ranges::lower_bound(tubeParts, mode, {}, &ModePart::mode);
@@ -329,7 +328,7 @@ float SoundingObject::openingNow(std::size_t g) const noexcept {
                                                          : 1;
 }
 
-/// A share of 1 leaves, −1 returns. In the 3 ms of a fade the discs hardly move.
+/// Fades modes out (share 1) or in (share −1). The discs hardly move during the 3 ms of a fade.
 void SoundingObject::fade(std::span<const std::int32_t> modes, float share) noexcept {
     for (std::size_t k = 0; k < modes.size(); ++k)
         scratch.fadingShares[k] = share * openingNow(static_cast<std::size_t>(modes[k]));

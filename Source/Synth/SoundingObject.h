@@ -1,5 +1,6 @@
-// One slot of the synthesiser: an object's groups of modes with their states, which of them ring,
-// and which of them are mixed. It renders cells and takes strikes; the budget comes from outside.
+// A resonator: one slot of the synthesiser, with the groups of modes of an object, their states,
+// and the sets of ringing and mixed modes. It renders cells and takes strikes; the budget comes
+// from the synthesiser.
 #pragma once
 
 #include "Synth/AccelerationNoise.h"
@@ -26,21 +27,21 @@
 
 namespace idiophone {
 
-/// Memory is reserved by the constructor; every other member is for the audio thread. The states of
-/// active blocks stand at the grid point at which the cell begun last starts, after `mix` at the
-/// one where it ends.
+/// Memory is reserved by the constructor; every other member is for the audio thread. The current
+/// cell is the one begun last. States of active blocks hold at its start; after `mix` they hold at
+/// its end.
 class SoundingObject {
 public:
-    /// At most this many contacts are under way at a time.
+    /// Maximum number of simultaneous contacts.
     static constexpr std::size_t contactCapacity = 64;
 
     using ModeWeights = std::shared_ptr<const std::vector<double>>;
 
-    /// `channels` 1 or 2: how many the cells handed over have. An object sounds in stereo from a
-    /// strike that is heard from afar (`SynthesisSettings::radiation`) until it is silent again.
-    /// `modeWeights` [M] are the object's `summedSquareShapes`, which all its slots share. `seed`
-    /// draws its imperfection. `scratch` has room for this object and outlives it; objects on one
-    /// thread share it.
+    /// `channels` is the channel count of the cells, 1 or 2. A resonator sounds in stereo from the
+    /// first far-heard strike (`SynthesisSettings::radiation`) until it is silent again.
+    /// `modeWeights` [M] are the object's `summedSquareShapes`, shared by all its slots. `seed`
+    /// draws its imperfection. `scratch` has room for this object and outlives it; resonators on
+    /// one thread share it.
     SoundingObject(SynthesiserSlot slot,
                    ModeWeights modeWeights,
                    std::uint32_t seed,
@@ -51,14 +52,14 @@ public:
     void setDamping(double dampingPerSecond) noexcept;
     void setFrequencyRatio(double ratio) noexcept;
     double frequencyRatio() const noexcept { return requestedFrequencyRatio; }
-    /// Instead of the settings'; nothing: theirs. Its figures are in their ranges.
+    /// Replaces the settings' material; empty: use the settings'. Its values must be in range.
     void setMaterial(const std::optional<LiveMaterial>& material) noexcept;
-    /// From the next `beginCell` on modes that are not 0 here ([modes of the object], or empty:
-    /// none) are not heard. They fade out and in, and ring on unheard in between.
+    /// Mutes modes with values ≠ 0 from the next `beginCell` on ([modes of the object], or empty:
+    /// none). They fade out and in, and ring on unheard in between.
     void setSilencedModes(std::span<const std::uint8_t> silenced) noexcept;
 
-    /// Moves to the grid point of cell `index`: applies what was set and drops modes at t_c
-    /// (Raghuvanshi & Lin 2006, eq. 14). True where there is anything to mix.
+    /// Moves to the grid point of cell `index`: applies pending settings and drops modes at t_c
+    /// (Raghuvanshi & Lin 2006, eq. 14). Returns whether there is anything to mix.
     bool beginCell(std::int64_t index,
                    const SynthesisSettings& settings,
                    bool settingsChanged) noexcept {
@@ -68,21 +69,22 @@ public:
         return false;
     }
 
-    /// After `beginCell`: what quality scaling asks. Modes held by a contact are part of it.
+    /// Returns the demand for quality scaling; call it after `beginCell`. It includes modes held by
+    /// a contact.
     ModeDemand demand() const noexcept { return demanded; }
 
-    /// Mixes the strongest `share` modes into the cell. While a contact is under way its modes
-    /// stay, whatever the share: its forced part was summed over them.
+    /// Mixes the strongest `share` modes into the cell. During a contact its modes stay, whatever
+    /// the share, as its forced part was summed over them.
     void mix(std::int32_t share, const CellOutput& cell) noexcept;
 
-    /// After `mix`, before a strike: what was set since `beginCell` holds for the strike, and for
-    /// what rings from the next grid point on, at which its states stand. Where a contact is under
-    /// way, all of it waits for the next cell.
+    /// Call it after `mix`, before a strike. Applies what was set since `beginCell`: to the strike
+    /// at once, and to ringing modes from the next grid point, where their states hold. During a
+    /// contact, all of it waits for the next cell.
     void catchUp(const SynthesisSettings& settings) noexcept;
 
-    /// Adds a strike to the rest of the cell begun last; `allowance` bounds the modes mixed after
-    /// it. A contact shorter than a thousandth of a sample is an impulse. False, and nothing done,
-    /// where the contacts are used up or the strike is not valid for this object.
+    /// Adds a strike to the rest of the current cell. `allowance` bounds the number of modes mixed
+    /// after it. A contact shorter than two samples is an impulse. Returns false and does nothing
+    /// if no contact is free or the strike is not valid for this object.
     bool strike(const Strike& strike,
                 double sampleInCell,
                 std::int32_t allowance,
@@ -90,14 +92,15 @@ public:
 
     bool contactsUsedUp() const noexcept { return contacts.size() == contactCapacity; }
 
-    /// Applies a cell of continuous force, after `mix` of the same cell and any number of times.
-    /// While it lasts all its modes are mixed that `allowance` has room for, and none is dropped.
+    /// Applies a cell of continuous force. Call it after `mix` of the same cell, any number of
+    /// times. During a force the resonator mixes as many of its modes as `allowance` permits, and
+    /// drops none.
     bool
     applyForce(const ForceCell& force, std::int32_t allowance, const CellOutput& cell) noexcept;
 
     void reset() noexcept;
 
-    /// What is heard of its groups of modes, as of the cell begun last.
+    /// Reports the groups of modes as heard in the current cell.
     void report(SoundingGroups& groups) const noexcept;
 
     bool ringing() const noexcept {
@@ -111,30 +114,30 @@ public:
     std::int32_t groupsAudible() const noexcept {
         return static_cast<std::int32_t>(bank.audibleCount());
     }
-    /// The same with those that strikes have added since.
+    /// Number of mixed modes, including those that strikes have added since `mix`.
     std::int32_t modesMixedNow() const noexcept {
         return static_cast<std::int32_t>(mixedModes.size());
     }
 
 private:
-    /// G0 and H of a contact over some modes, for each channel.
+    /// G0 and H of a contact, summed over some modes, for each channel.
     struct ForcedMotion {
         std::array<double, mostChannels> steadyVelocity{};
         std::array<std::complex<double>, mostChannels> swing{};
     };
 
-    /// One contact under way; its free part is in the states of the modes.
+    /// A contact under way; its free part is in the states of the modes.
     struct Contact {
-        Strike strike; ///< its duration cleared of resonances
-        Hearing heard; ///< as of its start
+        Strike strike; ///< duration kept clear of resonances
+        Hearing heard; ///< as at its start
         std::int64_t startCell = 0;
         double startSample = 0;
-        ForcedMotion mixed{}; ///< of the modes mixed
-        ForcedMotion tube{};  ///< of these, what the tube adds
+        ForcedMotion mixed{}; ///< of the mixed modes
+        ForcedMotion tube{};  ///< the tube's part of `mixed`
     };
 
-    /// One block of the bank's modes, a bit each. A block of which nothing rings is not active: its
-    /// states rest as of the grid point `restsSince` until something needs them.
+    /// One block of the bank's modes, one bit each. A block without ringing modes is inactive. Its
+    /// states stay at grid point `restsSince` until they are needed.
     struct Block {
         std::uint16_t rings = 0; ///< above τ
         std::uint16_t mixed = 0;
@@ -143,7 +146,7 @@ private:
         double restsAtDampingLog = 0;
     };
 
-    // SoundingObject.cpp: which modes ring and are mixed.
+    // SoundingObject.cpp: the sets of ringing and mixed modes.
     bool beginSoundingCell(std::int64_t cell,
                            const SynthesisSettings& settings,
                            bool settingsChanged) noexcept;
@@ -155,7 +158,7 @@ private:
     void wakeBlocks() noexcept;
     void renderCell(const ChannelOutputs& outputs) noexcept;
     void fade(std::span<const std::int32_t> modes, float share) noexcept;
-    /// Whether a motor changes what is heard in the cell begun last.
+    /// Returns whether the motor's discs change the sound of the current cell.
     bool tubesPulse() const noexcept { return !tubeParts.empty() && !scratch.tubes.isFull(); }
     std::span<const ModePart> tubePartsOf(std::span<const ModeRun> runs) const noexcept;
     std::span<const ModePart> pulsing() const noexcept {
@@ -194,7 +197,7 @@ private:
     void fadeChanges() noexcept;
     void rebuildBlocks() noexcept;
 
-    // SoundingObjectStrike.cpp: from a strike to kicks and contacts.
+    // SoundingObjectStrike.cpp: from a strike to state increments and contacts.
     bool valid(const StrikePoint& point) const noexcept;
     bool valid(const Strike& strike, double sampleInCell) const noexcept;
     void prepareBank() noexcept;
@@ -232,7 +235,7 @@ private:
     void bringRestingUpToDate(std::int64_t grid) noexcept;
     void listWhatRings() noexcept;
 
-    // SoundingObjectResidues.cpp: what is heard of each group.
+    // SoundingObjectResidues.cpp: the residues of each group.
     bool computeResidues(const Contact& contact) noexcept;
     void mergeResidues(ChannelResidues& residues) noexcept;
     void blendNear(float farShare, ChannelResidues& residues) const noexcept;
@@ -243,8 +246,8 @@ private:
     void hold(Contact& contact, std::span<const ModeRun> modes, double factor) noexcept;
     void
     addMotion(std::span<const ModeRun> modes, double factor, ForcedMotion& motion) const noexcept;
-    /// What a contact adds to the residue of every mode, over what the other one does; 0 where that
-    /// differs from mode to mode.
+    /// Returns the ratio of a contact's residues to the other contact's, or 0 if it differs from
+    /// mode to mode.
     static double shareOfResidues(const Contact& contact, const Contact& other) noexcept;
     enum class Forced { freed, held };
     void moveContacts(Forced become) noexcept;
@@ -253,10 +256,10 @@ private:
     phaseAt(const Contact& contact, std::int64_t cell, double sample) const noexcept;
 
     // SoundingObjectForce.cpp: continuous contact.
-    /// The object's answer within a cell.
+    /// The object's response within a cell.
     struct Answer {
         alignas(64) CellSound sound;
-        alignas(64) CellSound tube; ///< of this, what the tube adds; only while tubes pulse
+        alignas(64) CellSound tube; ///< the tube's part of `sound`; only set if tubesPulse()
     };
     void admitForced(std::int32_t allowance) noexcept;
     bool valid(const ForcePlace& place) const noexcept;
@@ -280,33 +283,34 @@ private:
     double sampleRate;
     double cellSeconds;
 
-    // What a cell in which nothing sounds looks at.
-    std::int64_t cellIndex = -1; ///< the cell begun last
+    // Members that a silent cell reads.
+    std::int64_t cellIndex = -1; ///< the current cell
     bool controlsChanged = true;
     std::vector<std::int32_t> activeBlocks; ///< ascending
     std::vector<Contact> contacts;
-    std::vector<Contact> clicks;       ///< of the rigid body, as contacts that answer with a sine
-    std::optional<KickMove> keptKicks; ///< on their way to the grid point where states take them in
+    std::vector<Contact> clicks; ///< of the rigid body, stored as contacts with a sine response
+    std::optional<KickMove>
+        keptKicks; ///< pending increments, until the states take them in at the grid point
 
-    // What was asked for, and what holds now.
+    // Requested values and values in effect.
     double requestedDamping = 0;
     double requestedFrequencyRatio = 1;
-    std::optional<LiveMaterial> requestedMaterial; ///< nothing: the settings'
+    std::optional<LiveMaterial> requestedMaterial; ///< empty: the settings'
     std::vector<std::uint8_t> requestedSilences;   ///< [M], or empty: none
     bool silencesChange = false;
     std::vector<std::uint8_t> silencedModes; ///< [M], or empty: none
     PoleLaw law;
-    bool polesBehind = false; ///< the bank is not yet that of `law` and `compression`
-    Hearing hearing;          ///< of strikes from now on
-    RigidRadiator rigidBody;  ///< at the reference
-    double sizeNow = 1;       ///< over the reference's, as of strikes from now on
-    /// Frequency times size over the reference's: where the radiation table is to be read, and
-    /// where and for which `StrikePoint::heardFrom` it was.
+    bool polesBehind = false; ///< the bank does not yet follow `law` and `compression`
+    Hearing hearing;          ///< for strikes from now on
+    RigidRadiator rigidBody;  ///< at the reference size
+    double sizeNow = 1;       ///< size over the reference size, for strikes from now on
+    /// Frequency times size, relative to the reference: the wanted argument of the radiation table.
+    /// Then the argument and the `StrikePoint::heardFrom` of the current weights.
     double wantedRadiationRatio = 1;
     double radiationRatio = 0;
     std::int32_t radiationHeardFrom = -1;
     double compression = 1;
-    double tauPascals = 0; ///< τ, at least the floor where states are flushed
+    double tauPascals = 0; ///< τ in Pa, at least the floor below which states become 0
     double damping = 0;    ///< δ
     double dampingLogBase = 0;
     std::int64_t dampingSince = 0;
@@ -314,18 +318,19 @@ private:
     // Groups.
     ModeWeights modeWeights;                  ///< [M] `summedSquareShapes`
     std::vector<std::int32_t> groupStarts;    ///< [G+1]
-    double thicknessRatio = 1;                ///< 1 where the object has none live
-    std::vector<double> modeEigenvalues;      ///< [M] of the reference at that thickness
-    std::vector<double> referenceEigenvalues; ///< [G] of the groups
-    bool eigenvaluesAreBehind = false;        ///< both are not yet those of these two:
+    double thicknessRatio = 1;                ///< 1 if the object has no live thickness
+    std::vector<double> modeEigenvalues;      ///< [M] reference eigenvalues at that thickness
+    std::vector<double> referenceEigenvalues; ///< [G] the same of the groups
+    bool eigenvaluesAreBehind =
+        false; ///< both do not yet follow the thickness and the imperfection
     double imperfection = 0;
     std::vector<ModePair> pairs;
     std::vector<ModeDamping> dampings;      ///< [M], or empty: the law's
     std::vector<ModeDamping> groupDampings; ///< [G], or empty: the law's
     std::vector<float> tubeShares;          ///< [M] (TubeShares.h)
-    std::vector<ModePart> tubeParts;        ///< ascending: of the groups that bar and tube share
-    std::vector<float> lostShares;          ///< of the pairs of every group (ModeCompression.h)
-    std::optional<PoleLaw> lostSharesLaw;   ///< for which they hold
+    std::vector<ModePart> tubeParts;        ///< groups that bar and tube share, ascending
+    std::vector<float> lostShares;          ///< of the pairs in every group (ModeCompression.h)
+    std::optional<PoleLaw> lostSharesLaw;   ///< law that `lostShares` belong to
 
     ModalBank bank;
     ModeFader fader;
@@ -333,27 +338,27 @@ private:
     std::vector<std::int32_t> mixedModes; ///< ascending
     std::vector<ModeRun> mixedRuns;
     std::array<std::vector<std::complex<float>>, mostChannels> radiationWeights; ///< [M]
-    bool mixedIsRinging = true; ///< the modes mixed are those that ring
+    bool mixedIsRinging = true; ///< the mixed modes are the ringing ones
     ModeDemand demanded;
     std::int32_t mixedLastCell = 0;
 
-    ModeKicks kicks; ///< of the last strike or end of a contact
+    ModeKicks kicks; ///< of the last strike or the last end of a contact
 
     std::uint64_t responseVersion = 1;
     static constexpr std::int64_t never = -2;
-    std::int64_t forcedCell = never;  ///< the last cell that was forced
+    std::int64_t forcedCell = never;  ///< the last cell with a force
     Hearing heardAtStart, heardAtEnd; ///< of that cell
 
     static bool isSet(std::uint16_t bits, std::size_t g) noexcept {
         return (bits >> (g % modeBlock) & 1u) != 0;
     }
-    /// Calls `visit` with the mode of each bit of a block.
+    /// Calls `visit` with the mode of each set bit of a block.
     template <class Visit>
     static void forEachMode(std::size_t block, std::uint16_t bits, Visit visit) {
         for (unsigned rest = bits; rest != 0; rest &= rest - 1)
             visit(static_cast<std::int32_t>(block * modeBlock) + std::countr_zero(rest));
     }
-    /// Leaves the `most` modes of greatest energy, the lower one of two equals.
+    /// Keeps the `most` modes with the largest energy; of two equal ones the lower index.
     static void
     keepLoudest(std::vector<std::int32_t>& modes, const float* energies, std::size_t most) noexcept;
 

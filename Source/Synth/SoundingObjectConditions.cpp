@@ -1,4 +1,4 @@
-// What the settings make of a sounding object's poles.
+// Applies the settings to a resonator: poles, damping and truncation.
 #include "Synth/Listening.h"
 #include "Synth/LiveConditions.h"
 #include "Synth/ModeCompression.h"
@@ -17,7 +17,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     const LiveConditions live = liveConditions(object->material, own, slotSizeRatio,
                                                requestedFrequencyRatio, pitch ? &*pitch : nullptr);
     const double thickness = object->hasLiveThickness() ? settings.thicknessRatio : 1;
-    // τ = 0 truncates nothing that could be heard after all.
+    // Even τ = 0 drops states below an inaudible floor.
     const double newTau = std::max(settings.tau * pascalsPerTau, faintestVelocity);
     hearing = {.nearGain = contactMicrophonePascals * live.gainRatio / thickness,
                .farGain = live.radiationGainRatio / thickness,
@@ -33,9 +33,9 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
     const bool tauFalls = newTau < tauPascals;
     if (!contactsMove && newTau == tauPascals)
         return;
-    // A contact's forced part belongs to the poles and the radiation weights it was computed for:
-    // it is made free motion, and taken out again with those and the damping that hold from here
-    // on.
+    // A contact's forced part belongs to the poles, radiation weights and damping that it was
+    // computed with. Turn it into free motion before the change, and take it out again with the new
+    // values.
     if (contactsMove)
         moveContacts(Forced::freed);
     wantedRadiationRatio = live.radiationRatio;
@@ -49,7 +49,7 @@ void SoundingObject::applySettings(const SynthesisSettings& settings) noexcept {
                            settings.imperfection != imperfection;
     thicknessRatio = thickness;
     if ((settings.imperfection > 0) != (imperfection > 0))
-        radiationRatio = 0; // its weights are to be turned, or not
+        radiationRatio = 0; // the weights must be read again, with or without rotated pairs
     imperfection = settings.imperfection;
     compression = settings.compression;
     if (silencesChange)
@@ -67,12 +67,12 @@ void SoundingObject::catchUp(const SynthesisSettings& settings) noexcept {
     if (!controlsChanged || !contacts.empty())
         return;
     takeInKicks(cellIndex + 1);
-    ++cellIndex; // to where the states stand
+    ++cellIndex; // the states hold there
     applySettings(settings);
     --cellIndex;
 }
 
-/// Groups follow in movePoles.
+/// The groups follow in movePoles.
 void SoundingObject::takeSilences() noexcept {
     silencesChange = false;
     silencedModes.assign(requestedSilences.begin(), requestedSilences.end());
@@ -81,7 +81,7 @@ void SoundingObject::takeSilences() noexcept {
 void SoundingObject::movePoles() noexcept {
     polesBehind = false;
     ++responseVersion;
-    // Resting states move with the poles they had up to here.
+    // Bring resting states up to date with their old poles.
     bringRestingUpToDate(cellIndex);
     if (eigenvaluesAreBehind) {
         for (std::size_t mode = 0; mode < modeEigenvalues.size(); ++mode)
@@ -114,7 +114,7 @@ bool SoundingObject::inBand(std::size_t g) const noexcept {
     return soundsAt(law.pole(referenceEigenvalues[g]), sampleRate);
 }
 
-/// What τ had cut, or what was out of band, may be heard again with other poles.
+/// Modes that τ had cut or that were out of band may become audible with other poles.
 bool SoundingObject::holdsAboveTau() const noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (bank.energyOfLoudest(b) > tauEnergy())
@@ -122,7 +122,8 @@ bool SoundingObject::holdsAboveTau() const noexcept {
     return false;
 }
 
-/// What is not heard any more fades with the pole it had: beyond the band the new one would alias.
+/// Fades modes that become inaudible with their old poles: beyond the band the new ones would
+/// alias.
 void SoundingObject::fadeInaudible() noexcept {
     scratch.leaving.clear();
     for (const std::int32_t g : mixedModes) {

@@ -1,4 +1,4 @@
-// What contacts under way sound, and how they follow poles that move.
+// Contacts under way: their sound, and how they follow moving poles.
 #include "Synth/SoundingObject.h"
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// `factor` times what the residues at hand sound is part of the contact from now on.
+/// Adds the forced motion of `modes`, with `factor` times the current residues, to the contact.
 void SoundingObject::hold(Contact& contact,
                           std::span<const ModeRun> modes,
                           double factor) noexcept {
@@ -61,8 +61,8 @@ double SoundingObject::shareOfResidues(const Contact& contact, const Contact& ot
     return along / otherSquare * own.nearGain / others.nearGain;
 }
 
-/// The forced parts of all contacts become free motion of the states at the grid point, of every
-/// mode, as the ends of the contacts will be those of every mode; or they are taken out of it.
+/// Turns the forced parts of all contacts into free motion at the grid point, or takes them out of
+/// it again. It does so for every mode, as the ends of the contacts will.
 void SoundingObject::moveContacts(Forced become) noexcept {
     if (contacts.empty())
         return;
@@ -85,7 +85,7 @@ void SoundingObject::moveContacts(Forced become) noexcept {
     bank.join(scratch.kicks, {});
 }
 
-/// One of them, whose residues are `factor` times those at hand.
+/// Does this for one contact, whose residues are `factor` times the current ones.
 void SoundingObject::moveContact(Contact& contact, double factor, Forced become) noexcept {
     const std::complex<double> phase = phaseAt(contact, cellIndex, 0);
     bank.forcedStates({.contactSeconds = contact.strike.durationSeconds,

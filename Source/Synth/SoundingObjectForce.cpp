@@ -1,5 +1,5 @@
-// Continuous contact of a sounding object (docs/decisions/0006): output += force ∗ local impulse
-// response, and the states take in what the force did to them by the next grid point.
+// Continuous contact of a resonator (docs/decisions/0006): output += force ∗ local impulse
+// response. The states take in the effect of the force by the next grid point.
 #include "Synth/AllFinite.h"
 #include "Synth/ForceKernel.h"
 #include "Synth/SoundingObject.h"
@@ -26,7 +26,8 @@ bool SoundingObject::applyForce(const ForceCell& force,
         return false;
     takeInKicks(cellIndex + 1);
     prepareBank();
-    // What is heard of a force that goes on must not step: that would be a step of the force.
+    // Interpolate a change of the hearing over the cell: its step would sound like a step of the
+    // force.
     if (forcedCell != cellIndex) {
         heardAtStart = forcedCell + 1 == cellIndex ? heardAtEnd : hearing;
         heardAtEnd = hearing;
@@ -67,7 +68,7 @@ void SoundingObject::admitForced(std::int32_t allowance) noexcept {
     admitWanted(allowance);
 }
 
-/// What the object answers between two points, in step with the way between them.
+/// Computes the object's response between the two points by linear interpolation.
 void SoundingObject::answerAt(const ForcePlace& place,
                               const Hearing& heard,
                               ForceResponses& known,
@@ -96,7 +97,8 @@ void SoundingObject::answerAt(const ForcePlace& place,
     }
 }
 
-/// Of the four that a contact keeps, the one that was not used for longest gives way.
+/// Returns the response at a point, from the cache if possible. A new one replaces the least
+/// recently used of the contact's four.
 const ForceResponse& SoundingObject::responseAt(const ForcePoint& at,
                                                 const Hearing& heard,
                                                 ForceResponses& known) noexcept {

@@ -10,9 +10,10 @@ namespace idiophone {
 
 namespace {
 
-// Of a mode: far below hearing, far above what sums of shares differ from 1.
+// Minimum share of a mode that is worth a fade: far below hearing, far above the rounding error of
+// sums of shares.
 constexpr float smallestFade = 1e-6f;
-constexpr float smallestTubeShare = 1e-3f; // not heard to pulse
+constexpr float smallestTubeShare = 1e-3f; // a smaller pulsation is inaudible
 
 double sum(std::span<const double> weights) noexcept {
     double total = 0;
@@ -23,9 +24,9 @@ double sum(std::span<const double> weights) noexcept {
 
 } // namespace
 
-/// The groups become those of `scratch.groupStarts`, with what rings in them: `bank.movePoles` is
-/// to follow. Each mode takes a fixed share of its group's state along, and modes that meet in a
-/// group add up, so that no velocity steps.
+/// Changes the groups to those of `scratch.groupStarts` and keeps their sound. Each mode takes a
+/// fixed share of its group's state along, and modes that join a group add up, so that no velocity
+/// steps. Call `bank.movePoles` next.
 void SoundingObject::regroup(std::size_t groups) noexcept {
     shareGroups(groups);
     nameGroups(groups);
@@ -36,8 +37,8 @@ void SoundingObject::regroup(std::size_t groups) noexcept {
     rebuildBlocks();
 }
 
-/// A group's state belongs to its modes in proportion to their mean-square shapes, as if it had
-/// been struck everywhere: where it was is not remembered.
+/// Divides a group's state among its modes by their mean-square shapes, as if the object had been
+/// struck everywhere, because struck points are not stored.
 void SoundingObject::shareGroups(std::size_t groups) noexcept {
     scratch.groupShares.clear();
     const std::span<const double> weights(*modeWeights);
@@ -74,7 +75,7 @@ void SoundingObject::nameGroups(std::size_t groups) noexcept {
     }
 }
 
-/// Modes that bar and tube share are groups of their own.
+/// Modes that bar and tube share are separate groups.
 void SoundingObject::findTubeParts() noexcept {
     tubeParts.clear();
     for (std::size_t g = 0; !tubeShares.empty() && g < bank.size(); ++g) {
@@ -84,7 +85,8 @@ void SoundingObject::findTubeParts() noexcept {
     }
 }
 
-/// In `scratch`, as the old ones are needed for the fades: a group sounds where any of it did.
+/// Collects the flags of the new groups in `scratch`, as the fades still need the old ones. A new
+/// group rings or is mixed if any old part of it was.
 void SoundingObject::handOnFlags() noexcept {
     std::fill(scratch.aboveTau.begin(), scratch.aboveTau.end(), std::uint16_t{0});
     std::fill(scratch.wanted.begin(), scratch.wanted.end(), std::uint16_t{0});
@@ -102,8 +104,8 @@ void SoundingObject::handOnFlags() noexcept {
     }
 }
 
-/// What was not mixed and meets what was, or is not heard any more, comes and goes under a fade
-/// with the poles that it had.
+/// Fades changes with the old poles: unmixed modes that join a mixed group fade in, and modes that
+/// become inaudible fade out.
 void SoundingObject::fadeChanges() noexcept {
     auto& fading = scratch.fadingShares;
     for (std::size_t g = 0; g < bank.size(); ++g)

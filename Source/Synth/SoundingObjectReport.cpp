@@ -1,4 +1,4 @@
-// What a sounding object tells of its groups to whoever looks.
+// The report of a resonator's groups for display.
 #include "Synth/SoundingObject.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ GroupStanding SoundingObject::standing(std::size_t g) const noexcept {
     return isSet(block.rings, g) ? GroupStanding::beyondBudget : GroupStanding::belowTau;
 }
 
-/// What rests has decayed since its block came to rest.
+/// Returns the current amplitude; a resting block has decayed since it came to rest.
 float SoundingObject::amplitudeNow(std::size_t g) const noexcept {
     const double held = std::sqrt(static_cast<double>(bank.energies()[g]));
     const Block& block = blocks[g / modeBlock];

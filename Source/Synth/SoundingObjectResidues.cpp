@@ -1,4 +1,4 @@
-// What is heard of each group of modes when a sounding object is struck at a place.
+// Computes the residue of each group of modes for a strike on a resonator.
 #include "Synth/AllFinite.h"
 #include "Synth/Listening.h"
 #include "Synth/ModeCompression.h"
@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// Residues of all groups in each channel, near, from afar or between. False, and all of them 0,
-/// where one of them is beyond all reason.
+/// Computes the residues of all groups in each channel: near, far or a blend. If one of them is
+/// absurdly large, sets all to 0 and returns false.
 bool SoundingObject::computeResidues(const Contact& contact) noexcept {
     const StrikePoint& struck = contact.strike.point;
     projectShapes(pointShapes(*object, struck), contact.strike.impulseNewtonSeconds,
@@ -64,7 +64,7 @@ bool SoundingObject::computeResidues(const Contact& contact) noexcept {
     return reasonable;
 }
 
-/// Groups of the modes' residues in `scratch`.
+/// Merges the residues of modes in `scratch` into those of groups.
 void SoundingObject::mergeResidues(ChannelResidues& residues) noexcept {
     const std::span<const std::complex<float>> modes(scratch.modeResidues);
     const auto set = [&residues](std::size_t g, std::complex<float> residue) {
@@ -89,7 +89,7 @@ void SoundingObject::mergeResidues(ChannelResidues& residues) noexcept {
         set(g, 0);
 }
 
-/// Sizes add up in their shares and phases turn, so that no mode is cancelled between near and far.
+/// Blends near into far residues by magnitude and phase, so that no mode cancels between the two.
 /// It blends groups, whose sums do not depend on the basis of equal poles.
 void SoundingObject::blendNear(float farShare, ChannelResidues& residues) const noexcept {
     for (std::size_t g = 0; g < bank.size(); ++g) {
@@ -114,8 +114,8 @@ void SoundingObject::findLost() noexcept {
     }
 }
 
-/// Reads the table where frequencies, size, the direction or the imperfection changed. One channel
-/// hears the mean of both directions.
+/// Reads the table if frequency, size, direction or imperfection has changed. A mono output gets
+/// the mean of both directions.
 void SoundingObject::findRadiation(std::int32_t heardFrom) noexcept {
     if (radiationRatio == wantedRadiationRatio && radiationHeardFrom == heardFrom)
         return;

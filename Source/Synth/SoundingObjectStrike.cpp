@@ -1,4 +1,4 @@
-// Strikes and contacts of a sounding object.
+// Strikes and contacts of a resonator.
 #include "Synth/AllFinite.h"
 #include "Synth/ContactPulse.h"
 #include "Synth/SoundingObject.h"
@@ -13,7 +13,7 @@ namespace idiophone {
 
 namespace {
 
-/// Within the band shorter contacts are impulses, and their force would alias.
+/// Within the band shorter contacts equal impulses, and their force would alias.
 constexpr double shortestContactSamples = 2;
 
 int firstSampleFrom(double time) noexcept {
@@ -41,7 +41,7 @@ bool SoundingObject::valid(const Strike& strike, double sampleInCell) const noex
            sampleInCell >= 0 && sampleInCell < cellSamples;
 }
 
-/// Groups and poles are those of the settings. What is silent starts again in one channel.
+/// Updates groups and poles to the settings. A silent resonator starts again in one channel.
 void SoundingObject::prepareBank() noexcept {
     if (silent())
         bank.setChannels(1);
@@ -49,7 +49,7 @@ void SoundingObject::prepareBank() noexcept {
         movePoles();
 }
 
-/// From the first strike that is heard from afar on, an object needs its second channel.
+/// Opens the second channel at the first strike that is heard far.
 void SoundingObject::widen(double farShare) noexcept {
     if (!(farShare > 0) || outputChannels == 1 || bank.channels() == mostChannels)
         return;
@@ -96,7 +96,7 @@ bool SoundingObject::strike(const Strike& asked,
     }
     joinStruck(allowance);
     if (isPulse && !contacts.empty())
-        computeForced(contact); // joining took the arrays for the other contacts
+        computeForced(contact); // joinStruck used the scratch for the other contacts
 
     int from = firstSampleFrom(sampleInCell);
     if (isPulse) {
@@ -116,7 +116,7 @@ bool SoundingObject::strike(const Strike& asked,
     return true;
 }
 
-/// Starts the click of the rigid body. It is heard from afar only.
+/// Starts the click of the rigid body, which is only heard far.
 void SoundingObject::addClick(const Contact& struck, const CellOutput& cell) noexcept {
     if (!(struck.heard.farShare > 0) || !(rigidBody.massKg > 0) || clicks.size() == contactCapacity)
         return;
@@ -129,7 +129,7 @@ void SoundingObject::addClick(const Contact& struck, const CellOutput& cell) noe
         rigidClick(rigidBody, click.strike.impulseNewtonSeconds, click.strike.durationSeconds,
                    sizeNow, sampleRate, {directions[left], directions[right]});
     click.strike.durationSeconds = seconds;
-    for (double& channel : pascals) // farGain goes as 1/size²
+    for (double& channel : pascals) // farGain is proportional to 1/size²
         channel *= struck.heard.farShare * struck.heard.farGain * sizeNow * sizeNow;
     if (outputChannels == 1)
         pascals[0] = (pascals[0] + pascals[1]) / 2;
@@ -158,15 +158,16 @@ KickMove SoundingObject::kickMove(double seconds) const noexcept {
     return {seconds, seconds * sampleRate, damping * seconds * std::numbers::log2e};
 }
 
-/// Kicks of the contact's states, which hold at time `at`, as of the first whole sample from there.
+/// Sets the increments to the contact's states, which hold at time `at`, moved to the next whole
+/// sample.
 void SoundingObject::startKicks(double sign, double at) noexcept {
     const BeforeSample before = beforeSample(at);
     bank.startKicks(scratch.contact, scratch.groupResidues, {before.samples, sign * before.factor},
                     kicks);
 }
 
-/// Kicks of a contact that started in this cell and ended at `end`, as of the first whole sample
-/// from there.
+/// Sets the increments of a contact that started in this cell and ended at `end`, moved to the next
+/// whole sample.
 void SoundingObject::finishKicks(const Contact& contact, double end) noexcept {
     bank.finishKicks(scratch.contact, scratch.groupResidues, beforeSample(end),
                      kickMove(contact.strike.durationSeconds), kicks);
@@ -180,10 +181,11 @@ void SoundingObject::joinStruck(std::int32_t allowance) noexcept {
     admitWanted(allowance);
 }
 
-/// Lets the wanted modes sound, the loudest kicks where there is no room for all.
+/// Mixes the wanted modes. If the allowance is too small for all, takes those with the largest
+/// increments.
 void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
-    // A mode that the budget left out cannot join a contact under way: its forced part would step.
-    // One below τ can.
+    // A ringing mode that the budget left out cannot join a contact under way, as its forced part
+    // would step. A mode below τ can.
     for (std::size_t b = 0; b < bank.blockCount(); ++b) {
         const unsigned barred = blocks[b].mixed | (contacts.empty() ? 0u : blocks[b].rings);
         scratch.wanted[b] = static_cast<std::uint16_t>(scratch.wanted[b] & ~barred);
@@ -195,7 +197,7 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     scratch.leaving.clear();
     for (const std::int32_t mode : scratch.joining)
         admit(static_cast<std::size_t>(mode));
-    // What the budget had left out comes back under a fade from the next grid point on.
+    // Modes that the budget had left out fade in from the next grid point on.
     fade(scratch.leaving, -1);
     findRuns(scratch.joining, scratch.joiningRuns);
     for (Contact& contact : contacts) {
@@ -206,7 +208,7 @@ void SoundingObject::admitWanted(std::int32_t allowance) noexcept {
     mixedIsRinging = false;
 }
 
-/// The wanted modes, the loudest `most` of them where they are more, in ascending order.
+/// Lists the wanted modes in ascending order, at most the loudest `most` of them.
 void SoundingObject::listWanted(std::size_t most) noexcept {
     scratch.joining.clear();
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
@@ -217,7 +219,7 @@ void SoundingObject::listWanted(std::size_t most) noexcept {
     std::sort(scratch.joining.begin(), scratch.joining.end());
 }
 
-/// Lets a struck mode sound. Of what it carried from before, what τ had cut stays cut.
+/// Mixes a struck mode. Earlier motion that τ had cut stays cut.
 void SoundingObject::admit(std::size_t g) noexcept {
     const std::size_t b = g / modeBlock;
     const auto bit = static_cast<std::uint16_t>(1u << (g % modeBlock));
@@ -265,7 +267,7 @@ void SoundingObject::soundForced(const Contact& contact,
                      sound[c].data());
 }
 
-/// Adds what the kicks, which stand at sample `from`, sound up to `until`.
+/// Adds the sound of the increments, which hold at sample `from`, up to `until`.
 void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexcept {
     if (from >= until)
         return;
@@ -289,13 +291,13 @@ void SoundingObject::addKicks(int from, int until, const CellOutput& cell) noexc
         closeTubes(scratch.tubeSound, first, samples, cell);
 }
 
-/// Leaves the kicks, which stand at sample `from`, to be taken in at the next grid point: a cell
-/// with many strikes is dear enough.
+/// Keeps the increments, which hold at sample `from`, until the next grid point. Joining them at
+/// once would make cells with many strikes too slow.
 void SoundingObject::keepKicks(int from) noexcept {
     keptKicks = kickMove((cellSamples - from) / sampleRate);
 }
 
-/// Adds the kicks that were kept to the states, which stand at `grid`, where their cell ends.
+/// Adds pending increments to the states, which hold at `grid`, the end of their cell.
 void SoundingObject::takeInKicks(std::int64_t grid) noexcept {
     if (!keptKicks)
         return;
@@ -306,7 +308,7 @@ void SoundingObject::takeInKicks(std::int64_t grid) noexcept {
         listWhatRings();
 }
 
-/// Before something is added to the states at a grid point.
+/// Call it before adding to the states at a grid point.
 void SoundingObject::bringRestingUpToDate(std::int64_t grid) noexcept {
     for (std::size_t b = 0; b < bank.blockCount(); ++b)
         if (!blocks[b].active && !bringUpToDate(b, grid)) {
@@ -315,7 +317,7 @@ void SoundingObject::bringRestingUpToDate(std::int64_t grid) noexcept {
         }
 }
 
-/// After something was added.
+/// Call it after adding to the states.
 void SoundingObject::listWhatRings() noexcept {
     surveyEnergies(bank.energies(), bank.audibleWeights(), tauEnergy(), 0, bank.allBlocks(),
                    scratch.aboveTau.data());

@@ -1,4 +1,4 @@
-// One contact between something hard and an object: where, how hard and for how long.
+// A strike between something hard and an object: place, impulse and duration.
 #pragma once
 
 #include <array>
@@ -7,18 +7,18 @@
 
 namespace idiophone {
 
-/// The corners of two faces: a place between two points of a path.
+/// The corners of two faces, for a place between two points of a path.
 inline constexpr std::size_t mostShapeRows = 6;
 
-/// A place on an object's surface as a weighted mean of a few vertices that carry shapes.
+/// A place on an object's surface, as a weighted mean of a few vertices that carry shapes.
 struct StrikePoint {
     std::array<std::int32_t, mostShapeRows> shapeRows{}; ///< rows of ModalObject::shapeVertices
     std::array<float, mostShapeRows> weights{1}; ///< sum to 1; rows of weight 0 are not read
-    /// The outward normal, of length 1, which is not checked. What is heard near is the velocity of
-    /// the point along it: a wrong one is heard too softly.
+    /// The outward normal, of length 1 (not checked). The near sound is the velocity of the point
+    /// along it, so a wrong normal is heard too softly.
     std::array<float, 3> normal{0, 0, 1};
-    /// From where a blow here is heard from afar: a direction of the object's RadiationTable for
-    /// all channels, or −1: each channel's own.
+    /// Direction for the far sound of a strike here: an index in the object's RadiationTable for
+    /// all channels, or −1: each channel has its own.
     std::int32_t heardFrom = -1;
 
     bool operator==(const StrikePoint&) const = default;
@@ -28,7 +28,7 @@ struct StrikePoint {
 struct Strike {
     StrikePoint point;
     std::array<float, 3> impulseNewtonSeconds{0, 0, 0}; ///< I, pointing into the object
-    double durationSeconds = 0; ///< contact time T; 0 is the papers' ideal impulse
+    double durationSeconds = 0; ///< contact time T; 0 is the ideal impulse of the papers
 };
 
 } // namespace idiophone

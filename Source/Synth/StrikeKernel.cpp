@@ -62,8 +62,8 @@ void project(const ShapePoint& point,
     }
 }
 
-/// In units of the pulse's Ω, so that single precision does for all but λ − Ω², which is small near
-/// resonance.
+/// A pole in units of the pulse's Ω. Single precision suffices for all but λ − Ω², which is small
+/// near resonance.
 struct PoleInPulse {
     hn::Vec<Floats> decay;
     hn::Vec<Floats> frequency;
@@ -92,8 +92,8 @@ HWY_INLINE PoleInPulse poleInPulse(const ForcedArrays& arrays, double perOmega, 
             demoted(excess(decayLower, frequencyLower), excess(decayUpper, frequencyUpper))};
 }
 
-// The same closed form as ForcedResponse, which says why it is written so, in units of Ω: there the
-// contact's rate 1/T is 1/2π.
+// The closed form of ForcedResponse, which explains it, in units of Ω. The contact's rate 1/T is
+// then 1/2π.
 void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t count) {
     const Floats f;
     const ForcedArrays arrays = all;
@@ -106,7 +106,8 @@ void forced(const PulseInstant& pulse, const ForcedArrays& all, std::size_t coun
     const auto phaseIm = set(pulse.phase.imag());
     const auto rest = set(1 - pulse.phase.real());
     const auto one = set(1);
-    // As far from resonance as single precision bears, where no other contact time was farther.
+    // Minimum distance from resonance for single precision. It matters only if no contact time was
+    // clear of all resonances.
     const auto nearest = set(1e-3);
     const auto apart = [&](auto re, auto im) HWY_ATTR {
         const auto isNear = hn::And(hn::Lt(hn::Abs(re), nearest), hn::Lt(hn::Abs(im), nearest));

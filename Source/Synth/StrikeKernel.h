@@ -1,5 +1,5 @@
-// What a contact does to many modes at once, with SIMD chosen at run time: residues from shapes,
-// and the closed form of the response to a raised cosine. Arrays in, arrays out.
+// Computes the effect of a contact on many modes, with SIMD chosen at run time: residues from
+// shapes, and the closed-form response to a raised cosine. Arrays in, arrays out.
 #pragma once
 
 #include "Synth/Strike.h"
@@ -10,15 +10,15 @@
 
 namespace idiophone {
 
-/// A few rows of shapes [M,3] with the weights of their mean.
+/// A few rows of shapes [M,3] and the weights of their mean.
 struct ShapePoint {
     std::array<const float*, mostShapeRows> rows{};
     std::array<float, mostShapeRows> weights{};
     std::size_t used = 0;
 };
 
-/// struckGains[i] = φ_i(p) · struck and heardGains[i] = φ_i(p) · heard, for `count` modes (any
-/// number).
+/// Computes struckGains[i] = φ_i(p) · struck and heardGains[i] = φ_i(p) · heard for any `count` of
+/// modes.
 void projectShapes(const ShapePoint& point,
                    const std::array<float, 3>& struck,
                    const std::array<float, 3>& heard,
@@ -33,7 +33,7 @@ struct PulseInstant {
     std::complex<double> phase{1, 0}; ///< e^{iΩt}
 };
 
-/// Oscillating modes, −α ± iω, and what comes out for a residue of 1: the state of the forced part
+/// Oscillating modes, −α ± iω, and the results for a residue of 1: the state of the forced part
 /// (ContactPulse.h) at that instant, and its amplitudes.
 struct ForcedArrays {
     const double* decay;
@@ -43,16 +43,16 @@ struct ForcedArrays {
     float* steady;  ///< G0
     float* swingRe; ///< H
     float* swingIm;
-    float* quadratureRe; ///< K: what G0 and H are multiplied by for a residue of i
+    float* quadratureRe; ///< K: factor of G0 and H for a residue of i
     float* quadratureIm;
 };
 
-/// `count` is in whole blocks.
+/// `count` is a multiple of the block size.
 void forcedStates(const PulseInstant& pulse,
                   const ForcedArrays& arrays,
                   std::size_t count) noexcept;
 
-/// The amplitudes of ForcedArrays, as they came out.
+/// The amplitudes that forcedStates computed.
 struct ForcedAmplitudes {
     const float* steady;
     const float* swingRe;
@@ -61,8 +61,8 @@ struct ForcedAmplitudes {
     const float* quadratureIm;
 };
 
-/// What of a forced part is heard with complex residues r: Σ (Re r + Im r Re K) G0 and
-/// Σ (Re r + Im r K) H over modes `first` to `first + count − 1`.
+/// The sound of a forced part with complex residues r: Σ (Re r + Im r Re K) G0 and Σ (Re r + Im r
+/// K) H over modes `first` to `first + count − 1`. sumForced adds to `sum`.
 struct ForcedSum {
     double steady = 0;
     std::complex<double> swing;
@@ -74,7 +74,7 @@ void sumForced(const float* residuesRe,
                std::size_t count,
                ForcedSum& sum) noexcept;
 
-/// output[k] = steady + Re(swing e^{iθk}) for k < `count` ≤ 64; `output` has room for 64.
+/// Writes output[k] = steady + Re(swing e^{iθk}) for k < `count` ≤ 64; `output` has room for 64.
 void raisedCosine(double steady,
                   std::complex<double> swing,
                   double radiansPerSample,

@@ -1,4 +1,4 @@
-// Where an object can be struck: its vertices with shapes, to be found by their place.
+// Finds the point where an object is struck: a vertex with shapes near a given place.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -10,15 +10,15 @@
 
 namespace idiophone {
 
-/// Constructed off the audio thread; from then on read-only and without allocation, for any thread.
+/// Constructed off the audio thread; afterwards read-only without allocation, for any thread.
 class StrikePoints {
 public:
     /// `object` is not null and valid.
     explicit StrikePoints(std::shared_ptr<const ModalObject> object);
 
-    /// The vertex with shapes that is nearest to a point, with its outward normal. The point is in
-    /// metres, in the coordinates of the object's mesh: of a scaled slot divided by its size. Takes
-    /// time with the number of such vertices.
+    /// Returns the nearest vertex with shapes and its outward normal. The point is in metres, in
+    /// the coordinates of the object's mesh; divide it by the size of a scaled slot. Takes time
+    /// proportional to the number of such vertices.
     StrikePoint nearest(const std::array<double, 3>& pointMetres) const noexcept;
 
 private:

@@ -15,12 +15,12 @@ using Complex = std::complex<double>;
 
 constexpr double pi = std::numbers::pi;
 
-/// Steele, Lea & Flood 2014: the same numbers on every platform, which std distributions are not.
+/// Steele, Lea & Flood 2014: the same numbers on every platform, unlike std distributions.
 class SplitMix64 {
 public:
     explicit SplitMix64(std::uint64_t seed) : state(seed) {}
 
-    /// −1 ≤ x < 1.
+    /// Returns −1 ≤ x < 1.
     double signedUniform() {
         std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
         z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
@@ -28,7 +28,7 @@ public:
         return static_cast<double>((z ^ z >> 31) >> 11) * 0x1p-52 - 1;
     }
 
-    /// Uniform on the unit circle.
+    /// Returns a uniform point of the unit circle.
     Complex phase() {
         for (;;) {
             const Complex point(signedUniform(), signedUniform());
@@ -42,7 +42,7 @@ private:
     std::uint64_t state;
 };
 
-/// In place, Σ_k X_k e^{2πi kn/N}; N is a power of two. Radix 2, decimation in time.
+/// Computes Σ_k X_k e^{2πi kn/N} in place; N is a power of two. Radix 2, decimation in time.
 void inverseTransform(std::vector<Complex>& values) {
     const std::size_t size = values.size();
     for (std::size_t i = 1, reversed = 0; i < size; ++i) {
@@ -68,7 +68,7 @@ void inverseTransform(std::vector<Complex>& values) {
 
 constexpr std::size_t highestHarmonic = SurfaceProfile::periodSamples / 2 - 1;
 
-/// Power of a harmonic relative to the lowest's.
+/// Returns the power of a harmonic relative to the lowest.
 double harmonicPower(std::size_t harmonic, double exponent) {
     return std::pow(static_cast<double>(harmonic) / SurfaceProfile::lowestHarmonic, exponent);
 }
@@ -115,7 +115,7 @@ double SurfaceProfile::gain(double speedRatio) const noexcept {
     return gains[index] + (place - static_cast<double>(index)) * (gains[index + 1] - gains[index]);
 }
 
-/// Were time continuous, all speeds would have the same: the sound is only stretched.
+/// In continuous time the rms would be the same at all speeds, as the sound is only stretched.
 double SurfaceProfile::scrapeRms(double speedRatio) const {
     const ResonPole pole = resonPole(speedRatio);
     const double inputGain = pole.unitGainAtZero();

@@ -1,7 +1,6 @@
-// What a sounding object works with while it works: shared by all objects of a synthesiser, so that
-// it stays in the cache from one strike to the next. Only two things in it outlive a call: the
-// responses to forces, which say whose they are, and the opening of the tubes, which the
-// synthesiser sets.
+// Working memory that all resonators of a synthesiser share, so that it stays in the cache from one
+// strike to the next. Only two parts outlive a call: the responses to forces, which name their
+// owner, and the opening of the tubes, which the synthesiser sets.
 #pragma once
 
 #include "Synth/ForceResponse.h"
@@ -16,7 +15,7 @@
 
 namespace idiophone {
 
-/// M modes and G groups, padded to whole blocks, of the largest object.
+/// Sized for M modes and G groups, padded to whole blocks, of the largest object.
 struct SynthesisScratch {
     SynthesisScratch(std::size_t modes, std::size_t channels)
         : struckGains(modes), heardGains(modes), modeResidues(modes) {
@@ -57,11 +56,11 @@ struct SynthesisScratch {
     ModeResidues groupResidues;                    ///< [G]
     ChannelResidues nearResidues;                  ///< [G]
     UnitContact contact;                           ///< [G]
-    ModeKicks kicks;                               ///< [G] that are not kept
-    ModeResidues startResidues;                    ///< [G] where a force is at the start of a cell
-    ModeResidues endResidues;                      ///< [G] where at the end
+    ModeKicks kicks;                               ///< [G] increments that are not kept
+    ModeResidues startResidues; ///< [G] at a force's place at the start of a cell
+    ModeResidues endResidues;   ///< [G] at its place at the end
     std::array<ForceResponses, forceCapacity> responses;
-    std::uint64_t responseUses = 0;      ///< so far
+    std::uint64_t responseUses = 0;      ///< counter for ForceResponse::lastUse
     std::vector<std::uint16_t> aboveTau; ///< per block: modes above τ
     std::vector<std::uint16_t> wanted;   ///< per block: modes to mix
     std::vector<std::int32_t> candidates;
@@ -69,16 +68,16 @@ struct SynthesisScratch {
     std::vector<std::int32_t> leaving;
     std::vector<ModeRun> joiningRuns;
 
-    TubeOpening tubes;               ///< of the cell begun last
-    float tubesNow = 1;              ///< its gain at the grid point where states stand
-    std::vector<ModePart> tubeParts; ///< of the modes at hand, what tubes add
-    alignas(64) CellSound tubeSound; ///< what they sound
+    TubeOpening tubes;               ///< of the current cell
+    float tubesNow = 1;              ///< gain of the tubes at the grid point where states hold
+    std::vector<ModePart> tubeParts; ///< tube parts of the current modes
+    alignas(64) CellSound tubeSound; ///< their sound
 
-    // Where groups change.
+    // For changes of groups.
     std::vector<std::uint8_t> silencedGroups; ///< [G]
-    std::vector<std::int32_t> groupStarts;    ///< [G+1] of the groups to come
-    std::vector<ModeShare> groupShares;       ///< what they take over
-    std::vector<float> fadingShares;          ///< [G] of the groups that were
+    std::vector<std::int32_t> groupStarts;    ///< [G+1] of the new groups
+    std::vector<ModeShare> groupShares;       ///< shares that the new groups take over
+    std::vector<float> fadingShares;          ///< [G] of the old groups
     ModeStates states;                        ///< [G]
 };
 

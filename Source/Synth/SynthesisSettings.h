@@ -1,4 +1,4 @@
-// What may change while objects ring. All of it acts at grid points.
+// Settings that may change while objects ring. They act at grid points.
 #pragma once
 
 #include "Object/Material.h"
@@ -8,14 +8,14 @@
 
 namespace idiophone {
 
-/// Every object renders in cells of this many samples, counted on the stream from its start.
+/// Every resonator renders in cells of this many samples, counted from the start of the stream.
 inline constexpr int cellSamples = 64;
 
-/// The pressure that one unit of τ stands for: τ counts 16-bit steps of a full scale of 65536
-/// (Raghuvanshi & Lin 2006, section 4.2), and full scale is 1 Pa.
+/// The pressure of one unit of τ. τ counts 16-bit steps of a full scale of 65536 (Raghuvanshi & Lin
+/// 2006, section 4.2), and full scale is 1 Pa.
 inline constexpr double pascalsPerTau = 1.0 / 65536.0;
 
-/// A material that replaces each object's own while it is played.
+/// A material that replaces each object's own during play.
 struct LiveMaterial {
     double youngsModulusPa = 0;
     double densityKgPerM3 = 0;
@@ -30,28 +30,29 @@ inline LiveMaterial liveMaterial(const Material& material) noexcept {
             .damping = material.damping};
 }
 
-/// A figure out of its range is ignored and keeps what it was. Frequency, size and material all act
-/// on the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio² (where a pitch is kept,
-/// frequencyRatio alone), and the damping
-/// d = γ + χ √λ + η λ follows the λ that results. Strikes are divided by the mass, ∝ ρ · size³. The
-/// thickness acts on objects that have it live (ModalObject::eigenvalueAt), and on their mass.
+/// A value out of range is ignored and the previous one kept. Frequency, size and material act on
+/// the eigenvalues: λ = λ_ref · (Y/ρ)/(Y₀/ρ₀) / size² · frequencyRatio². If a pitch is kept, only
+/// frequencyRatio acts. The damping d = γ + χ √λ + η λ follows the resulting λ. Strikes are divided
+/// by the mass, ∝ ρ · size³. The thickness acts on objects with live thickness
+/// (ModalObject::eigenvalueAt), and on their mass.
 struct SynthesisSettings {
     double tau = 0.01;        ///< τ ≥ 0 in 16-bit steps; 0 never truncates
     double qualitySlope = 1;  ///< S ≥ 0; infinity is greedy
     double modeBudget = 4096; ///< Q ≥ 0: modes mixed per cell by all objects together
-    double compression = 1;   ///< ≥ 0, times the discrimination curve; 0 merges equal poles only
-    double sizeRatio = 1;     ///< 1e-6 to 1e6: every object scaled by this
-    /// 0.1 to 10: every shell that can so many times as thick as it was analysed.
+    double compression = 1; ///< ≥ 0, factor of the discrimination curve; 0 merges equal poles only
+    double sizeRatio = 1;   ///< 1e-6 to 1e6: scales every object
+    /// 0.1 to 10: thickness over the analysed one, for every shell with live thickness.
     double thicknessRatio = 1;
-    /// 0 to 0.01: how far pairs of modes part in frequency (Imperfection.h).
+    /// 0 to 0.01: relative frequency difference within pairs of modes (Imperfection.h).
     double imperfection = 0;
-    double frequencyRatio = 1; ///< > 0: every frequency times this (tuning, bend)
+    double frequencyRatio = 1; ///< > 0: multiplies every frequency (tuning, bend)
     /// Slots with a pitch (SynthesiserSlot) keep it under any material, size and thickness.
     bool keepPitch = false;
-    /// 0 to 1: from a contact microphone at the struck point (Listening.h) to the pressure that the
-    /// whole surface radiates at 1 m, where the object knows it. For strikes from now on.
+    /// 0 (contact microphone at the struck point, Listening.h) to 1 (pressure that the whole
+    /// surface radiates at 1 m, if the object has a radiation table). Applies to strikes from now
+    /// on.
     double radiation = 0;
-    /// Of every slot that has none of its own (Synthesiser::setMaterial); nothing: its object's.
+    /// Material of every slot without its own (Synthesiser::setMaterial); empty: the object's.
     std::optional<LiveMaterial> material = {};
 
     bool operator==(const SynthesisSettings&) const = default;

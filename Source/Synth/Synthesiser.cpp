@@ -16,7 +16,7 @@ bool positive(double value) {
     return value > 0 && std::isfinite(value);
 }
 
-/// Within what the cube of a size, and its reciprocal, leave to single precision.
+/// Within these bounds the cube of a size and its reciprocal fit single precision.
 bool validSize(double ratio) {
     return ratio >= 1e-6 && ratio <= 1e6;
 }
@@ -37,7 +37,7 @@ void clear(const CellOutput& cell) {
         std::fill_n(cell[c].data(), cellSamples, 0.0f);
 }
 
-/// Every figure that is out of its range keeps what it was.
+/// Values out of range keep the previous ones.
 SynthesisSettings corrected(SynthesisSettings wanted, const SynthesisSettings& previous) {
     const auto keepUnless = [](bool good, double& value, double before) {
         if (!good)
@@ -71,11 +71,11 @@ struct Synthesiser::Implementation {
     std::int64_t nextCell = 0;
 
     std::vector<SlotStatus> status;
-    std::vector<std::int32_t> slotShares; ///< of every slot, 0 where silent
+    std::vector<std::int32_t> slotShares; ///< of every slot, 0 if silent
     std::vector<char> isSounding;         ///< of every slot
-    std::vector<char> wasTouched;         ///< of every slot, since it was reset
-    std::int64_t mixedNow = 0;            ///< modes, with those that strikes have added
-    // The slots that ring in this cell, and what they ask and get.
+    std::vector<char> wasTouched;         ///< of every slot, since its last reset
+    std::int64_t mixedNow = 0; ///< number of mixed modes, including those that strikes have added
+    // The slots that ring in this cell, with their demands and shares.
     std::vector<std::int32_t> sounding;
     std::vector<ModeDemand> demands;
     std::vector<std::int32_t> shares;
@@ -99,7 +99,8 @@ Synthesiser::Synthesiser(std::vector<SynthesiserSlot> slots,
         mostModes = std::max(mostModes, slot.object ? slot.object->modeCount() : 0);
     all.scratch = std::make_unique<SynthesisScratch>(mostModes, channels);
     all.objects.reserve(slots.size());
-    std::map<const ModalObject*, SoundingObject::ModeWeights> known; // once for all its slots
+    std::map<const ModalObject*, SoundingObject::ModeWeights>
+        known; // one for all slots of an object
     for (SynthesiserSlot& slot : slots) {
         auto& modeWeights = known[slot.object.get()];
         if (!modeWeights)
@@ -229,7 +230,7 @@ std::int32_t Synthesiser::Implementation::allowance(std::size_t slot) const {
                      objects[slot].modesMixedNow() + static_cast<std::int32_t>(unused)});
 }
 
-/// What `act` does to one object, and what that changes for the others.
+/// Applies `act` to one resonator and updates the count of mixed modes for the others.
 template <class Act>
 bool Synthesiser::Implementation::on(std::size_t slot, Act act) {
     SoundingObject& object = objects[slot];
@@ -267,7 +268,7 @@ bool Synthesiser::applyForce(std::size_t slot,
 
 void Synthesiser::reset() noexcept {
     auto& all = *implementation;
-    // The others' banks are as they are after a reset, and may be large.
+    // Skip the others: their banks are in the reset state already, and may be large.
     for (std::size_t slot = 0; slot < all.objects.size(); ++slot)
         if (std::exchange(all.wasTouched[slot], 0) != 0)
             all.objects[slot].reset();

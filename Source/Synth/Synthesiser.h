@@ -1,5 +1,5 @@
-// Ringing objects mixed to one stream of samples: modal banks on the fixed grid, strikes at their
-// sample, truncation by τ, quality scaling by S. Knows nothing of notes, meshes or hosts.
+// Mixes ringing objects to one stream of samples: modal banks on the fixed grid, strikes at their
+// sample, truncation by τ, quality scaling by S. It knows neither notes, meshes nor hosts.
 #pragma once
 
 #include "Synth/CellOutput.h"
@@ -20,12 +20,13 @@ namespace idiophone {
 
 class SoundingObject;
 
-/// Constructed and destroyed off the audio thread; every other member is for the audio thread, and
-/// neither allocates, locks nor throws. Output is surface velocity in m/s (full scale 1), or what
-/// `SynthesisSettings::radiation` makes of it; nothing is clipped.
+/// Constructed and destroyed off the audio thread; every other member is for the audio thread and
+/// neither allocates, locks nor throws. The output is surface velocity in m/s (full scale 1), or
+/// radiated pressure as `SynthesisSettings::radiation` asks. Nothing is clipped. The current cell
+/// is the one begun last.
 class Synthesiser {
 public:
-    /// Cells handed over have `channels`, 1 or 2.
+    /// All cells have `channels` channels, 1 or 2.
     Synthesiser(std::vector<SynthesiserSlot> slots, double sampleRateHz, std::size_t channels = 1);
     ~Synthesiser();
     Synthesiser(const Synthesiser&) = delete;
@@ -34,74 +35,75 @@ public:
     /// Takes effect at the next `beginCell`.
     void setSettings(const SynthesisSettings& settings) noexcept;
 
-    /// Extra fluid damping of one slot (a mute, a damper): everything it plays is multiplied by
-    /// e^{−δt}, from the next `beginCell` on. 0 lifts it.
+    /// Sets an extra fluid damping of one slot (a mute, a damper). From the next `beginCell` on,
+    /// all its sound is multiplied by e^{−δt}. 0 lifts it.
     void setDamping(std::size_t slot, double dampingPerSecond) noexcept;
 
-    /// Frequencies of one slot times this (> 0), from the next `beginCell` on.
+    /// Multiplies the frequencies of one slot by `ratio` > 0 from the next `beginCell` on.
     void setFrequencyRatio(std::size_t slot, double ratio) noexcept;
-    /// As set last; 1 where the slot does not exist.
+    /// Returns the ratio set last, or 1 if the slot does not exist.
     double frequencyRatio(std::size_t slot) const noexcept;
 
-    /// What one slot is made of from the next `beginCell` on, whatever
-    /// `SynthesisSettings::material` says; nothing: as that says. A material of which a figure is
-    /// out of its range is ignored.
+    /// Sets the material of one slot from the next `beginCell` on, instead of
+    /// `SynthesisSettings::material`; empty: use that one again. A material with a value out of
+    /// range is ignored.
     void setMaterial(std::size_t slot, const std::optional<LiveMaterial>& material) noexcept;
 
-    /// From the next `beginCell` on modes of one slot that are not 0 here ([modes of its object],
-    /// or empty: none) are not heard: they fade out and in within 3 ms and ring on in between.
+    /// Mutes modes of one slot with values ≠ 0 from the next `beginCell` on ([modes of its object],
+    /// or empty: none). They fade out and in within 3 ms and ring on unheard in between.
     void setSilencedModes(std::size_t slot, std::span<const std::uint8_t> silenced) noexcept;
 
-    /// How far the tubes are open, 0 to 1, at the start and at the end of the cell begun next and
-    /// of those after it: a gain of what tubes add, and of nothing else.
+    /// Sets how far the tubes are open, 0 to 1, at the start and end of the next cell and of those
+    /// after it. This gain acts on the tubes' part of the sound only.
     void setTubeOpening(const TubeOpening& opening) noexcept;
 
-    /// Advances by one cell and writes what rings into `cell`, over what was in it.
+    /// Moves on by one cell and overwrites `cell` with the sound of ringing modes.
     void beginCell(const CellOutput& cell) noexcept;
-    /// The same with a cell for each slot, for listeners to whom they are in different places.
+    /// Does the same with a cell per slot, for listeners that place the slots apart.
     void beginCell(std::span<const CellOutput> cellsOfSlots) noexcept;
 
-    /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the cell begun last and
-    /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, within
-    /// what the slot's share, an equal share or the unused rest of the budget allows; while a
-    /// contact lasts the modes it found stay mixed. A contact time within 1 % of a lightly damped
-    /// mode's period moves by 1 %. Returns false, and does nothing, where 64 contacts that last
-    /// beyond this cell are already under way in this slot, where the slot, a shape row or the
-    /// direction it is heard from does not exist, where `sampleInCell` or the duration is out of
-    /// range, where a figure is not finite, or where a mode would move faster than 1e17 m/s.
+    /// Strikes a slot at `sampleInCell` (0 ≤ s < 64, may be fractional) of the current cell and
+    /// adds the sound to the rest of it. Modes that the strike lifts above τ sound at once, if the
+    /// budget permits: the slot's share, an equal share, or the unused rest. During a contact its
+    /// modes stay mixed. A contact time within 1 % of a lightly damped mode's period changes by up
+    /// to 3 %.
+    ///
+    /// Returns false and does nothing if 64 contacts that outlast this cell are under way in this
+    /// slot; if the slot, a shape row or the direction does not exist; if `sampleInCell` or the
+    /// duration is out of range; if a value is not finite; or if a mode would move faster than 1e17
+    /// m/s.
     bool strike(std::size_t slot,
                 const Strike& strike,
                 double sampleInCell,
                 const CellOutput& cell) noexcept;
 
-    /// Whether `strike` would return false because 64 contacts are under way in this slot.
+    /// Returns whether `strike` would return false because 64 contacts are under way in this slot.
     bool contactsUsedUp(std::size_t slot) const noexcept;
 
-    /// Presses on a slot throughout the cell begun last, in addition to whatever else does, and
-    /// adds the sound to it. While a force lasts the modes that the budget allows stay mixed,
-    /// however faint. A contact that ends wants a last cell whose force goes to 0, or it clicks.
-    /// Returns false, and does nothing, where the slot or a shape row does not exist, a figure is
-    /// not finite or a force larger than 1e12 N. What answers 1 N s with more than 1e17 m/s is
-    /// silent.
+    /// Presses on a slot throughout the current cell, in addition to other forces, and adds the
+    /// sound. During a force the modes that the budget permits stay mixed, however faint. End a
+    /// force with a cell in which it falls to 0; otherwise it clicks. Returns false and does
+    /// nothing if the slot or a shape row does not exist, a value is not finite or a force is above
+    /// 1e12 N. A response above 1e17 m/s to 1 N s is silent.
     bool applyForce(std::size_t slot, const ForceCell& force, const CellOutput& cell) noexcept;
 
-    /// Forgets all that rings, at once. The caller fades the output.
+    /// Silences everything at once. The caller fades the output.
     void reset() noexcept;
 
     struct SlotStatus {
-        float amplitude = 0;            ///< summed amplitude of its modes, m/s
+        float amplitude = 0;            ///< summed amplitude of the modes, m/s
         std::int32_t modesRinging = 0;  ///< above τ
         std::int32_t modesMixed = 0;    ///< of these, within its share of the budget
-        std::int32_t channels = 0;      ///< in which it sounds; one is heard in both
-        std::int32_t share = 0;         ///< of the budget: modes it was given, no more than ring
-        std::int32_t groups = 0;        ///< of modes, after compression
-        std::int32_t groupsAudible = 0; ///< of these, within the band and not silenced
+        std::int32_t channels = 0;      ///< channels of its sound; a single one goes to both
+        std::int32_t share = 0;         ///< modes that the budget granted, at most the ringing ones
+        std::int32_t groups = 0;        ///< groups of modes, after compression
+        std::int32_t groupsAudible = 0; ///< of these, those within the band and not silenced
     };
-    /// As of the cell begun last.
+    /// Returns the status as of the current cell.
     std::span<const SlotStatus> status() const noexcept;
     std::int64_t modesMixed() const noexcept;
-    /// What is heard of a slot's modes, as of the cell begun last. Costs a pass over them. Nothing
-    /// where the slot does not exist.
+    /// Reports a slot's groups of modes as heard in the current cell. Costs a pass over them. Does
+    /// nothing if the slot does not exist.
     void report(std::size_t slot, SoundingGroups& groups) const noexcept;
     const SynthesisSettings& settings() const noexcept;
     bool silent() const noexcept; ///< nothing rings and no contact is under way

@@ -1,4 +1,4 @@
-// One object in the mix, and the size and pitch at which it is played.
+// One object in the mix, with its size and pitch.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -9,16 +9,16 @@
 
 namespace idiophone {
 
-/// Slots may share a modal object, each with a state of its own.
+/// Slots may share a modal object; each has its own state.
 struct SynthesiserSlot {
     std::shared_ptr<const ModalObject> object;
-    double sizeRatio = 1; ///< > 0: the object scaled; λ ∝ 1/size², mass ∝ size³
-    /// The pitch that `SynthesisSettings::keepPitch` keeps. Without it the slot follows material
-    /// and size.
+    double sizeRatio = 1; ///< > 0: scale of the object; λ ∝ 1/size², mass ∝ size³
+    /// The pitch that `SynthesisSettings::keepPitch` keeps. Without it, the slot's pitch follows
+    /// material and size.
     std::optional<PitchMode> pitch = {};
 };
 
-/// Returns the conditions of a slot with an object, whose own frequency ratio is on top of the
+/// Returns the conditions of a slot with an object. Its own frequency ratio multiplies the
 /// settings'.
 inline LiveConditions liveConditions(const SynthesiserSlot& slot,
                                      const SynthesisSettings& settings,

@@ -1,4 +1,4 @@
-// How far a motor's discs open the tubes under the bars while a cell sounds.
+// The opening of the tubes under the bars by a motor's discs, over one cell.
 #pragma once
 
 #include "Synth/SynthesisSettings.h"
@@ -7,8 +7,8 @@
 
 namespace idiophone {
 
-/// A gain of what comes out of the tubes, from 1 (open) to 0 (closed). It follows a line that
-/// begins at the last sample of the cell before.
+/// A gain of the tubes' sound, from 1 (open) to 0 (closed). It is linear and starts at the last
+/// sample of the previous cell.
 struct TubeOpening {
     float start = 1;
     float end = 1;

@@ -9,7 +9,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of mode `a`, whose other one is `b`, where the object has its reference size and pitch.
+/// Returns the tube's share of mode `a`, whose partner is `b`, at the object's reference size and
+/// pitch.
 double tubeShare(const ModalObject& object, std::size_t a, std::size_t b) {
     std::vector<std::complex<float>> weights(object.modeCount());
     double ofTube = 0, ofAll = 0;

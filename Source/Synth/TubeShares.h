@@ -1,4 +1,4 @@
-// What of a bar's sound comes out of its tube.
+// The share of a bar's sound that comes out of its tube.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -7,13 +7,13 @@
 
 namespace idiophone {
 
-/// [M], or empty where the object has no tube: the share of what each mode radiates that its tube
-/// adds, as far as it is in phase with all of it; below 0 where the tube takes away.
+/// Returns [M], or empty if the object has no tube: the tube's share of each mode's radiation, as
+/// far as it is in phase with the whole. It is negative if the tube reduces the sound.
 ///
-/// The two modes that a bar's mode makes with a resonance of the tube have its shape and radiate
-/// W = gain · W_bar + W_tube (Analysis/Tube.h). Their gains sum to 1, and their flows to 0, as
-/// nothing flows at first: W_bar = ΣW / Σgain. A lone mode with a gain, and one of an object
-/// without radiation, counts as the tube's. Any thread but audio; allocates.
+/// A bar's mode and a resonance of the tube make two modes with the shape of the bar's mode. They
+/// radiate W = gain · W_bar + W_tube (Analysis/Tube.h). Their gains sum to 1, and their flows to 0,
+/// as nothing flows at first: W_bar = ΣW / Σgain. A single mode with a gain counts as the tube's,
+/// and so do all such modes of an object without radiation. Any thread but audio; allocates.
 std::vector<float> tubeShares(const ModalObject& object);
 
 } // namespace idiophone
