@@ -22,8 +22,8 @@ std::array<float, 3> upwards(double impulse) {
     return {0, 0, static_cast<float>(impulse)};
 }
 
-/// Far pressure times distance on the axis of a sphere whose velocity goes as e^{iωt} (Morse &
-/// Ingard 7.1.12), as its amplitude for an acceleration of 1 m/s²: exact at any ka.
+/// Far pressure times distance on the axis of a sphere with velocity ∝ e^{iωt} (Morse & Ingard
+/// 7.1.12), as its amplitude for an acceleration of 1 m/s². Exact at any ka.
 std::complex<double> exactPerAcceleration(double radiusMetres, double omega) {
     const std::complex<double> i(0, 1);
     const double ka = omega * radiusMetres / soundSpeed;
@@ -43,8 +43,8 @@ std::complex<double> spectrum(Function f, double seconds, double omega) {
     return sum;
 }
 
-/// Volume of the moved air over that of a solid ellipsoid, along its axes x, y and z turned by 30°
-/// about z.
+/// Volume of the moved air over that of a solid ellipsoid, along its axes. The axes x and y are
+/// turned by 30° about z.
 std::array<double, 3> addedShares(double a, double b, double c) {
     const double massKg = 2, turn = pi / 6;
     const double along = massKg * (b * b + c * c) / 5, across = massKg * (a * a + c * c) / 5;
@@ -66,7 +66,7 @@ std::array<double, 3> addedShares(double a, double b, double c) {
 
 } // namespace
 
-TEST_CASE("The air that moves along with an ellipsoid is Lamb's, however it lies") {
+TEST_CASE("The moved air of an ellipsoid matches Lamb's formula in any orientation") {
     for (const double share : addedShares(0.02, 0.02, 0.02))
         CHECK(share == Approx(0.5).epsilon(1e-3));
     // Axes 2 : 1 : 1: α0 = 2 (1 − e²)/e³ (artanh e − e) with e² = 3/4, β0 = 1 − α0/2.
@@ -79,7 +79,8 @@ TEST_CASE("The air that moves along with an ellipsoid is Lamb's, however it lies
     CHECK(disc[2] * 4 * pi / 3 * 0.005 / 0.1 == Approx(8.0 / 3).epsilon(0.05));
 }
 
-TEST_CASE("The click of a small sphere is ρ0 a³ ȧ / (2 c) along the impulse and as its cosine") {
+TEST_CASE(
+    "The click of a small sphere is ρ0 a³ ȧ / (2 c) along the impulse and follows its cosine") {
     const double radius = 0.01, impulse = 0.05, seconds = 1e-3;
     const auto ball = rigidBall(radius, 7000);
     const double steepest = impulse / ball.mass.massKg * 2 * pi / (seconds * seconds);
@@ -92,7 +93,7 @@ TEST_CASE("The click of a small sphere is ρ0 a³ ȧ / (2 c) along the impulse a
           Approx(0).margin(1e-6 * along));
 }
 
-TEST_CASE("The click's spectrum is an oscillating sphere's within 1.2 dB up to ka = 1") {
+TEST_CASE("The click's spectrum matches an oscillating sphere's within 1.2 dB up to ka = 1") {
     const double radius = 0.01, impulse = 0.05;
     const auto ball = rigidBall(radius, 7000);
     const auto body = rigidRadiator(ball);
@@ -118,7 +119,7 @@ TEST_CASE("The click's spectrum is an oscillating sphere's within 1.2 dB up to k
     }
 }
 
-TEST_CASE("Denser bodies and longer contacts click more softly, harder blows louder") {
+TEST_CASE("Denser bodies and longer contacts click more softly, and harder strikes click louder") {
     const auto click = [](double density, double impulse, double seconds) {
         return clickPascalMetres(rigidRadiator(rigidBall(0.01, density)), upwards(impulse), up,
                                  seconds);
@@ -129,7 +130,7 @@ TEST_CASE("Denser bodies and longer contacts click more softly, harder blows lou
     CHECK(click(7000, 0.05, 2e-3) == Approx(usual / 4));
 }
 
-TEST_CASE("A body that is held, and one whose inertia is no body's, do not click") {
+TEST_CASE("A held body and a body with impossible inertia do not click") {
     auto ball = rigidBall(0.01, 7000);
     ball.provenance.zeroModes = 0;
     CHECK(rigidRadiator(ball).massKg == 0);

@@ -31,7 +31,7 @@ ContactForce contactOn(const Surface& surface, const ContactForceSettings& setti
     return contact;
 }
 
-/// At constant motion, without its first second.
+/// Returns the force at constant motion, without its first second.
 std::vector<float> steadyForce(ContactForce& contact, const ContactMotion& motion, double seconds) {
     std::vector<float> result;
     std::array<float, cellSamples> cell{};
@@ -48,7 +48,7 @@ bool isSilent(std::span<const float> samples) {
     return std::ranges::all_of(samples, [](float sample) { return sample == 0; });
 }
 
-/// The seconds in which the profile comes round at a fraction of the reference speed.
+/// Returns the profile's period in seconds at a fraction of the reference speed.
 double periodSeconds(double speedRatio) {
     return static_cast<double>(SurfaceProfile::periodSamples) / rateHz / speedRatio;
 }
@@ -58,7 +58,7 @@ const Surface clearReson{
 
 } // namespace
 
-TEST_CASE("A scrape's reson peak lies at the contact speed's share of its frequency, within 2 %") {
+TEST_CASE("A scrape's reson peak is at the speed ratio times the reson frequency, within 2 %") {
     auto contact = contactOn(clearReson);
     for (const double speed : {0.125, 0.25, 0.5, 1.0}) {
         const Periodogram spectrum(steadyForce(contact, {speed, 1}, 4), rateHz);
@@ -68,11 +68,11 @@ TEST_CASE("A scrape's reson peak lies at the contact speed's share of its freque
     }
 }
 
-TEST_CASE("Spectra at two speeds are one, shifted by their ratio, within 1 dB up to 12 kHz") {
+TEST_CASE("Spectra at two speeds match when scaled by the speed ratio, within 1 dB up to 12 kHz") {
     auto contact = contactOn(clearReson);
     const Periodogram slow(steadyForce(contact, {0.5, 1}, periodSeconds(0.5) * 4), rateHz);
     const Periodogram fast(steadyForce(contact, {1, 1}, periodSeconds(1) * 4), rateHz);
-    // Of one sound read twice as fast, power in a band of twice the width, ∝ v.
+    // One sound read twice as fast: the power in a band of twice the width is ∝ v.
     for (double lowHz = 100; lowHz < 12000 / 2.52; lowHz *= 1.26) {
         const double decibels = 10 * std::log10(fast.power(2 * lowHz, 2.52 * lowHz) /
                                                 (2 * slow.power(lowHz, 1.26 * lowHz)));
@@ -98,7 +98,7 @@ TEST_CASE("A scrape's rms is roughness times the root of v/v_max and F, within 5
         }
 }
 
-TEST_CASE("Beyond the reference speed a scrape grows louder but not higher") {
+TEST_CASE("A scrape beyond the reference speed gets louder but not higher") {
     auto contact = contactOn(clearReson);
     const auto atReference = steadyForce(contact, {1, 1}, periodSeconds(1));
     const auto beyond = steadyForce(contact, {4, 1}, periodSeconds(1));
@@ -107,7 +107,7 @@ TEST_CASE("Beyond the reference speed a scrape grows louder but not higher") {
                WithinRel(Periodogram(atReference, rateHz).peakHz(1500, 6000), 0.02));
 }
 
-TEST_CASE("Rolling is darker than scraping by more than an octave of centroid") {
+TEST_CASE("A roll is darker than a scrape by more than an octave of centroid") {
     const Surface surface;
     auto scraping = contactOn(surface);
     auto rolling = contactOn(surface, {.kind = ContactKind::roll});
@@ -117,7 +117,7 @@ TEST_CASE("Rolling is darker than scraping by more than an octave of centroid") 
     CHECK(roll.centroidHz() > 20);
 }
 
-TEST_CASE("A roll without dry mix is the scrape through a Butterworth low-pass of its frequency") {
+TEST_CASE("A roll without dry mix equals the scrape through a Butterworth low-pass") {
     const Surface surface{.spectrumExponent = -0.5};
     const double cutoffHz = GENERATE(100.0, 400.0);
     auto scraping = contactOn(surface);
@@ -134,7 +134,7 @@ TEST_CASE("A roll without dry mix is the scrape through a Butterworth low-pass o
     }
 }
 
-TEST_CASE("A coupled mode raises the roll around it by its envelope d/√((ω − ρ)² + d²)") {
+TEST_CASE("A coupled mode raises the roll around its frequency by d/√((ω − ρ)² + d²)") {
     const double modeHz = 1500, damping = 60;
     const Surface surface{.resonFrequencyHz = 4000, .resonDampingPerSecond = 20000};
     auto scraping = contactOn(surface);
@@ -159,7 +159,7 @@ TEST_CASE("A coupled mode raises the roll around it by its envelope d/√((ω �
         }
 }
 
-TEST_CASE("Coupled modes add as much as they are coupled, however many and however damped") {
+TEST_CASE("Coupled modes add as much as the coupling says, for any number and damping") {
     const Surface surface{.resonFrequencyHz = 4000, .resonDampingPerSecond = 20000};
     const CoupledMode modes[] = {{400, 30}, {1000, 60}, {2500, 250}};
     auto scraping = contactOn(surface);
@@ -171,7 +171,8 @@ TEST_CASE("Coupled modes add as much as they are coupled, however many and howev
         const Periodogram roll(steadyForce(rolling, {1, 1}, 20), rateHz);
         for (const auto& mode : modes) {
             const double lowHz = mode.frequencyHz - 2, highHz = mode.frequencyHz + 2;
-            // 0.9 of the low-pass, which turns by nearly half a period far above it.
+            // 0.9 of the low-pass, which turns the phase by nearly half a period far above its
+            // cutoff.
             const double uncoupled = 0.1 - 0.9 * std::pow(100 / mode.frequencyHz, 2);
             const double decibels =
                 10 * std::log10(roll.power(lowHz, highHz) / scrape.power(lowHz, highHz));
@@ -181,7 +182,7 @@ TEST_CASE("Coupled modes add as much as they are coupled, however many and howev
     }
 }
 
-TEST_CASE("Of coupled modes at most eight are taken, and none whose figures make no sense") {
+TEST_CASE("At most eight coupled modes are used, and invalid ones are ignored") {
     const Surface surface;
     const ContactForceSettings settings{.kind = ContactKind::roll, .rollModalCoupling = 1};
     std::vector<CoupledMode> modes;
@@ -199,7 +200,7 @@ TEST_CASE("Of coupled modes at most eight are taken, and none whose figures make
     CHECK(steadyForce(without, {1, 1}, 0.1) == steadyForce(with, {1, 1}, 0.1));
 }
 
-TEST_CASE("No force without speed, without normal force, or below the slowest speed") {
+TEST_CASE("A contact without speed, without normal force or below the minimum speed has no force") {
     const Surface surface{.slowestSpeedMetresPerSecond = 0.1};
     auto contact = contactOn(surface);
     std::array<float, cellSamples> cell{};
@@ -208,14 +209,14 @@ TEST_CASE("No force without speed, without normal force, or below the slowest sp
           ContactMotion{notANumber, 1}, ContactMotion{1, notANumber}, ContactMotion{}}) {
         CHECK(contact.render({0.5, 1}, cell));
         CHECK_FALSE(isSilent(cell));
-        CHECK(contact.render(still, cell)); // on its way there
+        CHECK(contact.render(still, cell)); // still moving within this cell
         cell.fill(1);
         CHECK_FALSE(contact.render(still, cell));
         CHECK(isSilent(cell));
     }
 }
 
-TEST_CASE("Contact begins and ends without a step") {
+TEST_CASE("A contact begins and ends without a step") {
     auto contact = contactOn(Surface{});
     std::array<float, cellSamples> first{}, steady{}, last{};
     contact.render({1, 1}, first);
@@ -232,7 +233,7 @@ TEST_CASE("Contact begins and ends without a step") {
     }
 }
 
-TEST_CASE("The same calls give the same bits, other seeds other places of the surface") {
+TEST_CASE("The same calls give the same bits, and another seed another place on the surface") {
     const auto profile = profileOf(Surface{});
     const auto play = [&](std::uint64_t seed, bool resetFirst) {
         ContactForce contact(profile, seed);
@@ -262,8 +263,8 @@ TEST_CASE("The same calls give the same bits, other seeds other places of the su
     CHECK(std::abs(product) < 0.3 * rms(once) * rms(other));
 }
 
-TEST_CASE("Under random speed, force, kind and modes the force stays within ten times its level") {
-    // The narrowest reson at the highest frequency has the most to blow up with.
+TEST_CASE("The force stays below ten times its level under random speed, force, kind and modes") {
+    // The narrowest reson at the highest frequency is the most critical case.
     const auto surface = GENERATE(
         Surface{.slowestSpeedMetresPerSecond = 0},
         Surface{.resonFrequencyHz = 20000,
@@ -287,7 +288,7 @@ TEST_CASE("Under random speed, force, kind and modes the force stays within ten 
     CHECK(highest < 10 * loudest);
 }
 
-TEST_CASE("Whatever finite or infinite figures come in, the force is finite") {
+TEST_CASE("The force is finite for any input values") {
     const Surface surface{.spectrumExponent = 1,
                           .resonFrequencyHz = 20000,
                           .resonDampingPerSecond = 1,

@@ -7,7 +7,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Forced and free parts make up the convolution with the pulse within -180 dB") {
+TEST_CASE("Forced plus free parts equal the convolution with the pulse within -180 dB") {
     const double hz = GENERATE(25.0, 440.0, 9000.0);
     const double damping = GENERATE(0.0, 20.0, 8000.0, 400000.0);
     const double contactSeconds = GENERATE(0.0001, 0.00314);
@@ -48,7 +48,7 @@ TEST_CASE("A contact time within 1 % of a resonance's period moves away from it"
     CHECK(contactSecondsClearOf({}, 0.001) == 0.001);
 }
 
-TEST_CASE("Rounding does not decide where a contact time moves") {
+TEST_CASE("Rounding does not decide the direction in which a contact time moves") {
     const std::vector<double> resonances{1234.5};
     const double period = 1 / resonances[0];
     const double moved = contactSecondsClearOf(resonances, period);
@@ -58,7 +58,7 @@ TEST_CASE("Rounding does not decide where a contact time moves") {
     }
 }
 
-TEST_CASE("A contact time among resonances 1 % apart moves beyond them") {
+TEST_CASE("A contact time among resonances 1 % apart moves past all of them") {
     const std::vector<double> resonances{990.1, 1000, 1010.1};
     const double moved = contactSecondsClearOf(resonances, 0.001);
     for (const double hz : resonances)

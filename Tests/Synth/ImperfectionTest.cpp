@@ -12,8 +12,8 @@ namespace {
 
 constexpr double sampleRate = 48000;
 
-/// A pair as of a ring, whose second shape is at a node where the first is struck, and a mode
-/// alone.
+/// A ring's pair of modes, whose second shape has a node where the first is struck, and a single
+/// mode.
 ModalObject ring() {
     ModalObject object = ringingObject({440, 440, 1200}, 2);
     for (std::size_t row = 0; row < object.shapeVertexCount(); ++row)
@@ -32,7 +32,7 @@ std::vector<float> struck(const ModalObject& object, double imperfection) {
 
 } // namespace
 
-TEST_CASE("Pairs are neighbours of one frequency, and the modes of bar and tube are none") {
+TEST_CASE("Pairs are neighbours of equal frequency, except the modes that bar and tube share") {
     const auto object = syntheticObject({100, 200, 200.05, 300, 300.1, 300.15, 400, 401});
     const auto pairs = modePairs(object, 3);
     REQUIRE(pairs.size() == 2);
@@ -44,7 +44,7 @@ TEST_CASE("Pairs are neighbours of one frequency, and the modes of bar and tube 
     CHECK(modePairs(shared, 3).size() == 1);
 }
 
-TEST_CASE("A pair parts by half to all of the imperfection, whatever the seed") {
+TEST_CASE("A pair splits by half to all of the imperfection for every seed") {
     for (std::uint32_t seed = 0; seed < 50; ++seed) {
         const auto object = syntheticObject({200, 200});
         const auto pairs = modePairs(object, seed);
@@ -58,7 +58,7 @@ TEST_CASE("A pair parts by half to all of the imperfection, whatever the seed") 
     }
 }
 
-TEST_CASE("Pairs of neighbouring seeds turn by angles all over") {
+TEST_CASE("Pairs of neighbouring seeds are turned by widely spread angles") {
     double aligned = 0;
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         const auto pair = modePairs(syntheticObject({200, 200}), seed).front();
@@ -67,7 +67,7 @@ TEST_CASE("Pairs of neighbouring seeds turn by angles all over") {
     CHECK(std::abs(aligned) < 0.25);
 }
 
-TEST_CASE("Turning a pair keeps what both sound together while their frequencies agree") {
+TEST_CASE("Turning a pair of equal frequency keeps its summed sound") {
     const auto pairs = modePairs(syntheticObject({200, 200}), 7);
     std::vector<double> gains{0.3, -0.8}, weights{1.1, 0.4};
     const double before = gains[0] * weights[0] + gains[1] * weights[1];
@@ -76,9 +76,9 @@ TEST_CASE("Turning a pair keeps what both sound together while their frequencies
     CHECK(gains[0] * weights[0] + gains[1] * weights[1] == Approx(before));
 }
 
-TEST_CASE("An imperfect ring warbles and a perfect one does not") {
+TEST_CASE("An imperfect ring beats and a perfect one does not") {
     const auto unevenness = [](const std::vector<float>& sound) {
-        // Of the level in windows of 10 ms, from a straight line in dB.
+        // The range of the level in windows of 10 ms, relative to a straight line in dB.
         double most = 0, least = 1e9;
         for (std::size_t window = 1; window < 150; ++window) {
             double energy = 0;
@@ -96,7 +96,7 @@ TEST_CASE("An imperfect ring warbles and a perfect one does not") {
     CHECK(unevenness(struck(alone, 0.005)) > 1.2);
 }
 
-TEST_CASE("A change of the imperfection makes no step") {
+TEST_CASE("A change of the imperfection causes no step") {
     Synthesiser synthesiser({slotOf(ring())}, sampleRate);
     SynthesisSettings settings = exactSettings();
     const auto sound = render(synthesiser, {{0, unitStrike()}}, 60, [&](int cell) {

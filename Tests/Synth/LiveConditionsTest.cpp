@@ -11,7 +11,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Approx;
 
-TEST_CASE("Without settings an object is as its reference") {
+TEST_CASE("An object without settings keeps its reference conditions") {
     const auto own = syntheticObject({100}).material;
     const auto live = liveConditions(own, {});
     CHECK(live.law == PoleLaw{1, own.damping});
@@ -35,8 +35,7 @@ TEST_CASE("Eigenvalues follow Y/ρ, size and tuning, gains 1/mass, radiation fre
     CHECK(live.radiationRatio == Approx(2 * 1.5 * 4));
 }
 
-TEST_CASE(
-    "Where the pitch is kept its mode sounds at it, damped, in any material, size and thickness") {
+TEST_CASE("A kept pitch sounds at its damped frequency in any material, size and thickness") {
     const auto own = syntheticObject({100}).material;
     const double omega = 2 * std::numbers::pi * 200;
     const PitchMode pitch{.hz = 200,
@@ -66,7 +65,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("A kept pitch leaves an object as its reference where nothing is changed") {
+TEST_CASE("A kept pitch leaves the reference unchanged under default settings") {
     const auto object = syntheticObject({100, 270});
     const PitchMode pitch{.hz = object.dampedFrequencyHz(1), .eigenvalue = object.eigenvalues[1]};
     const auto live = liveConditions(object.material, {.keepPitch = true}, 1, 1, &pitch);

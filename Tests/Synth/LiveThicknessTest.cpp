@@ -1,4 +1,4 @@
-// A shell whose thickness changes while it sounds.
+// Tests a shell whose thickness changes while it sounds.
 #include "Support/PoleFit.h"
 #include "Synth/ModalReference.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double sampleRate = 48000;
 
-/// A mode of membrane alone, one of bending alone, and one that is half of each.
+/// One pure membrane mode, one pure bending mode, and one that is half of each.
 ModalObject shell() {
     ModalObject object = syntheticObject({300, 1000, 4000});
     object.bending = {0, object.eigenvalues[1], object.eigenvalues[2] / 2};
@@ -36,7 +36,7 @@ double foundHz(std::span<const float> signal, double nearHz) {
 
 } // namespace
 
-TEST_CASE("Twice as thick, a membrane's mode stays, a bending one is an octave higher") {
+TEST_CASE("At twice the thickness a membrane mode stays and a bending mode rises by an octave") {
     const auto output = rendered(shell(), 2);
     CHECK(foundHz(output, 300) == Approx(300).epsilon(1e-4));
     CHECK(foundHz(output, 2000) == Approx(2000).epsilon(1e-4));
@@ -44,7 +44,8 @@ TEST_CASE("Twice as thick, a membrane's mode stays, a bending one is an octave h
     CHECK(foundHz(output, half) == Approx(half).epsilon(1e-4));
 }
 
-TEST_CASE("A shell half as thick weighs half: the same blow moves it twice as much") {
+TEST_CASE(
+    "A shell of half the thickness has half the mass, so the same strike moves it twice as much") {
     auto object = syntheticObject({300});
     object.bending = {0};
     const auto own = rendered(object, 1), thinner = rendered(object, 0.5);
@@ -52,11 +53,11 @@ TEST_CASE("A shell half as thick weighs half: the same blow moves it twice as mu
         REQUIRE(thinner[i] == Approx(2 * own[i]).margin(1e-6));
 }
 
-TEST_CASE("Modes that change places as a shell grows thicker are struck clear of their periods") {
+TEST_CASE("Modes that swap order as a shell thickens are struck clear of their periods") {
     auto object = syntheticObject({200, 215});
     object.bending = {object.eigenvalues[0], 0};
     object.material.damping = {};
-    for (const double hz : {215.0, 400.0}) { // of them, twice as thick
+    for (const double hz : {215.0, 400.0}) { // frequencies at twice the thickness
         Synthesiser synthesiser({slotOf(object)}, sampleRate);
         auto settings = exactSettings();
         settings.thicknessRatio = 2;
@@ -70,14 +71,14 @@ TEST_CASE("Modes that change places as a shell grows thicker are struck clear of
     }
 }
 
-TEST_CASE("The thickness of solids, and one out of its range, changes nothing") {
+TEST_CASE("Thickness changes nothing for solids or when it is out of range") {
     const auto solid = syntheticObject({300, 1000});
     CHECK(rendered(solid, 3) == rendered(solid, 1));
     CHECK(rendered(shell(), -1) == rendered(shell(), 1));
     CHECK(rendered(shell(), 1000) == rendered(shell(), 1));
 }
 
-TEST_CASE("A thickness that moves and comes back leaves the pitch as it was") {
+TEST_CASE("A thickness that moves and returns leaves the pitch unchanged") {
     Synthesiser synthesiser({slotOf(shell())}, sampleRate);
     auto settings = exactSettings();
     const std::array ratios{1.5, 0.7, 3.0, 1.0};
@@ -91,8 +92,8 @@ TEST_CASE("A thickness that moves and comes back leaves the pitch as it was") {
     CHECK(foundHz(output, 1000) == Approx(1000).epsilon(1e-4));
 }
 
-TEST_CASE("A slot that was silent while thickness went its way sounds as if it had begun there") {
-    // Close modes, so that there are groups that come and go on the way.
+TEST_CASE("A slot that was silent while its thickness moved sounds as if it had started there") {
+    // Close modes, so that groups merge and split on the way.
     std::vector<double> hz;
     for (int k = 0; k < 60; ++k)
         hz.push_back(400 * std::pow(1.03, k));
@@ -104,7 +105,7 @@ TEST_CASE("A slot that was silent while thickness went its way sounds as if it h
         SynthesisSettings settings;
         const auto goTo = [&](double ratio, double size) {
             settings.thicknessRatio = ratio;
-            settings.sizeRatio = size; // what else moves poles
+            settings.sizeRatio = size; // moves poles too
             synthesiser.setSettings(settings);
         };
         for (const double ratio : way) {

@@ -1,4 +1,5 @@
-// Structural damping as it sounds: a constant Q, live, in eq. 14 and in the merging of modes.
+// Tests structural damping in the sound: a constant Q, live changes, eq. 14 and the merging of
+// modes.
 #include "Support/PoleFit.h"
 #include "Synth/ModalReference.h"
 #include "Synth/ModeCompression.h"
@@ -31,8 +32,7 @@ int cellsOf(double seconds) {
 
 } // namespace
 
-TEST_CASE(
-    "Rendered modes of one loss factor have one Q: measured at three frequencies within 1 %") {
+TEST_CASE("Modes of one loss factor have the same Q at three frequencies within 1 %") {
     const double lossFactor = 2e-3; // copper
     Synthesiser synthesiser({slotOf(structurallyDamped({220, 1000, 5000}, lossFactor))},
                             sampleRate);
@@ -44,7 +44,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("The three laws sound as the closed form of their sum within -110 dB") {
+TEST_CASE("The three damping laws sound like the closed form of their sum within -110 dB") {
     ModalObject object = syntheticObject({300});
     object.material.damping = {
         .fluidPerSecond = 4, .viscoelasticSeconds = 1e-6, .lossFactor = 0.02};
@@ -59,7 +59,7 @@ TEST_CASE("The three laws sound as the closed form of their sum within -110 dB")
 }
 
 TEST_CASE(
-    "A loss factor that comes while a mode rings changes its decay from there, without a step") {
+    "A loss factor that is set while a mode rings changes its decay from there without a step") {
     const auto object = structurallyDamped({1000}, 0);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     auto settings = exactSettings();
@@ -82,7 +82,7 @@ TEST_CASE(
     CHECK(broadbandDb(std::span(output).subspan(middle - 2048, 4096), sampleRate) < -80);
 }
 
-TEST_CASE("Bent by an octave a structurally damped mode decays twice as fast: Q stays") {
+TEST_CASE("A structurally damped mode bent up an octave decays twice as fast, with the same Q") {
     Synthesiser synthesiser({slotOf(structurallyDamped({700}, 3e-3))}, sampleRate);
     auto settings = exactSettings();
     settings.frequencyRatio = 2;
@@ -91,7 +91,8 @@ TEST_CASE("Bent by an octave a structurally damped mode decays twice as fast: Q 
     CHECK(fittedDecay(output, 1400) == Approx(3e-3 * pi * 1400).epsilon(0.01));
 }
 
-TEST_CASE("A structurally damped mode is cut at t_c of eq. 14 with its own damping, to one cell") {
+TEST_CASE(
+    "A structurally damped mode is dropped at t_c of eq. 14 with its own damping, to one cell") {
     const double lossFactor = 0.01, hz = 2000;
     Synthesiser synthesiser({slotOf(structurallyDamped({hz}, lossFactor))}, sampleRate);
     auto settings = exactSettings();
@@ -110,7 +111,7 @@ TEST_CASE("A structurally damped mode is cut at t_c of eq. 14 with its own dampi
     CHECK(ringing[static_cast<std::size_t>(cut) + 3] == 0);
 }
 
-TEST_CASE("Modes merge where the loss factor lets them decay within their beat, and not before") {
+TEST_CASE("Modes merge only if the loss factor makes them decay within their beat") {
     const auto groups = [](double lossFactor) {
         const std::vector<double> eigenvalues{std::pow(2 * pi * 2000, 2),
                                               std::pow(2 * pi * 2003, 2)};
@@ -122,7 +123,7 @@ TEST_CASE("Modes merge where the loss factor lets them decay within their beat, 
     CHECK(groups(0.0031) == 1);
 }
 
-TEST_CASE("A loss factor that is negative or not a number leaves the material as it was") {
+TEST_CASE("A negative or non-finite loss factor leaves the material unchanged") {
     const auto object = structurallyDamped({440}, 1e-3);
     const auto play = [&](double lossFactor) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate);

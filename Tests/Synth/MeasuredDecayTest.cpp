@@ -1,4 +1,4 @@
-// Modes whose decay was measured: as measured, live, and in the merging of modes.
+// Tests modes with measured decays: their sound, live changes and the merging of modes.
 #include "Support/PoleFit.h"
 #include "Synth/ModalReference.h"
 #include "Synth/ModeCompression.h"
@@ -52,14 +52,14 @@ std::size_t groups(const std::vector<double>& frequenciesHz,
 
 } // namespace
 
-TEST_CASE("Each mode decays as it was measured, whatever the material's law, within 1 %") {
+TEST_CASE("Each mode decays as measured, whatever the material's law, within 1 %") {
     const auto output = rendered(measured({220, 1000, 5000}, {12, 3, 7}), exactSettings());
     CHECK(fittedDecay(output, 220) == Approx(12).epsilon(0.01));
     CHECK(fittedDecay(output, 1000) == Approx(3).epsilon(0.01));
     CHECK(fittedDecay(output, 5000) == Approx(7).epsilon(0.01));
 }
 
-TEST_CASE("In another material a measured decay changes by the ratio of the laws") {
+TEST_CASE("A measured decay changes by the ratio of the laws in another material") {
     const auto object = measured({500, 2000}, {8, 5});
     auto settings = exactSettings();
     settings.material = LiveMaterial{.youngsModulusPa = 4 * object.material.youngsModulusPa,
@@ -75,7 +75,7 @@ TEST_CASE("In another material a measured decay changes by the ratio of the laws
     }
 }
 
-TEST_CASE("Decays equal to the law's sound as no decays do, to rounding") {
+TEST_CASE("Decays equal to the law's sound like no measured decays, to rounding") {
     auto object = syntheticObject({220, 1000, 1001, 5000});
     const auto plain = rendered(object, exactSettings());
     for (const double value : object.eigenvalues)
@@ -88,7 +88,7 @@ TEST_CASE("Decays equal to the law's sound as no decays do, to rounding") {
     CHECK(largest <= 1e-6f);
 }
 
-TEST_CASE("Modes of like decays merge, and of decays that the ear tells apart do not") {
+TEST_CASE("Modes of similar decays merge, and modes of audibly different decays do not") {
     CHECK(groups({1000, 1000.5}, {1, 1.3}, 1) == 1);
     CHECK(groups({1000, 1000.5}, {1, 0.75}, 1) == 1);
     CHECK(groups({1000, 1000.5}, {1, 1.5}, 1) == 2);
@@ -97,7 +97,7 @@ TEST_CASE("Modes of like decays merge, and of decays that the ear tells apart do
     CHECK(groups({1000, 1000}, {2, 2}, 0) == 1);
 }
 
-TEST_CASE("An extra decay stays in another material and grows with the frequency") {
+TEST_CASE("An extra decay is independent of the material and grows with the frequency") {
     auto object = syntheticObject({500});
     object.material.damping = {.fluidPerSecond = 6};
     object.extraDecaysPerSecond = {5};
@@ -117,6 +117,6 @@ TEST_CASE("A group decays by the weighted mean of its members") {
     CHECK(mergedDamping(dampings, weights).scale == Approx(1.075));
     CHECK(mergedDamping(dampings, weights).extraPerSecond == Approx(2));
     CHECK(mergedDamping(alike, weights) == alike.front());
-    // Modes without shapes anywhere have no weight.
+    // Modes whose shapes are zero everywhere have no weight.
     CHECK(mergedDamping(dampings, std::vector<double>{0, 0}) == dampings.front());
 }

@@ -1,4 +1,4 @@
-// The bank on every SIMD target that this machine has.
+// Tests the bank on every SIMD target of this machine.
 #include "Synth/ModalBank.h"
 
 #include "Support/Larger.h"
@@ -57,7 +57,7 @@ std::vector<std::int32_t> allBlocks(const ModalBank& bank) {
 } // namespace
 
 TEST_CASE(
-    "On every SIMD target cells equal complex exponentials within -120 dB, mixed modes only") {
+    "On every SIMD target a cell of the mixed modes equals complex exponentials within -120 dB") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     const Reference reference;
     ModalBank bank = ringingBank(reference);
@@ -84,7 +84,7 @@ TEST_CASE(
         }
     }
     CHECK(worst < 1e-6 * static_cast<double>(mixed.size()));
-    // Modes that are not mixed move on, too.
+    // Unmixed modes move on, too.
     const double t = 60 * 64 / sampleRate;
     const auto expected = std::complex<double>(1, -0.5) * std::exp(reference.poles[150] * t);
     CHECK(std::abs(bank.state(150).x - expected.real()) < 1e-11);
@@ -92,7 +92,7 @@ TEST_CASE(
     CHECK(std::abs(static_cast<double>(bank.energies()[150]) - std::norm(expected)) < 1e-6);
 }
 
-TEST_CASE("SIMD targets agree within -110 dB, and each with itself bit for bit") {
+TEST_CASE("SIMD targets agree within -110 dB, and each repeats bit for bit") {
     const Reference reference;
     std::vector<std::vector<float>> renders;
     for (const std::int64_t target : targetsHere())
@@ -138,7 +138,8 @@ TEST_CASE("Free motion is the same by cells, over any time and by samples within
     CHECK(std::abs(bank.state(0).y - bank.state(20).y) < 1e-12);
 }
 
-TEST_CASE("Kicks start and finish between samples and join after whole ones, at any damping") {
+TEST_CASE(
+    "State increments start and finish between samples and join after whole ones, at any damping") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     const double damping = GENERATE(10.0, 5000.0, 30000.0);
     const double hz = GENERATE(30.0, 3000.0, 19000.0);
@@ -193,7 +194,7 @@ TEST_CASE("Kicks start and finish between samples and join after whole ones, at 
     }
 }
 
-TEST_CASE("The kicks of a contact much shorter than a period keep their precision") {
+TEST_CASE("State increments of a contact much shorter than a period keep their precision") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     constexpr double seconds = 1e-6;
     ModalBank bank(16, 1, 44100);
@@ -211,14 +212,14 @@ TEST_CASE("The kicks of a contact much shorter than a period keep their precisio
         array->resize(16);
     bank.forcedStates({.contactSeconds = seconds}, unit);
     bank.finishKicks(unit, residues, {}, {seconds, seconds * 44100, 0}, kicks);
-    // What an impulse leaves, half a contact later.
+    // The state after an impulse, half a contact later.
     const ModalState left = propagator(bank.pole(0), seconds / 2) *
                             stateOf(bank.pole(0), {.velocity = 1, .displacement = 0});
     CHECK(std::abs(static_cast<double>(kicks.x[0][0]) - left.x) < 1e-6);
     CHECK(std::abs(static_cast<double>(kicks.y[0][0]) - left.y) < 1e-6);
 }
 
-TEST_CASE("A phase holds over hours of rest") {
+TEST_CASE("The phase holds over hours of rest") {
     ModalBank bank(1, 1, 48000);
     const double omega = 2 * std::numbers::pi * 15000.3;
     bank.movePoles(std::vector<double>{omega * omega}, {}, 20, 20000);
@@ -230,17 +231,17 @@ TEST_CASE("A phase holds over hours of rest") {
     CHECK(std::abs(bank.state(0).y - std::sin(angle)) < 1e-5);
 }
 
-TEST_CASE("Lightly damped audible modes are resonances, others are not") {
+TEST_CASE("Only lightly damped audible modes count as resonances") {
     ModalBank bank(3, 1, 48000);
     const auto squared = [](double hz) { return std::pow(2 * std::numbers::pi * hz, 2); };
     bank.movePoles(std::vector<double>{squared(10), squared(1000), squared(20000)},
                    {.damping = {.viscoelasticSeconds = 1e-6}}, 20, 23000);
-    REQUIRE(bank.resonances().size() == 1); // the highest falls by e within three periods
+    REQUIRE(bank.resonances().size() == 1); // the highest decays by a factor e within three periods
     CHECK(std::abs(bank.resonances()[0] - 1000) < 1e-9);
 }
 
-TEST_CASE("Modes that are regrouped keep the velocity of all, whether they oscillate or not") {
-    // The first two near critical damping, on either side of where the coordinates change.
+TEST_CASE("Regrouping keeps the total velocity, whether modes oscillate or not") {
+    // The first two are near critical damping, on either side of the change of coordinates.
     const std::vector<double> eigenvalues{2.4e5, 2.6e5, 1e6, 4e6, 9e6};
     const PoleLaw heavy{.damping = {.fluidPerSecond = 1000}};
     ModalBank bank(5, 1, sampleRate);
@@ -262,14 +263,14 @@ TEST_CASE("Modes that are regrouped keep the velocity of all, whether they oscil
     bank.movePoles(std::vector<double>{2.4e5, 1e6, 6e6}, heavy, 20, 23000);
     CHECK(std::abs(bank.state(0).x + bank.state(1).x + bank.state(2).x - velocity) < 1e-12);
     CHECK(std::abs(bank.state(0).x - 6.0 / 4) < 1e-12);
-    // Nothing is left where modes were.
+    // The states of removed modes are zero.
     for (std::size_t g = 3; g < modeBlock; ++g)
         CHECK(bank.energies()[g] == 0.0f);
 }
 
 namespace {
 
-/// Many modes in one bank, and each of them in one of its own.
+/// Many modes in one bank, and each of them in a separate bank.
 class BankAndBanks {
 public:
     static constexpr std::size_t count = 601;
@@ -300,7 +301,7 @@ public:
         }
     }
 
-    /// How many of the modes do not oscillate.
+    /// Returns the number of modes that do not oscillate.
     std::size_t damp(double viscoelasticSeconds) {
         const PoleLaw damped{.damping = {.viscoelasticSeconds = viscoelasticSeconds}};
         together.movePoles(eigenvalues, damped, 20, 23000);
@@ -320,7 +321,7 @@ public:
             }
     }
 
-    /// Every third block sounds, the others rest and follow.
+    /// Renders every third block; the others rest and follow by advanceBlock.
     void move() {
         std::vector<std::int32_t> sounding;
         std::array<std::array<float, cellSize>, channels> output{};
@@ -338,7 +339,7 @@ public:
                 alone[g].advanceBlock(0, 3 * cellSize / sampleRate, 0.5, 1e-18);
     }
 
-    /// Kicks join, and a force.
+    /// Adds state increments and a force.
     void press() {
         const KickMove way{7 / sampleRate, 7, 0.25};
         std::array<float, cellSize> impulses;
@@ -365,7 +366,7 @@ public:
         return true;
     }
 
-    /// One by one: what all sound is rounded as they are added up.
+    /// Compares mode by mode, as adding up all modes would round.
     bool soundAlike() {
         for (std::size_t g = 0; g < count; ++g) {
             std::array<std::array<float, cellSize>, 2 * channels> output{};
@@ -405,10 +406,10 @@ private:
 
 } // namespace
 
-TEST_CASE("Each of many modes, over-damped or not, moves as if it were alone, bit for bit") {
+TEST_CASE("Each of many modes moves as if alone, bit for bit, over-damped or not") {
     const TargetInTurn turn(GENERATE(Catch::Generators::from_range(targetsHere())));
     BankAndBanks banks;
-    // Oscillating modes fall below the limit, and rise above it again.
+    // Oscillating modes cross the limit to over-damping in both directions.
     for (const double viscoelasticSeconds : {3e-5, 1e-3, 3e-5, 1e-7, 1.5e-5}) {
         const std::size_t heavy = banks.damp(viscoelasticSeconds);
         CHECK((heavy == 0) == (viscoelasticSeconds == 1e-7));

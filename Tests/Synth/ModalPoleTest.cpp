@@ -46,7 +46,7 @@ TEST_CASE("The propagator solves the equation of motion in every damping regime"
     CHECK(std::abs(end.displacement - u) * natural < 1e-10);
 }
 
-TEST_CASE("Motion goes through the state and back unchanged") {
+TEST_CASE("Motion converted to a state and back is unchanged") {
     const ModalPole pole = poleOf(GENERATE(
         Catch::Generators::from_range(std::begin(dampingRatios), std::end(dampingRatios))));
     const Motion motion{0.3, 0.5e-3};
@@ -55,7 +55,8 @@ TEST_CASE("Motion goes through the state and back unchanged") {
     CHECK(std::abs(back.displacement - motion.displacement) * natural < 1e-12);
 }
 
-TEST_CASE("The amplitude bound is never exceeded, and is 2|c||w| where the mode oscillates") {
+TEST_CASE(
+    "The velocity never exceeds the amplitude bound, which is 2|c||w| if the mode oscillates") {
     const ModalPole pole = poleOf(GENERATE(
         Catch::Generators::from_range(std::begin(dampingRatios), std::end(dampingRatios))));
     for (const Motion start :
@@ -74,7 +75,7 @@ TEST_CASE("The amplitude bound is never exceeded, and is 2|c||w| where the mode 
     }
 }
 
-TEST_CASE("The stiffness that sounds at a damped frequency gives that frequency back") {
+TEST_CASE("The stiffness for a damped frequency gives that frequency back") {
     for (const double omega : {130.0, 1600.0, 26000.0})
         for (const DampingLaw& damping : {DampingLaw{}, DampingLaw{60, 2e-7, 0},
                                           DampingLaw{1, 0, 0.3}, DampingLaw{0, 1e-5, 0.05}})
@@ -88,15 +89,14 @@ TEST_CASE("The stiffness that sounds at a damped frequency gives that frequency 
             }
 }
 
-TEST_CASE(
-    "Beyond a damping ratio of 1/√2 the stiffness stays at twice the square of the frequency") {
+TEST_CASE("Beyond a damping ratio of 1/√2 the stiffness stays at twice the squared frequency") {
     const double omega = 1000;
     double before = omega * omega;
     for (double eta = 0; eta < 3e-3; eta += 1e-6) { // the double root is at 1/ω
         const double stiffness = stiffnessSoundingAt(omega, {.viscoelasticSeconds = eta});
         CHECK(stiffness >= before * (1 - 1e-9));
         CHECK(stiffness <= 2 * omega * omega);
-        CHECK(stiffness - before < 0.1 * omega * omega); // a glide makes no leap
+        CHECK(stiffness - before < 0.1 * omega * omega); // a glide makes no jump
         before = stiffness;
     }
     CHECK(before == 2 * omega * omega);

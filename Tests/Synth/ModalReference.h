@@ -1,5 +1,5 @@
-// Modal synthesis evaluated directly from equations 6 to 11 of Raghuvanshi & Lin 2006, one closed
-// form a sample in double precision, and the tools to play the same strikes on the synthesiser.
+// Reference modal synthesis by equations 6 to 11 of Raghuvanshi & Lin 2006, one closed form per
+// sample in double precision. Also plays the same strikes on the synthesiser.
 #pragma once
 
 #include "Support/Larger.h"
@@ -22,11 +22,11 @@ namespace idiophone::test {
 struct ReferenceMode {
     double stiffness = 0; ///< λ
     double damping = 0;   ///< γ + χ √λ + η λ
-    /// g / m; the imaginary part hears v̇ + α v over the damped frequency.
+    /// g / m. The imaginary part hears v̇ + α v over the damped frequency.
     std::complex<double> residue = 0;
 };
 
-/// A synthetic object with fluid damping only, by default so light that 10 s are not silence.
+/// A synthetic object with fluid damping only, by default so light that it still rings after 10 s.
 inline ModalObject ringingObject(const std::vector<double>& frequenciesHz,
                                  double fluidDamping = 0.5,
                                  std::vector<float> gains = {}) {
@@ -43,8 +43,8 @@ referenceMode(const Material& material, double frequencyHz, std::complex<double>
     return {lambda, gamma + loss * std::sqrt(lambda) + eta * lambda, residue};
 }
 
-/// What is heard `seconds` after a unit impulse: eq. 6 for ω±, eq. 10 for c, eq. 11 for v. For the
-/// imaginary part of the residue, v̇ + α v of that (without the impulse itself).
+/// Returns the sound `seconds` after a unit impulse: eq. 6 for ω±, eq. 10 for c, eq. 11 for v. The
+/// imaginary part of the residue hears v̇ + α v, without the impulse itself.
 inline double impulseVelocity(const ReferenceMode& mode, double seconds) {
     if (seconds < 0)
         return 0;
@@ -65,8 +65,9 @@ inline double impulseVelocity(const ReferenceMode& mode, double seconds) {
            mode.residue.imag() * (acceleration + alpha * velocity) / omega;
 }
 
-/// Velocity after a raised-cosine pulse of unit impulse: 16-point Gauss-Legendre quadrature of the
-/// convolution, on panels shorter than a radian. `extraDamping` multiplies the response by e^{−δt}.
+/// Returns the velocity after a raised-cosine pulse of unit impulse, by 16-point Gauss-Legendre
+/// quadrature of the convolution on panels shorter than a radian. `extraDamping` multiplies the
+/// response by e^{−δt}.
 inline double pulseVelocity(const ReferenceMode& mode,
                             double contactSeconds,
                             double seconds,
@@ -94,7 +95,7 @@ inline double pulseVelocity(const ReferenceMode& mode,
                        impulseVelocity(mode, seconds - at);
             }
     if (mode.residue.imag() != 0 && seconds < contactSeconds) {
-        // The force itself: v̇ jumps with an impulse.
+        // The force itself, as an impulse makes v̇ jump.
         const double alpha = mode.damping / 2;
         sum += mode.residue.imag() / std::sqrt(mode.stiffness - alpha * alpha) *
                (1 - std::cos(omega * seconds)) / contactSeconds;
@@ -108,7 +109,7 @@ struct TimedStrike {
     std::size_t slot = 0;
 };
 
-/// A strike of unit impulse straight into vertex 0 of a synthetic object: residue gain².
+/// A strike of unit impulse straight into vertex 0 of a synthetic object, with residue gain².
 inline Strike unitStrike(double durationSeconds = 0) {
     Strike strike;
     strike.impulseNewtonSeconds = {0, 0, -1};
@@ -116,7 +117,7 @@ inline Strike unitStrike(double durationSeconds = 0) {
     return strike;
 }
 
-/// Settings under which nothing is cut, merged or left out.
+/// Settings that truncate, merge and leave out nothing.
 inline SynthesisSettings exactSettings() {
     SynthesisSettings settings;
     settings.tau = 0;
@@ -151,8 +152,8 @@ inline SynthesiserSlot slotOf(ModalObject object, double sizeRatio = 1) {
     return {std::make_shared<const ModalObject>(std::move(object)), sizeRatio};
 }
 
-/// The largest difference from `expected(sample)` over [from, to), in dB of the largest value
-/// expected over the whole signal.
+/// Returns the largest difference from `expected(sample)` over [from, to), in dB relative to the
+/// largest expected value of the whole signal.
 inline double errorDb(const std::vector<float>& signal,
                       const std::function<double(double)>& expected,
                       std::size_t from = 0,
@@ -168,7 +169,8 @@ inline double errorDb(const std::vector<float>& signal,
     return 20 * std::log10(error / peak + 1e-30);
 }
 
-/// The largest part of any frame of 512 samples above 5 kHz, in dB of a full sinusoid.
+/// Returns the largest level above 5 kHz in any frame of 512 samples, in dB of a full-scale
+/// sinusoid.
 inline double broadbandDb(std::span<const float> signal, double sampleRate) {
     constexpr std::size_t frame = 512;
     double largest = 0;

@@ -45,14 +45,14 @@ TEST_CASE("The discrimination curve covers 20 to 22000 Hz in 962 windows") {
     CHECK(windows == 962);
 }
 
-TEST_CASE("The discrimination curve goes through its three points") {
+TEST_CASE("The discrimination curve passes through its three points") {
     CHECK(std::abs(discriminationHz(20) - 1.5) < 1e-12);
     CHECK(std::abs(discriminationHz(2000) - 5) < 1e-12);
     CHECK(std::abs(discriminationHz(22000) - 300) < 1e-12);
 }
 
-TEST_CASE("Groups are never wider than the window of their first mode, nor larger than 32") {
-    // So damped that no beat is heard within a group; 0.49 Hz apart, D(2000) = 5 Hz.
+TEST_CASE("Groups are never wider than the window of their first mode or larger than 32") {
+    // Damping hides every beat within a group. Modes are 0.49 Hz apart; D(2000) = 5 Hz.
     std::vector<double> dense;
     for (int k = 0; k < 4000; ++k)
         dense.push_back(2000 + 0.49 * k);
@@ -68,13 +68,13 @@ TEST_CASE("Groups are never wider than the window of their first mode, nor large
     }
 }
 
-TEST_CASE("Modes whose beat is heard stay apart, modes that decay within it merge") {
+TEST_CASE("Modes with an audible beat stay apart, and modes that decay within a beat merge") {
     // 3 Hz apart at 2 kHz: Δω = 18.8 against (α_i + α_j)/2 = γ/2.
     CHECK(groupsOf({2000, 2003}, {1, {37, 0}}, 1) == Starts{0, 1, 2});
     CHECK(groupsOf({2000, 2003}, {1, {39, 0}}, 1) == Starts{0, 2});
 }
 
-TEST_CASE("Equal poles merge at compression 0 and nothing else does") {
+TEST_CASE("Only equal poles merge at compression 0") {
     CHECK(groupsOf({500, 500, 500 * (1 + 1e-10), 500.01}, {1, {500, 0}}, 0) == Starts{0, 3, 4});
     CHECK(groupsOf({500, 500.01}, {1, {500, 0}}, 1) == Starts{0, 2});
 }
@@ -83,7 +83,7 @@ TEST_CASE("Over-damped modes of different eigenvalues do not merge") {
     CHECK(groupsOf({500, 501}, {1, {50000, 0}}, 1) == Starts{0, 1, 2});
 }
 
-TEST_CASE("Equal poles give the plain sum of residues exactly, even where it nearly cancels") {
+TEST_CASE("Equal poles give the exact sum of residues, even if it nearly cancels") {
     const std::vector<double> eigenvalues(3, eigenvalue(440));
     const std::vector<float> residues{1.0f, -1.0f + 0x1p-24f, 0x1p-40f};
     CHECK(residueOf(residues, eigenvalues, {1, {5, 0}}) == 0x1p-24 + 0x1p-40);

@@ -9,7 +9,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing is left") {
+TEST_CASE("A leaving mode fades under a raised cosine of 3 ms and then is silent") {
     constexpr double sampleRate = 44100;
     constexpr double omega = 2 * std::numbers::pi * 700;
     ModalBank bank(1, 1, sampleRate);
@@ -32,7 +32,7 @@ TEST_CASE("A mode that leaves fades under a raised cosine of 3 ms, then nothing 
             CHECK(std::abs(static_cast<double>(value) - expected) < 1e-6);
         }
     }
-    CHECK(sample == 192); // 133 samples in whole cells
+    CHECK(sample == 192); // 133 samples, rounded up to whole cells
     CHECK(bank.state(0).x == 1.0);
 
     fader.change(bank, mode, all);

@@ -1,4 +1,4 @@
-// Contacts under way while poles move: modes that nobody hears, and what it costs.
+// Tests contacts under way while poles move, including unheard modes.
 #include "ModalReference.h"
 #include "Synth/ContactPulse.h"
 
@@ -15,8 +15,8 @@ constexpr double contactSeconds = 4e-3; // three cells
 constexpr int moveCell = 2;
 constexpr int backCell = 30;
 
-/// A mode of residue 1 that is struck at sample 0 and whose frequency is `ratio` times its own from
-/// moveCell to backCell. The complex velocity amplitude stays where the pole moves.
+/// A mode of residue 1 that is struck at sample 0. Its frequency is `ratio` times its own from
+/// moveCell to backCell. The complex velocity amplitude stays when the pole moves.
 class MovedMode {
 public:
     MovedMode(double eigenvalue, double damping, double ratio)
@@ -53,7 +53,7 @@ private:
 
 } // namespace
 
-TEST_CASE("A contact ends as it should for a mode that is out of band at its end") {
+TEST_CASE("A contact ends correctly for a mode that is out of band at its end") {
     const ModalObject object = ringingObject({300, 20000}, 20);
     const MovedMode low(object.eigenvalues[0], 20, 1.25);
     const MovedMode high(object.eigenvalues[1], 20, 1.25);
@@ -74,9 +74,8 @@ TEST_CASE("A contact ends as it should for a mode that is out of band at its end
     CHECK(error < 0.01 * peak);
 }
 
-TEST_CASE(
-    "A contact ends as it should for modes that are too faint to sound, and for blocks at rest") {
-    // One mode that sounds and 31 that do not: 15 of them in its block, 16 in a block at rest.
+TEST_CASE("A contact ends correctly for modes too faint to sound and for blocks at rest") {
+    // One mode sounds and 31 do not: 15 in its block, 16 in a block at rest.
     std::vector<double> frequencies{200};
     std::vector<float> gains{1};
     for (int k = 1; k < 32; ++k) {

@@ -22,22 +22,22 @@ Shares sharesOf(const std::vector<ModeDemand>& demands, double budget, double sl
 
 } // namespace
 
-// Three objects, Q = 12, n² = 9. Loudest first they are the middle, the last, the first.
+// Three objects, Q = 12, n² = 9. By loudness: the middle, the last, the first.
 const std::vector<ModeDemand> hungry{{0.1, 100}, {3, 100}, {2, 100}};
 
 TEST_CASE("S = 0 gives equal shares") {
     CHECK(sharesOf(hungry, 12, 0) == Shares{4, 4, 4});
 }
 
-TEST_CASE("S = 1 falls by Q/n^2 from rank to rank") {
-    // Fall 12/9 = 4/3 and 3a − 4/3 (0 + 1 + 2) = 12, so a = 16/3: 16/3, 4, 8/3.
-    // Rounded down 5, 4, 2; the mode that is left goes to the loudest.
+TEST_CASE("S = 1 lowers the share by Q/n^2 from rank to rank") {
+    // Fall 12/9 = 4/3 and 3a − 4/3 (0 + 1 + 2) = 12, so a = 16/3: 16/3, 4, 8/3. Rounded down 5, 4,
+    // 2; the remaining mode goes to the loudest.
     CHECK(sharesOf(hungry, 12, 1) == Shares{2, 6, 4});
 }
 
-TEST_CASE("A steep slope leaves the last object nothing") {
-    // S = 3: fall 4; all three would need a = 8, 4, 0. S = 4: fall 16/3; the first two share
-    // 2a − 16/3 = 12, a = 26/3: 26/3, 10/3, 0; rounded down 8, 3, 0, and one is left.
+TEST_CASE("A steep slope leaves nothing for the last object") {
+    // S = 3: fall 4; all three would need a = 8, 4, 0. S = 4: fall 16/3; the first two share 2a −
+    // 16/3 = 12, a = 26/3: 26/3, 10/3, 0. Rounded down 8, 3, 0; one remains.
     CHECK(sharesOf(hungry, 12, 3) == Shares{0, 8, 4});
     CHECK(sharesOf(hungry, 12, 4) == Shares{0, 9, 3});
 }
@@ -47,9 +47,9 @@ TEST_CASE("S = infinity is greedy") {
     CHECK(sharesOf({{0.1, 100}, {3, 7}, {2, 4}}, 12, infinity) == Shares{1, 7, 4});
 }
 
-TEST_CASE("What an object does not need goes on to the next in rank") {
-    // S = 1 entitles ranks to 5, 4, 3. The first needs 2, so 3 go on: 7 for the second, which
-    // needs 6, so 1 goes on to the third: 4.
+TEST_CASE("The unneeded part of a share goes to the next rank") {
+    // S = 1 entitles ranks to 5, 4, 3. The first needs 2, so 3 pass to the second: 7. It needs 6,
+    // so 1 passes to the third: 4.
     CHECK(sharesOf({{0.1, 100}, {3, 2}, {2, 6}}, 12, 1) == Shares{4, 2, 6});
 }
 
@@ -57,13 +57,13 @@ TEST_CASE("Equal amplitudes rank in the order of the slots") {
     CHECK(sharesOf({{1, 9}, {1, 9}}, 9, infinity) == Shares{9, 0});
 }
 
-TEST_CASE("With fewer modes than objects the loudest have one each") {
+TEST_CASE("With fewer modes than objects the loudest get one each") {
     const std::vector<ModeDemand> five{{1, 9}, {5, 9}, {3, 9}, {4, 9}, {2, 9}};
     CHECK(sharesOf(five, 3, 0) == Shares{0, 1, 1, 1, 0});
     CHECK(sharesOf(five, 3, 1) == Shares{0, 1, 1, 1, 0});
 }
 
-TEST_CASE("An object that joins in front moves one other's share") {
+TEST_CASE("An object that joins as the loudest changes one other share") {
     std::vector<ModeDemand> crowd;
     for (int k = 0; k < 100; ++k)
         crowd.push_back({100.0 - k, 9});

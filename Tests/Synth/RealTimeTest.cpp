@@ -8,8 +8,8 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Strikes, forces, cells, contacts, regrouping and every setting, silence and report "
-          "allocate nothing") {
+TEST_CASE(
+    "Strikes, forces, cells, regrouping, every setting, silencing and reports allocate nothing") {
     std::vector<double> frequencies;
     for (int k = 0; k < 200; ++k)
         frequencies.push_back(100 + 60 * (k / 2) + 0.2 * (k % 2));

@@ -1,4 +1,4 @@
-// The click of the rigid body as the synthesiser plays it.
+// Tests the click of the rigid body in the synthesiser.
 #include "Support/RigidBall.h"
 #include "Synth/AccelerationNoise.h"
 #include "Synth/Synthesiser.h"
@@ -63,7 +63,7 @@ float peak(const std::vector<float>& sound) {
 
 } // namespace
 
-TEST_CASE("A struck ball of one silent mode sounds one cycle of a sine in each direction") {
+TEST_CASE("A struck ball with one silent mode sounds one cycle of a sine in each direction") {
     const auto ball = rigidBall(0.01, 7000);
     const auto body = rigidRadiator(ball);
     const Blow blow{.cell = 1, .sample = 20.25};
@@ -82,7 +82,7 @@ TEST_CASE("A struck ball of one silent mode sounds one cycle of a sine in each d
     }
 }
 
-TEST_CASE("A contact microphone hears no click, and half the radiation half of it") {
+TEST_CASE("A contact microphone hears no click, and half the radiation gives half of it") {
     const auto ball = rigidBall(0.01, 7000);
     const std::vector<Blow> blows{{.sample = 3}};
     CHECK(peak(rendered(ball, {.radiation = 0}, blows)[0]) == 0);
@@ -90,7 +90,7 @@ TEST_CASE("A contact microphone hears no click, and half the radiation half of i
           Approx(peak(rendered(ball, {.radiation = 1}, blows)[0]) / 2));
 }
 
-TEST_CASE("Clicks grow with the impulse and add up") {
+TEST_CASE("Clicks are proportional to the impulse and add up") {
     const auto ball = rigidBall(0.01, 7000);
     const SynthesisSettings far{.radiation = 1};
     const auto one = rendered(ball, far, {{.sample = 3}});
@@ -102,7 +102,7 @@ TEST_CASE("Clicks grow with the impulse and add up") {
     }
 }
 
-TEST_CASE("A live material and size click as an object that was analysed with them") {
+TEST_CASE("A live material and size click like an object analysed with them") {
     const SynthesisSettings far{.radiation = 1};
     const std::vector<Blow> blows{{.sample = 10.5, .contactSeconds = 3e-4}};
     const auto expected = rendered(rigidBall(0.02, 2500), far, blows);
@@ -116,7 +116,7 @@ TEST_CASE("A live material and size click as an object that was analysed with th
         REQUIRE(sound[0][k] == Approx(expected[0][k]).margin(1e-6));
 }
 
-TEST_CASE("A blow that is heard from one direction clicks alike in both channels") {
+TEST_CASE("A strike with one direction clicks alike in both channels") {
     const auto ball = rigidBall(0.01, 7000);
     const auto sound = rendered(ball, {.radiation = 1}, {{.sample = 3, .heardFrom = 1}});
     const auto usual = rendered(ball, {.radiation = 1}, {{.sample = 3}});
@@ -124,7 +124,7 @@ TEST_CASE("A blow that is heard from one direction clicks alike in both channels
     CHECK(sound[1] == usual[1]);
 }
 
-TEST_CASE("An ideal impulse on a tiny ball clicks with all that its spectrum has below the band") {
+TEST_CASE("An ideal impulse on a tiny ball clicks with its full spectrum below the band edge") {
     // The dipole moment, Σ t p(t), of a click depends on the impulse alone.
     const auto moment = [](double contactSeconds, double sample) {
         const auto sound =

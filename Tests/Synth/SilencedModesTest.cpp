@@ -1,4 +1,4 @@
-// Modes that are muted and come back.
+// Tests modes that are muted and unmuted.
 #include "ModalReference.h"
 #include "Synth/SoundingObject.h"
 
@@ -13,7 +13,7 @@ namespace {
 constexpr double sampleRate = 48000;
 using Mask = std::vector<std::uint8_t>;
 
-/// Silences as `maskAt` says before each cell.
+/// Sets the silenced modes to `maskAt` before each cell.
 std::vector<float> played(const ModalObject& object,
                           const std::vector<TimedStrike>& strikes,
                           int cells,
@@ -50,18 +50,18 @@ std::vector<float> force(Synthesiser& synthesiser, int cells, const BeforeCell& 
 
 } // namespace
 
-TEST_CASE("What is silenced before the strike sounds as if the object had no such mode") {
+TEST_CASE("A mode silenced before the strike sounds as if the object lacked it") {
     const double contactSeconds = GENERATE(0.0, 1e-3);
     const auto strikes = std::vector<TimedStrike>{{5.5, unitStrike(contactSeconds)}};
     const auto none = [](int) { return Mask(); };
-    SECTION("a mode of its own") {
+    SECTION("a separate mode") {
         const auto without = played(ringingObject({300, 1600}), strikes, 100, none);
         const auto silenced = played(ringingObject({300, 810, 1600}), strikes, 100, [](int) {
             return Mask{0, 1, 0};
         });
         CHECK(errorDb(silenced, without) < -115);
     }
-    SECTION("one of a merged group, which loses that mode alone") {
+    SECTION("one mode of a merged group") {
         const auto without =
             played(ringingObject({300, 810, 810}, 0.5, {1, 0.4f, 0.7f}), strikes, 100, none);
         const auto silenced = played(
@@ -72,7 +72,7 @@ TEST_CASE("What is silenced before the strike sounds as if the object had no suc
     }
 }
 
-TEST_CASE("A mode that is silenced and comes back has rung on meanwhile") {
+TEST_CASE("A silenced mode rings on and returns at its current state") {
     const ModalObject object = ringingObject({300, 810, 811, 1600}, 8);
     SynthesisSettings settings = exactSettings();
     settings.compression = GENERATE(0.0, 1.0);
@@ -88,11 +88,11 @@ TEST_CASE("A mode that is silenced and comes back has rung on meanwhile") {
     CHECK(std::equal(between.begin(), between.begin() + 40 * cellSamples, always.begin()));
     CHECK(errorDb({between.begin() + 60 * cellSamples, between.begin() + 120 * cellSamples},
                   {always.begin() + 60 * cellSamples, always.begin() + 120 * cellSamples}) > -12);
-    // Groups that were parted moved at slightly other poles meanwhile.
+    // Split groups moved with slightly different poles meanwhile.
     CHECK(errorDb(between, always, 125 * cellSamples) < (settings.compression > 0 ? -25 : -105));
 }
 
-TEST_CASE("Modes come and go without a broadband sound, under a contact too") {
+TEST_CASE("Modes leave and return without a broadband sound, even during a contact") {
     const double contactSeconds = GENERATE(0.0, 0.025);
     const ModalObject object = ringingObject({200, 203, 310, 505, 812, 1230}, 4);
     SynthesisSettings settings = exactSettings();
@@ -113,7 +113,7 @@ TEST_CASE("Modes come and go without a broadband sound, under a contact too") {
     CHECK(broadbandDb(sound, sampleRate) - 20 * std::log10(peak) < -75);
 }
 
-TEST_CASE("Under a force modes are silenced and come back without a broadband sound") {
+TEST_CASE("Modes are silenced and return without a broadband sound during a force") {
     const auto broadband = [](bool comeAndGo) {
         Synthesiser synthesiser({slotOf(ringingObject({200, 310, 505, 812}, 30))}, sampleRate);
         synthesiser.setSettings(exactSettings());
@@ -131,7 +131,7 @@ TEST_CASE("Under a force modes are silenced and come back without a broadband so
     CHECK(moving < -75);
 }
 
-TEST_CASE("Silencing nothing changes no bit, and the same silences give the same bits") {
+TEST_CASE("Silencing no mode changes no bit, and the same masks give the same bits") {
     const ModalObject object = ringingObject({200, 203, 310, 505, 812, 1230}, 4);
     const auto strikes =
         std::vector<TimedStrike>{{0, unitStrike(1e-3)}, {2000.5, unitStrike(2e-3)}};
@@ -145,7 +145,7 @@ TEST_CASE("Silencing nothing changes no bit, and the same silences give the same
           played(object, strikes, 80, [](int) { return Mask(); }));
 }
 
-TEST_CASE("A mask of the wrong length and a slot that does not exist are ignored") {
+TEST_CASE("A mask of the wrong length and a mask for a missing slot are ignored") {
     Synthesiser synthesiser({slotOf(ringingObject({300, 810}))}, sampleRate);
     synthesiser.setSilencedModes(0, Mask{1});
     synthesiser.setSilencedModes(0, Mask{1, 1, 1});
@@ -155,7 +155,7 @@ TEST_CASE("A mask of the wrong length and a slot that does not exist are ignored
     CHECK(std::ranges::any_of(sound, [](float sample) { return sample != 0; }));
 }
 
-TEST_CASE("An object of which every mode is silenced is silent, and free") {
+TEST_CASE("An object with every mode silenced is silent and uses no budget") {
     Synthesiser synthesiser({slotOf(ringingObject({300, 810}))}, sampleRate);
     synthesiser.setSilencedModes(0, Mask{1, 1});
     const auto sound = render(synthesiser, {{0, unitStrike(1e-3)}}, 10);
@@ -163,7 +163,7 @@ TEST_CASE("An object of which every mode is silenced is silent, and free") {
     CHECK(synthesiser.modesMixed() == 0);
 }
 
-TEST_CASE("A report says what is heard of every group, at its level") {
+TEST_CASE("A report gives the standing and level of every group") {
     const ModalObject object = ringingObject({300, 810, 810, 1600, 30000}, 8);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
@@ -187,7 +187,7 @@ TEST_CASE("A report says what is heard of every group, at its level") {
     CHECK(groups.standings[1] == GroupStanding::sounding);
     CHECK(groups.standings[2] == GroupStanding::silenced);
     CHECK(groups.standings[3] == GroupStanding::outOfBand);
-    // A unit impulse on 1 kg makes 1 m/s, of each mode of gain 1; d = 8/s lets e^{−4t} of it.
+    // A unit impulse on 1 kg moves each mode of gain 1 at 1 m/s; d = 8/s leaves e^{−4t} of it.
     const double left = std::exp(-4 * 100.0 * cellSamples / sampleRate);
     CHECK(std::abs(groups.amplitudes[0] / left - 1) < 0.01);
     CHECK(std::abs(groups.amplitudes[1] / (2 * left) - 1) < 0.01);
@@ -203,7 +203,8 @@ TEST_CASE("A report says what is heard of every group, at its level") {
         synthesiser.beginCell(cell);
     synthesiser.report(0, groups);
     CHECK(groups.standings[1] == GroupStanding::belowTau);
-    const double later = std::exp(-4 * 200.0 * cellSamples / sampleRate); // it rests, and decays
+    const double later =
+        std::exp(-4 * 200.0 * cellSamples / sampleRate); // the block rests and decays
     CHECK(std::abs(groups.amplitudes[1] / (2 * later) - 1) < 0.01);
 
     SoundingGroups small(2);

@@ -1,4 +1,4 @@
-// Continuous force on a sounding object.
+// Tests continuous force on a resonator.
 #include "ModalReference.h"
 #include "Synth/ForceKernel.h"
 #include "Synth/ModalPole.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double sampleRate = 48000;
 
-/// Two vertices whose shapes differ.
+/// An object with two vertices of different shapes.
 ModalObject twoPlaces(const std::vector<double>& frequencies) {
     ModalObject object = syntheticObject(frequencies);
     const std::size_t modes = frequencies.size();
@@ -42,8 +42,8 @@ struct Scraped {
     std::vector<float> output;
 };
 
-/// A random force for `cells` cells, then as many of silence. The contact goes from one place to
-/// the other and back, or stays.
+/// Applies a random force for `cells` cells, then as many cells of silence. The contact moves from
+/// one place to the other and back, or stays.
 Scraped scrape(const ModalObject& object, int cells, bool moving, double damping, double tau) {
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
@@ -70,8 +70,8 @@ Scraped scrape(const ModalObject& object, int cells, bool moving, double damping
     return result;
 }
 
-/// The same in double: an impulse at each sample, residues in steps of a sub-block. Half of an
-/// impulse sounds at its own sample, and a force that rests nothing.
+/// The same in double precision: an impulse at each sample, residues in steps of a sub-block. Half
+/// of an impulse sounds at its own sample, and a constant force is silent.
 std::vector<double>
 reference(const ModalObject& object, const Scraped& scraped, bool moving, double damping) {
     const std::size_t modes = object.modeCount();
@@ -84,12 +84,12 @@ reference(const ModalObject& object, const Scraped& scraped, bool moving, double
             const auto shape = static_cast<double>(object.shapesAt(row)[3 * i + 2]);
             return shape * shape;
         };
-        // What half the first and all later samples after an impulse come to, without a damper.
+        // The sum of half the first and all later samples after an impulse, without a damper.
         ModalState ringing = stateOf(pole, {1, 0});
         double rest = ringing.x / 2;
         for (int k = 0; k < 4000000 && std::abs(ringing.x) + std::abs(ringing.y) > 1e-13; ++k)
             rest -= (ringing = sample * ringing).x;
-        rest = isOscillating(pole) ? rest - 1 : 0.5; // the others sound as they are
+        rest = isOscillating(pole) ? rest - 1 : 0.5; // heavy modes: whole first sample
         ModalState state;
         for (std::size_t n = 0; n < output.size(); ++n) {
             const std::size_t cell = n / cellSamples;
@@ -122,7 +122,8 @@ double differenceDb(const std::vector<float>& output, const std::vector<double>&
 TEST_CASE("A continuous force equals an impulse at every sample within -100 dB") {
     const bool moving = GENERATE(false, true);
     const double damping = GENERATE(0.0, 40.0);
-    const double viscoelastic = GENERATE(1e-8, 2e-5); // the second over-damps what is above 16 kHz
+    const double viscoelastic =
+        GENERATE(1e-8, 2e-5); // the second one over-damps modes above 16 kHz
     std::vector<double> frequencies;
     for (int i = 0; i < 30; ++i)
         frequencies.push_back(60 + 23.0 * i * i);
@@ -133,7 +134,7 @@ TEST_CASE("A continuous force equals an impulse at every sample within -100 dB")
     CHECK(differenceDb(scraped.output, reference(object, scraped, moving, damping)) < -100);
 }
 
-TEST_CASE("Modes under a force are not dropped, and are once it ends") {
+TEST_CASE("Modes are kept during a force and dropped once it ends") {
     const ModalObject object = twoPlaces({300, 700, 1500});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
@@ -191,7 +192,7 @@ TEST_CASE("A force and strikes on the same object add up") {
     CHECK(worst < 1e-5 * peak);
 }
 
-TEST_CASE("A force that makes no sense is refused and does no harm") {
+TEST_CASE("An invalid force is refused without effect") {
     const ModalObject object = twoPlaces({300});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     std::array<float, cellSamples> cell{};
@@ -209,10 +210,9 @@ TEST_CASE("A force that makes no sense is refused and does no harm") {
     CHECK(synthesiser.silent());
 }
 
-TEST_CASE(
-    "Where an object would answer a force beyond all reason it is silent, and all else rings") {
+TEST_CASE("A force with an absurdly large response is silent and other sounds continue") {
     ModalObject object = twoPlaces({300, 800});
-    object.shapes[3 * 2 + 2] = 3e20f; // of the first mode at the second place
+    object.shapes[3 * 2 + 2] = 3e20f; // first mode at the second place
     Synthesiser synthesiser({slotOf(object)}, sampleRate), spared({slotOf(object)}, sampleRate);
     std::array<float, cellSamples> newtons{};
     for (int c = 0; c < 200; ++c) {

@@ -1,4 +1,4 @@
-// Groups of merged modes that change while they sound.
+// Tests groups of merged modes that change while they sound.
 #include "ModalReference.h"
 #include "Synth/SoundingObject.h"
 
@@ -19,7 +19,7 @@ SynthesisSettings settingsOf(double fluidDamping, double compression = 1) {
     return settings;
 }
 
-/// What a second strike at cell 40 adds to what rings, where settings became `now` at cell 20.
+/// The sound that a second strike at cell 40 adds, after the settings became `now` at cell 20.
 struct Struck {
     std::vector<float> sound;
     std::int32_t modes = 0;
@@ -46,7 +46,7 @@ Struck secondStrike(const ModalObject& object,
     return result;
 }
 
-/// 60 modes between 200 and 241 Hz, none alike.
+/// 60 different modes between 200 and 241 Hz.
 ModalObject denseObject() {
     std::vector<double> frequencies;
     std::vector<float> gains;
@@ -59,8 +59,7 @@ ModalObject denseObject() {
 
 } // namespace
 
-TEST_CASE("The same settings have the same groups, and sound the same when struck, whatever was "
-          "before them") {
+TEST_CASE("The same settings give the same groups and strike sound, whatever the settings before") {
     const ModalObject object = ringingObject({1000, 1002.5, 1005, 1900, 1901, 2700}, 1);
     const SynthesisSettings apart = settingsOf(1);
     const SynthesisSettings merged = settingsOf(60);
@@ -77,8 +76,8 @@ TEST_CASE("The same settings have the same groups, and sound the same when struc
     }
 }
 
-TEST_CASE("Groups that come and go while they sound make no broadband sound above -80 dB") {
-    const double budget = GENERATE(1e6, 25.0); // all modes, and less than there are groups
+TEST_CASE("Groups that change while they sound make no broadband sound above -80 dB") {
+    const double budget = GENERATE(1e6, 25.0); // all modes, and fewer than there are groups
     const double contactSeconds = GENERATE(0.0, 0.025);
     const ModalObject object = denseObject();
     const auto play = [&](double compression) {
@@ -102,7 +101,7 @@ TEST_CASE("Groups that come and go while they sound make no broadband sound abov
     double peak = 0;
     for (const float sample : apart)
         peak = larger(peak, std::abs(double(sample)));
-    // From after the strike's own attack on.
+    // Skip the attack of the strike.
     output.erase(output.begin(), output.begin() + 640);
     apart.erase(apart.begin(), apart.begin() + 640);
     const double peakDb = 20 * std::log10(peak);
@@ -110,8 +109,7 @@ TEST_CASE("Groups that come and go while they sound make no broadband sound abov
     CHECK(broadbandDb(output, sampleRate) - peakDb < -80);
 }
 
-TEST_CASE(
-    "Two channels whose modes are heard with opposite signs stay opposite through regrouping") {
+TEST_CASE("Channels that hear modes with opposite signs stay opposite through regrouping") {
     ModalObject object = denseObject();
     object.radiation.directions = {{1, 0, 0}, {0, 1, 0}};
     object.radiation.frequencyRatios = {1};

@@ -1,4 +1,4 @@
-// Which modes ring, which are mixed, and how they come and go.
+// Tests which modes ring, which are mixed, and how they come and go.
 #include "Synth/SoundingObject.h"
 #include "ModalReference.h"
 
@@ -49,12 +49,13 @@ TEST_CASE("An over-damped mode is dropped once its bound falls below tau") {
     const double lambda = std::pow(2 * std::numbers::pi * 100, 2);
     const double gap = std::sqrt(1e8 - 4 * lambda);
     const double slow = (10000 - gap) / 2;
-    // At the grid point after the impact the fast half is gone: |c⁺ω⁺| with the slow root is left.
+    // At the grid point after the impact the fast half has decayed; |c⁺ω⁺| with the slow root
+    // remains.
     const double end = std::log(slow / gap / (0.05 * pascalsPerTau)) / slow;
     CHECK(std::abs(dropped - end * sampleRate / cellSamples) <= 1);
 }
 
-TEST_CASE("Lowering tau brings a mode back where it would have been") {
+TEST_CASE("Lowering tau brings a mode back at its current state") {
     const ModalObject object = ringingObject({440, 700}, 20);
     const ReferenceMode low = referenceMode(object.material, 440, 1);
     const ReferenceMode high = referenceMode(object.material, 700, 1);
@@ -81,7 +82,7 @@ TEST_CASE("Lowering tau brings a mode back where it would have been") {
     CHECK(synthesiser.status()[0].modesMixed == 2);
 }
 
-TEST_CASE("Modes leaving and returning for the budget make no broadband sound above -80 dB") {
+TEST_CASE("Modes that leave and return for the budget make no broadband sound above -80 dB") {
     const ModalObject object = ringingObject({200, 300, 410}, 0.1, {1.0f, 0.9f, 0.8f});
     const auto play = [&](int smallest) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate);
@@ -92,18 +93,18 @@ TEST_CASE("Modes leaving and returning for the budget make no broadband sound ab
             synthesiser.setSettings(settings);
         });
         CHECK(synthesiser.status()[0].modesMixed == smallest);
-        // From after the strike's own attack on.
+        // Skip the attack of the strike.
         return std::vector<float>(output.begin() + 640, output.end());
     };
     CHECK(broadbandDb(play(1), sampleRate) < -80);
     CHECK(broadbandDb(play(0), sampleRate) < -80);
-    // The measure does hear a step: the same mode cut at once.
+    // Control: the measure hears a step, when the same mode is cut at once.
     auto cut = play(3);
     std::fill(cut.begin() + 1700, cut.end(), 0.0f);
     CHECK(broadbandDb(cut, sampleRate) > -60);
 }
 
-TEST_CASE("Dropping by tau and lifting it again makes no broadband sound above -80 dB") {
+TEST_CASE("Raising and lowering tau makes no broadband sound above -80 dB") {
     const ModalObject object = ringingObject({200, 300}, 0.1);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
@@ -114,7 +115,7 @@ TEST_CASE("Dropping by tau and lifting it again makes no broadband sound above -
     CHECK(broadbandDb(std::span(output).subspan(640), sampleRate) < -80);
 }
 
-TEST_CASE("Restriking while modes fade keeps the exact sound afterwards") {
+TEST_CASE("A strike during fades keeps the exact sound afterwards") {
     const ModalObject object = ringingObject({200, 300, 410}, 3, {1.0f, 0.9f, 0.8f});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     SynthesisSettings settings = exactSettings();
@@ -138,7 +139,7 @@ TEST_CASE("Restriking while modes fade keeps the exact sound afterwards") {
     CHECK(error < 1e-5);
 }
 
-TEST_CASE("Modes outside 20 Hz to 0.49 of the sample rate do not sound and return when in band") {
+TEST_CASE("Modes outside 20 Hz to 0.49 of the sample rate are silent and return when in band") {
     const ModalObject object = ringingObject({15, 440, 21700}, 1);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     synthesiser.setSettings(exactSettings());
@@ -152,14 +153,14 @@ TEST_CASE("Modes outside 20 Hz to 0.49 of the sample rate do not sound and retur
     });
     CHECK(mixed[9] == 1);
     CHECK(mixed[15] == 2);
-    CHECK(mixed[25] == 2); // 21 Hz and 616 Hz; 30 kHz is out again
+    CHECK(mixed[25] == 2); // 21 Hz and 616 Hz; the mode at 30 kHz is out of band again
     const ReferenceMode heard = referenceMode(object.material, 440, 1);
     CHECK(errorDb({output.begin(), output.begin() + 640}, [&](double sample) {
               return impulseVelocity(heard, sample / sampleRate);
           }) < -110);
 }
 
-TEST_CASE("The strongest modes are mixed where the share is short, and all objects keep to Q") {
+TEST_CASE("A short share mixes the strongest modes, and all objects together keep to Q") {
     std::vector<double> frequencies;
     std::vector<float> gains;
     for (int k = 0; k < 20; ++k) {
@@ -177,14 +178,14 @@ TEST_CASE("The strongest modes are mixed where the share is short, and all objec
     Strike soft = unitStrike();
     soft.impulseNewtonSeconds = {0, 0, -0.2f};
     render(synthesiser, {{0, unitStrike(), 1}, {1, loud, 2}, {2, soft, 0}}, 20);
-    // The hand-worked case of QualityScalingTest.
+    // The case computed by hand in QualityScalingTest.
     CHECK(synthesiser.status()[2].modesMixed == 6);
     CHECK(synthesiser.status()[1].modesMixed == 4);
     CHECK(synthesiser.status()[0].modesMixed == 2);
     CHECK(synthesiser.modesMixed() == 12);
     CHECK(synthesiser.status()[0].modesRinging == 20);
 
-    // The six strongest, residues gain², are what slot 2 alone sounds.
+    // The sound of slot 2 is that of its six strongest modes (residues gain²).
     Synthesiser alone({slotOf(object)}, sampleRate);
     settings.modeBudget = 6;
     alone.setSettings(settings);
@@ -206,7 +207,7 @@ TEST_CASE("The strongest modes are mixed where the share is short, and all objec
           }) < -110);
 }
 
-TEST_CASE("Silence is reached and is exact zeros without denormals, even with tau 0") {
+TEST_CASE("The sound reaches silence with exact zeros and no denormals, even with tau 0") {
     const double tau = GENERATE(0.0, 0.01);
     const double contactSeconds = GENERATE(0.0, 3e-3);
     Synthesiser synthesiser({slotOf(ringingObject({50, 440, 9000}, 100))}, sampleRate);
@@ -246,7 +247,7 @@ TEST_CASE("A contact keeps its modes while it lasts, whatever tau and the budget
     CHECK(error < 1e-6);
 }
 
-TEST_CASE("A mode that is bent out of the band and back returns where nothing else rings") {
+TEST_CASE("A mode bent out of the band and back returns even if nothing else rings") {
     const ModalObject object = ringingObject({20000}, 5);
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     synthesiser.setSettings(exactSettings());

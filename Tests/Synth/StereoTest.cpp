@@ -1,4 +1,4 @@
-// Radiation: what the whole surface sounds in two directions.
+// Tests radiation: the sound of the whole surface in two directions.
 #include "ModalReference.h"
 #include "Object/RadiationTable.h"
 
@@ -65,7 +65,7 @@ double reference(const ModalObject& object, std::size_t direction, double share,
 
 } // namespace
 
-TEST_CASE("Each channel hears the weights of its own direction, in the share that is asked for") {
+TEST_CASE("Each channel hears its own direction's weights, at the requested share") {
     const ModalObject object = radiatingObject();
     for (const double share : {1.0, 0.4}) {
         const Stereo sound = play(object, 40, [&](int) { return share; });
@@ -75,8 +75,8 @@ TEST_CASE("Each channel hears the weights of its own direction, in the share tha
     }
 }
 
-TEST_CASE(
-    "A blow that is heard from a direction sounds so in every channel, and another one as ever") {
+TEST_CASE("A strike with a direction sounds alike in every channel, and a later one without is "
+          "unaffected") {
     ModalObject object = radiatingObject();
     addThirdDirection(object);
     SynthesisSettings settings = exactSettings();
@@ -91,7 +91,8 @@ TEST_CASE(
             synthesiser.beginCell(cell);
             Strike strike = unitStrike();
             strike.point.heardFrom = c == 0 ? 2 : 3;
-            CHECK(synthesiser.strike(0, strike, 0, cell) == (c == 0)); // there is no fourth
+            CHECK(synthesiser.strike(0, strike, 0, cell) ==
+                  (c == 0)); // a fourth direction does not exist
             strike.point.heardFrom = -1;
             if (c == 20)
                 synthesiser.strike(0, strike, 0, cell);
@@ -110,7 +111,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Blows under way at a time are each heard from their own direction") {
+TEST_CASE("Simultaneous strikes are each heard from their own direction") {
     ModalObject object = radiatingObject();
     addThirdDirection(object);
     const auto played = [&](bool first, bool second) {
@@ -120,7 +121,7 @@ TEST_CASE("Blows under way at a time are each heard from their own direction") {
         std::vector<float> sound;
         for (int c = 0; c < 30; ++c) {
             std::array<float, cellSamples> cell{};
-            settings.frequencyRatio = c < 6 ? 1 : 1.01; // contacts move with their poles
+            settings.frequencyRatio = c < 6 ? 1 : 1.01; // contacts follow the moving poles
             synthesiser.setSettings(settings);
             synthesiser.beginCell(CellOutput(cell));
             Strike strike = unitStrike(0.012);
@@ -141,7 +142,7 @@ TEST_CASE("Blows under way at a time are each heard from their own direction") {
     CHECK(peak > 0);
 }
 
-TEST_CASE("A force that is heard from a direction sounds as that direction does") {
+TEST_CASE("A force with a direction sounds like that direction") {
     ModalObject all = radiatingObject(), alone = radiatingObject();
     addThirdDirection(all);
     alone.radiation.weights.assign(thirdWeights.begin(), thirdWeights.end());
@@ -177,7 +178,7 @@ TEST_CASE("A force that is heard from a direction sounds as that direction does"
     CHECK(found != own);
 }
 
-TEST_CASE("Heard where it is struck, an object sounds the same in both channels as in one") {
+TEST_CASE("An object heard near sounds the same in both channels as in mono") {
     const ModalObject object = radiatingObject();
     const Stereo sound = play(object, 60, [](int) { return 0.0; });
     CHECK(sound.left == sound.right);
@@ -186,7 +187,7 @@ TEST_CASE("Heard where it is struck, an object sounds the same in both channels 
     CHECK(sound.left == render(mono, {{0, unitStrike()}, {40 * 64, unitStrike(0.003)}}, 60));
 }
 
-TEST_CASE("A second strike that is heard from afar leaves what rings as it was") {
+TEST_CASE("A second strike heard far leaves the ringing sound unchanged") {
     const ModalObject object = radiatingObject();
     const auto later = [](int cell) { return cell < 20 ? 0.0 : 1.0; };
     const Stereo sound = play(object, 80, later);
@@ -194,7 +195,7 @@ TEST_CASE("A second strike that is heard from afar leaves what rings as it was")
     const Stereo alone = play(object, 80, [](int) { return 1.0; });
     for (std::size_t n = 0; n < 40 * 64; ++n)
         REQUIRE(sound.left[n] == near.left[n]);
-    // From the second strike on: the first as heard near, the second from afar.
+    // From the second strike on: the first one near, the second one far.
     double worst = 0, peak = 0;
     for (std::size_t n = 40 * 64; n < sound.left.size(); ++n) {
         const double first = reference(object, 0, 0, double(n));
@@ -207,8 +208,7 @@ TEST_CASE("A second strike that is heard from afar leaves what rings as it was")
     CHECK(sound.left != sound.right);
 }
 
-TEST_CASE(
-    "A contact sounds the force at once and the motion it makes, as complex weights hear it") {
+TEST_CASE("A contact sounds its force at once and its motion through complex weights") {
     const ModalObject object = radiatingObject();
     for (const double milliseconds : {0.4, 3.0, 20.0}) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
@@ -238,14 +238,14 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A force that rests is silent from afar, as pressure follows acceleration") {
+TEST_CASE("A constant force is silent when heard far, as pressure follows acceleration") {
     const ModalObject object = radiatingObject();
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
     SynthesisSettings settings = exactSettings();
     settings.radiation = 1;
     synthesiser.setSettings(settings);
     double loudest = 0, last = 0;
-    for (int c = 0; c < 1400; ++c) { // a ramp of 0.15 s to 1 N, which then rests
+    for (int c = 0; c < 1400; ++c) { // a ramp of 0.15 s to 1 N, then constant
         std::array<float, cellSamples> left{}, right{}, newtons{};
         for (std::size_t i = 0; i < cellSamples; ++i)
             newtons[i] = std::min(1.0f, static_cast<float>(c * 64 + static_cast<int>(i)) / 6615);
@@ -263,7 +263,7 @@ TEST_CASE("A force that rests is silent from afar, as pressure follows accelerat
     CHECK(last < 1e-3 * loudest);
 }
 
-TEST_CASE("On the way from near to afar no mode is fainter than both ends allow") {
+TEST_CASE("A blend of near and far has the blended magnitude at any phase difference") {
     for (double turn = 0; turn < 2 * std::numbers::pi; turn += 0.1)
         for (const float share : {0.0f, 0.2f, 0.5f, 0.7f, 1.0f}) {
             const std::complex<float> near(2, 0), far = std::polar(3.0f, static_cast<float>(turn));
@@ -271,7 +271,7 @@ TEST_CASE("On the way from near to afar no mode is fainter than both ends allow"
         }
 }
 
-TEST_CASE("A complex gain turns what is heard near") {
+TEST_CASE("A complex gain turns the phase of the near sound") {
     ModalObject object = ringingObject({440}, 10);
     object.gains = {{0.5f, -0.25f}};
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
@@ -282,7 +282,7 @@ TEST_CASE("A complex gain turns what is heard near") {
           -95);
 }
 
-TEST_CASE("Weights are read where frequency times size now is") {
+TEST_CASE("Radiation weights are read at the current frequency times size") {
     const ModalObject object = radiatingObject();
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
     SynthesisSettings settings = exactSettings();
@@ -296,14 +296,14 @@ TEST_CASE("Weights are read where frequency times size now is") {
     CHECK(left == right);
 }
 
-TEST_CASE("Weights that move during a contact make no step") {
+TEST_CASE("Weights that move during a contact cause no step") {
     ModalObject object = radiatingObject();
     for (std::size_t k = 0; k < 18; ++k)
         object.radiation.weights[k] = std::complex<float>(k / 3 % 3 == 1   ? 0.1f
                                                           : k / 3 % 3 == 2 ? 0.9f
                                                                            : 0.0f,
                                                           k / 3 % 3 == 2 ? 0.5f : 0.2f);
-    // The frequency moves weights and poles; with the size it moves the weights alone.
+    // The frequency moves weights and poles; together with the size it moves the weights only.
     for (const bool polesMove : {true, false}) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
         SynthesisSettings settings = exactSettings();
@@ -331,7 +331,7 @@ TEST_CASE("Weights that move during a contact make no step") {
     }
 }
 
-TEST_CASE("What fades in two channels goes on in both while the object is struck in a new tuning") {
+TEST_CASE("Fades in two channels stay in both when the object is struck in a new tuning") {
     ModalObject object = radiatingObject();
     object.radiation.weights = {1, 1, 1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
     Synthesiser synthesiser({slotOf(object)}, sampleRate, 2);
@@ -360,8 +360,7 @@ TEST_CASE("What fades in two channels goes on in both while the object is struck
     CHECK(loudest > 0.01);
 }
 
-TEST_CASE(
-    "An object that was silent sounds in one channel again when it is struck to be heard near") {
+TEST_CASE("An object that fell silent returns to one channel when a strike is heard near") {
     std::vector<double> frequencies;
     for (int k = 0; k < 1000; ++k)
         frequencies.push_back(100 + 20 * k);

@@ -6,9 +6,9 @@
 
 using namespace idiophone;
 
-TEST_CASE("A strike point is the nearest vertex that carries shapes, with its outward normal") {
+TEST_CASE("A strike point is the nearest vertex with shapes, with its outward normal") {
     auto object = test::syntheticObject({440});
-    object.vertices = {0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1}; // stands upright, facing -y
+    object.vertices = {0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 1}; // upright, facing -y
     object.shapeVertices = {1, 3};
     object.shapes.resize(6);
     const StrikePoints points(std::make_shared<const ModalObject>(object));

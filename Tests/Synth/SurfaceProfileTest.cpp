@@ -15,7 +15,7 @@ namespace {
 constexpr double rateHz = 48000;
 constexpr auto period = static_cast<double>(SurfaceProfile::periodSamples);
 
-/// Read at a fraction of the reference speed, from `start` on and round again.
+/// Reads the profile at a fraction of the reference speed, from `start` on, periodically.
 std::vector<float>
 readAt(const SurfaceProfile& profile, double speedRatio, std::size_t count, double start = 0) {
     std::vector<float> result(count);
@@ -25,7 +25,7 @@ readAt(const SurfaceProfile& profile, double speedRatio, std::size_t count, doub
     return result;
 }
 
-/// The slope of log power density over log frequency, by least squares on third octaves.
+/// Returns the slope of log power density over log frequency, by least squares on third octaves.
 double spectralSlope(const Periodogram& spectrum, double lowHz, double highHz) {
     double n = 0, sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
     for (double centre = lowHz * 1.13; centre * 1.13 < highHz; centre *= 1.26) {
@@ -39,7 +39,7 @@ double spectralSlope(const Periodogram& spectrum, double lowHz, double highHz) {
 
 } // namespace
 
-TEST_CASE("The profile's spectral slope is β within 0.05, read at any speed") {
+TEST_CASE("The profile's spectral slope is β within 0.05 at any speed") {
     const double exponent = GENERATE(-1.66, -1.22, -0.5, 0.0);
     const double speedRatio = GENERATE(1.0, 0.37);
     const SurfaceProfile profile({.spectrumExponent = exponent}, rateHz, 11);
@@ -60,7 +60,7 @@ TEST_CASE("Over a period the profile's mean is 0 and its rms 1") {
     CHECK_THAT(std::sqrt(squares / period), WithinAbs(1, 1e-3));
 }
 
-TEST_CASE("The profile comes round without a seam") {
+TEST_CASE("The profile repeats without a seam") {
     const SurfaceProfile profile({.spectrumExponent = -1.4}, rateHz, 3);
     CHECK_THAT(profile.at(std::nextafter(period, 0.0)), WithinAbs(profile.at(0), 1e-6));
     // The curvature at the seam is as small as elsewhere.
@@ -76,7 +76,7 @@ TEST_CASE("The profile comes round without a seam") {
         CHECK(bend(place) <= 1.5 * usual);
 }
 
-TEST_CASE("A seed gives one profile, and another seed another") {
+TEST_CASE("Equal seeds give equal profiles, and different seeds different ones") {
     const Surface surface;
     const SurfaceProfile first(surface, rateHz, 5), again(surface, rateHz, 5),
         other(surface, rateHz, 6);
@@ -89,7 +89,7 @@ TEST_CASE("A seed gives one profile, and another seed another") {
     CHECK(std::abs(product / period) < 0.2);
 }
 
-TEST_CASE("Read at a thirtieth of v_max, a white profile's images lie 36 dB below it") {
+TEST_CASE("A white profile's images are 36 dB down when read at a thirtieth of v_max") {
     const SurfaceProfile profile({.spectrumExponent = 0}, rateHz, 5);
     const Periodogram spectrum(readAt(profile, 1.0 / 30, std::size_t{1} << 19), rateHz);
     const double bandHz = rateHz / 2 / 30;
@@ -97,7 +97,7 @@ TEST_CASE("Read at a thirtieth of v_max, a white profile's images lie 36 dB belo
     CHECK(10 * std::log10(images / spectrum.power(0, bandHz)) < -36);
 }
 
-TEST_CASE("A surface with a figure out of its range is refused with one sentence that names it") {
+TEST_CASE("A surface with a value out of range is refused with a message that names it") {
     CHECK(validated(Surface{}));
     const auto refused = [](Surface surface) {
         const auto result = validated(surface);

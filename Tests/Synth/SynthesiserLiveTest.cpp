@@ -1,4 +1,4 @@
-// Frequencies, size and damping that change, before and while objects ring.
+// Tests frequency, size and damping that change before and while objects ring.
 #include "ModalReference.h"
 #include "Support/PoleFit.h"
 #include "Synth/ModalPole.h"
@@ -29,7 +29,7 @@ TEST_CASE("Live material moves frequencies by exactly the root of Y/rho") {
     CHECK(std::abs(cents(fitPole(output, sampleRate, expected, 0.5).frequencyHz, expected)) < 1e-3);
 }
 
-TEST_CASE("A quarter of the density or half the size is the object with eigenvalues times four") {
+TEST_CASE("A quarter of the density or half the size equals four times the eigenvalues") {
     ModalObject object = ringingObject({440, 1999});
     ModalObject doubled = object;
     for (double& eigenvalue : doubled.eigenvalues)
@@ -57,7 +57,7 @@ TEST_CASE("A quarter of the density or half the size is the object with eigenval
     check(settings, 1, 1);
 }
 
-TEST_CASE("A slot's own material goes before that of the settings until it is lifted") {
+TEST_CASE("A slot's own material overrides the settings' until it is lifted") {
     const LiveMaterial steel{2e11, 7850, {2, 1e-8}}, wood{1e10, 600, {20, 2e-7}};
     const auto plays = [&](std::size_t slot, const LiveMaterial& atFirst) {
         const ModalObject object = ringingObject({440, 1999});
@@ -88,7 +88,7 @@ TEST_CASE("A slot's own material goes before that of the settings until it is li
     CHECK_FALSE(plays(0, wood));
 }
 
-TEST_CASE("A pole that moves while it rings makes no step") {
+TEST_CASE("A pole that moves while it rings causes no step") {
     const int moveCell = GENERATE(10, 11, 12, 13, 14, 15);
     const ModalObject object = ringingObject({440});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
@@ -97,7 +97,7 @@ TEST_CASE("A pole that moves while it rings makes no step") {
         if (cell == moveCell)
             synthesiser.setFrequencyRatio(0, 1.3);
     });
-    // A sinusoid of amplitude 1 moves at most ω/f_s in a sample; a step of 0.3 would show.
+    // A sinusoid of amplitude 1 changes by at most ω/f_s per sample; a step of 0.3 would show.
     const double most = 2 * std::numbers::pi * 440 * 1.3 / sampleRate;
     double largest = 0;
     for (std::size_t k = 1; k < output.size(); ++k)
@@ -120,7 +120,7 @@ TEST_CASE("Crossing critical damping and back keeps velocity and displacement") 
         settings.material = LiveMaterial{1e10, 1000, {cell == 7 ? heavy : light, 0}};
         synthesiser.setSettings(settings);
     });
-    // Each stretch is the power series of the equation of motion, sample by sample.
+    // Reference: the power series of the equation of motion, sample by sample.
     double v = 1;
     double u = 0;
     double error = 0;
@@ -154,7 +154,7 @@ TEST_CASE("Poles and dampers that move during a contact follow the forced equati
             synthesiser.setFrequencyRatio(0, 1.3);
             synthesiser.setDamping(0, damped ? 100 : 0);
         });
-    // Runge-Kutta of v' = −(d + δ) v − λ u + f, u' = v − δ u; where the pole moves, the complex
+    // Runge-Kutta of v' = −(d + δ) v − λ u + f, u' = v − δ u. When the pole moves, the complex
     // velocity amplitude stays.
     ModalPole pole{object.eigenvalues[0], 20};
     double delta = 0;
@@ -200,7 +200,7 @@ TEST_CASE("Poles and dampers that move during a contact follow the forced equati
     CHECK(20 * std::log10(error / peak) < -100);
 }
 
-TEST_CASE("A size whose cube or its reciprocal no number holds is ignored") {
+TEST_CASE("A size whose cube or reciprocal cube overflows is ignored") {
     const double size = GENERATE(1e-110, 1e-50, 1e50, 1e110);
     const ModalObject object = ringingObject({440});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);

@@ -1,4 +1,4 @@
-// The synthesiser's sound against equations 6 to 11 evaluated directly.
+// Compares the synthesiser's sound with equations 6 to 11, evaluated directly.
 #include "Synth/Synthesiser.h"
 #include "ModalReference.h"
 
@@ -27,7 +27,7 @@ TEST_CASE("Modes of 30 Hz, 440 Hz and 15 kHz follow eq. 6 to 11 for 10 s within 
     CHECK(errorDb(output, expected, 441000) < -110);
 }
 
-TEST_CASE("A hundred modes together stay within -110 dB") {
+TEST_CASE("A hundred modes together follow the closed form within -110 dB") {
     std::vector<double> frequencies;
     std::vector<ReferenceMode> modes;
     for (int k = 0; k < 100; ++k)
@@ -61,7 +61,7 @@ TEST_CASE("A strike at any sample, whole or fractional, acts at that sample") {
 }
 
 TEST_CASE("Overlapping raised-cosine strikes equal quadrature of the convolution within -100 dB") {
-    // Within a cell, across a boundary, and longer than several cells.
+    // Contacts within a cell, across a boundary, and longer than several cells.
     const double contactSeconds = GENERATE(5e-5, 1e-4, 4.7e-4, 2.3e-3, 6.4e-3);
     const ModalObject object = syntheticObject({97, 440, 5000});
     std::vector<ReferenceMode> modes;
@@ -104,7 +104,7 @@ TEST_CASE("Contacts and impulses under a damper equal damped quadrature within -
           }) < -100);
 }
 
-TEST_CASE("A damper multiplies what rings by exp(-dt) from its grid point until it lifts") {
+TEST_CASE("A damper multiplies ringing modes by exp(-dt) from its grid point until it lifts") {
     const ModalObject object = syntheticObject({440, 1234});
     const auto play = [&](bool damped) {
         Synthesiser synthesiser({slotOf(object)}, sampleRate);
@@ -144,7 +144,7 @@ TEST_CASE("A degenerate pair sounds the same in any basis") {
     const double angle = GENERATE(0.3, 0.9, 2.2);
     const auto play = [](double turn) {
         ModalObject object = syntheticObject({440, 440});
-        // Two shapes in the plane of x and z, turned against each other.
+        // Two shapes in the x-z plane, rotated into each other.
         for (std::size_t row = 0; row < object.shapeVertexCount(); ++row) {
             float* shape = object.shapes.data() + row * 6;
             const double c = std::cos(turn);
@@ -171,7 +171,7 @@ TEST_CASE("A degenerate pair sounds the same in any basis") {
           }) < -130);
 }
 
-TEST_CASE("A strike between vertices takes the weighted shape, and no weight reads no row") {
+TEST_CASE("A strike between vertices uses the weighted shape, and zero weights read no row") {
     ModalObject object = ringingObject({440});
     for (std::size_t row = 0; row < 4; ++row)
         object.shapes[row * 3 + 2] = static_cast<float>(row);
@@ -184,7 +184,7 @@ TEST_CASE("A strike between vertices takes the weighted shape, and no weight rea
     CHECK(std::abs(output[0] - 2.25f) < 1e-6f); // (0.75 · 1 + 0.25 · 3)²
 }
 
-TEST_CASE("A strike straight into the surface starts outward-in, whatever the shape's sign") {
+TEST_CASE("A strike straight into the surface starts positive, whatever the shape's sign") {
     for (const float gain : {1.0f, -1.0f}) {
         Synthesiser synthesiser({slotOf(ringingObject({440}, 1, {gain}))}, sampleRate);
         const auto output = render(synthesiser, {{0, unitStrike()}}, 1);
@@ -192,7 +192,7 @@ TEST_CASE("A strike straight into the surface starts outward-in, whatever the sh
     }
 }
 
-TEST_CASE("Setting the same again changes no bit of the output") {
+TEST_CASE("Repeated equal settings change no bit of the output") {
     const auto play = [](bool again) {
         Synthesiser synthesiser({slotOf(syntheticObject({440, 441, 2000}))}, sampleRate);
         SynthesisSettings settings;
@@ -210,7 +210,7 @@ TEST_CASE("Setting the same again changes no bit of the output") {
     CHECK(play(true) == play(false));
 }
 
-TEST_CASE("Slots that share an object sound apart and add up") {
+TEST_CASE("Slots that share an object sound independently and add up") {
     const auto object = std::make_shared<const ModalObject>(syntheticObject({440}));
     const auto play = [&](std::vector<TimedStrike> strikes) {
         Synthesiser synthesiser({{object, 1}, {object, 0.5}}, sampleRate);
@@ -226,7 +226,7 @@ TEST_CASE("Slots that share an object sound apart and add up") {
           }) < -130);
 }
 
-TEST_CASE("The 65th contact is refused and an ideal impulse is still taken") {
+TEST_CASE("The 65th contact is refused and an ideal impulse is still accepted") {
     Synthesiser synthesiser({slotOf(syntheticObject({440}))}, sampleRate);
     std::array<float, cellSamples> cell{};
     synthesiser.beginCell(cell);
@@ -241,7 +241,7 @@ TEST_CASE("The 65th contact is refused and an ideal impulse is still taken") {
     CHECK(synthesiser.strike(0, unitStrike(0.01), 0, cell));
 }
 
-TEST_CASE("Strikes and settings that make no sense are refused and do no harm") {
+TEST_CASE("Invalid strikes and settings are refused without effect") {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     Synthesiser synthesiser({slotOf(syntheticObject({440})), {nullptr, 1}, slotOf({})}, sampleRate);
     std::array<float, cellSamples> cell{};
@@ -276,7 +276,7 @@ TEST_CASE("Strikes and settings that make no sense are refused and do no harm") 
           }) < -110);
 }
 
-TEST_CASE("A blow that would move a mode beyond all reason is refused, and what rings rings on") {
+TEST_CASE("A strike that would move a mode absurdly fast is refused, and ringing modes ring on") {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const float shape = GENERATE_COPY(1.1e9f, -3e20f, 3e38f, infinity, nan);
@@ -305,7 +305,7 @@ TEST_CASE("A blow that would move a mode beyond all reason is refused, and what 
     CHECK_FALSE(spared.silent());
 }
 
-TEST_CASE("The hardest blows that are taken sound finite, however many they are") {
+TEST_CASE("The hardest accepted strikes sound finite in any number") {
     const double seconds = GENERATE(0.0, 0.001);
     const double damping = GENERATE(0.0, 1e4);
     ModalObject object =
@@ -319,7 +319,7 @@ TEST_CASE("The hardest blows that are taken sound finite, however many they are"
     settings.radiation = 0.5;
     synthesiser.setSettings(settings);
     Strike hardest = unitStrike(seconds);
-    hardest.impulseNewtonSeconds[2] = -5; // of a mallet of 0.5 kg at 10 m/s
+    hardest.impulseNewtonSeconds[2] = -5; // a mallet of 0.5 kg at 10 m/s
     std::array<float, cellSamples> left{}, right{}, newtons{};
     newtons.fill(1e12f);
     const auto isFinite = [](float x) { return std::isfinite(x); };
@@ -340,7 +340,7 @@ TEST_CASE("The hardest blows that are taken sound finite, however many they are"
     CHECK(taken > 500);
 }
 
-TEST_CASE("Reset silences at once and the object plays as new") {
+TEST_CASE("Reset silences at once and the object then plays like a new one") {
     const ModalObject object = syntheticObject({440, 1000});
     Synthesiser synthesiser({slotOf(object)}, sampleRate);
     const auto first = render(synthesiser, {{0, unitStrike(2e-3)}}, 50);

@@ -1,4 +1,4 @@
-// Discs over the tubes: what tubes add to the sound of their bars pulses, and nothing else.
+// Tests discs over the tubes: the tubes' part of the sound pulses, and nothing else does.
 #include "ModalReference.h"
 #include "Synth/TubeShares.h"
 
@@ -16,14 +16,14 @@ constexpr double sampleRate = 48000;
 constexpr std::complex<float> sharedGain{1.5f, 0.4f};
 constexpr double sharedHz = 300, higherSharedHz = 312, ownHz = 1220;
 
-/// A bar of one mode that it shares with its tube as a pair, and of one of its own.
+/// A bar with a pair of modes that it shares with its tube, and one separate mode.
 ModalObject barOverTube() {
     ModalObject bar = ringingObject({sharedHz, higherSharedHz, ownHz}, 10);
     bar.gains = {sharedGain, -sharedGain, 1};
     return bar;
 }
 
-/// Of the pair alone, or of the mode of its own alone.
+/// Only the pair, and only the separate mode.
 ModalObject pairAlone() {
     ModalObject pair = ringingObject({sharedHz, higherSharedHz}, 10);
     pair.gains = {sharedGain, -sharedGain};
@@ -33,13 +33,13 @@ ModalObject ownAlone() {
     return ringingObject({ownHz}, 10);
 }
 
-/// Open, closed and open again within 80 cells; 24 Hz, as fast as a motor's 12 turns a second, is
-/// 31.
+/// Open, closed and open again within 80 cells. At 24 Hz, for a motor's maximum of 12 turns a
+/// second, the period is 31 cells.
 double openingAfter(double cells) {
     return (1 + std::cos(2 * std::numbers::pi * cells / 80)) / 2;
 }
 
-/// Linear from cell to cell.
+/// The opening, linear from cell to cell.
 double openingAt(double sample) {
     const double cells = (sample + 1) / cellSamples;
     const double before = std::floor(cells);
@@ -90,7 +90,7 @@ TubeOpening closed(int) {
 
 } // namespace
 
-TEST_CASE("A tube's share is what it radiates of a mode that it shares, and none of others") {
+TEST_CASE("A tube's share is its part of a shared mode's radiation, and 0 for other modes") {
     auto bar = barOverTube();
     CHECK(tubeShares(ownAlone()).empty());
     CHECK(tubeShares(bar) == std::vector<float>{1, 1, 0});
@@ -107,13 +107,13 @@ TEST_CASE("A tube's share is what it radiates of a mode that it shares, and none
     for (const float share : radiate(0, {0.5f, -0.2f}))
         CHECK((share == 0 || std::abs(share - 1) < 1e-6f));
     CHECK(std::abs(radiate({0.4f, 0.3f}, 0)[0]) < 1e-6f);
-    // In phase with the bar's own.
+    // In phase with the bar's radiation.
     const auto half = radiate(1.0f / gain, 1);
     CHECK_THAT(half[0], Catch::Matchers::WithinAbs(0.5, 1e-6));
     CHECK(half[2] == 0);
 }
 
-TEST_CASE("Discs multiply what bar and tube share by their opening, and leave all else as it is") {
+TEST_CASE("Discs multiply the shared modes by their opening and leave all other modes unchanged") {
     const double contactSeconds = GENERATE(0.0, 4e-4, 0.03);
     const double damping = GENERATE(0.0, 20.0);
     CAPTURE(contactSeconds, damping);
@@ -146,7 +146,7 @@ TEST_CASE("Discs multiply what bar and tube share by their opening, and leave al
           }) < -105);
 }
 
-TEST_CASE("Discs multiply what bar and tube share of a continuous force") {
+TEST_CASE("Discs multiply the shared modes of a continuous force by their opening") {
     const auto sound = forced(barOverTube(), openingOf);
     const auto shared = forced(pairAlone(), full);
     const auto own = forced(ownAlone(), full);
@@ -156,7 +156,7 @@ TEST_CASE("Discs multiply what bar and tube share of a continuous force") {
           }) < -105);
 }
 
-TEST_CASE("From afar discs close what the tube radiates, and what the bar radiates stays") {
+TEST_CASE("Discs close the tube's radiation and leave the bar's radiation when heard far") {
     const double contactSeconds = GENERATE(0.0, 0.03);
     auto bar = barOverTube();
     const std::complex<float> gain{0.7f, 0.2f}, otherGain = 1.0f - gain;
@@ -189,7 +189,7 @@ TEST_CASE("From afar discs close what the tube radiates, and what the bar radiat
           }) < -105);
 }
 
-TEST_CASE("Discs that stay open, or an object without a tube, sound to the last bit as without") {
+TEST_CASE("Open discs, or an object without a tube, change no bit") {
     const std::vector<TimedStrike> strikes{{5.5, unitStrike()}, {900, unitStrike(0.003)}};
     const auto bar = barOverTube();
     Synthesiser without({slotOf(bar)}, sampleRate);
@@ -205,7 +205,7 @@ TEST_CASE("Discs that stay open, or an object without a tube, sound to the last 
     CHECK(forced(open, openingOf) == forcedAlone);
 }
 
-TEST_CASE("Under closed discs shared modes that leave and return are not heard") {
+TEST_CASE("Shared modes that leave and return under closed discs stay silent") {
     const std::vector<TimedStrike> strikes{{5.5, unitStrike(0.001)}};
     const auto pair = pairAlone();
     const auto loudest = [&](const TubeOpening& opening, const auto& changeBefore) {
@@ -248,7 +248,7 @@ TEST_CASE("Under closed discs shared modes that leave and return are not heard")
     }
 }
 
-TEST_CASE("Discs keep to what bar and tube share where other modes merge and part") {
+TEST_CASE("Discs only act on shared modes while other modes merge and split") {
     const std::vector<TimedStrike> strikes{{5.5, unitStrike()}};
     const auto heard = [&](bool withPair) {
         auto object = ringingObject(withPair ? std::vector<double>{200, 200.05, 300, 312, 1220}
