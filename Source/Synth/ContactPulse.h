@@ -36,8 +36,8 @@ private:
 };
 
 /// Returns the contact time to use for T. If a resonance f has |fT − 1| < 1 %, the closed form
-/// would be the small difference of large numbers. Then T changes by up to 3 %, to the nearest time
-/// that is clear of all resonances or, if there is none, to the clearest.
+/// would be the small difference of large numbers. T then changes by up to 3 %, to the nearest time
+/// that is clear of all resonances. If there is none, it takes the clearest one.
 double contactSecondsClearOf(std::span<const double> ascendingResonancesHz,
                              double seconds) noexcept;
 

@@ -56,8 +56,8 @@ struct ChannelResidues {
 };
 using ModeResidues = std::array<ChannelResidues, mostChannels>;
 
-/// State increments that a contact adds to all modes of a bank, and their |s|² in the louder
-/// channel (for heavy modes the square of `amplitudeBound`).
+/// State increments that a contact adds to all modes of a bank. `energies` is their |s|² in the
+/// louder channel; for heavy modes it is the square of `amplitudeBound`.
 struct ModeKicks {
     std::array<AlignedVector<float>, mostChannels> x;
     std::array<AlignedVector<float>, mostChannels> y;
@@ -88,8 +88,8 @@ struct ModeShare {
     double share = 0;
 };
 
-/// A time between two samples: the part of a sample up to the later one (below 1), and a factor
-/// that multiplies states on the way there, besides their free motion.
+/// A time between two samples. `samples` is the part of a sample up to the later one (below 1).
+/// `factor` multiplies states on the way there, besides their free motion.
 struct BeforeSample {
     double samples = 0;
     double factor = 1;

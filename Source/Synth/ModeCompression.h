@@ -26,8 +26,8 @@ inline bool isShared(std::span<const std::complex<float>> gains, std::size_t mod
 /// Groups modes in ascending order into contiguous runs and returns the number G of groups. Group g
 /// is the modes groupStarts[g] to groupStarts[g+1] − 1 (`groupStarts` has room for M + 1).
 ///
-/// A mode joins the group before it if, compared with the group's FIRST mode, all of this holds (a
-/// comparison with the last mode could merge everything in a chain):
+/// A mode joins the previous mode's group if all of this holds against the group's FIRST mode (a
+/// chain of comparisons could merge everything):
 ///  - its damped frequency differs by at most compression · D;
 ///  - they do not beat audibly: |Δω| ≤ (α_i + α_j)/2, so they decay within one beat;
 ///  - both oscillate (over-damped modes have no frequency to compare);

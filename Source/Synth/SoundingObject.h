@@ -1,6 +1,6 @@
-// A resonator: one slot of the synthesiser, with the groups of modes of an object, their states,
-// and the sets of ringing and mixed modes. It renders cells and takes strikes; the budget comes
-// from the synthesiser.
+// A resonator, one slot of the synthesiser: the groups of modes of an object, their states, and the
+// sets of ringing and mixed modes. It renders cells and takes strikes; the budget comes from the
+// synthesiser.
 #pragma once
 
 #include "Synth/AccelerationNoise.h"
@@ -289,8 +289,7 @@ private:
     std::vector<std::int32_t> activeBlocks; ///< ascending
     std::vector<Contact> contacts;
     std::vector<Contact> clicks; ///< of the rigid body, stored as contacts with a sine response
-    std::optional<KickMove>
-        keptKicks; ///< pending increments, until the states take them in at the grid point
+    std::optional<KickMove> keptKicks; ///< move of the pending `kicks` to the next grid point
 
     // Requested values and values in effect.
     double requestedDamping = 0;
@@ -304,8 +303,8 @@ private:
     Hearing hearing;          ///< for strikes from now on
     RigidRadiator rigidBody;  ///< at the reference size
     double sizeNow = 1;       ///< size over the reference size, for strikes from now on
-    /// Frequency times size, relative to the reference: the wanted argument of the radiation table.
-    /// Then the argument and the `StrikePoint::heardFrom` of the current weights.
+    /// Frequency times size over the reference's, the radiation table's argument: as wanted, and as
+    /// last read with `radiationHeardFrom` for `StrikePoint::heardFrom`.
     double wantedRadiationRatio = 1;
     double radiationRatio = 0;
     std::int32_t radiationHeardFrom = -1;
@@ -321,8 +320,7 @@ private:
     double thicknessRatio = 1;                ///< 1 if the object has no live thickness
     std::vector<double> modeEigenvalues;      ///< [M] reference eigenvalues at that thickness
     std::vector<double> referenceEigenvalues; ///< [G] the same of the groups
-    bool eigenvaluesAreBehind =
-        false; ///< both do not yet follow the thickness and the imperfection
+    bool eigenvaluesAreBehind = false; ///< both ignore a new thickness or imperfection so far
     double imperfection = 0;
     std::vector<ModePair> pairs;
     std::vector<ModeDamping> dampings;      ///< [M], or empty: the law's

@@ -122,7 +122,7 @@ bool SoundingObject::holdsAboveTau() const noexcept {
     return false;
 }
 
-/// Fades modes that become inaudible with their old poles: beyond the band the new ones would
+/// Fades out newly inaudible modes, still with their old poles: beyond the band the new ones would
 /// alias.
 void SoundingObject::fadeInaudible() noexcept {
     scratch.leaving.clear();

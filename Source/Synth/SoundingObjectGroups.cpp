@@ -38,7 +38,7 @@ void SoundingObject::regroup(std::size_t groups) noexcept {
 }
 
 /// Divides a group's state among its modes by their mean-square shapes, as if the object had been
-/// struck everywhere, because struck points are not stored.
+/// struck everywhere. The struck points are not stored.
 void SoundingObject::shareGroups(std::size_t groups) noexcept {
     scratch.groupShares.clear();
     const std::span<const double> weights(*modeWeights);
@@ -104,8 +104,8 @@ void SoundingObject::handOnFlags() noexcept {
     }
 }
 
-/// Fades changes with the old poles: unmixed modes that join a mixed group fade in, and modes that
-/// become inaudible fade out.
+/// Fades the changes, still with the old poles. Unmixed modes that join a mixed group fade in, and
+/// modes that become inaudible fade out.
 void SoundingObject::fadeChanges() noexcept {
     auto& fading = scratch.fadingShares;
     for (std::size_t g = 0; g < bank.size(); ++g)

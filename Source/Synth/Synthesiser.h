@@ -69,7 +69,7 @@ public:
     /// to 3 %.
     ///
     /// Returns false and does nothing if 64 contacts that outlast this cell are under way in this
-    /// slot; if the slot, a shape row or the direction does not exist; if `sampleInCell` or the
+    /// slot; if the slot, a shape row or the far direction does not exist; if `sampleInCell` or the
     /// duration is out of range; if a value is not finite; or if a mode would move faster than 1e17
     /// m/s.
     bool strike(std::size_t slot,
