@@ -65,7 +65,7 @@ ModalBank::directSound(const ModeResidues& residues, std::span<const ModeRun> ru
             for (std::size_t c = 0; c < channelCount; ++c)
                 sums[c] -= residues[c].re[g] * restRe - residues[c].im[g] * restIm;
         }
-    // Heavy modes have rotations of 0 above. Their whole first sample sounds.
+    // Heavy modes have rotations of 0 in the loop above. Let their whole first sample sound.
     for (const HeavyMode& heavy : heavyModes)
         if (const std::size_t g = index(heavy.mode); isIn(runs, heavy.mode))
             for (std::size_t c = 0; c < channelCount; ++c)
