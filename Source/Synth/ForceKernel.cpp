@@ -62,7 +62,6 @@ HWY_INLINE Complex joined(const Complex (&sums)[subBlocks], Complex subBlock) {
     return all;
 }
 
-/// The state increments of a force for a batch of modes.
 template <std::size_t Channels>
 struct Increments {
     alignas(64) float x[Channels][batchModes];

@@ -32,7 +32,6 @@ struct ModePart {
     float share = 1;
 };
 
-/// States of all modes of a bank in each channel.
 struct ModeStates {
     std::array<AlignedVector<double>, mostChannels> x;
     std::array<AlignedVector<double>, mostChannels> y;
@@ -98,7 +97,6 @@ struct BeforeSample {
 /// The buffers that each channel is added to.
 using ChannelOutputs = std::array<float*, mostChannels>;
 
-/// A cell of each channel.
 using CellSound = std::array<std::array<float, cellSize>, mostChannels>;
 
 inline ChannelOutputs outputsOf(CellSound& sound) noexcept {
@@ -205,7 +203,6 @@ public:
                     const BeforeSample& before,
                     ModeKicks& kicks) const noexcept;
 
-    /// Sets the increments to 0.
     void clearKicks(ModeKicks& kicks) const noexcept;
     /// Adds residues times the unit's states times `factor`, with the immediate sound of the
     /// contact's force `share` (0 to 2, in units of 1/T).

@@ -78,7 +78,6 @@ void mixModes(const float* tables,
               std::size_t blocks,
               float* output) noexcept;
 
-/// The result of a survey of some blocks.
 struct EnergySurvey {
     double amplitudes = 0;  ///< Σ |s| over the modes above τ
     std::int32_t modes = 0; ///< number of modes above τ

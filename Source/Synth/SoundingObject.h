@@ -32,7 +32,6 @@ namespace idiophone {
 /// its end.
 class SoundingObject {
 public:
-    /// Maximum number of simultaneous contacts.
     static constexpr std::size_t contactCapacity = 64;
 
     using ModeWeights = std::shared_ptr<const std::vector<double>>;
