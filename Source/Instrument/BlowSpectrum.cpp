@@ -31,7 +31,7 @@ PressedMotion::PressedMotion(const Strike& strike) noexcept
       forceRate(impulseOf(strike) / seconds * omega) {}
 
 std::complex<double> PressedMotion::velocity(double stiffness, double modeOmega) const noexcept {
-    constexpr double stiffEnough = 1.7; // from 1.3/T on; by comparison with renders
+    constexpr double stiffEnough = 1.7; // λ ≥ (1.3 · 2π/T)²; by comparison with renders
     const double square = omega * omega;
     if (!(stiffness > stiffEnough * square) || !(modeOmega > 0))
         return 0;

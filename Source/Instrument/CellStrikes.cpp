@@ -39,7 +39,7 @@ bool CellStrikes::strike(std::size_t slot,
     const auto& output = cell.cellsOfSlots[slot];
     if (synthesiser.strike(slot, strike, within, output))
         return true;
-    // An impulse needs no room: what refuses it would refuse its parts for ever.
+    // Impulses use no contact. If the synthesiser refused one, it would refuse its parts too.
     if (!synthesiser.contactsUsedUp(slot) || !(strike.durationSeconds > 0))
         return false;
     auto impulse = strike;

@@ -1,5 +1,5 @@
-// Strikes at their samples of a synthesiser's cells, none of which is lost: what is to come waits,
-// and what finds no room among an object's contacts comes as impulses instead.
+// Places strikes at their samples in a synthesiser's cells. Later strikes wait. A strike that finds
+// an object's contacts in use becomes impulses, so none is lost.
 #pragma once
 
 #include "Instrument/PendingStrikes.h"
@@ -12,15 +12,15 @@
 
 namespace idiophone {
 
-/// The cell that a synthesiser has begun last, and where each of its slots sounds.
+/// The newest cell that a synthesiser has begun, and the output of each of its slots.
 struct BegunCell {
     Synthesiser& synthesiser;
     std::span<const CellOutput> cellsOfSlots;
     std::int64_t index = 0;
 };
 
-/// Memory is reserved by the constructor; the rest is for the audio thread and neither allocates,
-/// locks nor throws.
+/// The constructor reserves memory. The rest is for the audio thread and neither allocates, locks
+/// nor throws.
 class CellStrikes {
 public:
     explicit CellStrikes(std::size_t capacity) : pending(capacity) {}
@@ -29,18 +29,20 @@ public:
     bool empty() const { return pending.empty(); }
     void clear() { pending.clear(); }
 
-    /// Needs room. `sample` ≥ 0 counts from the start of cell `cell`, and may be beyond its end.
+    /// Adds a pending strike; needs room() > 0. `sample` ≥ 0 counts from the start of cell `cell`,
+    /// and may lie beyond its end.
     void schedule(std::size_t slot, const Strike& strike, std::int64_t cell, double sample);
 
-    /// Strikes in order of time what waits for a sample of the cell before this one; what should
-    /// have been in a cell before it comes at once.
+    /// Plays, in order of time, the pending strikes before this sample of the cell. Overdue strikes
+    /// of earlier cells play at the start of the cell.
     void strikeBefore(double sampleInCell, const BegunCell& cell);
 
-    /// Strikes a slot that exists at a sample of the cell; before and beyond it, at its first or
-    /// last moment. An object has room for so many contacts at a time; a pulse beyond comes as
-    /// ideal impulses, which need no room: as its values at a quarter, the half and three quarters
-    /// of its time, which have its spectrum up to 2/T and are too bright above, or as one where too
-    /// many wait. False, and nothing done, where the strike is not valid for the object.
+    /// Strikes an existing slot at a sample of the cell, clamped to the cell.
+    /// An object has a limited number of simultaneous contacts; impulses are not limited. A pulse
+    /// beyond the limit becomes three impulses, its values at 1/4, 1/2 and 3/4 of its time. Their
+    /// spectrum equals the pulse's up to 2/T and is too bright above. If too many strikes are
+    /// pending, the pulse becomes one impulse.
+    /// Returns false and does nothing if the strike is not valid for the object.
     bool strike(std::size_t slot, const Strike& strike, double sample, const BegunCell& cell);
 
 private:

@@ -9,21 +9,21 @@ namespace idiophone {
 namespace {
 
 constexpr double trainSeconds = 0.015; // FoleyAutomatic, impacts
-// By ear: rubber does not chatter, and at most half of the blow may come late.
+// By ear: rubber does not chatter, and at most half of the impulse comes late.
 constexpr double softContactSeconds = 0.001;
 constexpr double largestLateShare = 0.5;
 
-/// A part of a pulse: of its impulse, and in units of its contact time.
+/// A part of a pulse: its share of the impulse; length and delay in contact times.
 struct PulsePart {
     double share, length, delay;
 };
 constexpr std::array pulseParts{PulsePart{0.9048, 1.0, 0}, PulsePart{0.0917, 0.4256, 0.132},
                                 PulsePart{0.0035, 0.1138, 0.5715}};
 
-/// Draws one after the other for one strike.
+/// Random numbers of one strike, drawn in sequence.
 class Draws {
 public:
-    /// Far from the numbers that place the strikes.
+    /// The seed stays far from the numbers that scatter the strike positions.
     explicit Draws(std::uint32_t strikeNumber) : number(strikeNumber * 0x9e3779b1u + 0x5bd1e995u) {}
 
     double between(double lowest, double highest) {
@@ -61,8 +61,8 @@ ContactTrain contactTrain(const Strike& strike,
     Draws draws(strikeNumber);
     constexpr std::size_t mostFurther = ContactTrain::mostCollisions - 1;
     const auto further = std::min(mostFurther, static_cast<std::size_t>(draws.between(2, 6)));
-    std::array<double, mostFurther> speeds{}; // relative to the blow's
-    std::array<double, mostFurther> times{};  // from 0 at the blow, in no unit yet
+    std::array<double, mostFurther> speeds{}; // relative to the strike's speed
+    std::array<double, mostFurther> times{};  // from 0 at the strike; scaled to seconds below
     double speed = 1, gap = 1, time = 0, speedSum = 0;
     for (std::size_t k = 0; k < further; ++k) {
         speedSum += speeds[k] = speed *= draws.between(0.4, 0.8);

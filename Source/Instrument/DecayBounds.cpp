@@ -30,7 +30,8 @@ double greater(double a, double b) noexcept {
     return std::max(a, b);
 }
 
-/// Bounds the modes of both. Every law grows with the frequency, so each figure counts alone.
+/// Returns a bound of both bounds' modes. Every law grows with the frequency, so each figure counts
+/// alone.
 ModeBound boundOfBoth(const ModeBound& a, const ModeBound& b) noexcept {
     return {.eigenvalue = std::min(a.eigenvalue, b.eigenvalue),
             .scale = std::min(a.scale, b.scale),
@@ -47,14 +48,14 @@ double ownDecay(const ModeBound& mode) noexcept {
     return mode.scale * mode.law.perSecond(mode.eigenvalue) / 2 + mode.extraPerSecond;
 }
 
-/// The decay of both bounds' common bound as a share of the slower one's, at the objects' own
-/// materials: 1 where nothing is lost.
+/// Returns the decay of the common bound as a share of the slower one's, at the objects' own
+/// materials. 1 means that joining loses nothing.
 double keptTogether(const ModeBound& a, const ModeBound& b) noexcept {
     constexpr double nothing = 1e-9; // [1/s]
     return (ownDecay(boundOfBoth(a, b)) + nothing) / (std::min(ownDecay(a), ownDecay(b)) + nothing);
 }
 
-/// The slowest modes of those that came in: the Pareto front of their figures.
+/// Collects the slowest modes: the Pareto front of their figures.
 class SlowestModes {
 public:
     void add(const ModeBound& mode) {
@@ -92,7 +93,7 @@ private:
     std::vector<ModeBound> front;
 };
 
-/// Lowers the kept shares to those of a slot. Over the pitch's λ, each mode's is a ratio of two
+/// Lowers the kept shares to those of a slot. A mode's λ over the pitch's λ is a ratio of two
 /// linear functions of the thickness squared, so its minimum lies at an end of the range.
 void addKept(DecayBounds& bounds, const SynthesiserSlot& slot) {
     if (!slot.pitch) {
@@ -192,7 +193,7 @@ double slowestDecay(const DecayBounds& bounds,
     double lowestEigenvalue = infinity, slowest = infinity;
     const auto include = [&](const ModeBound& mode, const Ratios& ratios) {
         constexpr double lowestOmega = 2 * std::numbers::pi * lowestSoundingHz;
-        // A mode below the band does not sound, but those that it bounds may.
+        // A mode below the band does not sound, but other modes that it bounds may.
         const double eigenvalue =
             std::max(mode.eigenvalue * ratios.eigenvalue, lowestOmega * lowestOmega);
         if (!std::isfinite(eigenvalue))
@@ -210,7 +211,7 @@ double slowestDecay(const DecayBounds& bounds,
     }
     if (!std::isfinite(lowestEigenvalue))
         return infinity;
-    // Modes that oscillate have d/2. The slower root of an over-damped one is above λ/d, which
+    // Modes that oscillate decay at d/2. The slower root of an over-damped mode is above λ/d, which
     // grows with λ.
     const double most =
         bounds.mostScale * (live ? live->damping : bounds.most).perSecond(lowestEigenvalue) +

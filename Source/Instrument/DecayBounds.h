@@ -1,5 +1,5 @@
-// How slowly anything of an instrument can die away, from a few figures of its objects. Asking it
-// looks at no mode.
+// Bounds how slowly any mode of an instrument can decay, from a few figures of its objects. Queries
+// do not visit the modes.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -12,52 +12,52 @@
 
 namespace idiophone {
 
-/// Bounds of one or more modes: none of them dies away more slowly than a mode of these figures,
-/// under any settings. The default bounds no mode.
+/// Bounds one or more modes: under any settings, none of them decays more slowly than a mode with
+/// these figures. The default bounds no mode.
 struct ModeBound {
     double eigenvalue = std::numeric_limits<double>::infinity(); ///< minimum of λ/size²
     double scale = 1;                                            ///< minimum of ModeDamping::scale
     double extraPerSecond = 0; ///< minimum of ModeDamping::extraPerSecond/size
-    /// Maximum of Y/ρ [m²/s²] of the objects' own materials: another material makes λ/size² of
-    /// these modes lower in inverse proportion.
+    /// Maximum of Y/ρ [m²/s²] of the objects' own materials. Another material scales λ/size² of
+    /// these modes in inverse proportion to it.
     double specificStiffness = 0;
     DampingLaw law; ///< minimum of each figure of the objects' own materials
 
     bool operator==(const ModeBound&) const = default;
 };
 
-/// Figures of all modes of all slots, as their objects were analysed. It holds doubles only, so
+/// Bounds of all modes of all slots, as their objects were analysed. All fields are doubles, so
 /// that they can cross threads one by one.
 struct DecayBounds {
-    /// Modes of which each may be the slowest under some settings. Where there are more than fit,
-    /// one bound stands for several that are close to each other.
+    /// Modes that may each be the slowest under some settings. If there are more than fit, one
+    /// bound stands for several similar ones.
     std::array<ModeBound, 16> slowest;
-    /// Minimum of λ of a slot that keeps its pitch, over λ/size², at the thickness that was
-    /// analysed and at any thickness of the parameter; infinite where no slot has a pitch.
+    /// For slots that keep their pitch: minimum of λ over λ/size², at the analysed thickness and at
+    /// any thickness of the parameter. Infinite if no slot has a pitch.
     double keptShare = std::numeric_limits<double>::infinity();
     double keptShareAtAnyThickness = std::numeric_limits<double>::infinity();
     double slotsWithoutPitch = 0;
-    double mostBending = 0;    ///< maximum of the share of λ on which the thickness acts: 0 to 1
-    double mostScale = 0;      ///< maximum of ModeDamping::scale
+    double mostBending = 0; ///< maximum of the share of λ that the thickness changes: 0 to 1
+    double mostScale = 0;   ///< maximum of ModeDamping::scale
     double mostExtraShare = 0; ///< maximum of ModeDamping::extraPerSecond/√λ
     DampingLaw most;           ///< maximum of each figure of the objects' own materials
 };
 
 enum class RingingKeys { own, all };
 
-/// Returns the bounds of all slots, or of all but those of keys that play a neighbour's object
-/// (Key::isOwn): these may be so large that they ring for minutes. Without slots nothing rings: the
-/// fastest decay there is. Takes time with the number of modes.
+/// Returns the bounds of all slots. RingingKeys::own leaves out keys that play a neighbour's object
+/// (see Key::isOwn), which may be so large that they ring for minutes. Without slots the decay is
+/// infinitely fast. Takes time with the number of modes.
 DecayBounds decayBounds(const Instrument& instrument, RingingKeys keys = RingingKeys::all);
 
-/// α > 0 [1/s] of which no mode that sounds is slower under these settings, while no slot is lower
-/// than its key in equal temperament by more than so many semitones. Any thread, and at once.
+/// Returns α > 0 [1/s]: no sounding mode decays more slowly under these settings, if no slot is
+/// more than `semitonesBelow` below its key in equal temperament. Any thread; takes constant time.
 double slowestDecay(const DecayBounds& bounds,
                     const SynthesisSettings& settings,
                     double semitonesBelow) noexcept;
 
-/// By how much the lowest of the keys' objects lies below equal temperament, in semitones ≥ 0. Any
-/// thread.
+/// Returns how far the lowest of the keys' objects lies below equal temperament, in semitones ≥ 0.
+/// Any thread.
 double semitonesBelowEqual(const Instrument& instrument, const KeyTuning& tuning);
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// The force of something hard that is dragged over a surface.
+// The force of something hard dragged over a surface.
 #pragma once
 
 #include "Synth/ForceCell.h"
@@ -8,8 +8,8 @@
 
 namespace idiophone {
 
-/// For each newton one into the surface, and `friction` along its way: unit, or zero where there is
-/// none.
+/// Returns the force per newton of pressure: one newton into the surface plus `friction` along
+/// `direction`, which is a unit vector, or zero if nothing moves.
 inline ForcePoint
 draggedForce(const StrikePoint& point, const std::array<float, 3>& direction, double friction) {
     ForcePoint force{.point = point, .direction = {}};

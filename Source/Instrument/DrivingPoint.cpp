@@ -24,8 +24,8 @@ double dot(const Vector& a, const Vector& b) noexcept {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// 1/M + (r × n)ᵀ I⁻¹ (r × n), r from the centre of mass; 0 without a mass, and without rotation
-/// where the inertia is singular.
+/// Returns 1/M + (r × n)ᵀ I⁻¹ (r × n), r from the centre of mass. Returns 0 without a mass, and
+/// leaves out the rotation if the inertia is singular.
 double rigidMobilityPerKg(const ModalObject& object, const StrikePoint& point) noexcept {
     const auto& mass = object.mass;
     if (!(mass.massKg > 0))
@@ -48,11 +48,11 @@ double rigidMobilityPerKg(const ModalObject& object, const StrikePoint& point) n
     return 1 / mass.massKg + dot(moment, turned) / determinant;
 }
 
-/// r T, from (π² − c²)/(√2 c) = 3: T of a hard blow on a resistance Z is m (π² − c²)/(√2 c Z), and
-/// the pulse of 3 m/Z is the one whose energy J² 3/(2 Z T) is all of m v²/2 at J = m v.
+/// r T, from (π² − c²)/(√2 c) = 3. T of a hard impact on a resistance Z is m (π² − c²)/(√2 c Z).
+/// The pulse of 3 m/Z is the one whose energy J² 3/(2 Z T) equals m v²/2 at J = m v.
 const double turnOfContact = (std::sqrt(18 + 4 * pi * pi) - std::sqrt(18.0)) / 2;
 
-/// |S|² of a raised cosine at f T, up to its first null; what lies beyond is below a thousandth.
+/// Returns |S|² of a raised cosine at f T, up to its first null; beyond, it is below a thousandth.
 double pulsePower(double turns) noexcept {
     if (turns >= 2)
         return 0;
@@ -76,12 +76,12 @@ DrivingPoint::DrivingPoint(const ModalObject& object,
     const double thickness = object.hasLiveThickness() ? settings.thicknessRatio : 1;
     const double perMass = live.gainRatio / thickness;
     rigidPerKg = perMass * rigidMobilityPerKg(object, point);
-    std::array<float, mostModes> along, heard; // alike: the kernel projects twice
+    std::array<float, mostModes> along, heard; // equal: the kernel projects twice
     projectShapes(pointShapes(object, point), point.normal, point.normal, modes, along.data(),
                   heard.data());
     for (std::size_t i = 0; i < modes; ++i) {
         squaredShapes[i] = perMass * std::pow(static_cast<double>(along[i]), 2);
-        // A bar's mode that is shared with a tube stands twice, with gains that sum to about 1.
+        // A bar's mode that couples with a tube appears twice, with gains that sum to about 1.
         if (!object.gains.empty())
             squaredShapes[i] *= static_cast<double>(object.gains[i].real());
         eigenvalues[i] = live.law.eigenvalueRatio * object.eigenvalueAt(i, thickness);
@@ -117,7 +117,7 @@ double DrivingPoint::impulseMobilityPerKg(double contactSeconds) const noexcept 
 double DrivingPoint::contactSecondsOf(const Striker& striker, double speed) const noexcept {
     constexpr int steps = 6;
     double seconds = contactSeconds(striker.law, striker.massKg, speed);
-    // The law's time goes as the mass to the power 1/(p + 1).
+    // The law's time is proportional to the mass to the power 1/(p + 1).
     const double rigidSeconds = seconds, share = 1 / (striker.law.exponent + 1);
     for (int step = 0; step < steps; ++step) {
         const auto object = yieldingIn(seconds);

@@ -1,4 +1,4 @@
-// How an object yields at the point that a mallet strikes: as a free mass in series with a spring.
+// Models how an object yields at the struck point: as a free mass in series with a spring.
 #pragma once
 
 #include "Instrument/ContactLaw.h"
@@ -12,14 +12,14 @@
 
 namespace idiophone {
 
-/// What hits an object.
+/// The body that hits an object.
 struct Striker {
     double massKg = 0;      ///< > 0
     double restitution = 1; ///< 0 to 1: rebound over approach on something rigid and heavy
     ContactLaw law;
 };
 
-/// How long a striker stays in contact with an object, and what it leaves there.
+/// How long a striker stays in contact with an object, and the impulse that it transfers.
 struct Collision {
     double contactSeconds = 0;
     double impulseNewtonSeconds = 0;
@@ -30,36 +30,37 @@ struct Collision {
 /// throws; any thread.
 class DrivingPoint {
 public:
-    /// Of the lowest ones; the others are too stiff to move while a contact lasts.
+    /// The lowest modes; the others are too stiff to move during a contact.
     static constexpr std::size_t mostModes = 512;
 
     DrivingPoint() = default;
-    /// Under the material, size and thickness of these settings, for an object scaled by
-    /// `slotSizeRatio` > 0 beside them, which keeps its pitch as these settings say. Tunings and
-    /// bends move what sounds, not what is struck. The point's rows are the object's.
+    /// Takes the material, size and thickness from the settings. `slotSizeRatio` > 0 scales the
+    /// object further; `pitch` is the mode whose frequency it keeps if the settings ask for that.
+    /// Tunings and bends change the sound only, not the struck object. The point's rows must be the
+    /// object's.
     DrivingPoint(const ModalObject& object,
                  const StrikePoint& point,
                  const SynthesisSettings& settings,
                  double slotSizeRatio = 1,
                  const PitchMode* pitch = nullptr) noexcept;
 
-    /// Σ [1/kg] of everything that moves in a blow too short for any mode to turn back.
+    /// Returns the sum of all mobilities [1/kg], which acts in an impact too short for any mode to
+    /// turn back.
     double impulsiveMobilityPerKg() const noexcept;
 
-    /// The blow of a striker at a speed > 0 [m/s].
+    /// Returns the collision with a striker at a speed > 0 [m/s].
     ///
-    /// Time: at the complex frequency s = r e^{iπ/4} a mode answers a force by
-    /// φ² s/(s² + ω²) = B/s + C s, exactly, with B = φ²/(1 + (ω/r)⁴) and C = (ω/r²)² B. So at
-    /// r = c/T the object is the mass 1/ΣB in series with a spring of the compliance ΣC, and
-    /// T² = T_law(μ)² + π² μ ΣC, 1/μ = 1/m + ΣB. c = 1.669 is the value at which a hard blow on a
-    /// point of constant mechanical resistance (an infinite plate) leaves the momentum m v there,
-    /// as it does after Zener (1941). Six steps from T_law(m) come close to the solution. A fixed
-    /// number of smooth steps has no jump where the equation has three solutions, as it has for a
-    /// heavy mallet on a single slow mode.
+    /// Time: at the complex frequency s = r e^{iπ/4} a mode answers a force by φ² s/(s² + ω²) = B/s
+    /// + C s, exactly, with B = φ²/(1 + (ω/r)⁴) and C = (ω/r²)² B. So at r = c/T the object is the
+    /// mass 1/ΣB in series with a spring of the compliance ΣC, and T² = T_law(μ)² + π² μ ΣC, 1/μ =
+    /// 1/m + ΣB. With c = 1.669 a hard impact on a point of constant mechanical resistance (an
+    /// infinite plate) leaves the momentum m v there, as in Zener (1941). Six steps from T_law(m)
+    /// come close to the solution. The equation can have three solutions, for example for a heavy
+    /// mallet on a single slow mode. A fixed number of smooth steps does not jump between them.
     ///
     /// Impulse: J = (1 + e) m' v, 1/m' = 1/m + 1/M + Σ φ² |S(ωT)|², where S is the spectrum of the
-    /// raised cosine. J² φ² |S|²/2 is the energy that the pulse leaves in a mode, so for e = 1 the
-    /// blow conserves energy.
+    /// raised cosine. The pulse leaves the energy J² φ² |S|²/2 in a mode, so for e = 1 the impact
+    /// conserves energy.
     Collision struckBy(const Striker& striker, double speedMetresPerSecond) const noexcept;
 
 private:

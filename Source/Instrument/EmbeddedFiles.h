@@ -1,4 +1,4 @@
-// Files that are part of the program, as juce_add_binary_data embeds them.
+// Reads files that juce_add_binary_data embeds in the program.
 #pragma once
 
 #include "Object/SameName.h"
@@ -12,13 +12,13 @@
 
 namespace idiophone {
 
-/// For the life of the program.
+/// Valid for the life of the program.
 struct EmbeddedFile {
     std::string_view name; ///< without its folder
     std::string_view bytes;
 };
 
-/// The arrays and the function that the generated header has, which are all as long as `count`.
+/// The arrays and the function of the generated header; each array has `count` entries.
 struct EmbeddedSource {
     int count;
     const char* const* resources;
@@ -26,7 +26,7 @@ struct EmbeddedSource {
     const char* (*bytesOf)(const char* resource, int& size);
 };
 
-/// All of them in the order of their names.
+/// Returns all files in the order of their names.
 inline std::vector<EmbeddedFile> embeddedFiles(const EmbeddedSource& source) {
     std::vector<EmbeddedFile> files;
     for (int i = 0; i < source.count; ++i) {
@@ -38,8 +38,8 @@ inline std::vector<EmbeddedFile> embeddedFiles(const EmbeddedSource& source) {
     return files;
 }
 
-/// What `parse(text, fileName)` makes of the JSON files among them. That none fails is up to those
-/// who embed them, and their tests: it ends the program.
+/// Returns `parse(text, fileName)` of each JSON file. Ends the program if one fails: tests must
+/// make sure that none does.
 template <class Content, class Parse>
 std::vector<Content> parseEmbedded(std::span<const EmbeddedFile> files, Parse parse) {
     std::vector<Content> contents;
@@ -54,7 +54,7 @@ std::vector<Content> parseEmbedded(std::span<const EmbeddedFile> files, Parse pa
     return contents;
 }
 
-/// The one of that name (case-insensitive), or nullptr.
+/// Returns the entry of that name (case-insensitive), or nullptr.
 template <class Content>
 const Content* findNamed(std::span<const Content> contents, std::string_view name) {
     const auto found = std::ranges::find_if(

@@ -1,4 +1,4 @@
-// What ships inside the program: presets and their modal objects.
+// The presets and modal objects that ship inside the program.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -10,13 +10,14 @@
 
 namespace idiophone {
 
-/// The factory presets, the first of which a new instance plays. Parsed once; any thread but audio.
+/// Returns the factory presets; a new instance plays the first. Parsed once; any thread but audio.
 std::span<const Preset> factoryPresets();
 
-/// The factory preset of that name (case-insensitive), or nullptr.
+/// Returns the factory preset of that name (case-insensitive), or nullptr.
 const Preset* findFactoryPreset(std::string_view name);
 
-/// The .modal bytes of a factory object such as "xylophone-72", for the life of the program.
+/// Returns the .modal bytes of a factory object such as "xylophone-72", valid for the life of the
+/// program.
 std::optional<std::span<const std::byte>> factoryObject(std::string_view name);
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// A force whose strength changes from one grid point to the next.
+// Ramps the strength of a force from one grid point to the next.
 #pragma once
 
 #include "Synth/SynthesisSettings.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// Multiplies a cell by gains on a line that begins at the last sample of the cell before. Any
+/// Multiplies a cell by gains on a line that begins at the last sample of the previous cell. Any
 /// thread; does not allocate.
 inline void applyGainRamp(std::span<float, cellSamples> newtons, double from, double to) noexcept {
     const auto start = static_cast<float>(from);

@@ -13,11 +13,11 @@ namespace {
 
 using enum ParameterId;
 
-// Beyond those of the keys.
+// These forces follow those of the keys.
 constexpr std::size_t firstForce = 2 * HeldContacts::capacity, contactCount = 2;
 static_assert(firstForce + contactCount <= forceCapacity);
 
-/// Far from what any key of any seed begins with.
+/// Keeps the hand's seed far from those of any key.
 constexpr std::uint64_t apartFromKeys = std::uint64_t{1} << 62;
 
 } // namespace
@@ -47,7 +47,7 @@ void HandScrape::touch(const SurfaceTouch& touch) noexcept {
     if (touches() && contacts[now].slot != touch.slot)
         lift();
     if (!touches()) {
-        // One of which nothing has sounded has nothing to fade out.
+        // A contact that has made no sound yet needs no fade-out.
         if (!contacts[now].isActive || !contacts[now].begins)
             now = (now + 1) % contactCount;
         Contact& contact = contacts[now];

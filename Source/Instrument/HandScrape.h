@@ -1,5 +1,5 @@
-// A hand that drags something hard over an object beside the keys, such as over its picture: where
-// it is, how fast it moves and how hard it presses. What that sounds like is Synth/ContactForce's.
+// Models a hand that drags something hard over an object, for example over its picture: its place,
+// speed and pressure. Synth/ContactForce makes the force.
 #pragma once
 
 #include "Instrument/HeldContacts.h"
@@ -22,49 +22,49 @@ namespace idiophone {
 
 /// The hand touches a place, or moves on to it.
 struct SurfaceTouch {
-    std::size_t slot = 0; ///< of the instrument
+    std::size_t slot = 0; ///< index into the instrument's slots
     StrikePoint point;    ///< on the slot's object
-    double pressure = 0;  ///< 0 to 1, of the contact force; 0 lifts the hand
+    double pressure = 0;  ///< share of the contact force, 0 to 1; 0 lifts the hand
 };
 
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
-/// allocates, locks nor throws. There is one hand; everything it does acts at the next `sound`. It
-/// scrapes whatever the keys do; standing still it is silent.
+/// allocates, locks nor throws. There is one hand; all its moves act at the next `sound`. It
+/// scrapes independently of the keys, and is silent while it does not move.
 class HandScrape {
 public:
     static constexpr double fastestMetresPerSecond = 5;
 
-    /// The seed says where on the profile the hand begins. Strengths [slots] multiply the contact
-    /// force. `instrument` outlives it.
+    /// The seed decides where on the profile the hand begins. Strengths [slots] multiply the
+    /// contact force. `instrument` must outlive the hand.
     HandScrape(const Instrument& instrument,
                std::shared_ptr<const SurfaceProfile> profile,
                std::uint64_t seed,
                std::vector<double> strengths);
 
-    /// From one object to another the hand is lifted and touches again. The slot and the rows
+    /// Moves the hand. On another object it lifts and touches again. The slot and the rows must
     /// exist.
     void touch(const SurfaceTouch& touch) noexcept;
-    /// The force fades out, and the object rings on.
+    /// Fades the force out; the object rings on.
     void lift() noexcept;
 
-    /// Applies a cell of its force to the cell begun last. What touches an object is scaled as
-    /// `mallets` says [slots].
+    /// Applies a cell of the hand's force to the cell that began last. `mallets` [slots] scale the
+    /// contact on each object.
     void sound(const ParameterValues& parameters,
                const std::vector<KeyMallet>& mallets,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept;
 
-    std::optional<std::size_t> heldSlot() const noexcept; ///< that it touches
-    bool silent() const noexcept; ///< it touches nothing, and nothing of it fades out
-    void reset() noexcept;        ///< as constructed
+    std::optional<std::size_t> heldSlot() const noexcept; ///< slot that the hand touches
+    bool silent() const noexcept;                         ///< no contact, not even a fading one
+    void reset() noexcept;                                ///< returns to the constructed state
 
 private:
     struct Contact {
         ContactForce force;
         bool isActive = false;
         bool isLifted = false;
-        double fade = 1;     ///< 0 to 1, falling after it was lifted
-        bool begins = false; ///< nothing of it has sounded yet
+        double fade = 1;     ///< 0 to 1, falling after the hand lifts
+        bool begins = false; ///< no sound of this contact yet
         std::size_t slot = 0;
         double pressure = 0;
         SurfacePath path;
@@ -84,8 +84,8 @@ private:
     double cellSeconds;
     ReleaseFade releaseFade;
     std::vector<double> strengths;
-    std::vector<Contact> contacts; ///< two: one may fade out while the other one is played
-    std::size_t now = 0;           ///< the one played last
+    std::vector<Contact> contacts; ///< two: one may fade out while the other one plays
+    std::size_t now = 0;           ///< index of the newest contact
 };
 
 } // namespace idiophone

@@ -10,8 +10,8 @@
 namespace idiophone {
 namespace {
 
-/// What the prediction of scrapes leaves out, and how far below a blow they are to be: by
-/// measurement over the factory presets.
+/// Corrects what the prediction of scrapes leaves out, and sets their distance below a strike;
+/// measured over the factory presets.
 constexpr double scrapeConstantDb = 31;
 
 constexpr int keysTried = 8;
@@ -28,7 +28,7 @@ ParameterValues scraping(ParameterValues values) {
     return values;
 }
 
-/// Between what is known of keys, the nearest beyond them. One is known.
+/// Interpolates between the known keys; beyond them takes the nearest. At least one must be known.
 double between(const std::map<int, double>& known, int note) {
     const auto above = known.lower_bound(note);
     if (above == known.begin())
@@ -52,7 +52,7 @@ std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instr
         return strengths;
     const auto& map = instrument->keyMap();
     const auto scraped = scraping(own);
-    std::map<int, double> weakerDb; // of keys
+    std::map<int, double> weakerDb; // by key
     for (int i = 0; i < keysTried; ++i) {
         const int note = spreadNote(map.lowestNote, map.highestNote, i, keysTried);
         if (instrument->key(note).slot < 0 || weakerDb.contains(note))
@@ -63,7 +63,7 @@ std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instr
     }
     if (weakerDb.empty())
         return strengths;
-    // Of what several keys play, the mean over them.
+    // An object that several keys play has the mean over them.
     std::vector<double> sums(strengths.size(), 0), keys(strengths.size(), 0);
     for (int note = 0; note < 128; ++note)
         if (const int slot = instrument->key(note).slot; slot >= 0) {

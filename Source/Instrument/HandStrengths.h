@@ -1,4 +1,4 @@
-// How hard a hand has to scrape to be heard beside blows.
+// How hard a hand must scrape to be as loud as strikes.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -10,11 +10,11 @@
 
 namespace idiophone {
 
-/// [slots] What multiplies the contact force of a hand on each object: a scrape of some newtons is
-/// 37 to 75 dB weaker than a blow of a mallet, and presets that strike have their level by blows.
-/// With it a drag of half a metre a second is nearly as loud as a blow there, by the prediction for
-/// the preset's own values; what is changed afterwards is heard. 1 where keys scrape or roll
-/// themselves, and where nothing sounds. The surface is valid. Not for the audio thread.
+/// Returns the factors [slots] of a hand's contact force. A scrape of some newtons is 37 to 75 dB
+/// weaker than a mallet strike, and strikes decide the level of presets whose keys strike. With
+/// these factors a drag at 0.5 m/s is nearly as loud as a strike there, as predicted for the
+/// preset's own values; later changes of values stay audible. A factor is 1 if the keys themselves
+/// scrape or roll, or if nothing sounds. The surface must be valid. Not for the audio thread.
 std::vector<double> handStrengths(const std::shared_ptr<const Instrument>& instrument,
                                   const Surface& surface,
                                   double sampleRateHz,

@@ -37,7 +37,7 @@ HeldContacts::HeldContacts(const Instrument& played,
     static_assert(2 * capacity <= forceCapacity);
     contacts.reserve(2 * capacity);
     for (std::uint64_t i = 0; i < 2 * capacity; ++i) {
-        // The second half far from the contacts of any other seed.
+        // Keep the second half far from the contacts of any other seed.
         const auto apart = i < capacity ? 0 : std::uint64_t{1} << 63;
         contacts.push_back(
             {.force = ContactForce(profile, (seed * capacity + i % capacity) ^ apart),
@@ -52,8 +52,8 @@ HeldContacts::Contact* HeldContacts::find(int channel, int note) noexcept {
     return found == contacts.end() ? nullptr : &*found;
 }
 
-/// One that does nothing, of the first half where there is one; or else the one that has faded
-/// most, of which there always is one among twice as many contacts as keys.
+/// Returns an inactive contact, from the first half if possible. Otherwise returns the released one
+/// that has faded most; one exists, as there are twice as many contacts as keys.
 HeldContacts::Contact& HeldContacts::freeContact() noexcept {
     const auto rank = [this](const Contact& contact) {
         const bool takesOver = &contact - contacts.data() >= std::ptrdiff_t{capacity};
@@ -63,7 +63,7 @@ HeldContacts::Contact& HeldContacts::freeContact() noexcept {
     return *std::ranges::min_element(contacts, {}, rank);
 }
 
-/// Releases the oldest held key where there is no room for one more.
+/// Releases the oldest held key if `capacity` keys are held.
 void HeldContacts::giveWay() noexcept {
     Contact* oldest = nullptr;
     std::size_t held = 0;
@@ -151,7 +151,7 @@ void HeldContacts::sound(const ParameterValues& parameters,
         }
 }
 
-/// While a contact fades out it stays of its kind, whatever is chosen by then.
+/// A contact that fades out keeps its kind, even if the parameters change.
 void HeldContacts::chooseKind(Contact& contact,
                               const ParameterValues& parameters,
                               SynthesisSettings settings,
@@ -186,7 +186,7 @@ void HeldContacts::soundOne(Contact& contact,
     const StripStep start = contact.place;
     const double startGain = contact.gain;
     move(contact, key, parameters);
-    // The signal is the normal part of the force.
+    // The rendered signal is the normal part of the force.
     contact.gain = parameters[roughness] * forceScale(key.mallet);
 
     alignas(64) std::array<float, cellSamples> newtons;

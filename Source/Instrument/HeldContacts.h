@@ -1,5 +1,5 @@
-// Keys that scrape or roll for as long as they are held: where each one touches its object, how
-// hard it presses and how fast it moves. What the contact sounds like is Synth/ContactForce's.
+// Keys that scrape or roll while they are held: where each touches its object, its pressure and its
+// speed. Synth/ContactForce makes the force.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -18,63 +18,63 @@
 
 namespace idiophone {
 
-/// Whether keys strike, rather than press a contact.
+/// Returns whether keys strike. Otherwise they press a sustained contact.
 bool strikes(const ParameterValues& parameters);
 
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
-/// allocates, locks nor throws. Everything acts at the next `sound`. A key is a note on one of the
-/// MIDI channels 0 to 15; controllers and channel pressure act on their channel's keys alone.
+/// allocates, locks nor throws. All changes act at the next `sound`. A key is a note on one of the
+/// MIDI channels 0 to 15; controllers and channel pressure act on the keys of their channel only.
 class HeldContacts {
 public:
-    /// Keys held at a time; beyond, the oldest gives way as if it were released.
+    /// Maximum of keys held at a time. A further key releases the oldest.
     static constexpr std::size_t capacity = 16;
     static constexpr std::size_t channels = 16;
-    /// A contact follows CC74 and the strike's place in about this time, along the key no faster
-    /// than this speed.
+    /// Time in which a contact follows CC74 and the strike position, and its maximum speed along
+    /// the key.
     static constexpr double glideSeconds = 0.02;
     static constexpr double fastestGlideMetresPerSecond = 5;
 
-    /// What speed and place controllers are until they are moved.
+    /// Value of the speed and place controllers before they move.
     static constexpr int controllerAtRest = 64;
 
-    /// The seed says where on the profile each contact begins. `instrument` and the lowest modes of
-    /// each of its slots outlive the contacts.
+    /// The seed decides where on the profile each contact begins. `instrument` and the lowest modes
+    /// of each of its slots must outlive the contacts.
     HeldContacts(const Instrument& instrument,
                  std::span<const LowestModes> lowestModes,
                  std::shared_ptr<const SurfaceProfile> profile,
                  std::uint64_t seed);
 
-    /// A key goes down; until other pressure comes, 0 to 1, it presses like this. A key without an
-    /// object does nothing.
+    /// Presses a key with this pressure, 0 to 1, until setPressure() changes it. Does nothing for a
+    /// key without an object.
     void press(int channel, int note, double pressure) noexcept;
-    /// The force fades out, and the object rings on.
+    /// Fades the force out; the object rings on.
     void release(int channel, int note) noexcept;
     void releaseAll() noexcept;
-    /// Nothing is in contact, at once. The caller fades the output.
+    /// Ends all contacts at once. The caller fades the output.
     void forgetAll() noexcept;
 
-    /// 0 to 1; of one held key, or of all of a channel.
+    /// Sets the pressure, 0 to 1, of one held key or of all held keys of a channel.
     void setPressure(int channel, int note, double pressure) noexcept;
     void setPressure(int channel, double pressure) noexcept;
     void setSpeedController(int channel, int value) noexcept; ///< 0 to 127
     void setPlaceController(int channel, int value) noexcept; ///< 0 to 127
-    /// Where the channel's controller moves a place on a strip to, 0 to 1: at rest nowhere, at 0
-    /// and 127 to the ends.
+    /// Returns the place on a strip, 0 to 1, to which the channel's controller moves `along`. At
+    /// rest the controller moves nothing; at 0 and 127 it reaches the ends.
     double placeMoved(int channel, double along) const noexcept;
     void takeControllersOf(const HeldContacts& other) noexcept { controllers = other.controllers; }
-    /// As before any of the channel moved: held keys press as they were struck.
+    /// Returns the channel's controllers to rest; held keys press as hard as they were struck.
     void resetControllers(int channel) noexcept;
 
-    /// Applies a cell of every contact's force to the cell begun last, each slot's in its own
-    /// output, under the settings and the slots' frequency ratios of that cell. While the
-    /// parameters ask for strikes, every contact counts as released.
+    /// Applies a cell of every contact's force to the cell that began last, each to its slot's
+    /// output. Uses the settings and the slots' frequency ratios of that cell. While the parameters
+    /// ask for strikes, every contact counts as released.
     void sound(const ParameterValues& parameters,
                const SynthesisSettings& settings,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept;
 
-    bool silent() const noexcept; ///< no contact, not even one that fades out
-    void reset() noexcept;        ///< as constructed
+    bool silent() const noexcept; ///< no contact, not even a fading one
+    void reset() noexcept;        ///< returns to the constructed state
 
 private:
     struct Contact {
@@ -85,11 +85,11 @@ private:
         int channel = 0;
         int note = -1; ///< −1: no contact
         std::uint64_t pressCount = 0;
-        double strikePressure = 0; ///< of its velocity
+        double strikePressure = 0; ///< from the note's velocity
         double pressure = 0;
         bool isReleased = false;
         double fade = 1;              ///< 0 to 1, falling after the release
-        bool begins = false;          ///< nothing of it has sounded yet
+        bool begins = false;          ///< no sound of this contact yet
         double along = 0, across = 0; ///< on the key's strip
         StripStep place;
         double gain = 0;
@@ -122,7 +122,8 @@ private:
     std::span<const LowestModes> lowestModes;
     double rateHz;
     ReleaseFade releaseFade;
-    std::vector<Contact> contacts; ///< the second half takes over from those that fade out
+    std::vector<Contact>
+        contacts; ///< twice the capacity: the second half serves while others fade out
     std::uint64_t pressCount = 0;
     std::array<Controllers, channels> controllers{};
 };

@@ -13,8 +13,9 @@ namespace {
 constexpr double fullTurn = 2 * std::numbers::pi;
 constexpr double noteSeconds = PhraseMeter::noteSeconds;
 
-/// The energy of (h + gt) e^(−αt) over that of e^(−αt), for noise that lasts as long as a note:
-/// what came in at t before its end counts for t, and for how long the mode rings on.
+/// Returns the energy of (h + gt) e^(−αt) over that of e^(−αt), for noise that lasts as long as a
+/// note. Noise that arrives a time t before the note's end counts for t plus the time that the mode
+/// rings on.
 double
 coupledPower(std::complex<double> direct, double growth, double decay, double release) noexcept {
     constexpr int steps = 32;
@@ -65,7 +66,7 @@ double HeldForceSpectrum::scrapePower(double omega) const noexcept {
            reson.power(std::cos(omega / rateHz)) / speedRatio;
 }
 
-/// What a roll makes of a scrape without the coupled modes.
+/// Returns the response of a roll to a scrape, without the coupled modes.
 std::complex<double> HeldForceSpectrum::mix(double omega) const noexcept {
     if (filtered == 0)
         return dry;

@@ -1,6 +1,6 @@
-// The spectrum of the force of a scrape or roll, up to a constant that does not depend on the
-// object: what ContactForce renders, in closed form. It knows neither the object's residues nor
-// samples.
+// The spectrum of the force of a scrape or roll, in closed form. It matches the output of
+// ContactForce up to a constant that does not depend on the object. It uses neither the object's
+// residues nor samples.
 #pragma once
 
 #include "Synth/ContactForce.h"
@@ -18,24 +18,25 @@ namespace idiophone {
 class HeldForceSpectrum {
 public:
     HeldForceSpectrum() = default;
-    /// Of a surface passed at that speed ≥ 0 (a slower one than the surface's slowest counts as
-    /// that), under settings and with coupled modes as ContactForce takes them.
+    /// Describes a surface passed at a speed ≥ 0, raised to the surface's slowest. Settings and
+    /// coupled modes are those of ContactForce.
     HeldForceSpectrum(const Surface& surface,
                       double speedMetresPerSecond,
                       const ContactForceSettings& settings,
                       std::span<const CoupledMode> coupledModes,
                       double sampleRateHz) noexcept;
 
-    /// The two-sided power spectrum at an angular frequency > 0 [rad/s], without the coupled modes:
-    /// smooth.
+    /// Returns the two-sided power spectrum, without the coupled modes, at an angular frequency > 0
+    /// [rad/s]. It is smooth.
     double smoothPower(double omega) const noexcept;
 
-    /// What a mode of `decay` α [1/s] at ω_i = `omega` takes from the force of a note, and
-    /// `release` [1/s] more after it: the mean of the power spectrum over its resonance (α/π)/((ω −
-    /// ω_i)² + α²). A coupled mode's filter d/(d + i(ω − ω_k)) has the mean d/(d + α + i(ω_i −
-    /// ω_k)) there, as it is analytic on one side, and its square d (d + α)/|d + α + i(ω_i −
-    /// ω_k)|². The mode that is coupled itself answers as (h + c d t) e^(−αt), which a note may be
-    /// too short for.
+    /// Returns the power that a mode of `decay` α [1/s] at ω_i = `omega` takes from the force of a
+    /// note; `release` [1/s] adds to the decay after the note. This is the mean of the power
+    /// spectrum over the mode's resonance (α/π)/((ω − ω_i)² + α²).
+    /// A coupled mode's filter d/(d + i(ω − ω_k)) has the mean d/(d + α + i(ω_i − ω_k)) there, as
+    /// it is analytic on one side. Its square has the mean d (d + α)/|d + α + i(ω_i − ω_k)|². If
+    /// the mode is coupled itself, it answers as (h + c d t) e^(−αt), which may last longer than
+    /// the note.
     double powerTakenBy(double omega, double decay, double release) const noexcept;
 
 private:
@@ -49,7 +50,7 @@ private:
     ResonPole reson;
     double resonGain = 1;
     double dry = 1, filtered = 0, coupled = 0;
-    double lowPassPart = 0; ///< real and imaginary part of the low-pass's pole [rad/s]
+    double lowPassPart = 0; ///< real and imaginary part of the low-pass pole [rad/s]
     std::array<CoupledMode, ContactForce::maxCoupledModes> modes{};
     std::size_t modeCount = 0;
 };

@@ -1,4 +1,4 @@
-// A blow as a line of a list of impulses (docs/impulses.md).
+// Writes a strike as a line of a list of impulses (docs/impulses.md).
 #pragma once
 
 #include "Instrument/PlacedBlow.h"
@@ -8,13 +8,13 @@
 
 namespace idiophone {
 
-/// How a list at a place on disk names an object: a factory object by its name, a file in the
-/// list's folder or below by its path from there, so that they can be moved together, and any other
-/// file by its whole path. Reads no file; not for the audio thread.
+/// Returns the name by which a list at a place on disk refers to an object. A factory object keeps
+/// its name. A file in the list's folder or below has its path from there, so that both can move
+/// together. Any other file has its absolute path. Reads no file; not for the audio thread.
 std::string objectInList(const std::string& nameOrFile, const std::filesystem::path& list);
 
-/// With its line break. `object` is as of `objectInList`, and struck in that size. Bodies are told
-/// apart by their slots. For any thread; allocates.
+/// Returns the line with its line break. `object` comes from `objectInList` and is struck at
+/// `sizeRatio`. The slot identifies the body. Any thread; allocates.
 std::string impulseLine(const std::string& object, double sizeRatio, const PlacedBlow& blow);
 
 } // namespace idiophone

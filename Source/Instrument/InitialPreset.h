@@ -1,12 +1,12 @@
-// The plain sound to start from.
+// The plain preset to start from.
 #pragma once
 
 #include "Instrument/Preset.h"
 
 namespace idiophone {
 
-/// "Init": the factory's rosewood bars struck in the middle, all parameters but the level at their
-/// defaults, as loud as the factory's presets.
+/// Returns "Init": the factory's rosewood bars struck in the middle, as loud as the factory
+/// presets. All parameters except the level have their defaults.
 Preset initialPreset();
 
 } // namespace idiophone

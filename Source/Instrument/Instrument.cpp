@@ -17,15 +17,15 @@ double midiNoteHz(double note) {
     return 440 * std::exp2((note - 69) / 12);
 }
 
-/// The damped frequency of a mode, above 0.
+/// Returns the damped frequency of a mode, above 0.
 double modeHz(const ModalObject& object, std::size_t mode) {
     const double decay = object.decayPerSecond(mode);
     return std::sqrt(std::max(object.eigenvalues[mode] - decay * decay, 1.0)) /
            (2 * std::numbers::pi);
 }
 
-/// Returns the mean by power of the modes that bar and tube share, which is the pitch that is
-/// heard. Returns nothing where damping leaves the mode no pitch (stiffnessSoundingAt).
+/// Returns the power-weighted mean of the modes that bar and tube share, which is the pitch that is
+/// heard. Returns nothing if damping leaves the mode no pitch (stiffnessSoundingAt).
 std::optional<PitchMode> pitchMode(const ModalObject& object, std::size_t mode, double sizeRatio) {
     PitchMode mean{.damping = {.scale = 0}};
     double weights = 0, decay = 0;
@@ -52,7 +52,7 @@ std::optional<PitchMode> pitchMode(const ModalObject& object, std::size_t mode, 
     return mean;
 }
 
-/// The mode nearest to a frequency in pitch, if it is less than half a semitone off.
+/// Returns the mode nearest in pitch to a frequency, if it is less than half a semitone off.
 std::optional<std::size_t> modeNear(const ModalObject& object, double hz) {
     std::optional<std::size_t> nearest;
     double miss = 0.5 / 12;
@@ -64,9 +64,9 @@ std::optional<std::size_t> modeNear(const ModalObject& object, double hz) {
     return nearest;
 }
 
-/// The mode that gives a bar its pitch: the one at its key, or the one an octave above, as the
-/// strike note of tubular bells lies an octave below a mode. A bar in another tuning takes its
-/// lowest mode.
+/// Returns the mode that gives a bar its pitch: the one at its key, or the one an octave above,
+/// because the strike note of tubular bells lies an octave below a mode. A bar in another tuning
+/// takes its lowest mode.
 std::size_t pitchModeOfBar(const ModalObject& bar, int midiNote) {
     const double hz = midiNoteHz(midiNote);
     if (const auto mode = modeNear(bar, hz))
@@ -81,7 +81,8 @@ std::size_t modesOf(std::span<const SynthesiserSlot> slots) {
     return modes;
 }
 
-/// The nearest key with an object of its own, the lower of two that are equally near. One exists.
+/// Returns the nearest key with an object of its own, the lower one of two at equal distance. One
+/// must exist.
 int nearestOwn(const std::array<Key, 128>& keys, int note) {
     for (int distance = 0;; ++distance)
         for (const int near : {note - distance, note + distance})
@@ -166,7 +167,7 @@ bool Instrument::keysHaveObjects() const {
 }
 
 Result<void> Instrument::buildBars(ObjectLibrary& library) {
-    std::map<const ModalObject*, int> stripOfObject; // one may be on many keys, and is large
+    std::map<const ModalObject*, int> stripOfObject; // several keys may share a large one
     const double middleHz = midiNoteHz((map.lowestNote + map.highestNote) / 2.0);
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         const double pitchRatio = midiNoteHz(note) / middleHz;
@@ -241,8 +242,8 @@ Result<void> Instrument::buildSingleObject(ObjectLibrary& library) {
             key = {.slot = 0, .strip = 0, .along = map.strikePlace(note)};
             continue;
         }
-        // The mallet is scaled with the object: every key is the same event at another size, where
-        // one mallet for all would make small objects louder by the cube of their pitch.
+        // Scale the mallet with the object, so that every key is the same event at another size.
+        // With one mallet for all, small objects would be louder by the cube of their pitch.
         const double sizeRatio = referenceHz / midiNoteHz(note);
         key = {.slot = static_cast<int>(synthesiserSlots.size()),
                .strip = 0,

@@ -1,5 +1,5 @@
-// An instrument ready to be played: its objects in memory and, for every MIDI note, which of them
-// to strike and where. Immutable, so any number of players share it.
+// An instrument ready to be played: its objects in memory and, for every MIDI note, the object and
+// the place to strike. It is immutable, so any number of players share it.
 #pragma once
 
 #include "Instrument/KeyMallet.h"
@@ -21,43 +21,44 @@ namespace idiophone {
 struct Key {
     int slot = -1;         ///< −1: the note is silent
     int strip = 0;         ///< index into Instrument::strips
-    double along = 0.5;    ///< its own place on the strip
-    KeyMallet mallet = {}; ///< how its mallet differs from the chosen one
-    /// False if the preset has no object for the key, which then plays a neighbour's.
+    double along = 0.5;    ///< place on the strip, 0 to 1
+    KeyMallet mallet = {}; ///< difference from the chosen mallet
+    /// False if the preset has no object for the key, so that the key plays a neighbour's.
     bool isOwn = true;
 };
 
-/// Of all slots together: each has a bank of its own, of half a kilobyte a mode, so that a small
-/// file on 128 keys could take any memory.
+/// Maximum of modes of all slots together. Each slot has its own bank, half a kilobyte a mode, so
+/// without it a small file on 128 keys could use any amount of memory.
 inline constexpr std::size_t mostModesOfSlots = std::size_t{1} << 21;
-/// Keys beside a preset's own play only where all keys together have no more modes than this: a
-/// quarter of a gigabyte.
+/// Keys outside the preset's own play only if all keys together have at most this many modes: 256
+/// MiB.
 inline constexpr std::size_t mostModesOfResizedKeys = std::size_t{1} << 19;
-/// And each slot takes as much again as thirty modes.
+/// Maximum of slots. Each uses as much memory as thirty more modes.
 inline constexpr std::size_t mostSlots = std::size_t{1} << 16;
 
-/// Refuses more slots, or slots of more modes. The error says of what they are: a key map's object
-/// ("'plate'"), a scene, a file; and on all of which it has too many.
+/// Fails if there are too many slots or modes. `ofWhat` names their owner in the error: a key map's
+/// object ("'plate'"), a scene or a file. `played` names the slots.
 Result<void> boundedSlots(std::span<const SynthesiserSlot> slots,
                           const std::string& ofWhat,
                           const char* played = "keys");
 
 class Instrument {
 public:
-    /// Loads what the preset names. The error names the object or the setting at fault; one fault
-    /// is more modes than `mostModesOfSlots`.
+    /// Loads the objects that the key map names. The error names the object or the setting at
+    /// fault. More modes than `mostModesOfSlots` are an error.
     static Result<std::shared_ptr<const Instrument>> build(const KeyMap& keyMap,
                                                            ObjectLibrary& library);
 
-    /// Of a key map of kind `scene`: keys set bodies in motion on a stage, which has a slot for
-    /// each object. `slotOfKey` is what a note is shown and held by, −1 where it does nothing.
+    /// Builds an instrument for a key map of kind `scene`: keys move bodies on a stage, which has a
+    /// slot for each object. `slotOfKey` is the slot that shows and holds a note, −1 if the note
+    /// does nothing.
     static std::shared_ptr<const Instrument> onStage(KeyMap keyMap,
                                                      std::vector<SynthesiserSlot> slots,
                                                      const std::array<int, 128>& slotOfKey,
                                                      std::shared_ptr<const Stage> stage);
 
-    /// Another one for every instrument of the process, from 1 on. Threads that do not keep an
-    /// instrument alive know it by this: another one may come to lie at its address.
+    /// Returns a number from 1 on, unique among the instruments of the process. Threads that do not
+    /// keep an instrument alive identify it by this, because addresses are reused.
     std::uint64_t serialNumber() const { return serial; }
 
     const KeyMap& keyMap() const { return map; }
@@ -67,11 +68,11 @@ public:
         return strips[static_cast<std::size_t>(key.strip)];
     }
 
-    /// What its notes set in motion instead of mallets, or null.
+    /// Returns the stage whose bodies the notes move in place of mallets, or null.
     const std::shared_ptr<const Stage>& stage() const { return ownStage; }
-    /// No two keys play one object.
+    /// Returns whether no two keys play the same object.
     bool keysHaveObjects() const;
-    /// Whether a note plays an object that the preset has for it.
+    /// Returns whether the preset has its own object for the note.
     bool hasOwn(int midiNote) const { return key(midiNote).slot >= 0 && key(midiNote).isOwn; }
 
 private:

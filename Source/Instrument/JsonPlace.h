@@ -1,4 +1,4 @@
-// JSON with the way to it, so that what is wrong with a value names its place in the file.
+// Reads JSON with the path to each value, so that an error names the value's place in the file.
 #pragma once
 
 #include "Object/Result.h"
@@ -16,33 +16,34 @@
 
 namespace idiophone {
 
-/// A value and where it stands ("bodies[2].velocity"). What is asked for and is not there throws
-/// Fault, for the reader of a whole file to catch.
+/// A value and its path ("bodies[2].velocity"). A missing or wrong value throws Fault, which the
+/// reader of a whole file catches.
 class JsonPlace {
 public:
-    /// Of texts that are not cut. Paths of files are no longer, and what looks for one or shows one
-    /// may take its time for each byte.
+    /// Maximum length of texts that are not cut. No file path is longer, and code that finds or
+    /// shows a path may take time for each byte.
     static constexpr std::size_t longestTextBytes = 4096;
 
     struct Fault {
         std::string sentence; ///< "bodies[2].velocity is not a list of three numbers"
     };
 
-    /// `placed` outlives the place; the way is empty for the whole file.
+    /// `placed` must outlive this object; the path of the whole file is empty.
     explicit JsonPlace(const nlohmann::json& placed, std::string way = {})
         : value(placed), path(std::move(way)) {}
 
     [[noreturn]] void fail(const std::string& predicate) const;
 
-    /// An object with these members and no others.
+    /// Fails unless the value is an object with these members only.
     void allow(std::initializer_list<std::string_view> members) const;
     bool has(const char* key) const { return value.contains(key); }
-    JsonPlace at(const char* key) const; ///< of an object
+    JsonPlace at(const char* key) const; ///< fails unless the value is an object with this member
 
-    /// Of an object, with their keys.
+    /// Returns the members of an object with their keys.
     std::vector<std::pair<std::string, JsonPlace>> members() const;
 
-    /// Each has its way, many times the bytes of a number in the file: hence `most`.
+    /// Returns the entries, at most `most`: an entry's path takes many times the bytes of a number
+    /// in the file.
     std::vector<JsonPlace> list(std::size_t most) const;
     double number(double lowest, double highest) const;
     double wholeNumber(double lowest, double highest) const;
@@ -50,12 +51,12 @@ public:
     bool truth() const;
     std::string text() const; ///< not empty
     std::string textOrEmpty() const;
-    /// Of any length, and cut to so many bytes, between characters.
+    /// Returns a text of any length, cut between characters to at most `mostBytes`.
     std::string textCutTo(std::size_t mostBytes) const;
     Eigen::Vector3d vector(double reach) const;
     const nlohmann::json& json() const { return value; }
 
-    /// What it is called in a sentence.
+    /// Returns the value's name in a sentence.
     std::string name() const { return path.empty() ? "it" : path; }
 
 private:
@@ -65,8 +66,8 @@ private:
     std::string path;
 };
 
-/// What `parse` makes of a whole text, whose place it is given; where that throws a fault or the
-/// text is no JSON, a sentence that begins with the name.
+/// Returns `parse` of the whole text's root. If that throws a fault, or the text is not JSON,
+/// returns an error that begins with the name.
 template <class Parse>
 auto parsedJson(std::string_view text, std::string_view name, const Parse& parse)
     -> Result<std::invoke_result_t<Parse, JsonPlace>> {

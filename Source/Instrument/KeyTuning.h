@@ -1,4 +1,4 @@
-// Which pitch each MIDI note has. Plain data that crosses threads by copy.
+// The pitch of each MIDI note. Plain data that crosses threads by copy.
 #pragma once
 
 #include <array>
@@ -6,13 +6,13 @@
 
 namespace idiophone {
 
-/// By default twelve equal steps to the octave, with note 69 at 440 Hz.
+/// The default is twelve equal steps to the octave, with note 69 at 440 Hz.
 struct KeyTuning {
     static constexpr int notes = 128;
 
-    /// How far each note lies from where equal temperament has it.
+    /// Distance of each note from equal temperament, in semitones.
     std::array<double, notes> semitonesFromEqual{};
-    /// Notes that the tuning has no pitch for; they do not sound.
+    /// Notes without a pitch in the tuning; they do not sound.
     std::bitset<notes> unmapped;
 
     bool operator==(const KeyTuning&) const = default;

@@ -1,4 +1,4 @@
-// How high a single blow peaks, heard rather than predicted.
+// Measures the peak of a single strike by rendering it.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -9,9 +9,9 @@
 
 namespace idiophone {
 
-/// The highest peak of the instrument's keys struck one at a time at velocity 127, of the parts of
-/// a second in which blows peak; full scale is 1, before `level`. Eight keys from the lowest to the
-/// highest are tried. Renders, so it takes some hundredths of a second; not for the audio thread.
+/// Returns the highest peak of the instrument's keys, struck one at a time at velocity 127; full
+/// scale is 1, before `level`. Tries eight keys from the lowest to the highest, and renders only
+/// the first 50 ms of each strike. Takes some hundredths of a second; not for the audio thread.
 double loudestBlowPeak(const std::shared_ptr<const Instrument>& instrument,
                        const Surface& surface,
                        double sampleRateHz,

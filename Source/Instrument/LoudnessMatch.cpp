@@ -16,7 +16,7 @@ namespace {
 using enum ParameterId;
 
 constexpr double largestGainDb = 40;
-// What 2 LU leave beside the error of the prediction.
+// The tolerance is 2 LU; the prediction's own error uses up the rest.
 constexpr double farthestFromMiddleDb = 1.5;
 
 void copyInto(ParameterValues& to,
@@ -128,7 +128,7 @@ void LoudnessMatch::returnToSongStart(const ParameterValues& now) noexcept {
     if (atSongStart.seen && beginsWith(atSongStart))
         state = atSongStart;
     else if (state.working && beginsWith(state))
-        return; // in a short song it may take several
+        return; // the work may take several passes of a short song
     state.working = false;
     state.seen.reset();
 }
@@ -159,7 +159,7 @@ void LoudnessMatch::setGoal(const ParameterValues& now) noexcept {
         beginNext();
 }
 
-/// What is still unknown of the goal, or its gain.
+/// Begins the next unknown prediction of the goal, or computes the gain if all are known.
 void LoudnessMatch::beginNext() noexcept {
     state.onReference = !state.reference.isKnown();
     state.working = state.onReference || !state.played.isKnown();

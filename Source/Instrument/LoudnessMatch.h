@@ -1,5 +1,5 @@
-// What keeps another material or mallet as loud as the preset's own: a gain from predictions of
-// loudness. It hears no samples; applying the gain is the business of the player.
+// Keeps another material or mallet as loud as the preset's own, by a gain from predicted loudness.
+// It renders no samples; the player applies the gain.
 #pragma once
 
 #include "Instrument/HeldContacts.h"
@@ -11,63 +11,65 @@
 
 namespace idiophone {
 
-/// The gain that makes the material and the mallet of some values as loud as those of the preset as
-/// loaded, −40 to 40 dB; all else, such as speed, place and size, is on both sides and stays heard.
-/// One gain for all velocities: the mean over PhrasePrediction::velocities, but within 1.5 dB of
-/// that of the middle one. It depends on parameters and, for keys that scrape or roll, on the
-/// wheel; no key or pressure moves it. 0 where material and mallet are the preset's own, and where
-/// nothing sounds with one of the two.
+/// The gain, −40 to 40 dB, that makes the material and mallet of some values as loud as those of
+/// the preset as loaded. Speed, place, size and the like are equal on both sides, so their effect
+/// stays audible.
+/// One gain serves all velocities: the mean over PhrasePrediction::velocities, within 1.5 dB of
+/// that of the middle velocity. It depends on parameters and, for keys that scrape or roll, on the
+/// wheel; keys and pressure do not change it. It is 0 if material and mallet are the preset's own,
+/// or if nothing sounds with one of the two.
 ///
 /// Constructed and destroyed off the audio thread. The same calls give the same gains.
 class LoudnessMatch {
 public:
-    /// Modes that one `advance` takes in: some 20 µs of work.
+    /// Maximum of modes that one `advance` processes: about 20 µs of work.
     static constexpr std::size_t modesPerCell = 16;
 
-    /// The surface, which is valid, is what keys that scrape or roll sound like. `own` are the
-    /// preset's values.
+    /// `surface` must be valid; keys that scrape or roll sound like it. `own` are the preset's
+    /// values.
     LoudnessMatch(std::shared_ptr<const Instrument> instrument,
                   const Surface& surface,
                   double sampleRateHz,
                   const ParameterValues& own);
 
-    /// Has the gain of these values at once, however many modes there are, and knows that of the
-    /// wheel at rest and where it is about to be: not for the audio thread.
+    /// Computes the gain of these values at once, for the present wheel, the wheel at rest and
+    /// `awaitedWheel`, where the wheel is about to be. Takes time with the number of modes: not for
+    /// the audio thread.
     void prepare(const ParameterValues& now,
                  int awaitedWheel = HeldContacts::controllerAtRest) noexcept;
 
-    /// Works on the gain of these values and returns how many modes it took in: none while it has
-    /// that gain, else at most `modesPerCell`. What moves in the meantime is followed after that.
-    /// For every cell, on the audio thread: neither allocates, locks nor throws. Where nothing was
-    /// prepared, the first call prepares.
+    /// Works towards the gain of these values. Returns the number of modes processed: 0 once the
+    /// gain is complete, otherwise at most `modesPerCell`. Values that change meanwhile have to
+    /// wait until then. Call it every cell on the audio thread: it neither allocates, locks nor
+    /// throws. Without prepare(), the first call prepares.
     std::size_t advance(const ParameterValues& now) noexcept;
 
-    /// Where the modulation wheel is, 0 to 127: the speed of scrapes and rolls moves their spectrum
-    /// by octaves. At rest until it moves; counts from the next `advance` on.
+    /// Sets the modulation wheel, 0 to 127; it starts at rest and acts at the next `advance`. The
+    /// speed of scrapes and rolls moves their spectrum by octaves.
     void setSpeedController(int value) noexcept { wheel = value; }
     int speedController() const noexcept { return wheel; }
 
-    /// The last gain that was complete.
+    /// Returns the last complete gain.
     double gainDb() const noexcept { return state.gainDb; }
 
-    /// The wheel at rest. What was predicted for it there stays known: where the values are those
-    /// of the last such prediction, the next `advance` has their gain and takes in nothing. Where
-    /// nothing was prepared, the first call prepares, as if constructed anew.
+    /// Returns the wheel to rest but keeps the predictions made there. If the values equal those of
+    /// the last such prediction, the next `advance` has their gain and processes no modes. Without
+    /// prepare(), the next call prepares, as after construction.
     void reset() noexcept;
 
-    /// A song begins: where it does with the values and the wheel that it began with last, the next
-    /// `advance` has their gain, and all that is known is as it was then, so that the same values
-    /// are followed in the same time again.
+    /// Marks the start of a song. If values and wheel equal those of its last start, the next
+    /// `advance` restores the state of that start. So the gain follows the same values in the same
+    /// time on every pass.
     void beginSong() noexcept { songBegins = true; }
 
-    /// Of these values and the wheel, complete; not for the audio thread.
+    /// Returns the complete prediction for these values and the wheel; not for the audio thread.
     PhrasePrediction::Loudness predictedLufs(const ParameterValues& values) const noexcept;
 
 private:
-    /// What loudness depends on.
+    /// The values that the loudness depends on.
     struct Goal {
         ParameterValues values;
-        int wheel = 0; ///< at rest for strikes, which it does not move
+        int wheel = 0; ///< at rest for strikes, as it does not affect them
 
         bool operator==(const Goal&) const = default;
     };
@@ -76,8 +78,8 @@ private:
         Goal goal;
         PhrasePrediction::Loudness lufs{};
     };
-    /// One of the two that are compared. What is known with the wheel at rest has a place of its
-    /// own: a reset returns there from wherever the wheel is.
+    /// One of the two compared sides. Predictions with the wheel at rest have their own place,
+    /// because a reset returns there from any wheel position.
     struct Side {
         Goal goal;
         Known atRest, away;
@@ -89,8 +91,8 @@ private:
         double gainDb = 0;
         Side reference, played;
         bool working = false;
-        bool onReference = false; ///< rather than on what is played
-        std::optional<Goal> seen; ///< what the goals are made of
+        bool onReference = false; ///< which side it works on
+        std::optional<Goal> seen; ///< inputs of the present goals
     };
 
     std::size_t advance(const ParameterValues& now, std::size_t modes) noexcept;
@@ -104,16 +106,17 @@ private:
     ParameterValues ownValues;
     PhrasePrediction prediction;
     State state;
-    State atSongStart;        ///< complete; of no song where nothing was seen
-    bool songBegins = false;  ///< with the next `advance`
-    bool isSongStart = false; ///< what is worked on; kept when it is complete
+    State atSongStart;        ///< complete; unused while `seen` is empty
+    bool songBegins = false;  ///< set until the next `advance`
+    bool isSongStart = false; ///< the present work belongs to a song start; stored when complete
     bool wasPrepared = false; ///< by `prepare`
-    bool hasPrepared = false; ///< by it, or by the first `advance`
+    bool hasPrepared = false; ///< by `prepare` or by the first `advance`
     int wheel = HeldContacts::controllerAtRest;
 };
 
-/// The values with all that does not enter a prediction at its default: level, budget and the like,
-/// and what the choices of material, mallet and contact leave without effect. Any thread.
+/// Returns the values with everything that does not enter a prediction at its default: level,
+/// budget and the like, and figures that the choice of material, mallet and contact leaves unused.
+/// Any thread.
 ParameterValues valuesThatMatter(const ParameterValues& values) noexcept;
 
 } // namespace idiophone
