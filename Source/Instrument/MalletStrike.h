@@ -1,4 +1,5 @@
-// From a key's velocity and the mallet's parameters to a contact: where, how hard, how long.
+// Turns a key's velocity and the mallet's parameters into a strike: its place, impulse and contact
+// time.
 #pragma once
 
 #include "Instrument/DrivingPoint.h"
@@ -13,37 +14,37 @@
 
 namespace idiophone {
 
-/// The key's own place, moved by "strike position". Any thread.
+/// Returns the key's own place, moved by "strike position". Any thread.
 StrikePlace aimedPlace(double keyAlong, const ParameterValues& parameters);
 
-/// The place of a strike: what is aimed at, strayed by "spread". The same `strikeNumber` always
-/// strays the same way, so that a render repeats. Any thread.
+/// Returns the place of a strike: the aimed place plus a random offset by "spread". The same
+/// `strikeNumber` always has the same offset, so that a render repeats. Any thread.
 StrikePlace
 strikePlace(double keyAlong, const ParameterValues& parameters, std::uint32_t strikeNumber);
 
-/// (1 − ν²)/E [1/Pa] of what is struck: of the live material where one is chosen, else of the
-/// object's own. The custom material has the object's Poisson ratio. Any thread.
+/// Returns (1 − ν²)/E [1/Pa] of the struck surface: the live material if one is chosen, otherwise
+/// the object's own. The custom material has the object's Poisson ratio. Any thread.
 double surfaceCompliancePerPa(const Material& own, const ParameterValues& parameters);
 
-/// The chosen mallet as a key has it, on a surface of that compliance [1/Pa]; 0 is rigid. The
-/// custom mallet's hardness is the modulus of the whole contact, whatever it meets. A mallet that
-/// follows the keys by a share q has a contact of pitchRatio^(q (p+1)) times the modulus, so its
-/// contact time on something heavy falls as pitchRatio^q. Any thread.
+/// Returns the chosen mallet, as scaled for a key, on a surface of that compliance [1/Pa]; 0 is
+/// rigid. The custom mallet's hardness is the modulus of the whole contact on any surface. A mallet
+/// that follows the keys by a share q has a contact of pitchRatio^(q (p+1)) times the modulus, so
+/// its contact time on something heavy falls as pitchRatio^q. Any thread.
 Striker
 striker(const KeyMallet& key, const ParameterValues& parameters, double surfaceCompliance = 0);
 
-/// The speed [m/s] of a mallet at MIDI velocity 1 to 127. Any thread.
+/// Returns the speed [m/s] of a mallet at MIDI velocity 1 to 127. Any thread.
 double malletSpeedAt(int velocity, const ParameterValues& parameters);
 
-/// The strike of a mallet at a speed > 0 on what yields as `driven` does, into the surface. Any
-/// thread.
+/// Returns the strike of a mallet at a speed > 0, into the surface, on an object that yields as
+/// `driven`. Any thread.
 Strike malletStrike(const StrikePoint& point,
                     const Striker& mallet,
                     double speedMetresPerSecond,
                     const DrivingPoint& driven);
 
-/// The same of the chosen mallet on an object of an instrument, under the parameters' material,
-/// size and thickness. Any thread.
+/// Returns the strike of the chosen mallet on a slot's object, under the parameters' material, size
+/// and thickness. Any thread.
 Strike malletStrike(const StrikePoint& point,
                     int velocity,
                     const KeyMallet& key,

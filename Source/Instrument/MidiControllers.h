@@ -1,4 +1,4 @@
-// The numbers of MIDI's controllers and channel mode messages that a player follows (MIDI 1.0).
+// Numbers of the MIDI controllers and channel mode messages that a player follows (MIDI 1.0).
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@ enum Controller {
     allSoundOff = 120,
     resetControllers = 121,
     allNotesOff = 123,
-    // These are all notes off, too, whatever else they ask for.
+    // The following messages imply all notes off.
     omniOff = 124,
     omniOn = 125,
     monoOn = 126,
     polyOn = 127
 };
 
-/// Of any channel.
+/// Returns whether the message is All Sound Off, on any channel.
 inline bool isAllSoundOff(std::span<const std::uint8_t> message) {
     return message.size() == 3 && (message[0] & 0xf0) == 0xb0 && (message[1] & 0x7f) == allSoundOff;
 }

@@ -1,5 +1,5 @@
-// Some modes of some objects, by names for the objects (SilencedModes.h) and the modes' numbers:
-// those that are muted, or heard alone. Plain data, a little of it.
+// A set of modes of several objects, such as the muted modes. It identifies objects by name
+// (SilencedModes.h) and modes by number. Plain data.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,26 @@ namespace idiophone {
 /// Not for the audio thread.
 class ModeSet {
 public:
-    /// Modes of all objects together; no more are taken in.
+    /// Maximum of modes of all objects together.
     static constexpr std::size_t capacity = 16384;
-    /// Modes of an object are numbered from 0 to below this.
+    /// Modes of an object are numbered from 0 to mostModes − 1.
     static constexpr std::int32_t mostModes = 1 << 20;
 
-    /// False where the mode was to be added and there is no room, or its number is out of range.
+    /// Adds or removes a mode. Returns false if the set is full or the number is out of range.
     bool set(const std::string& object, std::int32_t mode, bool isIn);
     bool contains(const std::string& object, std::int32_t mode) const;
     void clear(const std::string& object);
 
     bool empty() const { return modes.empty(); }
     std::size_t size() const { return count; }
-    /// Ascending; empty where there is none.
+    /// Returns the object's modes in ascending order; empty if there are none.
     const std::set<std::int32_t>& of(const std::string& object) const;
     const std::map<std::string, std::set<std::int32_t>>& objects() const { return modes; }
 
     bool operator==(const ModeSet&) const = default;
 
 private:
-    std::map<std::string, std::set<std::int32_t>> modes; ///< no object without a mode
+    std::map<std::string, std::set<std::int32_t>> modes; ///< objects without modes have no entry
     std::size_t count = 0;
 };
 

@@ -17,14 +17,14 @@ float Motor::advance(double turnsPerSecond, double depth) {
 }
 
 void Motor::keepTo(double turns, bool isAtOnce) {
-    constexpr double keepingSeconds = 0.1; // heard as a turn, not as a step
+    constexpr double keepingSeconds = 0.1; // short, but too slow to be heard as a step
     const double wanted = turns - std::floor(turns);
     if (isAtOnce) {
         turn = wanted;
         return;
     }
     double way = wanted - turn;
-    way -= std::round(2 * way) / 2; // open twice a turn
+    way -= std::round(2 * way) / 2; // the discs are open twice a turn
     turn += (1 - std::exp(-cellSeconds / keepingSeconds)) * way;
 }
 

@@ -1,26 +1,27 @@
-// The motor of a vibraphone, whose discs open and close the tubes: the modes that bars share with
-// their tubes pulse.
+// The motor of a vibraphone. Its discs open and close the tubes, so that the modes that bars share
+// with their tubes pulse.
 #pragma once
 
 namespace idiophone {
 
-/// On the audio thread, a cell of the grid at a time; neither allocates, locks nor throws. It turns
-/// by cells alone, so that a render repeats bit for bit.
+/// For the audio thread, one cell of the grid at a time; neither allocates, locks nor throws. It
+/// turns by cells only, so that a render repeats bit for bit.
 class Motor {
 public:
     explicit Motor(double secondsPerCell) : cellSeconds(secondsPerCell) {}
 
-    /// Turns on by a cell at `turnsPerSecond` ≥ 0 and returns the gain at its end, from 1 (open) to
-    /// 1 − `depth` (closed, 0 to 1), twice a turn each. A change of depth takes about 10 ms.
+    /// Turns on by a cell at `turnsPerSecond` ≥ 0. Returns the gain at the cell's end: from 1
+    /// (open) to 1 − `depth` (closed, 0 to 1), twice a turn each. A change of depth takes about 10
+    /// ms.
     float advance(double turnsPerSecond, double depth);
-    /// As returned last; 1 at the start.
+    /// Returns the last gain of `advance`; 1 at the start.
     float gain() const { return gainNow; }
 
-    /// Before `advance`, where something else says how far the motor has turned: so far at once, or
-    /// a share of the way, by the shorter one to discs as open as that.
+    /// Corrects the phase to that of another clock; call it before `advance`. It jumps at once, or
+    /// takes a share of the shorter way to a phase with the same opening.
     void keepTo(double turns, bool isAtOnce);
 
-    /// Open, as at the start.
+    /// Returns to the start: open.
     void reset();
 
 private:

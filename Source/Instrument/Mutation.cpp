@@ -15,9 +15,9 @@ namespace {
 using enum ParameterId;
 
 constexpr double mostLouderDb = 6;
-constexpr double anyRateHz = 48000; // both predictions are at the same
+constexpr double anyRateHz = 48000; // any rate will do if both predictions have it
 
-/// −1 to 1; the standard's distributions differ from library to library.
+/// Returns −1 to 1. The standard's distributions differ from library to library.
 double nextRandom(std::mt19937& random) {
     return 2 * (static_cast<double>(random()) / 4294967295.0) - 1;
 }

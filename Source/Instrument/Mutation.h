@@ -1,6 +1,6 @@
-// A new sound near the one that plays: random steps of the parameters that shape it, within musical
-// bounds (ParameterInfo::mutation). Pitch, and so stiffness, density, size and thickness, quality
-// and what the keys do stay as they are.
+// Makes a new sound near the current one: random steps of the parameters that shape it, within
+// musical bounds (ParameterInfo::mutation). It keeps the pitch, and so stiffness, density, size and
+// thickness; it also keeps quality settings and the way keys play.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -11,13 +11,14 @@
 
 namespace idiophone {
 
-/// The values moved by random steps, each uniform within its own step times `strength` (0 to 1) and
-/// turned back at its bounds; a value that lies beyond its bounds already goes no further. The
-/// material and the mallet become custom ones, which start from the figures of what is played.
-/// `level` follows the predicted loudness down without limit and up by 6 dB at most, never above
+/// Returns the values after random steps, each uniform within its parameter's step times `strength`
+/// (0 to 1) and reflected at its bounds. A value beyond its bounds moves no further away. Material
+/// and mallet become custom ones, which start from the current figures. `level` follows the
+/// predicted loudness down without limit, and up by at most 6 dB: never above the greater of its
+/// old value and 0 dB. `preset` is the one that `now` was loaded from.
 /// what it was or 0 dB, whichever is more. `preset` is what `now` was loaded from.
 ///
-/// The same arguments give the same values. It takes as long as a few predictions of loudness
+/// The same arguments give the same values. Takes as long as a few predictions of loudness
 /// (LoudnessMatch.h): not for the audio thread.
 ParameterValues mutated(const ParameterValues& now,
                         const std::shared_ptr<const Instrument>& instrument,

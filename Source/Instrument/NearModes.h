@@ -1,4 +1,4 @@
-// The energy of modes that are so close to one another that it is not the sum of each one's.
+// The energy of modes that lie close together, where it differs from the sum of each mode's energy.
 #pragma once
 
 #include "Instrument/PhraseMeter.h"
@@ -11,25 +11,24 @@
 
 namespace idiophone {
 
-/// A mode that rings after each of `levels` ways to excite it.
+/// A mode that rings after each of `levels` kinds of excitation.
 template <std::size_t levels>
 struct RingingMode {
     double omega = 0;                                      ///< damped [rad/s]
     double decay = 0;                                      ///< [1/s]
     std::array<std::complex<double>, levels> velocities{}; ///< for a residue of 1
-    /// For the strike of each note, left and right.
+    /// Residues for the strike of each note, left and right.
     std::array<std::array<std::complex<double>, 2>, PhraseMeter::notes> residues{};
 };
 
-/// The last few modes, with which the next one interferes: ∫ v_i v_j dt = Re(A_i A_j* (a + iΔ))/(a²
-/// + Δ²)/2, a = α_i + α_j, Δ = ω_i − ω_j, counts where they are close to one another, as the pairs
-/// of round objects and all modes of soft ones are. Modes come in ascending order. Does not
-/// allocate.
+/// Keeps the last few modes, with which the next one interferes. The term ∫ v_i v_j dt = Re(A_i
+/// A_j* (a + iΔ))/(a² + Δ²)/2, a = α_i + α_j, Δ = ω_i − ω_j, matters for close modes: the pairs of
+/// round objects, and all modes of soft ones. Add modes in ascending order. Does not allocate.
 template <std::size_t levels>
 class NearModes {
 public:
-    /// The powers, mean of the channels, for each way and note, that make the mode's own decay
-    /// carry its energy and that of its interference with those before it.
+    /// Returns powers, mean of the channels, for each excitation and note. Decaying as the mode
+    /// does, they carry its energy and that of its interference with the modes before it.
     std::array<PhraseMeter::NoteFigures, levels>
     add(const RingingMode<levels>& mode, std::size_t firstNote, std::size_t endNote) noexcept {
         std::array<PhraseMeter::NoteFigures, levels> powers{};
@@ -61,7 +60,7 @@ public:
     }
 
 private:
-    static constexpr double farthest = 10; // of 1 % of the energy
+    static constexpr double farthest = 10; // resonance widths; beyond lies 1 % of the energy
     std::array<RingingMode<levels>, 6> recent;
     std::size_t count = 0;
 };

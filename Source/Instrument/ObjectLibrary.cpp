@@ -9,7 +9,8 @@
 namespace idiophone {
 namespace {
 
-/// What a file's object is kept under: a file that changed is another object.
+/// Returns the key of a file's object. It includes the time of the last change, because a changed
+/// file is another object.
 std::string fileKey(const std::filesystem::path& file) {
     std::error_code fault;
     const auto path = std::filesystem::weakly_canonical(file, fault);
@@ -46,7 +47,7 @@ Result<std::shared_ptr<const ModalObject>> ObjectLibrary::find(const std::string
     if (auto object = known(key))
         return object;
 
-    // Without the lock: a large file takes seconds, for which nobody else shall wait.
+    // Read without the lock: a large file takes seconds, and other threads must not wait for it.
     auto object = factory ? readModalObject(*factory, name) : readModalObject(pathNamed(name));
     if (!object)
         return tl::unexpected(object.error());

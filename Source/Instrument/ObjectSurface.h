@@ -1,4 +1,4 @@
-// A modal object's mesh as a surface to be struck: from points in space to strike points.
+// A modal object's mesh as a surface to strike: converts points in space to strike points.
 #pragma once
 
 #include "Geometry/SurfaceQuery.h"
@@ -15,18 +15,19 @@ namespace idiophone {
 /// Not for the audio thread.
 class ObjectSurface {
 public:
-    /// `object` outlives the surface and carries shapes at a vertex.
+    /// `object` must outlive the surface and have shapes at a vertex at least.
     explicit ObjectSurface(const ModalObject& object);
 
-    /// The nearest place to a point in metres at which shapes are known: barycentric within a face
-    /// of the mesh between the vertices that carry them (Geometry/ShapeMesh.h), the normal between
-    /// those of its corners.
+    /// Returns the place with shapes that is nearest to a point in metres. The place is barycentric
+    /// within a face of the mesh between the vertices with shapes (Geometry/ShapeMesh.h). Its
+    /// normal is interpolated between those of the corners.
     StrikePoint nearest(const std::array<double, 3>& pointMetres) const;
 
-    /// Between the vertices that carry shapes; 0 where no two are joined.
+    /// Returns the mean edge between vertices with shapes; 0 if no two are joined.
     double meanEdgeMetres() const { return meanEdgeLengthMetres(query.mesh()); }
 
-    /// At a vertex of the object's mesh; nothing where it does not exist or carries no shapes.
+    /// Returns the place at a vertex of the object's mesh, or nothing if it does not exist or has
+    /// no shapes.
     std::optional<StrikePoint> atVertex(std::int64_t vertex) const;
 
 private:
@@ -34,7 +35,7 @@ private:
 
     const ModalObject& object;
     std::vector<float> normals;
-    SurfaceQuery query; ///< its vertices are rows
+    SurfaceQuery query; ///< its vertices are shape rows
 };
 
 } // namespace idiophone

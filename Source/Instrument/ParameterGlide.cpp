@@ -11,7 +11,7 @@ namespace {
 
 using enum ParameterId;
 
-/// Of a parameter's way from end to end; less is not heard as a step.
+/// Share of a parameter's range; a smaller step is not heard.
 constexpr double smallestStep = 2e-5;
 
 } // namespace

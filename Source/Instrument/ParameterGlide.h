@@ -1,30 +1,27 @@
-// Parameters that sound while they move, smoothed on the grid: a host hands over one value a block,
-// which would be heard as steps.
+// Smooths parameters on the grid. A host gives one value a block, which would be heard as steps.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
 
 namespace idiophone {
 
-/// For the audio thread; neither allocates, locks nor throws. Goes by cells alone, so that a render
-/// repeats bit for bit.
+/// For the audio thread; neither allocates, locks nor throws. It moves by cells only, so that a
+/// render repeats bit for bit.
 class ParameterGlide {
 public:
-    /// 63 % of the way in this time: smooth for blocks up to some 500 samples, and no slower to the
-    /// ear than at once.
+    /// Time for 63 % of the way: smooth for blocks up to about 500 samples, yet heard as immediate.
     static constexpr double glideSeconds = 0.01;
 
-    /// Of the way to a goal, in a cell.
+    /// Returns the share of the way to a goal that a cell covers.
     static double shareOfWay(double secondsPerCell) noexcept;
 
     explicit ParameterGlide(double secondsPerCell);
 
-    /// What glides is on its way from here on: material, size, pitch, where all is heard from and
-    /// what a held contact does.
-    /// All else is so at once, as are all values after `reset`, and the figures of a material that
-    /// was just chosen.
+    /// Sets the goal of the parameters that glide: material, size, pitch, listening position, and
+    /// the figures of sustained contacts. All others take their new value at once. So do all values
+    /// after `reset`, and the figures of a newly chosen material.
     void setGoal(const ParameterValues& wanted) noexcept;
-    /// A cell further, by each parameter's own scale.
+    /// Moves on by one cell, on each parameter's own scale.
     void advance() noexcept;
     const ParameterValues& values() const noexcept { return now; }
     const ParameterValues& goalValues() const noexcept { return goal; }

@@ -1,4 +1,4 @@
-// A parameter's value as presets and scenes have it in JSON.
+// Reads a parameter's value from the JSON of presets and scenes.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// Of a number in the parameter's unit, or of what a person would type; nothing where it is
-/// neither. Values are held to their range where they are set.
+/// Reads a number in the parameter's unit, or text as a person would type it. Returns nothing for
+/// anything else. ParameterValues::set clamps the value to its range.
 inline std::optional<double> parameterOfJson(const ParameterInfo& info,
                                              const nlohmann::json& value) {
     if (value.is_string())

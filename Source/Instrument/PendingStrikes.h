@@ -1,4 +1,4 @@
-// Strikes that are decided and still to come, in order of time, on the grid of cells.
+// A queue of pending strikes in order of time, on the grid of cells.
 #pragma once
 
 #include "Synth/Strike.h"
@@ -17,7 +17,7 @@ struct PendingStrike {
     Strike strike;
 };
 
-/// Memory is reserved by the constructor; the rest is for the audio thread.
+/// The constructor reserves memory; the rest is for the audio thread.
 class PendingStrikes {
 public:
     explicit PendingStrikes(std::size_t capacity);
@@ -26,15 +26,16 @@ public:
     bool empty() const { return strikes.empty(); }
     void clear() { strikes.clear(); }
 
-    /// Needs room. Of strikes at one time the one that came first is next.
+    /// Adds a strike; needs room() > 0. Strikes at the same time keep the order in which they were
+    /// added.
     void add(const PendingStrike& strike);
 
-    /// The next one, if there is one; `add`, `pop` and `clear` end its life.
+    /// Returns the next strike, or nullptr. `add`, `pop` and `clear` invalidate it.
     const PendingStrike* next() const { return strikes.empty() ? nullptr : &strikes.back(); }
     void pop() { strikes.pop_back(); }
 
 private:
-    std::vector<PendingStrike> strikes; ///< the next one last
+    std::vector<PendingStrike> strikes; ///< latest first, so that the next is at the back
 };
 
 } // namespace idiophone

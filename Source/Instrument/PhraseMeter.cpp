@@ -6,7 +6,7 @@
 namespace idiophone {
 namespace {
 
-/// x = f/f0 of a filter of the second order in the Laplace domain, normalised to f0.
+/// Returns |denominator|² of a second-order filter at x = f/f0.
 double denominatorPower(double x, double quality) noexcept {
     const double real = 1 - x * x, imaginary = x / quality;
     return real * real + imaginary * imaginary;
@@ -14,8 +14,8 @@ double denominatorPower(double x, double quality) noexcept {
 
 } // namespace
 
-// The analogue filters whose bilinear transforms at 48 kHz are the standard's coefficients, which
-// leave the high-pass 0.04 dB above 1.
+// Evaluates the analogue filters whose bilinear transforms at 48 kHz give the standard's
+// coefficients. Those leave the high-pass 0.04 dB above 1.
 double kWeightingPower(double hz) noexcept {
     constexpr double shelfHz = 1681.974450955533, shelfQuality = 0.7071752369554196;
     constexpr double shelfHigh = 1.584864701130855, shelfMiddle = 1.258720930232562;
@@ -35,7 +35,7 @@ void PhraseMeter::addMode(Note note,
     const double heldLost = -std::expm1(-2 * decay * hopSeconds);
     const double freeLost = -std::expm1(-2 * freeDecay * hopSeconds);
     const bool struck = note == Note::struck;
-    // Of what comes in at the start of a hop, or all through it.
+    // Share lost of energy that arrives at the start of a hop, or throughout the hop.
     const double addedLost = struck ? heldLost : 1 - heldLost / (2 * decay * hopSeconds);
     double held = 0, free = 0;
     for (std::size_t hop = 0; hop < phraseHops; ++hop) {

@@ -1,5 +1,5 @@
-// The loudness of a phrase from the energies of its modes: a meter after ITU-R BS.1770-4 that hears
-// decaying sinusoids instead of samples. Knows nothing of objects or mallets.
+// Computes the loudness of a phrase from the energies of its modes: ITU-R BS.1770-4 for decaying
+// sinusoids in place of samples. It does not depend on objects or mallets.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace idiophone {
 
-/// The power gain of K-weighting (BS.1770-4, annex 1) at a frequency ≥ 0.
+/// Returns the power gain of K-weighting (BS.1770-4, annex 1) at a frequency ≥ 0.
 double kWeightingPower(double hz) noexcept;
 
-/// Eight notes, two a second, and half a second of silence after the last key is up. Does not
+/// Meters eight notes, two a second, and half a second of silence after the last note-off. Does not
 /// allocate.
 class PhraseMeter {
 public:
@@ -20,27 +20,28 @@ public:
     /// One figure for each note.
     using NoteFigures = std::array<double, notes>;
 
-    /// Struck at its start, or kept going with the same energy all the while.
+    /// `struck` notes get their energy at the start; `sustained` ones get the same energy
+    /// throughout.
     enum class Note { struck, sustained };
 
-    /// Adds a lightly damped mode that the notes excite to those K-weighted powers (the mean square
-    /// at its start, of a decaying sinusoid half its squared amplitude). Its amplitude falls as
-    /// e^(−αt) with the `decay` α > 0 [1/s], and from the end of each note on with `release` ≥ 0
-    /// [1/s] more.
+    /// Adds a lightly damped mode that the notes excite to those K-weighted powers: the mean square
+    /// at its start, half the squared amplitude of a decaying sinusoid. Its amplitude falls as
+    /// e^(−αt) with the `decay` α > 0 [1/s]. After the end of each note `release` ≥ 0 [1/s] adds to
+    /// α.
     void addMode(Note note, const NoteFigures& powers, double decay, double release) noexcept;
 
-    /// Adds K-weighted energies, power times seconds, at the start of each note.
+    /// Adds K-weighted energies (power times seconds) at the start of each note.
     void addTransients(const NoteFigures& energies) noexcept;
 
-    /// Adds what lasts as long as the notes and no longer, of those K-weighted powers.
+    /// Adds K-weighted powers that last exactly as long as the notes.
     void addSteady(const NoteFigures& powers) noexcept;
 
-    /// The integrated loudness of one channel in LUFS, with the relative gate and without the
-    /// absolute one; −infinity where nothing sounds.
+    /// Returns the integrated loudness of one channel in LUFS, with the relative gate and without
+    /// the absolute one; −infinity if nothing sounds.
     double integratedLufs() const noexcept;
 
 private:
-    // Blocks of four hops every hop are the standard's: 0.4 s with 75 % of overlap.
+    // The standard's blocks of four hops, one starting every hop: 0.4 s with 75 % overlap.
     static constexpr double hopSeconds = 0.1;
     static constexpr std::size_t blockHops = 4;
     static constexpr auto noteHops = static_cast<std::size_t>(noteSeconds / hopSeconds + 0.5);

@@ -95,7 +95,7 @@ const SynthesiserSlot& PhrasePrediction::slot() const noexcept {
     return phrase->instrument->slots()[static_cast<std::size_t>(phrase->notes[firstNote].key.slot)];
 }
 
-/// The next notes that play one object, one after the other.
+/// Begins the next object, with the consecutive notes that play it.
 void PhrasePrediction::beginObject() noexcept {
     const auto& notes = phrase->notes;
     firstNote = endNote;
@@ -115,7 +115,7 @@ void PhrasePrediction::beginObject() noexcept {
     conditions.gainRatio /= thicknessRatio;
     conditions.radiationGainRatio /= thicknessRatio;
     listening = slot().object->radiation.empty() ? 0 : settings.radiation;
-    // The next key holds an object that all keys share.
+    // If notes share the object, the next key holds it: it rings on.
     const bool rings = parameters[letRing] != 0 || endNote - firstNote > 1;
     release = rings ? 0 : decayPerSecond(parameters[releaseTime]);
     nearModes = {};
@@ -188,8 +188,8 @@ RigidClick PhrasePrediction::clickOf(const Strike& strike) const noexcept {
     return click;
 }
 
-/// Adds the energy of the interference with a mode Re(A e^{pt}): 2 ∫ P sin Ωt Re(A e^{pt}) dt =
-/// 2 P Re(A Ω (1 − e^{pT})/(p² + Ω²)).
+/// Adds the energy of a click's interference with a mode Re(A e^{pt}): 2 ∫ P sin Ωt Re(A e^{pt}) dt
+/// = 2 P Re(A Ω (1 − e^{pT})/(p² + Ω²)).
 void PhrasePrediction::addClick(const RingingMode<levels>& mode, double weighting) noexcept {
     const std::complex<double> pole(-mode.decay, mode.omega);
     for (std::size_t level = 0; level < levels; ++level) {
@@ -243,7 +243,7 @@ void PhrasePrediction::endObject() noexcept {
     }
 }
 
-/// The next `count` modes of the object, at most a chunk.
+/// Processes the next `count` modes of the object, at most `chunk`.
 void PhrasePrediction::addModes(std::size_t count) noexcept {
     const auto& object = *slot().object;
     std::array<std::array<float, chunk>, PhraseMeter::notes> struck, heard;

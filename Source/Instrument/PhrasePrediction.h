@@ -1,5 +1,5 @@
-// How loud an instrument will play a phrase, from its modes alone and a few modes at a time. What
-// the figure is good for stands in LoudnessMatch.h.
+// Predicts how loud an instrument plays a phrase, from its modes only and a few modes at a time.
+// LoudnessMatch.h uses it.
 #pragma once
 
 #include "Instrument/BlowSpectrum.h"
@@ -27,13 +27,13 @@ namespace idiophone {
 struct Phrase {
     struct Note {
         Key key;
-        LowestModes lowestModes; ///< of its object
+        LowestModes lowestModes; ///< of the key's object
         RigidRadiator rigidBody;
     };
 
-    /// The surface, which is valid, is what keys that scrape or roll sound like.
+    /// `surface` must be valid; keys that scrape or roll sound like it.
     Phrase(std::shared_ptr<const Instrument> instrument, Surface surface, double sampleRateHz);
-    /// From one MIDI note to another.
+    /// Spreads the notes from `lowestNote` to `highestNote`.
     Phrase(std::shared_ptr<const Instrument> instrument,
            Surface surface,
            double sampleRateHz,
@@ -46,27 +46,27 @@ struct Phrase {
     std::array<Note, PhraseMeter::notes> notes;
 };
 
-/// Nothing allocates, locks or throws, and all depends on the arguments alone.
+/// Nothing allocates, locks or throws. Results depend on the arguments only.
 class PhrasePrediction {
 public:
-    /// The phrase is struck at each of these; factory levels are set at the middle one.
+    /// The velocities of the phrase; factory levels are set at the middle one.
     static constexpr std::array velocities{40, 100, 127};
     static constexpr std::size_t middleVelocity = 1;
     /// LUFS for each velocity (PhraseMeter.h; the mean of both channels, before `level`).
     using Loudness = std::array<double, velocities.size()>;
 
-    /// Begins anew, for a modulation wheel at 0 to 127; `phrase` stays until the prediction is
-    /// complete.
+    /// Starts a new prediction, for a modulation wheel at 0 to 127. `phrase` must stay alive until
+    /// the prediction is complete.
     void begin(const Phrase& phrase, const ParameterValues& parameters, int wheel) noexcept;
 
-    /// Takes in so many more modes, or all that are left, and returns how many.
+    /// Processes up to `modes` more modes and returns how many.
     std::size_t advance(std::size_t modes) noexcept;
     bool complete() const noexcept { return phrase == nullptr; }
 
     /// Returns the loudness once it is complete; −infinity if nothing sounds. It leaves out
-    /// `spread`, `imperfection`, and what τ and the mode budget drop. Keys that scrape or roll are
-    /// predicted up to a constant that depends on speed, force and roughness, and for all
-    /// velocities alike.
+    /// `spread`, `imperfection`, and modes that τ and the mode budget drop. For keys that scrape or
+    /// roll it lacks a constant that depends on speed, force and roughness, and is the same for all
+    /// velocities.
     Loudness lufs() const noexcept;
 
 private:
@@ -88,8 +88,8 @@ private:
     int wheel = 0;
     std::array<PhraseMeter, levels> meters;
 
-    // The object that is being taken in.
-    std::size_t firstNote = 0, endNote = 0; ///< that play it
+    // The object being processed.
+    std::size_t firstNote = 0, endNote = 0; ///< the notes that play it
     std::size_t nextMode = 0;
     LiveConditions conditions;
     double thicknessRatio = 1;
@@ -97,25 +97,26 @@ private:
     double release = 0;   ///< [1/s]
     bool held = false;    ///< scraped or rolled
     std::array<StrikePoint, PhraseMeter::notes> points;
-    std::array<std::array<float, 3>, PhraseMeter::notes> pushes; ///< what a blow of 1 Ns does
-    // Keys that share an object strike it where it yields more or less. The prediction takes the
-    // middle one's blow for all velocities, and how the others differ from it at the middle one.
+    std::array<std::array<float, 3>, PhraseMeter::notes> pushes; ///< force direction per 1 Ns
+    // Keys that share an object strike it at places that yield differently. For all velocities the
+    // prediction uses the middle note's strike. At the middle velocity it adds how the other notes
+    // differ from it.
     std::size_t middleNote = 0;
     std::array<ContactTrain, levels> trains;
     std::array<ContactTrain, PhraseMeter::notes> noteTrains;
     std::array<PressedMotion, levels> pressed;
-    /// Complex, mean of the channels.
+    /// Complex velocities, mean of the channels.
     std::array<std::array<std::complex<double>, PhraseMeter::notes>, levels> pressedVelocities{};
     std::array<RigidClick, levels> clicks;  ///< of the middle note
-    PhraseMeter::NoteFigures clickShares{}; ///< of each note, of the middle one's
-    /// K-weighted, mean of the channels: with what the modes add to them or take.
+    PhraseMeter::NoteFigures clickShares{}; ///< each note's share of the middle note's click
+    /// K-weighted, mean of the channels; includes the interference with the modes.
     std::array<PhraseMeter::NoteFigures, levels> clickEnergies{};
     HeldForceSpectrum force;
     StiffMotion stiff;
     NearModes<levels> nearModes;
 };
 
-/// Of a whole phrase at once, for a modulation wheel at 0 to 127. Not for the audio thread.
+/// Predicts a whole phrase at once, for a modulation wheel at 0 to 127. Not for the audio thread.
 PhrasePrediction::Loudness predictedLoudness(const Phrase& phrase,
                                              const ParameterValues& values,
                                              int wheel = HeldContacts::controllerAtRest) noexcept;

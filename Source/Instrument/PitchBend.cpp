@@ -10,7 +10,7 @@ namespace {
 
 constexpr int lowerManager = 0, upperManager = 15;
 constexpr int mostMembers = 15;
-constexpr double memberSemitones = 48; // what a configured zone begins with
+constexpr double memberSemitones = 48; // initial range of a configured zone
 
 enum RegisteredParameter { bendSensitivity = 0, mpeConfiguration = 6 };
 
@@ -144,7 +144,7 @@ void PitchBend::giveRange(int channel, int semitones, int cents) noexcept {
     bendHeldNotes();
 }
 
-/// A zone takes the channels it asks for from the other one; none ends it.
+/// A zone takes the channels that it asks for from the other zone; zero members end it.
 void PitchBend::configure(int managerChannel, int members) noexcept {
     if (managerChannel != lowerManager && managerChannel != upperManager)
         return;
@@ -152,7 +152,7 @@ void PitchBend::configure(int managerChannel, int members) noexcept {
     auto& own = managerChannel == lowerManager ? wanted.lowerMembers : wanted.upperMembers;
     auto& other = managerChannel == lowerManager ? wanted.upperMembers : wanted.lowerMembers;
     own = std::clamp(members, 0, mostMembers);
-    // Fourteen members and two managers are all channels there are.
+    // Fourteen members and two managers use all channels.
     if (own > 0)
         other = std::clamp(other, 0, std::max(mostMembers - 1 - own, 0));
     configured = wanted;

@@ -1,5 +1,5 @@
-// How far wheels bend each note: one wheel for all, or in an MPE zone (MIDI Polyphonic Expression
-// 1.0) one for every note beside the zone's own.
+// Computes how far wheels bend each note: one wheel for all notes, or in an MPE zone (MIDI
+// Polyphonic Expression 1.0) also one for each note.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -14,52 +14,53 @@ namespace idiophone {
 
 /// For the audio thread; neither allocates, locks nor throws. Channels are 0 to 15, notes 0 to 127.
 ///
-/// Zones are as the parameter "MPE" has them, none or one of fifteen members above channel 0, or as
-/// MIDI has configured them since it moved last (RPN 6 on channel 0 or 15). Notes of a member
-/// channel are bent by its wheel while they are held, and keep their bend as they ring on, since
-/// the channel may go to another note. On top of it a zone's own wheel bends the zone's notes, and
-/// those of the channels outside of zones bend all notes of these channels. Ranges are the
-/// parameters' until MIDI gives another one (RPN 0), which holds until the parameter moves.
+/// The parameter "MPE" gives no zone, or one of fifteen members above channel 0. MIDI may configure
+/// other zones (RPN 6 on channel 0 or 15), which hold until the parameter moves.
 ///
-/// A parameter that moves to what MIDI gave changes nothing: it is to move along.
+/// A member channel's wheel bends its notes while they are held. They keep the bend while they ring
+/// on, since the channel may go to another note. A zone's own wheel bends all the zone's notes on
+/// top of that. The wheels of channels outside zones bend all notes of these channels. Ranges are
+/// the parameters' until MIDI gives another (RPN 0), which holds until the parameter moves.
+///
+/// A parameter that moves to the value that MIDI gave changes nothing, because it follows MIDI.
 class PitchBend {
 public:
-    /// What MIDI gave of the parameters `mpe` and `mpe_bend_range`.
+    /// Values that MIDI gave in place of the parameters `mpe` and `mpe_bend_range`.
     struct Given {
         std::optional<double> mpe, memberRange;
     };
 
-    /// Once before the events of a block.
+    /// Call once before the events of a block.
     void setParameters(const ParameterValues& parameters) noexcept;
 
     void noteOn(int channel, int note) noexcept;
     void noteOff(int channel, int note) noexcept;
-    void releaseNotes() noexcept;                        ///< of all channels
+    void releaseNotes() noexcept;                        ///< on all channels
     void wheel(int channel, int low, int high) noexcept; ///< two bytes of 7 bits
-    /// Follows RPN 0 and 6, and "reset all controllers".
+    /// Follows RPN 0 and 6, and Reset All Controllers.
     void controller(int channel, int number, int value) noexcept;
 
-    /// Since this was asked last.
+    /// Returns the values given since the last call.
     Given takeGiven() noexcept { return std::exchange(newlyGiven, {}); }
-    /// Zones and ranges are the parameters' again.
+    /// Returns zones and ranges to those of the parameters.
     void forgetGiven() noexcept;
 
-    /// By the wheel that bends the note as others; before it was played, and of none (−1), by that
-    /// of channel 0.
+    /// Returns the bend by the wheel that the note shares with others. A note that was never
+    /// played, or −1 for no note, follows channel 0.
     double commonSemitones(int note) const noexcept;
-    /// On top of it.
+    /// Returns the bend that adds to it, by the note's own wheel.
     double ownSemitones(int note) const noexcept {
         return noteSemitones[static_cast<std::size_t>(note)];
     }
-    /// By how much wheels may lower a note.
+    /// Returns how far wheels may lower a note.
     double farthestSemitones() const noexcept {
         return commonRange.semitones() + (zones().any() ? memberRange.semitones() : 0);
     }
     struct Channels {
         int first = 0, last = 0;
     };
-    /// Those on which a controller or pressure of that channel acts: its zone, where the channel is
-    /// a zone's own, else itself alone.
+    /// Returns the channels on which a controller or pressure of this channel acts: all of its zone
+    /// for a zone's own channel, otherwise the channel itself.
     Channels reachOf(int channel) const noexcept;
 
     void takeWheelsOf(const PitchBend& other) noexcept;
@@ -67,7 +68,7 @@ public:
     void reset() noexcept; ///< wheels at rest, no notes; zones and ranges stay
 
 private:
-    /// A parameter in semitones that MIDI may replace, by fractions too and beyond its range.
+    /// A parameter in semitones that MIDI may replace, also with fractions and beyond its range.
     class Range {
     public:
         explicit Range(ParameterId replaced) : id(replaced) {}
@@ -92,7 +93,7 @@ private:
         bool any() const noexcept { return lowerMembers > 0 || upperMembers > 0; }
     };
 
-    /// Whose notes have a wheel in common.
+    /// Groups of notes that share a wheel.
     enum Group : std::uint8_t { lowerZone, upperZone, outside, groupCount };
 
     Zones zones() const noexcept;
@@ -106,13 +107,13 @@ private:
     void forgetNotes() noexcept;
 
     bool mpeParameter = false;
-    std::optional<Zones> configured; ///< by MIDI, since the parameter moved last
+    std::optional<Zones> configured; ///< by MIDI, since the parameter last moved
     Given newlyGiven;
     Range commonRange{ParameterId::bendRange}, memberRange{ParameterId::mpeBendRange};
     std::array<double, groupCount> commonBends{};            ///< −1 to 1
     std::array<double, 16> memberBends{};                    ///< −1 to 1
-    std::array<double, 128> noteSemitones{};                 ///< by members' wheels
-    std::array<Group, 128> noteGroups = allOf<128>(outside); ///< since each was played last
+    std::array<double, 128> noteSemitones{};                 ///< by member channels' wheels
+    std::array<Group, 128> noteGroups = allOf<128>(outside); ///< set when the note was last played
     std::array<std::int8_t, 128> heldBy = allOf<128>(none);  ///< the member channel of each note
     std::array<std::int8_t, 16> parameterMsb = allOf<16>(nullParameter);
     std::array<std::int8_t, 16> parameterLsb = allOf<16>(nullParameter);

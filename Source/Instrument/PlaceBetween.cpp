@@ -46,7 +46,7 @@ StrikePoint PlaceBetween::point() const {
         sum = 0;
         for (std::size_t k = 0; k < mostShapeRows; ++k)
             sum += kept[k].weight - leftOut;
-        if (!(sum > 0)) { // all of one weight
+        if (!(sum > 0)) { // all weights are equal
             leftOut = 0;
             sum = static_cast<double>(mostShapeRows) * kept[0].weight;
         }

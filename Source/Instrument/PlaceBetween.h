@@ -1,5 +1,5 @@
-// A place on an object as a weighted mean of up to three others: what ObjectSurface makes of the
-// corners of a face, and StrikeStrip of the places of its table.
+// A place on an object as a weighted mean of up to three others. ObjectSurface uses it for the
+// corners of a face, StrikeStrip for the places of its table.
 #pragma once
 
 #include "Synth/Strike.h"
@@ -15,13 +15,13 @@ class PlaceBetween {
 public:
     static constexpr std::size_t mostPlaces = 3;
 
-    /// Adds a place of at most three rows, as a face has them. The weights of all places are not
-    /// negative and sum to 1.
+    /// Adds a place of at most three rows, as a face has. Weights must not be negative and must sum
+    /// to 1 over all places.
     void add(const StrikePoint& place, double weight);
 
-    /// Rows of several places count once. Of more rows than a strike point holds the lightest are
-    /// left out, under a fade: what is heard changes without a step as the weights change. The
-    /// normal is that of the heaviest place where the places' cancel.
+    /// Returns the mean. Rows of several places count once. If there are more rows than a strike
+    /// point holds, it leaves out the lightest under a fade, so that the sound changes without a
+    /// step as the weights change. If the normals cancel, it takes that of the heaviest place.
     StrikePoint point() const;
 
 private:

@@ -1,4 +1,4 @@
-// A blow that was struck: when, on which object, how and where.
+// A strike that has happened: its time, object and place.
 #pragma once
 
 #include "Synth/Strike.h"

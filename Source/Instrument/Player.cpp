@@ -15,11 +15,11 @@ namespace {
 
 using enum ParameterId;
 
-constexpr double silencingSeconds = 0.02;     // T60 of "all sound off"
-constexpr float matchingShare = 0.15f;        // of the way to the matching gain in a cell: 10 ms
-constexpr std::size_t pendingCapacity = 1024; // 113 chattering blows with modal pulses in 15 ms
+constexpr double silencingSeconds = 0.02; // T60 of All Sound Off
+constexpr float matchingShare = 0.15f;    // share of the way to the matching gain in a cell: 10 ms
+constexpr std::size_t pendingCapacity = 1024; // 113 chattering strikes with modal pulses in 15 ms
 constexpr std::size_t lateCapacity = 256;     // notes between two blocks of sound
-constexpr std::size_t surfaceCapacity = 64;   // blows on surfaces, likewise
+constexpr std::size_t surfaceCapacity = 64;   // strikes on surfaces between two blocks of sound
 
 std::vector<SynthesiserSlot> copySlots(const Instrument& instrument) {
     return {instrument.slots().begin(), instrument.slots().end()};
@@ -51,14 +51,14 @@ bool has(const Instrument& instrument, std::size_t slot, const StrikePoint& poin
     });
 }
 
-/// Of events in order of time, those up to a sample.
+/// Returns the leading events up to a sample, from events in order of time.
 std::span<const MidiEvent> dueAt(int sample, std::span<const MidiEvent> events) {
     const auto later = std::ranges::find_if(
         events, [sample](const MidiEvent& event) { return event.sampleOffset > sample; });
     return {events.begin(), later};
 }
 
-/// The number of the first strike: 0 for the default seed, and far from one seed to the next.
+/// Returns the number of the first strike: 0 for the default seed, and far apart between seeds.
 std::uint32_t firstStrike(std::uint64_t seed) {
     return static_cast<std::uint32_t>((seed - 1) * 0x9e3779b97f4a7c15u >> 32);
 }
@@ -139,8 +139,8 @@ void Player::process(const StereoSpan& output,
             silencedSamples = static_cast<std::size_t>(position);
     }
     songPlace = placeAt(count);
-    // Stamped at or beyond the end, as what is handed over with an empty block is: notes strike
-    // with the first sample there is.
+    // Events at or beyond the end, also those of an empty block: their notes strike at the first
+    // sample of the next block.
     while (next < events.size()) {
         const auto due = dueAt(events[next].sampleOffset, events.subspan(next));
         next += due.size();
@@ -206,14 +206,14 @@ void Player::beginCell(std::optional<double> beats) {
     cellPosition = 0;
 }
 
-/// Within a cell: what was played since it began is struck at its pitch, its damper up.
+/// Within a cell: gives the new notes' slots their pitch and lifts their dampers before they
+/// strike.
 void Player::prepareBlows() {
     slotTuning.applyToPlayed(bend, synth);
     updateDampers();
 }
 
-/// What rings and what is held, over what was in the cells; `mixed` is that of all slots where they
-/// share one.
+/// Adds ringing and held sounds to the cells. `mixed` is the cell of all slots if they share one.
 void Player::soundCell(const CellOutput& mixed, std::span<const CellOutput> cellsOfSlots) {
     if (performance)
         synth.beginCell(cellsOfSlots);
@@ -223,15 +223,15 @@ void Player::soundCell(const CellOutput& mixed, std::span<const CellOutput> cell
     handScrape.sound(current, mallets, synth, cellsOfSlots);
 }
 
-/// Before the first blow after "all sound off": a damper that is lifted for the blow would let
-/// what it has not silenced yet ring on. So that goes on for a cell, in which it fades, and is no
-/// more. Where nothing rings either, that cell lifts the damper, under which the blow would begin.
-/// A second time in the same cell nothing rings but blows that have hardly begun.
+/// The first strike after All Sound Off lifts the damper. Fade the old sound out over one cell,
+/// then drop it, so that it does not come back. That cell also lifts the damper before the strike
+/// begins. On a second call in the same cell only strikes that have just begun ring; drop them
+/// without a fade.
 void Player::forgetSilenced() {
     if (!std::exchange(isSilenced, false))
         return;
     updateDampers();
-    // Before the first cell nothing has sounded, nor is there a damper.
+    // Before the first cell nothing has sounded and there is no damper.
     if (cellIndex >= 0 && !std::exchange(hasRemains, true)) {
         synth.setTubeOpening({.start = motor.gain(), .end = motor.gain()});
         soundCell(remainsOfSlots.front(), remainsOfSlots);
@@ -256,7 +256,7 @@ void Player::addRemains() {
     }
 }
 
-/// The ears take in whole cells, so that everything in it must be known when it begins.
+/// The ears process whole cells, so every strike in a cell must be known when it begins.
 void Player::playStage() {
     performance->sound(cellIndex, synth, slotCells);
     strikePendingBefore(cellSamples);
@@ -307,10 +307,11 @@ void Player::turnMotor(std::optional<double> beats) {
     synth.setTubeOpening({.start = before, .end = after});
 }
 
-/// Once a cell, on the grid: what matches loudness, which moves when a prediction is complete.
+/// Updates the matching gain once a cell, on the grid; its goal moves when a prediction is
+/// complete.
 void Player::updateGain() {
     loudness.advance(glide.goalValues());
-    // What is predicted is what keys strike with mallets.
+    // The prediction covers mallet strikes only, not a stage.
     const auto goal = performance ? 1.0f : static_cast<float>(std::pow(10, loudness.gainDb() / 20));
     gainAtCellStart = cellIndex == 0 ? goal : gainAtCellEnd;
     gainAtCellEnd = cellIndex == 0 ? goal : gainAtCellEnd + matchingShare * (goal - gainAtCellEnd);
@@ -318,7 +319,7 @@ void Player::updateGain() {
         gainAtCellEnd = goal;
 }
 
-/// Copies what is next in the cell to the output, with its gain.
+/// Copies the next part of the cell to the output, with its gain.
 void Player::copyOut(const StereoSpan& output, int position, int count) const {
     for (int k = 0; k < count; ++k) {
         const auto from = static_cast<std::size_t>(cellPosition + k);

@@ -1,5 +1,5 @@
-// Plays an instrument from MIDI: notes become strikes or held contacts, pedals and releases become
-// dampers, and the synthesiser's cells become a stream of any block size.
+// Plays an instrument from MIDI. Notes become strikes or sustained contacts, pedals and releases
+// become dampers, and the synthesiser's cells become a stream of any block size.
 #pragma once
 
 #include "Instrument/CellStrikes.h"
@@ -28,7 +28,7 @@
 
 namespace idiophone {
 
-/// A channel message; `sampleOffset` counts from the start of the block it is handed over with.
+/// A channel message; `sampleOffset` counts from the start of its block.
 struct MidiEvent {
     int sampleOffset = 0;
     std::array<std::uint8_t, 3> bytes{};
@@ -39,21 +39,21 @@ struct MidiEvent {
     }
 };
 
-/// A blow on a place of an object beside the keys, such as a click on its picture.
+/// A strike at a place of an object without a key, such as a click on its picture.
 struct SurfaceStrike {
-    std::size_t slot = 0; ///< of the instrument
+    std::size_t slot = 0; ///< index into the instrument's slots
     StrikePoint point;    ///< on the slot's object
     int velocity = 0;     ///< 1 to 127; 0 strikes nothing and lifts the hand
 };
 
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
 /// allocates, locks nor throws. The same events and parameters give the same samples, bit for bit,
-/// whatever the block sizes.
+/// for all block sizes.
 class Player {
 public:
-    /// The surface, which is valid, is what scrapes and rolls sound like. The seed says where their
-    /// noise begins, and how strikes spread and chatter. `own` are the preset's values, whose
-    /// loudness "match loudness" keeps.
+    /// `surface` must be valid; scrapes and rolls sound like it. The seed decides where their noise
+    /// begins, and how strikes spread and chatter. `own` are the preset's values, whose loudness
+    /// "match loudness" keeps.
     Player(std::shared_ptr<const Instrument> instrument,
            double sampleRateHz,
            const Surface& surface = {},
@@ -62,101 +62,106 @@ public:
     Player(const Player&) = delete;
     Player& operator=(const Player&) = delete;
 
-    /// Has the gain that matches the loudness of these values from the first cell on, whatever it
-    /// costs, with the modulation wheel at rest or where it is about to be, 0 to 127: off the audio
-    /// thread, between construction or `reset` and the first block. What was never prepared is made
-    /// good within the first cell.
+    /// Computes the gain that matches the loudness of these values, so that the first cell has it.
+    /// `awaitedWheel`, 0 to 127, is the position that the modulation wheel is about to have. Call
+    /// it off the audio thread, between construction or `reset` and the first block; it may take
+    /// long. Without it the first cell computes the gain.
     void prepare(const ParameterValues& parameters,
                  int awaitedWheel = HeldContacts::controllerAtRest);
-    /// Where the modulation wheel is.
+    /// Returns the position of the modulation wheel.
     int modulationWheel() const noexcept { return loudness.speedController(); }
 
     /// Renders the next `output.size()` samples (full scale 1, before `width` and `level`). Without
-    /// radiation both channels are the same. Events are in order of time; what is stamped beyond
-    /// the block's end acts at the next block's start. Strikes act at their sample; parameters and
-    /// everything else at the first point of the 64-sample grid at or after their stamp, which for
-    /// parameters is the block's first sample; from there what sounds while it moves glides. On a
-    /// stage notes set bodies in motion at their sample, and blows by hand act at the next grid
+    /// radiation both channels are the same.
+    /// Events are in order of time; those beyond the block's end act at the start of the next
+    /// block. Strikes act at their sample. All else acts at the first point of the 64-sample grid
+    /// at or after its time; for parameters that time is the block's first sample. From there
+    /// gliding parameters glide.
+    /// On a stage notes move bodies at their sample, and strikes by hand act at the next grid
     /// point.
     void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
                  const ParameterValues& parameters);
 
-    /// Acts at the first sample of the next block that has one. From the blow until the hand is
-    /// lifted the object is held as by a key. What this instrument does not have is ignored.
+    /// Strikes at the first sample of the next non-empty block. From the strike until the hand
+    /// lifts, the object is held as by a key. Ignores slots and rows that this instrument does not
+    /// have.
     void strikeSurface(const SurfaceStrike& strike);
 
-    /// Drags a hand over a surface, whatever the keys do; acts at the first grid point of the next
-    /// block. Until it is lifted the object is held as by a key. What this instrument does not have
-    /// is ignored.
+    /// Drags a hand over a surface, independently of the keys; acts at the first grid point of the
+    /// next block. Until the hand lifts, the object is held as by a key. Ignores slots and rows
+    /// that this instrument does not have.
     void scrapeSurface(const SurfaceTouch& touch);
 
-    /// All hands leave all surfaces.
+    /// Lifts all hands from all surfaces.
     void liftHands();
 
-    /// Acts at the first grid point of the next block, or from the first one on where none was
-    /// rendered; a `reset` changes nothing.
+    /// Acts at the first grid point of the next block, or at the very first one if nothing was
+    /// rendered yet. `reset` keeps it.
     void setSilencedModes(const SilencedModes& silenced);
 
     /// Acts as `setSilencedModes` does. Keys without a pitch play nothing.
     void setTuning(const KeyTuning& tuning) { slotTuning.setTuning(tuning); }
-    /// By how much tunings and wheels may have any slot below its key in equal temperament.
+    /// Returns the maximum by which tunings and wheels may lower a slot below its key in equal
+    /// temperament.
     double semitonesBelowEqual() const noexcept {
         return slotTuning.semitonesBelowEqual() + bend.farthestSemitones();
     }
 
-    /// Whether a key without an object of its own was ever played.
+    /// Returns whether a key without an object of its own was ever played.
     bool hasPlayedResizedKeys() const noexcept { return playedResizedKeys; }
 
-    /// Pedals, wheels and other controllers stand as another player's do, whose keys this one does
-    /// not have.
+    /// Takes over the pedals, wheels and other controllers of another player, but not its keys.
     void takeControllersOf(const Player& former) noexcept;
-    /// Of these only MPE's zones and the bend ranges.
+    /// Takes over only MPE's zones and the bend ranges.
     void takeBendSetupOf(const Player& former) noexcept;
     /// See PitchBend.
     PitchBend::Given takeGivenBends() noexcept { return bend.takeGiven(); }
     void forgetGivenBends() noexcept { bend.forgetGiven(); }
 
-    /// On a stage: whether `process` may wait for what its bodies do.
+    /// On a stage: sets whether `process` may wait for the simulation.
     void setOffline(bool isOffline) noexcept;
-    /// On a stage: bodies stand still, or are as they were before the first note.
+    /// On a stage: stops bodies in place, or returns them to their state before the first note.
     void pauseStage(bool isPaused) noexcept;
     void resetStage() noexcept;
-    /// What its bodies struck since this was asked last; valid until the next `process`.
+    /// Returns the impacts of the stage's bodies since the last call; valid until the next
+    /// `process`.
     std::span<const PlacedBlow> takeBlows() noexcept;
     std::uint32_t performanceNumber() const noexcept; ///< StagePerformance::number, or 0
-    /// Of the slots, where their bodies are; empty where there is no stage.
+    /// Returns where the bodies of the slots are; empty without a stage.
     std::span<const BodyPose> bodyPoses() const noexcept;
-    /// Blows of a stage's bodies that became known too late to act at their time.
+    /// Returns the number of impacts of a stage's bodies that became known too late to act at their
+    /// time.
     std::int64_t lateBlows() const noexcept;
 
-    /// The host's, from the next cell on; 0 where it tells none.
+    /// Sets the host's tempo from the next cell on; 0 if it gives none.
     void setTempo(double beatsPerMinute) { tempo = beatsPerMinute; }
-    /// Where the song is at the next sample, in beats, while it plays and the host tells; it goes
-    /// on from there in its tempo. A motor in that tempo keeps to it.
+    /// Sets the song position at the next sample, in beats, while the host plays and gives one. It
+    /// advances with the tempo. A motor in that tempo follows it.
     void setSongPlace(std::optional<double> beats) { songPlace = beats; }
-    /// The song begins to play at its place, or goes back to it: strikes are counted anew from a
-    /// number of that place's, and where nothing sounds or moves all but keys and
-    /// controllers is as at the start. So the same events there sound the same to the last bit.
-    /// Returns whether it is.
+    /// Marks that the transport started or looped. Reseeds the strike counter from the song
+    /// position, so that every pass renders the same samples. If nothing sounds or moves, it also
+    /// returns everything but keys and controllers to the start, which makes the passes equal to
+    /// the last bit. Returns whether it did.
     bool beginSong();
 
-    /// Silence, all keys up, controllers at rest, the grid at its start. MPE's zones and the bend
-    /// ranges stay as MIDI has set them.
+    /// Silences everything, releases all keys, returns controllers to rest and the grid to its
+    /// start. MPE's zones and the bend ranges stay as MIDI has set them.
     void reset();
 
-    /// What its owner knows it by; 0 until it is given one.
+    /// Sets the owner's identifier of this player; 0 at first.
     void setLabel(std::int64_t given) noexcept { ownersLabel = given; }
     std::int64_t label() const noexcept { return ownersLabel; }
 
     bool silent() const;
-    /// For what sounds on behind the player, where "all sound off" came since this was asked or no
-    /// blow has followed it yet: how many samples at the start of the last block are what it
-    /// silences. It is taken to act there: who wants it at its sample begins a block with it.
+    /// Tells effects behind the player, such as the room, about All Sound Off. Returns the number
+    /// of samples at the start of the last block that it silences. Returns nothing if it neither
+    /// came since the last call nor silenced any sample of the last block. All Sound Off counts
+    /// from the block's start; for the exact sample, begin a block there.
     std::optional<std::size_t> takeSilenced();
     const Synthesiser& synthesiser() const { return synth; }
     const Instrument& instrument() const { return *playedInstrument; }
-    /// Of the key or the blow that came last; nothing before the first one.
+    /// Returns the slot of the last key or strike; nothing before the first.
     std::optional<std::size_t> slotPlayedLast() const { return playedLast; }
 
 private:
@@ -205,18 +210,19 @@ private:
     ParameterGlide glide;
     alignas(64) std::array<float, cellSamples> leftCell{};
     alignas(64) std::array<float, cellSamples> rightCell{};
-    std::unique_ptr<StagePerformance> performance; ///< of an instrument on a stage
+    std::unique_ptr<StagePerformance> performance; ///< for an instrument on a stage
     AlignedVector<float> slotSamples;              ///< [slots, 64] on a stage
-    std::vector<CellOutput> slotCells; ///< where each slot sounds: in those, or all in the one cell
+    std::vector<CellOutput>
+        slotCells; ///< output of each slot: its own in slotSamples, or the one cell
     int cellPosition = cellSamples;
-    std::int64_t cellIndex = -1; ///< of the cell begun last
+    std::int64_t cellIndex = -1; ///< of the newest cell
     std::uint32_t firstStrikeNumber;
     std::uint32_t strikeCount;
     CellStrikes pending;
     std::vector<MidiEvent> late;               ///< note-ons for the start of the next block
     std::vector<SurfaceStrike> surfaceStrikes; ///< for the start of the next block
     std::vector<LowestModes> lowestModes;      ///< of each slot
-    std::vector<KeyMallet> mallets;            ///< of each slot, as its keys have it
+    std::vector<KeyMallet> mallets;            ///< of each slot, from its keys
     HeldContacts held;
     HandScrape handScrape;
     std::optional<std::size_t> playedLast;
@@ -225,29 +231,29 @@ private:
     Motor motor;
     double tempo = 0;                             ///< beats a minute, or 0
     std::optional<double> songPlace;              ///< in beats
-    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< that matches; it is linear in between
+    float gainAtCellStart = 1, gainAtCellEnd = 1; ///< matching gain; linear in between
 
     std::array<std::bitset<128>, 16> keysDown; ///< of each channel
     std::bitset<128> keysSustained;            ///< released under the sustain pedal
     std::bitset<128> keysCaught;               ///< down when the sostenuto pedal went down
     bool sustainPedal = false;
     bool sostenutoPedal = false;
-    double softness = 1; ///< of the soft pedal: times the mallet's speed
+    double softness = 1; ///< soft pedal's factor of the mallet's speed
     PitchBend bend;
     SlotTuning slotTuning;
     std::array<std::array<float, 128>, 16> keyPressures{}; ///< 0 to 1, of each channel's keys
-    std::array<float, 128> notePressures{};                ///< the most of them, of each note
-    std::vector<bool> slotTouched;                         ///< a hand on its surface holds it
-    std::vector<bool> slotHeld; ///< that, or some key of it is down or sustained, or it may ring
-    std::vector<float> slotPressed; ///< the most that one of its keys presses
+    std::array<float, 128> notePressures{}; ///< of each note: the maximum over channels
+    std::vector<bool> slotTouched;          ///< a hand on its surface holds it
+    std::vector<bool> slotHeld;     ///< touched, or a key is down or sustained, or it may ring
+    std::vector<float> slotPressed; ///< maximum pressure of its keys
     bool playedResizedKeys = false;
-    bool isSilenced = false; ///< by "all sound off", until the next blow
-    /// What rang until that blow goes on in the next cell, laid out as the cells of slots are.
+    bool isSilenced = false; ///< by All Sound Off, until the next strike
+    /// The old sound after that strike, for the next cell; laid out as the cells of slots are.
     AlignedVector<float> remains;
     std::vector<CellOutput> remainsOfSlots;
     bool hasRemains = false;
     bool allSoundOffCame = false;
-    std::size_t silencedSamples = 0; ///< of the last block
+    std::size_t silencedSamples = 0; ///< in the last block
 };
 
 } // namespace idiophone

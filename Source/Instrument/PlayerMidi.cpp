@@ -1,4 +1,4 @@
-// How a player follows keys, pedals and wheels.
+// The part of Player that follows keys, pedals and wheels.
 #include "Instrument/MidiControllers.h"
 #include "Instrument/Player.h"
 
@@ -7,9 +7,9 @@
 namespace idiophone {
 namespace {
 
-constexpr double softestShare = 0.5; // of the mallet's speed, with the soft pedal all down
+constexpr double softestShare = 0.5; // of the mallet's speed, with the soft pedal fully down
 
-/// Among them "reset all controllers".
+/// Includes Reset All Controllers.
 bool isChannelMode(const MidiEvent& event) {
     return (event.bytes[0] & 0xf0) == 0xb0 && (event.bytes[1] & 0x7f) >= midi::allSoundOff;
 }
@@ -25,13 +25,13 @@ double pressureOf(const MidiEvent& event) {
 
 } // namespace
 
-// Keys, pedals and wheels are followed at their sample, so that a key struck again is down again by
-// the next grid point; what follows for the sound happens there.
+// State of keys, pedals and wheels changes at the event's sample, so that a key struck again is
+// down by the next grid point. The sound follows at that grid point.
 
-/// Returns those whose notes are to strike: what "all sound off" came after is silent.
+/// Returns the events whose notes strike: those after the last All Sound Off.
 std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOneSample) {
-    // A wheel that moves as one note of its channel ends and the next one begins is the next one's,
-    // and so is pressure, though they may come first: JUCE's VST3 wrapper has them before the notes
+    // If one note ends and the next begins on a channel at one sample, wheel and pressure events
+    // belong to the next note. They may come first: JUCE's VST3 wrapper sends them before the notes
     // of their sample.
     for (const auto& event : eventsOfOneSample)
         if (event.isNoteOff())
@@ -42,15 +42,16 @@ std::span<const MidiEvent> Player::follow(std::span<const MidiEvent> eventsOfOne
         follow(event);
         if (midi::isAllSoundOff(event.bytes))
             striking = eventsOfOneSample.subspan(k + 1);
-        if (isChannelMode(event)) // which resets them
+        if (isChannelMode(event)) // a channel mode message resets pressures
             pressures = eventsOfOneSample.subspan(k + 1);
     }
     pressNewKeys(pressures);
     return striking;
 }
 
-/// After all of a sample's events: a new key has the last pressure there, also where that came
-/// before it; but no pressure before a key is none that it has, as MPE keyboards begin with it.
+/// Runs after all events of a sample. A new key takes the last pressure of that sample, even if it
+/// came before the key. Pressure 0 before a key is ignored, because MPE keyboards begin a note with
+/// it.
 void Player::pressNewKeys(std::span<const MidiEvent> events) {
     std::array<std::bitset<128>, 16> pressedLater, waiting;
     for (auto event = events.rbegin(); event != events.rend(); ++event) {
@@ -121,13 +122,13 @@ void Player::keyUp(int channel, int note) {
     letGo(channel, note);
 }
 
-/// Its channel's wheel and pressure act on it no more.
+/// From now on the channel's wheel and pressure do not act on the note.
 void Player::letGo(int channel, int note) {
     bend.noteOff(channel, note);
     held.release(channel, note);
 }
 
-/// Pressure is the force of a contact that a key holds, or the hand that damps what it struck.
+/// Pressure is the force of a held contact, or the force of the hand that damps a struck object.
 void Player::press(int channel, int note, double pressure) {
     held.setPressure(channel, note, pressure);
     if (keysDown[static_cast<std::size_t>(channel)][static_cast<std::size_t>(note)])
@@ -157,8 +158,8 @@ void Player::forgetPressures() {
     notePressures = {};
 }
 
-/// Keys that are down when the sostenuto pedal goes down are held until it is up again; then by the
-/// sustain pedal, where that is down.
+/// Holds the keys that are down when the sostenuto pedal goes down, until it is up again. After
+/// that the sustain pedal holds them if it is down.
 void Player::catchKeys(bool isDown) {
     if (isDown == sostenutoPedal)
         return;
@@ -176,7 +177,7 @@ void Player::takeControllersOf(const Player& former) noexcept {
     bend.takeWheelsOf(former.bend);
     sustainPedal = former.sustainPedal;
     sostenutoPedal = former.sostenutoPedal;
-    isSilenced = former.isSilenced; // and so is the room that it fades into
+    isSilenced = former.isSilenced; // the room behind the player fades under the same All Sound Off
     softness = former.softness;
     held.takeControllersOf(former.held);
     loudness.setSpeedController(former.loudness.speedController());

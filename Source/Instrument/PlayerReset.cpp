@@ -1,4 +1,4 @@
-// When nothing sounds, and how a player begins anew.
+// The part of Player that finds whether it is silent, and resets it.
 #include "Instrument/Player.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace idiophone {
 namespace {
 
-/// The same for every place near a beat, 0 for the first ones, and far from one beat to the next. A
-/// loop that ends within a block is told at a place behind its start; songs seldom begin shortly
-/// before a beat.
+/// Returns a strike number that is the same for all places near a beat, 0 for the first beat, and
+/// far apart between beats. A host reports a loop that ends within a block at a place after its
+/// start. The boundary is 0.1 beats before a beat, because songs seldom begin there.
 std::uint32_t strikesBefore(double beats) {
     const auto beat = static_cast<std::int64_t>(std::floor(beats + 0.1));
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(beat) * 0x9e3779b97f4a7c15u >> 32);
@@ -32,7 +32,7 @@ bool Player::beginSong() {
     return beginsAnew;
 }
 
-/// The grid is at its start, and keys and controllers are where they are.
+/// Returns the sound and the grid to the start, and keeps keys and controllers.
 void Player::forgetSound() {
     synth.reset();
     glide.reset();

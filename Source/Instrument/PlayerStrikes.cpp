@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The blows: from a key or a place to the contacts that the synthesiser strikes at their samples.
+// The part of Player that turns a key or a place into contacts at their samples.
 
 namespace idiophone {
 
@@ -32,7 +32,7 @@ void Player::strikeFor(const MidiEvent& event) {
              key.mallet, number);
 }
 
-/// What came between two blocks of sound.
+/// Strikes events that came between two blocks of sound.
 void Player::strikeWaiting() {
     for (const auto& event : late)
         strikeFor(event);
@@ -70,18 +70,18 @@ void Player::strikeAt(std::size_t slot,
                  contact.strike);
 }
 
-/// The first sample of the cell begun last, or beyond it, at which a blow is still heard.
+/// Returns the first sample, from the start of the newest cell, at which a strike can still sound.
 double Player::nextStrikeSample() const {
     return performance ? cellSamples : cellPosition;
 }
 
-/// `sample` counts from the start of the cell begun last.
+/// `sample` counts from the start of the newest cell.
 void Player::schedule(std::size_t slot, double sample, const Strike& strike) {
     pending.schedule(slot, strike, cellIndex, sample);
 }
 
-// In order of time and before their samples are played: so the order of strikes, and with it every
-// bit, is the same for all block sizes.
+// Strikes act in order of time before their samples are played. So their order, and every bit of
+// the output, is the same for all block sizes.
 void Player::strikePendingBefore(double sampleInCell) {
     pending.strikeBefore(sampleInCell, begunCell());
 }

@@ -13,7 +13,7 @@
 namespace idiophone {
 namespace {
 
-using nlohmann::ordered_json; // for the people who read what is written
+using nlohmann::ordered_json; // keeps the order of members for readers
 
 constexpr std::array<std::pair<KeyMapKind, const char*>, 4> kindNames{{
     {KeyMapKind::bars, "bars"},
@@ -83,7 +83,7 @@ KeyMap parseKeyMap(const JsonPlace& place) {
     return map;
 }
 
-/// Those that fit in what is shown of them.
+/// Returns the tags whose total length fits.
 std::vector<std::string> parseTags(const JsonPlace& place) {
     std::vector<std::string> tags;
     std::size_t bytes = 0;
@@ -96,7 +96,7 @@ std::vector<std::string> parseTags(const JsonPlace& place) {
     return tags;
 }
 
-/// Sets those that are there, and returns the ids that this version does not know.
+/// Sets the parameters present and returns the ids that this version does not know.
 std::vector<std::string> parseParameters(const JsonPlace& place, ParameterValues& values) {
     std::vector<std::string> unknown;
     for (const auto& [id, value] : place.members()) {
@@ -113,7 +113,7 @@ std::vector<std::string> parseParameters(const JsonPlace& place, ParameterValues
     return unknown;
 }
 
-/// What differs from the preset's own.
+/// Returns the values that differ from the preset's own.
 ordered_json matchedToJson(const Preset& preset) {
     auto differing = ordered_json::object();
     for (const auto& info : parameterTable())
@@ -230,7 +230,7 @@ std::string encodePreset(const Preset& preset) {
         root["matchedTo"] = matchedToJson(preset);
     if (!preset.mutedModes.empty())
         root["mutedModes"] = preset.mutedModes.objects();
-    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    // Names come from people and files: replace bytes that are not UTF-8 rather than throw.
     return root.dump(4, ' ', false, ordered_json::error_handler_t::replace);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int foldersAbove = 4;
 
-/// The preset's, then those above it.
+/// Returns the preset's folder, then those above it.
 std::vector<std::filesystem::path> foldersFor(const std::filesystem::path& presetFile) {
     std::error_code fault;
     std::vector<std::filesystem::path> folders;
@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> foldersFor(const std::filesystem::path& prese
     return folders;
 }
 
-/// The first of these folders in which a file of that relative path lies.
+/// Returns the first of these folders that has a file of that relative path.
 std::optional<std::filesystem::path> folderWith(const std::filesystem::path& name,
                                                 const std::filesystem::path& presetFile) {
     std::error_code fault;
@@ -34,7 +34,7 @@ std::optional<std::filesystem::path> folderWith(const std::filesystem::path& nam
     return std::nullopt;
 }
 
-/// What stands behind the folder in the file's path as it is written, if anything does.
+/// Returns the part of the file's path, as written, after the folder; empty if there is none.
 std::filesystem::path behind(const std::filesystem::path& folder,
                              const std::filesystem::path& file) {
     const auto [inFolder, inFile] =
@@ -67,12 +67,12 @@ KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile)
 std::optional<std::string> nameBeside(const std::filesystem::path& file,
                                       const std::filesystem::path& presetFile) {
     const auto folders = foldersFor(presetFile);
-    // Where a folder is a link, `..` behind it leads elsewhere than to the one that it is in.
+    // If a folder is a symbolic link, `..` after it leads to the parent of its target.
     const auto isSame = [&](const std::filesystem::path& plain) {
         std::error_code fault;
         return std::filesystem::equivalent(plain, file, fault);
     };
-    // Stays as it was written into the preset: it holds however its folder is called.
+    // Keep a path with `..` as the preset wrote it: it stays valid if the folder is renamed.
     if (!folders.empty())
         if (const auto written = behind(folders.front(), file);
             !written.empty() && *written.begin() == ".." &&
@@ -82,9 +82,9 @@ std::optional<std::string> nameBeside(const std::filesystem::path& file,
     const auto& plain = isSame(normal) ? normal : file;
     for (const auto& folder : folders) {
         if (folder == folder.root_path())
-            break; // below it all of the disk lies
+            break; // the whole disk lies below it
         const auto name = plain.lexically_relative(folder);
-        // Not where a file of that name is nearer to the preset, which would be found first.
+        // Skip the name if a file of that name nearer to the preset would be found first.
         if (!name.empty() && *name.begin() != ".." && folderWith(name, presetFile) == folder)
             return storedNameOf(name);
     }

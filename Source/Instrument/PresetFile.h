@@ -1,4 +1,4 @@
-// Presets as files on disk, and the modal objects that lie beside them.
+// Presets as files on disk, and the modal objects beside them.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -9,16 +9,18 @@
 
 namespace idiophone {
 
-/// The error names the file. Not for the audio thread.
+/// Reads a preset; the error names the file. Not for the audio thread.
 Result<Preset> readPresetFile(const std::filesystem::path& file);
 
-/// The key map with the full path of its object where a file of that relative path lies in the
-/// preset's folder or one of the four above it; else as it is (localName), as with factory objects.
+/// Returns the key map with the full path of its object, if a file of that relative path lies in
+/// the preset's folder or one of the four above it. Otherwise the name stays as it is (localName),
+/// as for factory objects.
 KeyMap withObjectsBeside(KeyMap keyMap, const std::filesystem::path& presetFile);
 
-/// The relative path by which a preset in that place would find a file, of forward slashes and
-/// normal; nothing where there is no such file or it lies elsewhere. It leads up ("..") only where
-/// the file's path does so from the preset's folder (withObjectsBeside).
+/// Returns the relative path by which a preset at that place finds a file (withObjectsBeside),
+/// normalised and with forward slashes. Returns nothing if there is no such file or the preset
+/// cannot find it. The path contains ".." only if the file's path leads up from the preset's folder
+/// in that way.
 std::optional<std::string> nameBeside(const std::filesystem::path& file,
                                       const std::filesystem::path& presetFile);
 
