@@ -8,12 +8,12 @@ namespace idiophone {
 namespace {
 
 constexpr int fewestSamples = 16;
-constexpr double nothing = 1e-9; // to which it falls but for rounding
+constexpr double nothing = 1e-9; // remainder that is only rounding
 
 } // namespace
 
 ReleaseFade::ReleaseFade(double sampleRateHz)
-    // What is left where the release waits longest for its grid point.
+    // Time that remains after the longest wait for a grid point.
     : samples(
           std::max(fewestSamples, static_cast<int>(seconds * sampleRateHz) - (cellSamples - 1))) {}
 

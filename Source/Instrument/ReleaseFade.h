@@ -1,5 +1,5 @@
-// How the force of a contact ends when it is let go: half a cosine over a hundredth of a second,
-// which has no corner at either end.
+// Fades the force of a contact out when it is released: half a cosine over 10 ms, without a corner
+// at either end.
 #pragma once
 
 #include "Synth/SynthesisSettings.h"
@@ -11,16 +11,17 @@ namespace idiophone {
 /// Any thread; does not allocate.
 class ReleaseFade {
 public:
-    /// From a release to silence of the force, however far the next grid point is, at sample rates
-    /// of 8 kHz and more. Below, a cell alone takes as long.
+    /// Maximum time from a release to zero force, with the wait for the next grid point, at sample
+    /// rates of 8 kHz and more. At lower rates one cell takes longer.
     static constexpr double seconds = 0.01;
 
     explicit ReleaseFade(double sampleRateHz);
 
-    /// Multiplies a cell that begins with `left` (1 to 0) of the fade still to come.
+    /// Multiplies a cell by the fade; `left`, 1 to 0, is the part of the fade remaining at the
+    /// cell's start.
     void apply(double left, std::span<float, cellSamples> newtons) const noexcept;
 
-    /// What is left a cell later; 0 where it is over.
+    /// Returns the part remaining one cell later; 0 if the fade is over.
     double after(double left) const noexcept;
 
 private:

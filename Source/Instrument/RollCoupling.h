@@ -1,5 +1,5 @@
-// The modes of an object that a roll may drive harder than by its low-pass alone, where and as they
-// sound now. How hard it drives them is ContactForce's.
+// Finds the modes of an object that a roll may drive harder than by its low-pass alone, at the
+// frequencies at which they sound now. ContactForce decides how hard.
 #pragma once
 
 #include "Instrument/LowestModes.h"
@@ -22,8 +22,8 @@ private:
     std::size_t used = 0;
 };
 
-/// Returns those of the lowest modes of the slot's object that oscillate and are not below 20 Hz,
-/// under the settings: poles as the synthesiser has them. Does not allocate.
+/// Returns those of the object's lowest modes that oscillate and are at least 20 Hz, under the
+/// settings. Their poles equal the synthesiser's. Does not allocate.
 CoupledModes coupledModes(const LowestModes& lowestModes,
                           const SynthesiserSlot& slot,
                           const SynthesisSettings& settings);

@@ -15,11 +15,11 @@
 namespace idiophone {
 namespace {
 
-constexpr double mostCents = 24000; // from one degree to the first, either way
+constexpr double mostCents = 24000; // from one degree to the first, up or down
 constexpr double lowestHz = 1, highestHz = 100000;
 constexpr double negligibleSemitones = 1e-9;
 
-// Inside this file a fault travels as an exception and becomes a Result at keyTuning.
+// Within this file a fault is thrown; keyTuning turns it into a Result.
 struct Fault {
     std::string sentence;
 };
@@ -29,7 +29,7 @@ struct Line {
     int number = 0; ///< from 1
 };
 
-/// The lines of a file that are no comments, whichever way they end.
+/// The lines of a file, without comments, with any kind of line ending.
 class Lines {
 public:
     explicit Lines(const ScalaFile& source)
@@ -51,7 +51,7 @@ public:
         return std::nullopt;
     }
 
-    /// The next line with something on it.
+    /// Returns the next line that is not blank.
     std::optional<Line> nextFilled() {
         while (const auto line = next())
             if (line->text.find_first_not_of(" \t") != std::string_view::npos)
@@ -59,7 +59,7 @@ public:
         return std::nullopt;
     }
 
-    /// The same; `what` says what it should hold.
+    /// Returns the next line that is not blank; the error calls its content `what`.
     Line expect(const char* what) {
         if (const auto line = nextFilled())
             return *line;
@@ -85,7 +85,7 @@ std::string_view firstWord(std::string_view line) {
     return line.substr(0, line.find_first_of(" \t!"));
 }
 
-/// "701.955" is cents; "3/2" and "2" are ratios, whose numbers may be of any size.
+/// Parses "701.955" as cents, and "3/2" and "2" as ratios of numbers of any size.
 std::optional<double> cents(std::string_view word) {
     if (word.find('.') != std::string_view::npos)
         return parseNumber(word);
@@ -136,13 +136,13 @@ Tunings::Scale readScale(const ScalaFile& file) {
     return scale;
 }
 
-/// A mapping, as the library is given it: a scale of the mapped keys' own pitches one after the
-/// other, which repeats by the formal octave, and the reference. The library's own mappings repeat
-/// by the scale's last note, whatever the formal octave is.
+/// A mapping in the library's terms: a scale of the mapped keys' pitches in order, which repeats at
+/// the formal octave, and the reference. The library's own mappings always repeat at the scale's
+/// last note, not at the formal octave.
 struct Mapping {
     Tunings::Scale scale;
     Tunings::KeyboardMapping reference;
-    std::vector<bool> isMapped; ///< of the keys that repeat; empty: all
+    std::vector<bool> isMapped; ///< [period's keys]; empty: all
 };
 
 bool isMapped(const Mapping& mapping, int note) {
@@ -153,14 +153,14 @@ bool isMapped(const Mapping& mapping, int note) {
     return mapping.isMapped[static_cast<std::size_t>(key)];
 }
 
-/// Above the scale's first note; degrees beyond the scale go on as it repeats.
+/// Returns the cents above the scale's first note; degrees beyond the scale continue periodically.
 double centsOfDegree(const Tunings::Scale& scale, int degree) {
     const int rounds = degree / scale.count, rest = degree % scale.count;
     return rounds * scale.tones.back().cents +
            (rest == 0 ? 0 : scale.tones[static_cast<std::size_t>(rest - 1)].cents);
 }
 
-/// The degrees of the keys that repeat, −1 where there is none, as for those left out at the end.
+/// Returns the degrees of one period's keys; −1 for unmapped keys and those missing at the end.
 std::vector<int> readDegrees(Lines& lines, int count) {
     std::vector<int> degrees(static_cast<std::size_t>(count), -1);
     for (std::size_t key = 0; key < degrees.size(); ++key) {

@@ -1,5 +1,5 @@
-// Tunings as Scala files: a scale (.scl) and a keyboard mapping (.kbm), which say what pitch every
-// key has (https://www.huygens-fokker.org/scala/scl_format.html). Any thread; allocates.
+// Reads tunings from Scala files: a scale (.scl) and a keyboard mapping (.kbm) give the pitch of
+// every key (https://www.huygens-fokker.org/scala/scl_format.html). Any thread; allocates.
 #pragma once
 
 #include "Instrument/KeyTuning.h"
@@ -10,9 +10,9 @@
 
 namespace idiophone {
 
-/// A file as it was read; both empty where there is none.
+/// The content of a file; both fields are empty if there is no file.
 struct ScalaFile {
-    std::string name; ///< stands for it in errors
+    std::string name; ///< used in errors
     std::string text;
 
     bool isGiven() const { return !name.empty() || !text.empty(); }
@@ -23,19 +23,19 @@ struct ScalaTuning {
     static constexpr std::uintmax_t largestFileBytes = 1 << 18;
     static constexpr int mostDegrees = 1024;
 
-    ScalaFile scale;   ///< none: twelve equal steps
-    ScalaFile mapping; ///< none: the scale begins at note 60, which has 261.6 Hz
+    ScalaFile scale;   ///< without a file: twelve equal steps
+    ScalaFile mapping; ///< without a file: the scale begins at note 60 with 261.6 Hz
 
     bool isGiven() const { return scale.isGiven() || mapping.isGiven(); }
     bool operator==(const ScalaTuning&) const = default;
 };
 
-/// The pitch of every key. A key whose pitch would lie outside of 1 Hz to 100 kHz has none. What
-/// stands behind a number on its line is ignored, as the format asks; the mapping's first and last
-/// note are read, and keys beyond them tuned all the same. The error names the file and its line.
+/// Returns the pitch of every key. A key with a pitch outside 1 Hz to 100 kHz has none. Text after
+/// a number on its line is ignored, as the format asks. Keys beyond the mapping's first and last
+/// note are tuned too. The error names the file and its line.
 Result<KeyTuning> keyTuning(const ScalaTuning& tuning);
 
-/// The scale's own description, its file's name where it has none, or "Equal temperament".
+/// Returns the scale's own description, its file's name if it has none, or "Equal temperament".
 std::string scaleTitle(const ScalaTuning& tuning);
 
 } // namespace idiophone

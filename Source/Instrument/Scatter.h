@@ -1,12 +1,12 @@
-// Numbers that look random and repeat: what varies from strike to strike is drawn from the strike's
-// number, so that a render repeats.
+// Repeatable random numbers. Variations of a strike depend on its number only, so that a render
+// repeats.
 #pragma once
 
 #include <cstdint>
 
 namespace idiophone {
 
-/// −1 to 1, evenly spread, from an integer (the finaliser of MurmurHash3).
+/// Returns −1 to 1, evenly distributed, from an integer (the finaliser of MurmurHash3).
 inline double scatter(std::uint32_t number) {
     number ^= number >> 16;
     number *= 0x85ebca6bu;

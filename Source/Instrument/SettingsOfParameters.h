@@ -1,4 +1,4 @@
-// What the parameters ask of the synthesiser.
+// Converts parameters to settings of the synthesiser.
 #pragma once
 
 #include "Object/Mallet.h"
@@ -13,19 +13,19 @@
 
 namespace idiophone {
 
-/// What the custom material has, all live.
+/// Figures of the custom material; all act live.
 inline constexpr std::array materialFigures{
     ParameterId::youngsModulus, ParameterId::density, ParameterId::fluidDamping,
     ParameterId::viscoelasticDamping, ParameterId::lossFactor};
 
-/// What the custom mallet has.
+/// Figures of the custom mallet.
 inline constexpr std::array malletFigures{ParameterId::malletHardness, ParameterId::malletMass,
                                           ParameterId::malletRadius, ParameterId::malletExponent};
 
-/// A choice of whose custom entry there are figures.
+/// A choice whose custom entry has figures.
 struct FigureChoice {
     ParameterId choice;
-    int custom; ///< that entry
+    int custom; ///< index of the custom entry
     std::span<const ParameterId> figures;
 };
 
@@ -33,47 +33,47 @@ inline constexpr std::array figureChoices{
     FigureChoice{ParameterId::material, customMaterial, materialFigures},
     FigureChoice{ParameterId::mallet, customMallet, malletFigures}};
 
-/// The choice that the parameter is a figure of, or nullptr.
+/// Returns the choice that the parameter is a figure of, or nullptr.
 const FigureChoice* choiceOfFigure(ParameterId parameter);
 
-/// The values with the figures of the material and the mallet that are chosen in the place of the
-/// custom ones', so that the custom ones with these sound alike; `own` is what the objects are made
-/// of, or nullptr. Any thread.
+/// Returns the values with the custom figures replaced by those of the chosen material and mallet.
+/// The custom entries with these figures sound the same. `own` is the objects' material, or
+/// nullptr. Any thread.
 ParameterValues effectiveFigures(ParameterValues values, const Material* own);
 
-/// The values with the choice custom, which sound as before: with the figures of what was chosen,
-/// as `effectiveFigures` has them. Any thread.
+/// Returns the values with the choice set to custom and with the figures of `effectiveFigures`, so
+/// that they sound as before. Any thread.
 ParameterValues withCustom(ParameterValues values, const FigureChoice& choice, const Material* own);
 
-/// Whether the thickness acts on one of these. Any thread.
+/// Returns whether the thickness acts on any of these slots. Any thread.
 bool hasLiveThickness(std::span<const SynthesiserSlot> slots);
 
-/// Whether one of these has a pitch that `keep_pitch` can keep. Any thread.
+/// Returns whether any of these slots has a pitch that `keep_pitch` can keep. Any thread.
 bool hasPitch(std::span<const SynthesiserSlot> slots);
 
-/// The values with that material as the custom one, its figures held to the parameters' ranges. Its
-/// Poisson ratio and contact figures are not among them. Any thread.
+/// Returns the values with that material as the custom one; ParameterValues::set clamps the
+/// figures. They do not include its Poisson ratio and contact figures. Any thread.
 ParameterValues withCustomMaterial(ParameterValues values, const Material& material);
 
-/// The values with that mallet as the custom one, whose contact has that modulus whatever it meets.
-/// Any thread.
+/// Returns the values with that mallet as the custom one. Its contact has this modulus on any
+/// surface. Any thread.
 ParameterValues withCustomMallet(ParameterValues values, const Mallet& played, double contactPa);
 
-/// The settings that the values stand for. Any thread.
+/// Returns the synthesiser's settings for the values. Any thread.
 SynthesisSettings synthesisSettings(const ParameterValues& values);
 
-/// How fast the motor turns: two openings a turn, one in every note of the chosen length, where a
-/// length is chosen and the tempo is known, which 0 is not. Any thread.
+/// Returns the motor's speed in turns per second: two openings a turn. If a note length is chosen
+/// and the tempo is known (not 0), there is one opening in every note of that length. Any thread.
 double motorTurnsPerSecond(const ParameterValues& values, double beatsPerMinute);
 
-/// How often it has turned at a place of the song where it follows the tempo; nothing where it does
-/// not. Any thread.
+/// Returns the motor's turns at a song position if it follows the tempo, otherwise nothing. Any
+/// thread.
 std::optional<double> motorTurnsAt(const ParameterValues& values, double songBeats);
 
-/// The library's material where one is chosen to be live, else nullptr. Any thread.
+/// Returns the live material chosen from the library, or nullptr if none is. Any thread.
 const Material* chosenLibraryMaterial(const ParameterValues& values);
 
-/// The mallet of the rack that is chosen, or nullptr where the custom one is. Any thread.
+/// Returns the chosen mallet of the rack, or nullptr for the custom one. Any thread.
 const Mallet* chosenMallet(const ParameterValues& values);
 
 } // namespace idiophone

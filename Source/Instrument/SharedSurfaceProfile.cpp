@@ -8,10 +8,10 @@ namespace idiophone {
 
 std::shared_ptr<const SurfaceProfile> sharedSurfaceProfile(const Surface& surface,
                                                            double sampleRateHz) {
-    constexpr std::size_t kept = 8; // of 1 MB each
+    constexpr std::size_t kept = 8; // about 1 MB each
     constexpr std::uint64_t noiseSeed = 1;
     static std::mutex mutex;
-    static std::vector<std::shared_ptr<const SurfaceProfile>> profiles; // the one used last is last
+    static std::vector<std::shared_ptr<const SurfaceProfile>> profiles; // most recent last
     const std::scoped_lock lock(mutex);
     const auto known = std::ranges::find_if(profiles, [&](const auto& profile) {
         return profile->surface() == surface && profile->sampleRateHz() == sampleRateHz;

@@ -1,4 +1,4 @@
-// Which modes of an instrument's objects are not to be heard, as synthesis takes it.
+// The modes of an instrument's objects that are silenced, in the form that synthesis takes.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -16,17 +16,17 @@ struct SilencedModes {
         const ModalObject* object = nullptr;  ///< compared, never read
         std::vector<std::uint8_t> isSilenced; ///< [M] 0 or 1
     };
-    std::vector<OfObject> objects; ///< of all others nothing is silenced
+    std::vector<OfObject> objects; ///< objects without an entry have no silenced modes
 };
 
-/// By what mode sets know the object of a slot: the lowest note that plays it where there is one
-/// object a key, the object's name on a stage, else "all". Where it can be it is not the name, for
-/// files of objects may be renamed, and finished analyses take the place of previews. For any
-/// thread but audio.
+/// Returns the key by which mode sets identify the object of a slot. It is the lowest note that
+/// plays the object if each key has one, its name on a stage, otherwise "all". It avoids the name,
+/// because files may be renamed and finished analyses replace previews. Any thread but audio.
 std::string modeSetKey(const Instrument& instrument, std::size_t slot);
 
-/// [any thread but audio] Of every object the muted modes; of one with modes heard alone all
-/// others, muted or not. Modes and objects that the instrument does not have are passed over.
+/// Returns the muted modes of every object. If an object has modes heard alone, it returns all its
+/// other modes, muted or not. Ignores modes and objects that the instrument lacks. [any thread but
+/// audio]
 SilencedModes
 silencedModes(const Instrument& instrument, const ModeSet& muted, const ModeSet& heardAlone);
 

@@ -20,7 +20,8 @@ using Point = std::array<double, 3>;
 
 constexpr int lowestKey = 36, highestKey = 96;
 
-/// The sum over the lowest modes of how far a push into the surface moves it there.
+/// Returns how far the lowest modes move at a place under a push into the surface, as a sum over
+/// modes.
 double motionAt(const ModalObject& object, const StrikePoint& place) {
     constexpr std::size_t modes = 12;
     double sum = 0;
@@ -39,7 +40,7 @@ double motionAt(const ModalObject& object, const StrikePoint& place) {
     return sum;
 }
 
-/// Not at the very ends, where a mallet slips off.
+/// Leaves out the very ends, where a mallet slips off.
 double liveliestPlace(const ModalObject& object, const KeyMap& map) {
     const auto strip = strikeStrip(object, map);
     double best = 0.5, most = -1;
@@ -55,7 +56,7 @@ Eigen::Vector3d vectorOf(const Point& point) {
     return Eigen::Vector3d(point.data());
 }
 
-/// Where rays have missed between two places, round the hole they went through: places in metres.
+/// Joins the hits to a path in metres; where rays missed between two hits, it goes round the hole.
 std::vector<Eigen::Vector3d> roundHoles(const std::vector<std::optional<Eigen::Vector3d>>& hits,
                                         const Mesh& mesh,
                                         const Eigen::Vector3d& facing) {
@@ -95,7 +96,7 @@ KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMa
 
 std::vector<Point> pathOverTop(const ModalObject& object) {
     constexpr int samples = 33;
-    constexpr double ends = 0.98; // of the way, so that rays meet what ends there
+    constexpr double ends = 0.98; // of the way, so that the outermost rays still hit
     const ObjectBox box(object);
     const auto along = box.longestAxis();
     const bool upright = along == 2;

@@ -1,5 +1,5 @@
-// How keys play an object that nobody has made an instrument of yet: where they strike it by
-// default, and strike paths in metres of its mesh.
+// Makes a key map for an object that has no instrument yet: default strike places, and strike paths
+// in metres of its mesh.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -11,19 +11,18 @@
 
 namespace idiophone {
 
-/// Not for the audio thread, as all of these.
+/// None of these is for the audio thread.
 
-/// Keys C2 to C7 of the kind, which is not `bars`, with the path of `pathOverTop`. Scaled objects
-/// are struck where along it most of their lowest modes move.
+/// Returns a map of `kind`, not `bars`, with keys C2 to C7 and the path of `pathOverTop`. Scaled
+/// objects are struck at the place of the path where the lowest modes move most.
 KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMapKind kind);
 
-/// From one end of the object's longest side to the other over what is seen from above, in units of
-/// its box; of what stands upright, up its front. Where the object has a hole the path goes
-/// round it.
+/// Returns a path between the ends of the object's longest side, over the surface visible from
+/// above, in units of its box. On an upright object it leads up the front. It goes round holes.
 std::vector<std::array<double, 3>> pathOverTop(const ModalObject& object);
 
-/// A key map's path in metres of the object's mesh, and back: of the points that are finite at most
-/// 1000, evenly; empty where there are none.
+/// Convert a key map's path to metres of the object's mesh and back. `relativePath` keeps at most
+/// 1000 finite points, evenly spread; the result may be empty.
 std::vector<std::array<double, 3>> pathMetres(const ModalObject& object, const KeyMap& map);
 std::vector<std::array<double, 3>>
 relativePath(const ModalObject& object, const std::vector<std::array<double, 3>>& pathMetres);

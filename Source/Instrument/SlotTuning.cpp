@@ -10,7 +10,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double smallestStep = 1e-3; // in semitones; less is not heard as a step
+constexpr double smallestStep = 1e-3; // in semitones; a smaller step is not heard
 
 } // namespace
 
@@ -36,7 +36,7 @@ double SlotTuning::semitonesBelowEqual() const noexcept {
 
 void SlotTuning::noteOn(int note) noexcept {
     if (instrument.stage() && !keysHaveObjects)
-        return; // no slot is the note's
+        return; // the note has no slot
     if (const int key = instrument.key(note).slot; key >= 0) {
         auto& slot = slots[static_cast<std::size_t>(key)];
         slot.note = note;

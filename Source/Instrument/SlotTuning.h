@@ -1,4 +1,4 @@
-// The pitch of each of an instrument's objects: that of its key in the tuning, bent as its note is.
+// The pitch of each of an instrument's objects: its key's pitch in the tuning, bent as its note is.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -12,36 +12,36 @@
 namespace idiophone {
 
 /// Constructed and destroyed off the audio thread; the rest is for the audio thread and neither
-/// allocates, locks nor throws. The instrument outlives it.
+/// allocates, locks nor throws. The instrument must outlive it.
 ///
-/// Where keys have objects of their own (bars, scaled) these follow their keys. An object that keys
-/// share (zones) keeps its pitch in any tuning, and is bent as the note played last is.
+/// If keys have objects of their own (bars, scaled), the objects follow their keys. An object that
+/// keys share (zones) keeps its pitch in any tuning and follows the bend of the last note.
 ///
-/// Bends glide as parameters do (ParameterGlide.h), for wheels send steps; what a note plays is
-/// bent at once as that is.
+/// Bends glide as parameters do (ParameterGlide.h), because wheels send steps. A new note takes its
+/// bend at once.
 class SlotTuning {
 public:
     SlotTuning(const Instrument& instrument, double secondsPerCell);
 
     void setTuning(const KeyTuning& wanted) noexcept { tuning = wanted; }
-    /// False where the tuning has no pitch for the key's object, and where there is none.
+    /// Returns false if the key has no object, or the tuning has no pitch for it.
     bool sounds(int note) const noexcept;
-    /// By how much the lowest slot lies below equal temperament by tunings so far, or 0.
+    /// Returns how far tunings so far put the lowest slot below equal temperament, or 0.
     double semitonesBelowEqual() const noexcept;
     void noteOn(int note) noexcept;
-    /// Once a cell, before it begins.
+    /// Call once a cell, before it begins.
     void apply(const PitchBend& bend, Synthesiser& synthesiser) noexcept;
-    /// Within a cell, before what is played strikes: of that alone.
+    /// Call within a cell, before new notes strike; affects only their slots.
     void applyToPlayed(const PitchBend& bend, Synthesiser& synthesiser) noexcept;
-    void reset() noexcept; ///< at the next `apply` all bends are as they should be
+    void reset() noexcept; ///< the next `apply` sets all bends at once
 
 private:
     struct SlotPitch {
-        int note = -1;    ///< whose pitch it has, or −1: none was played
-        double tuned = 0; ///< by the tuning that last had a pitch for it
-        double bent = 0;  ///< on the way to where wheels are
+        int note = -1;    ///< whose pitch it has; −1 if none was played
+        double tuned = 0; ///< semitones by the last tuning with a pitch for it
+        double bent = 0;  ///< semitones, gliding towards the wheels
         bool bendsAtOnce = true;
-        double semitones = 0; ///< as the synthesiser has it
+        double semitones = 0; ///< last value sent to the synthesiser
     };
 
     void apply(std::size_t slot, const PitchBend& bend, Synthesiser& synthesiser) noexcept;

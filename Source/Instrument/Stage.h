@@ -1,5 +1,5 @@
-// What a note can set in motion besides a mallet: bodies that strike the instrument's objects by
-// and by. Scene has such stages; players know them by this.
+// The interface of a stage, on which a note moves bodies that later strike the instrument's
+// objects. The module Scene implements it for players.
 #pragma once
 
 #include "Instrument/PlacedBlow.h"
@@ -14,81 +14,82 @@
 
 namespace idiophone {
 
-/// Where the body of a slot is: from its object's own mesh, scaled, to the stage; z points up.
+/// Transform of a slot's body from its object's own mesh, scaled, to the stage; z points up.
 struct BodyPose {
     bool isThere = false;
     std::array<float, 3> originMetres{};
     std::array<float, 4> turn{0, 0, 0, 1}; ///< a unit quaternion x, y, z, w
 };
 
-/// One player's. Constructed and destroyed off the audio thread; the rest is for the audio thread
-/// and neither allocates, locks nor throws, but while it is offline: then it waits for its worker
-/// or does its work.
+/// The stage of one player. Constructed and destroyed off the audio thread; the rest is for the
+/// audio thread and neither allocates, locks nor throws. The exception is offline mode: then it
+/// waits for its worker, or does the work itself.
 class StagePerformance {
 public:
     virtual ~StagePerformance() = default;
 
-    /// A note whose bodies are set in motion at a sample of the cell begun last, or beyond its end.
+    /// Starts the bodies of a note at a sample of the newest cell, or beyond its end.
     virtual void
     cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept = 0;
 
-    /// The next cue is the one of that number, from 0 on: what its bodies do by chance is its own.
+    /// Sets the number of the next cue, from 0 on. It seeds the random part of its bodies' motion.
     virtual void countCuesFrom(std::uint32_t number) noexcept = 0;
 
-    /// What the bodies do in the cell begun last, each slot's into its own output; after
-    /// `Synthesiser::beginCell`, once a cell.
+    /// Adds the sound of the bodies in the newest cell, each slot's to its own output. Call it once
+    /// a cell, after `Synthesiser::beginCell`.
     virtual void sound(std::int64_t cell,
                        Synthesiser& synthesiser,
                        std::span<const CellOutput> cellsOfSlots) noexcept = 0;
 
-    /// What presses on the slots lets go, over the cell begun last. The next `sound` presses again
-    /// where it goes on.
+    /// Fades all contact forces on the slots out over the newest cell. The next `sound` applies
+    /// them again if they continue.
     virtual void release(Synthesiser& synthesiser,
                          std::span<const CellOutput> cellsOfSlots) noexcept = 0;
 
-    /// What a listener hears of the slots.
+    /// Mixes the slots to the listener's ears.
     virtual void hear(std::span<const CellOutput> cellsOfSlots,
                       const CellOutput& ears) noexcept = 0;
 
-    /// Whether it may wait until what is to be heard is known. Otherwise blows that become known
-    /// too late act as soon as they are, and count as late.
+    /// Sets whether it may wait for the simulation. If not, impacts that become known too late act
+    /// as soon as possible and count as late.
     virtual void setOffline(bool isOffline) noexcept = 0;
 
-    /// Bodies stand still in the air, and go on from there.
+    /// Stops bodies in place; later they go on from there.
     virtual void setPaused(bool isPaused) noexcept = 0;
-    /// All bodies are as they were before the first note; what rings goes on.
+    /// Returns all bodies to their state before the first note; objects ring on.
     virtual void stop() noexcept = 0;
-    /// As if nothing had been yet.
+    /// Returns to the constructed state.
     virtual void reset() noexcept = 0;
 
-    /// Nothing is in motion, nor on its way to the listener.
+    /// Returns whether nothing moves, and no sound is on its way to the listener.
     virtual bool silent() const noexcept = 0;
     virtual std::int64_t lateBlows() const noexcept = 0;
-    /// Those that acted since this was asked last, in seconds since the first cell; the next
-    /// `sound` forgets them.
+    /// Returns the impacts since the last call, in seconds since the first cell. The next `sound`
+    /// forgets them.
     virtual std::span<const PlacedBlow> takeBlows() noexcept = 0;
-    /// Another one for every performance of the process, and after every `stop` and `reset`: times
-    /// of blows go together with those of the same number.
+    /// Returns a number unique in the process, which changes with every `stop` and `reset`. Times
+    /// of impacts are comparable only under the same number.
     virtual std::uint32_t number() const noexcept = 0;
-    virtual std::span<const BodyPose> poses() const noexcept = 0; ///< of the slots, as of now
+    virtual std::span<const BodyPose> poses() const noexcept = 0; ///< present poses of the slots
 };
 
-/// Immutable, so that any number of players share it.
+/// Immutable, so any number of players share it.
 class Stage {
 public:
     virtual ~Stage() = default;
 
-    /// Of an instrument on this stage. The same seed, cues and offline state give the same bits.
+    /// Makes a performance for an instrument on this stage. The same seed, cues and offline state
+    /// give the same bits.
     virtual std::unique_ptr<StagePerformance> perform(double sampleRateHz,
                                                       std::uint64_t seed) const = 0;
 
-    /// The object of a slot as its scene has it: the factory's name or a file's path.
+    /// Returns the name of a slot's object in the scene: a factory object or a file's path.
     virtual const std::string& objectOf(std::size_t slot) const = 0;
-    /// Of the slots, before the first note.
+    /// Returns the poses of the slots before the first note.
     virtual std::span<const BodyPose> firstPoses() const = 0;
-    /// From a note to its first blow, in seconds.
+    /// Returns the time from a note to its first impact, in seconds.
     virtual double delaySeconds() const = 0;
-    /// From a note to the last time that its bodies move.
+    /// Returns the time from a note until its bodies no longer move, in seconds.
     virtual double lengthSeconds() const = 0;
 };
 

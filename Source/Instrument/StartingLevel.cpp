@@ -20,7 +20,7 @@ double lufsOf(const Phrase& phrase, const ParameterValues& values) {
     return predictedLoudness(phrase, values)[PhrasePrediction::middleVelocity];
 }
 
-/// Choices of ParameterId::mallet in the rack, those first that touch the longest.
+/// Returns the rack's choices of ParameterId::mallet, from the longest contact to the shortest.
 std::vector<std::size_t> rackFromSoftToHard() {
     const auto rack = malletRack();
     std::vector<std::size_t> order(rack.size());
@@ -48,7 +48,8 @@ ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instr
                                   const Surface& surface,
                                   double sampleRateHz,
                                   const ParameterValues& values) {
-    constexpr double faintestLufs = factoryChannelLufs - 12; // what the level has to make up for
+    constexpr double faintestLufs =
+        factoryChannelLufs - 12; // below this the level cannot compensate
     const Phrase phrase(instrument, surface, sampleRateHz);
     double loudest = lufsOf(phrase, values);
     auto best = values;

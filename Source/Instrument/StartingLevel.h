@@ -1,5 +1,5 @@
-// How an instrument that nobody has set by ear starts: with a mallet that makes it sound, as loud
-// as the factory presets.
+// Chooses a mallet and level for an instrument that nobody has set by ear: audible, and as loud as
+// the factory presets.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -10,32 +10,33 @@
 
 namespace idiophone {
 
-/// Not for the audio thread, as all of these. The surface, which is valid, is what keys that scrape
-/// or roll sound like.
+/// None of these is for the audio thread. `surface` must be valid; keys that scrape or roll sound
+/// like it.
 
-/// LUFS of the phrase of PhrasePrediction at its middle velocity, before `level`.
+/// Returns the LUFS of PhrasePrediction's phrase at its middle velocity, before `level`.
 double predictedLufs(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,
                      const ParameterValues& values);
 
-/// The values, but with a mallet of the rack where theirs leaves the instrument all but silent, as
-/// yarn does a small ball of steel: the softest that makes it sound, or the one that does it best.
+/// Returns the values, with another mallet of the rack if theirs leaves the instrument almost
+/// silent, as yarn does a small ball of steel. It is the softest audible mallet, or else the
+/// loudest.
 ParameterValues withAudibleMallet(const std::shared_ptr<const Instrument>& instrument,
                                   const Surface& surface,
                                   double sampleRateHz,
                                   const ParameterValues& values);
 
-/// In dB, the `level` at which about eight of the hardest blows at once stay below full scale
-/// (docs/decisions/0005); infinity where nothing sounds. For keys that strike.
+/// Returns the `level` in dB at which about eight of the hardest strikes at once stay below full
+/// scale (docs/decisions/0005); infinity if nothing sounds. For keys that strike.
 double highestLevel(const std::shared_ptr<const Instrument>& instrument,
                     const Surface& surface,
                     double sampleRateHz,
                     const ParameterValues& values);
 
-/// In dB: as loud as the factory presets, but no higher than `highestLevel`: what rings short and
-/// high peaks far above its loudness. That of the values where nothing sounds. For keys that
-/// strike.
+/// Returns the `level` in dB at which the instrument is as loud as the factory presets, but at most
+/// `highestLevel`: short high sounds peak far above their loudness. Returns the values' own level
+/// if nothing sounds. For keys that strike.
 double startingLevel(const std::shared_ptr<const Instrument>& instrument,
                      const Surface& surface,
                      double sampleRateHz,

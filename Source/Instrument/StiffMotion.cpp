@@ -15,7 +15,7 @@ StiffMotion::StiffMotion(double sampleRateHz) noexcept : rateHz(sampleRateHz) {
 }
 
 void StiffMotion::add(double omega, const NoteResidues& residues) noexcept {
-    constexpr double far = 0.6; // of λ, from resonance; nearer is the resonance's own
+    constexpr double far = 0.6; // distance from resonance over λ; nearer belongs to the resonance
     const double cosine = std::cos(omega / rateHz), square = omega * omega;
     const double cotangent = 1 / std::tan(omega / rateHz / 2);
     std::array<double, frequencies> compliances;
@@ -35,7 +35,7 @@ void StiffMotion::add(double omega, const NoteResidues& residues) noexcept {
         }
 }
 
-/// (1/π) ∫ S K |v/F|² dω, with dω = ω ln(ratio).
+/// Returns (1/π) ∫ S K |v/F|² dω, with dω = ω ln(ratio).
 PhraseMeter::NoteFigures StiffMotion::powers(const HeldForceSpectrum& force) const noexcept {
     PhraseMeter::NoteFigures result{};
     for (std::size_t k = 0; k < frequencies && omegas[k] < std::numbers::pi * rateHz; ++k) {

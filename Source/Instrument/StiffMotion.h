@@ -1,5 +1,5 @@
-// What modes do between their resonances while a continuous force lasts: all of them follow it at
-// once, by their stiffness below and by their mass above them.
+// The motion of modes between their resonances under a continuous force. They follow the force at
+// once: by their stiffness below their frequency, by their mass above.
 #pragma once
 
 #include "Instrument/HeldForceSpectrum.h"
@@ -11,23 +11,23 @@
 
 namespace idiophone {
 
-/// v(ω) = iω Σ r/(λ − ω²) F(ω) at a few frequencies, of all modes that are far from them. Where
-/// the force is strong below the lowest mode, as a roll's is, and modes are damped, it is what is
-/// heard. As the engine samples force and response, with θ = ω over the sample rate f_s, it is
-/// Σ (Re r i sin θ − Im r (1 − cos θ) cot θ_i/2)/(cos θ − cos θ_i)/(2 f_s): the imaginary part of a
-/// residue hears the acceleration over ω_i.
+/// v(ω) = iω Σ r/(λ − ω²) F(ω) at a few frequencies, of all modes far from them. It dominates if
+/// the force is strong below the lowest mode, as a roll's is, and modes are damped.
+/// As the engine samples force and response, with θ = ω over the sample rate f_s, it is Σ (Re r i
+/// sin θ − Im r (1 − cos θ) cot θ_i/2)/(cos θ − cos θ_i)/(2 f_s). The imaginary part of a residue
+/// weights the acceleration over ω_i.
 /// Does not allocate.
 class StiffMotion {
 public:
-    /// Complex residues left and right, of each note.
+    /// Complex residues of each note, left and right.
     using NoteResidues = std::array<std::array<std::complex<double>, 2>, PhraseMeter::notes>;
 
     StiffMotion() = default;
     explicit StiffMotion(double sampleRateHz) noexcept;
 
-    /// A mode of that angular frequency [rad/s].
+    /// Adds a mode of that angular frequency [rad/s].
     void add(double omega, const NoteResidues& residues) noexcept;
-    /// The K-weighted power of each note, mean of the channels.
+    /// Returns the K-weighted power of each note, mean of the channels.
     PhraseMeter::NoteFigures powers(const HeldForceSpectrum& force) const noexcept;
 
 private:

@@ -1,4 +1,4 @@
-// Where on its mesh an object is struck.
+// Converts a strike point to a position on the mesh.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// In metres, in the mesh's coordinates; the point's rows are the object's. For any thread.
+/// Returns metres in the mesh's coordinates; the point's rows must be the object's. Any thread.
 std::array<double, 3> strikePointMetres(const ModalObject& object,
                                         const StrikePoint& point) noexcept;
 

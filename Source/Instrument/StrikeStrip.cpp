@@ -13,11 +13,11 @@ namespace {
 using Point = std::array<double, 3>;
 
 constexpr int stripAlong = 129;
-// On either side of the path: enough that a step across is a third of the way between vertices that
-// carry shapes.
+// Places on either side of the path. Their number makes a step across one third of the distance
+// between vertices with shapes.
 constexpr int fewestBeside = 1, mostBeside = 32;
 constexpr double stepsBetweenVertices = 3;
-// Of the object's size; far less than anything heard.
+// Share of the object's size; too small to be heard.
 constexpr double hair = 1e-7;
 
 Point operator+(const Point& a, const Point& b) {
@@ -48,7 +48,7 @@ double pathLength(const std::vector<Point>& path) {
     return total;
 }
 
-/// The place at a fraction of the path's length.
+/// Returns the place at a fraction of the path's length.
 PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
     double left = fraction * pathLength(path);
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -63,7 +63,7 @@ PathPlace placeOnPath(const std::vector<Point>& path, double fraction) {
 
 using Vector = std::array<float, 3>;
 
-/// To unit length; zero where it is too short to have a direction.
+/// Scales to unit length; returns zero if it is too short to have a direction.
 Vector normalised(const Point& a) {
     const double norm = length(a);
     if (norm < 1e-6)
@@ -72,7 +72,7 @@ Vector normalised(const Point& a) {
             static_cast<float>(a[2] / norm)};
 }
 
-/// What of a direction lies in the surface.
+/// Returns the unit vector of the direction's part in the surface.
 Vector tangent(const Vector& normal, const Point& direction) {
     const Point unit{normal[0], normal[1], normal[2]};
     const double rise = direction[0] * unit[0] + direction[1] * unit[1] + direction[2] * unit[2];
@@ -91,13 +91,13 @@ StrikeStrip strikeStrip(const ModalObject& object, const KeyMap& map) {
     std::vector<Point> path;
     for (const auto& relative : map.strikePath)
         path.push_back(box.at(relative));
-    // A path through the middle of something solid must not change sides by rounding.
+    // A path through the middle of a solid must not change sides by rounding.
     const Point upwards{0, 0, hair * length(box.halfExtentMetres)};
     const auto pointAt = [&](const Point& point) { return surface.nearest(point + upwards); };
 
     struct Rung {
         PathPlace middle;
-        Point reach; ///< from there to the strip's edge
+        Point reach; ///< from the middle to the strip's edge
     };
     std::vector<Rung> rungs;
     double widest = 0;
@@ -138,7 +138,7 @@ const StrikePoint& StrikeStrip::at(double along, double across) const {
     return points[index(nearest(along, alongCount), nearest((across + 1) / 2, acrossCount))];
 }
 
-// Each square of four places is cut into two triangles, from (0, 0) to (1, 1).
+// Each square of four places is cut into two triangles, along the diagonal from (0, 0) to (1, 1).
 StripPlace StrikeStrip::between(double along, double across) const {
     const double x = std::clamp(along, 0.0, 1.0) * (alongCount - 1);
     const double y = std::clamp((across + 1) / 2, 0.0, 1.0) * (acrossCount - 1);

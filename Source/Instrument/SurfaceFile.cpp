@@ -30,7 +30,7 @@ constexpr Figure figures[] = {
     {"roughness", &Surface::roughness, false},
 };
 
-/// The first thing wrong with what every surface file begins with; empty where all is well.
+/// Returns the first fault of format, version and name; empty if there is none.
 std::string faultOfHead(const json& root) {
     if (!root.is_object() || !root.contains("format") || root["format"] != "idiophone-surface")
         return "it is not an Idiophone surface";
@@ -43,7 +43,7 @@ std::string faultOfHead(const json& root) {
     return {};
 }
 
-/// The same of the figures, which go into `surface`.
+/// Reads the figures into `surface`. Returns the first fault; empty if there is none.
 std::string parseFigures(const json& root, Surface& surface) {
     for (const auto& [key, value] : root.items()) {
         const auto* figure = std::ranges::find(figures, key, &Figure::key);
@@ -91,7 +91,7 @@ std::string encodeSurface(const Surface& surface) {
         {"format", "idiophone-surface"}, {"version", surfaceFormatVersion}, {"name", surface.name}};
     for (const auto& figure : figures)
         root[figure.key] = surface.*figure.member;
-    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    // Names come from people and files: replace bytes that are not UTF-8 rather than throw.
     return root.dump(4, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// A surface as presets and scenes have it in JSON.
+// Reads a surface from the JSON of presets and scenes.
 #pragma once
 
 #include "Instrument/JsonPlace.h"
@@ -6,7 +6,7 @@
 
 namespace idiophone {
 
-/// As a surface file holds it. What is wrong throws JsonPlace::Fault.
+/// Reads a surface in the form of a surface file. An error throws JsonPlace::Fault.
 inline Surface surfaceAt(const JsonPlace& place) {
     auto surface = parseSurface(place.json().dump(), place.name());
     if (!surface)

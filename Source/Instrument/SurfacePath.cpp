@@ -10,7 +10,8 @@ namespace {
 
 constexpr double shortestStepMetres = 1e-9, arrivedMetres = 1e-7;
 
-/// `from` to `to` along the surface of this normal: unit, or zero where it goes into it.
+/// Returns the direction from `from` to `to` along a surface of this normal: unit, or zero if it
+/// leads straight into the surface.
 std::array<float, 3> directionAlong(const SurfacePath::Point& from,
                                     const SurfacePath::Point& to,
                                     const std::array<float, 3>& normal) {
@@ -56,7 +57,7 @@ void SurfacePath::extendTo(const StrikePoint& place, const Point& metres) noexce
     ++count;
 }
 
-// The exact motion of the spring over the time. From rest behind its end it never overshoots.
+// Integrates the spring exactly. From rest behind its end it never overshoots.
 double SurfacePath::advance(double seconds, double fastest) noexcept {
     const double stiffness = 1 / springSeconds;
     const double end = corner(count - 1).along;
