@@ -19,7 +19,7 @@ TimedStrike contact(double delaySeconds, double impulse, double durationSeconds)
                        .durationSeconds = durationSeconds}};
 }
 
-/// ∫ f(t) e^((α − iω) t) dt, as the velocity's amplitude at t = 0 comes of its force.
+/// Returns ∫ f(t) e^((α − iω) t) dt: the velocity's amplitude at t = 0 for a force f.
 std::complex<double> bySum(const ContactTrain& train, double decay, double omega) {
     constexpr int steps = 20000;
     std::complex<double> sum = 0;
@@ -29,7 +29,7 @@ std::complex<double> bySum(const ContactTrain& train, double decay, double omega
         for (int k = 0; k < steps; ++k) {
             const double t = (k + 0.5) * step;
             const double force = impulse / duration * (1 - std::cos(2 * pi * t / duration));
-            // What rings at the contact's end, and is turned back from there without its decay.
+            // The amplitude at the contact's end, turned back to the start without its decay.
             sum += force * step * std::exp(-decay * (duration - t)) *
                    std::polar(1.0, -omega * (each.delaySeconds + t));
         }
@@ -39,7 +39,7 @@ std::complex<double> bySum(const ContactTrain& train, double decay, double omega
 
 } // namespace
 
-TEST_CASE("What rings after raised cosines is their force's integral with the mode's own motion") {
+TEST_CASE("The motion after raised cosines is the integral of their force and the mode's motion") {
     ContactTrain train;
     train.add(contact(0, 0.3, 1e-3));
     train.add(contact(2.5e-3, 0.1, 0.7e-3));
@@ -52,7 +52,8 @@ TEST_CASE("What rings after raised cosines is their force's integral with the mo
         }
 }
 
-TEST_CASE("A blow much shorter than a period leaves its impulse, one of whole periods nothing") {
+TEST_CASE(
+    "A strike shorter than a period leaves its impulse, one of whole periods leaves nothing") {
     ContactTrain brief, whole;
     brief.add(contact(0, 0.2, 1e-6));
     whole.add(contact(0, 0.2, 2.0 / 500));

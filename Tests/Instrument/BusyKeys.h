@@ -1,4 +1,4 @@
-// Notes, releases, bends and the pedal at random, on the keys of `bars` and just beside them.
+// Random notes, releases, bends and pedal moves, on the keys of `bars` and just beside them.
 #pragma once
 
 #include "Support/RenderNotes.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone::test {
 
-/// Always the same ones, stamped from 5 to `samples`.
+/// Returns the same events on every call, at samples from 5 to below `samples`.
 inline std::vector<MidiEvent> busyEvents(int samples) {
     std::mt19937 random(3);
     std::vector<MidiEvent> events;

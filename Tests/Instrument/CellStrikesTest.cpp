@@ -44,7 +44,7 @@ Strike pulse(double seconds) {
     return {.point = {}, .impulseNewtonSeconds = {0, 0, -1}, .durationSeconds = seconds};
 }
 
-/// After so many at one moment.
+/// Returns the sound after `count` strikes at the same moment.
 std::vector<float> soundOf(int count) {
     Rig rig;
     for (int cell = 0; cell < 40; ++cell) {
@@ -59,14 +59,13 @@ std::vector<float> soundOf(int count) {
 
 } // namespace
 
-TEST_CASE("Blows for which an object has no room are heard as those for which it has") {
+TEST_CASE("A strike beyond an object's contacts sounds like one within them") {
     const auto one = soundOf(1), many = soundOf(300);
     for (std::size_t i = 10 * cellSamples; i < one.size(); ++i)
         REQUIRE(many[i] == Approx(300 * one[i]).margin(0.02 * 300));
 }
 
-TEST_CASE(
-    "A blow that is not valid is refused, with room and without, and nothing waits for ever") {
+TEST_CASE("An invalid strike is refused, also without free contacts, and stays pending nowhere") {
     for (const int before : {0, 64}) {
         Rig rig;
         rig.beginCell();
@@ -87,7 +86,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("What comes too late for its cell is struck at the start of the next") {
+TEST_CASE("A strike too late for its cell acts at the start of the next cell") {
     Rig late, at;
     late.strikes.schedule(0, pulse(0), 0, 17);
     for (auto* rig : {&late, &at}) {

@@ -17,7 +17,7 @@ double compliance(const char* material) {
     return surfaceCompliancePerPa(*findMaterial(material), {});
 }
 
-/// On something rigid and heavy.
+/// Contact time on something rigid and heavy.
 double contactMilliseconds(const Mallet& mallet, const char* struck, double speed) {
     return 1000 * contactSeconds(contactLaw(mallet.headRadiusMetres,
                                             contactModulusPa(mallet, compliance(struck)),
@@ -54,7 +54,7 @@ TEST_CASE("The contact times of the rack are those of the Hertz table at 0.3, 1 
     for (const auto& row : table)
         for (int i = 0; i < 3; ++i) {
             INFO(row.mallet << " at " << speeds[i] << " m/s");
-            // The table's last digit, or a hundredth where that is more.
+            // Tolerates the table's last digit, or 1 % if that is more.
             CHECK(contactMilliseconds(rackMallet(row.mallet), row.struck, speeds[i]) ==
                   Approx(row.milliseconds[i]).margin(0.005).epsilon(0.01));
         }
@@ -67,14 +67,14 @@ TEST_CASE("At p = 3/2 the contact time is that of Hertz") {
               Approx(2.8683 * std::pow(0.02 * 0.02 / (0.0125 * 1e18 * speed), 0.2)).epsilon(1e-4));
 }
 
-TEST_CASE("At p = 1 the contact time is half a period, whatever the speed") {
+TEST_CASE("At p = 1 the contact time is half a period at any speed") {
     const ContactLaw spring{.stiffness = 5000, .exponent = 1};
     for (const double speed : {0.1, 10.0})
         CHECK(contactSeconds(spring, 0.02, speed) ==
               Approx(std::numbers::pi * std::sqrt(0.02 / 5000)));
 }
 
-TEST_CASE("The contact time of any exponent is that of the equation of motion") {
+TEST_CASE("The contact time of any exponent agrees with the equation of motion") {
     for (const double exponent : {1.3, 1.5, 2.5, 4.0}) {
         const ContactLaw law{.stiffness = 1e7, .exponent = exponent};
         const double mass = 0.03, speed = 1.5, expected = contactSeconds(law, mass, speed);
@@ -89,7 +89,7 @@ TEST_CASE("The contact time of any exponent is that of the equation of motion") 
     }
 }
 
-TEST_CASE("Contact times go as speed to the power of (1 − p)/(1 + p), exactly") {
+TEST_CASE("Contact times are proportional to speed^((1 − p)/(1 + p)), exactly") {
     for (const auto& mallet : malletRack()) {
         INFO(mallet.name);
         const double slow = contactMilliseconds(mallet, "Wood", 0.1), p = mallet.forceExponent;
@@ -100,7 +100,7 @@ TEST_CASE("Contact times go as speed to the power of (1 − p)/(1 + p), exactly"
     }
 }
 
-TEST_CASE("The softer of head and surface decides: brass on plastic touches longer than on steel") {
+TEST_CASE("The softer of head and surface decides: brass stays longer on plastic than on steel") {
     const auto& brass = rackMallet("Brass");
     const double onSteel = contactMilliseconds(brass, "Steel", 1);
     const double onPlastic = contactMilliseconds(brass, "Plastic", 1);
@@ -112,7 +112,7 @@ TEST_CASE("The softer of head and surface decides: brass on plastic touches long
           Approx(contactMilliseconds(yarn, "Steel", 1)).epsilon(0.01));
 }
 
-TEST_CASE("Each mallet has a name of its own, a source and a contact of up to 20 ms") {
+TEST_CASE("Each mallet has a name of its own, a source and a contact time of up to 20 ms") {
     std::set<std::string_view> names;
     for (const auto& mallet : malletRack()) {
         INFO(mallet.name);
@@ -123,7 +123,7 @@ TEST_CASE("Each mallet has a name of its own, a source and a contact of up to 20
         const double milliseconds = contactMilliseconds(mallet, "Steel", 1);
         CHECK(milliseconds > 0.01);
         CHECK(milliseconds < 20);
-        // One that is made the custom mallet keeps its figures.
+        // A mallet that becomes the custom one keeps its figures.
         const auto& hardness = parameterInfo(ParameterId::malletHardness);
         CHECK(hardness.clamped(mallet.effectiveModulusPa * 1e-6) ==
               mallet.effectiveModulusPa * 1e-6);

@@ -37,7 +37,7 @@ bool isTheStrikeItself(const ContactTrain& train, const Strike& strike) {
 
 } // namespace
 
-TEST_CASE("A train keeps the blow's impulse, falls in strength and ends within 15 ms") {
+TEST_CASE("A train keeps the strike's impulse, falls in strength and ends within 15 ms") {
     std::set<std::size_t> numbers;
     const double scale = GENERATE(0.1, 0.5, 1, 8);
     const double percent = GENERATE(1, 50, 100);
@@ -75,16 +75,16 @@ TEST_CASE("A train keeps the blow's impulse, falls in strength and ends within 1
         CHECK(numbers.size() == 4);
 }
 
-TEST_CASE("Without chatter, and for soft contacts, a blow is the strike itself") {
+TEST_CASE("Without chatter, and for soft contacts, a train is the strike itself") {
     CHECK(isTheStrikeItself(contactTrain(hardStrike, 1, 0, 7), hardStrike));
     Strike soft = hardStrike;
     soft.durationSeconds = 0.001;
     CHECK(isTheStrikeItself(contactTrain(soft, 1, 100, 7), soft));
-    soft.durationSeconds = 0.0005; // of a mallet half the size
+    soft.durationSeconds = 0.0005; // contact time of a mallet half the size
     CHECK(isTheStrikeItself(contactTrain(soft, 0.5, 100, 7), soft));
 }
 
-TEST_CASE("The shorter the contact and the more chatter, the more of the blow comes late") {
+TEST_CASE("A shorter contact and more chatter put more of the impulse into later collisions") {
     const auto lateShare = [](double seconds, double percent) {
         Strike strike = hardStrike;
         strike.durationSeconds = seconds;
@@ -97,7 +97,7 @@ TEST_CASE("The shorter the contact and the more chatter, the more of the blow co
     CHECK(lateShare(0.0009, 40) == Approx(0.02).margin(1e-5));
 }
 
-TEST_CASE("The same strike number draws the same train, other numbers draw others") {
+TEST_CASE("The same strike number gives the same train, other numbers give others") {
     std::set<double> lastDelays;
     for (std::uint32_t number = 0; number < 1000; ++number) {
         const auto one = contactTrain(hardStrike, 1, 80, number);
@@ -148,8 +148,8 @@ double spectrumDb(const ContactTrain& train, double hz) {
     return 20 * std::log10(std::abs(ringingVelocity(train, 1e-6, 2 * pi * hz)));
 }
 
-/// 20 lg of the spectrum of F ∝ sin^(3/2) (πt), of impulse 1, over octaves of the frequency,
-/// and of it the upper hull.
+/// Returns the upper hull of 20 lg of the spectrum of F ∝ sin^(3/2) (πt), of impulse 1, over
+/// octaves of the frequency.
 std::vector<double> hertzHullDb(const std::vector<double>& octaves) {
     constexpr int steps = 4000;
     std::vector<double> pulse;
@@ -193,7 +193,7 @@ TEST_CASE("A pulse with filled nulls keeps impulse, contact time and further col
         CHECK((train.begin() + 2 + k)->delaySeconds == (chattering.begin() + k)->delaySeconds);
 }
 
-TEST_CASE("A pulse with filled nulls follows the hull of the spectrum of Hertz's within 5 dB") {
+TEST_CASE("A pulse with filled nulls follows the hull of the spectrum of Hertz within 5 dB") {
     const Strike unit{.point = {}, .impulseNewtonSeconds = {0, 0, -1}, .durationSeconds = 1};
     ContactTrain single;
     single.add({.delaySeconds = 0, .strike = unit});
@@ -203,10 +203,10 @@ TEST_CASE("A pulse with filled nulls follows the hull of the spectrum of Hertz's
         octaves.push_back(octave);
     const auto hull = hertzHullDb(octaves);
     double deepest = 0;
-    for (std::size_t i = 0; octaves[i] <= 4; ++i) { // a hull ends in a null
+    for (std::size_t i = 0; octaves[i] <= 4; ++i) { // the hull ends in a null
         INFO("f T = " << std::exp2(octaves[i]));
         CHECK(spectrumDb(filled, std::exp2(octaves[i])) == Approx(hull[i]).margin(5));
         deepest = std::min(deepest, spectrumDb(single, std::exp2(octaves[i])) - hull[i]);
     }
-    CHECK(deepest < -30); // the nulls of a single one
+    CHECK(deepest < -30); // the nulls of a single pulse
 }

@@ -17,7 +17,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Of all modes that sound, one by one; infinite where none does.
+/// Returns the slowest decay of all sounding modes, visited one by one; infinite if none sounds.
 double slowestOfAll(const Instrument& instrument,
                     const SynthesisSettings& settings,
                     double semitonesBelow) {
@@ -35,8 +35,8 @@ double slowestOfAll(const Instrument& instrument,
     return slowest;
 }
 
-/// One object of which far more modes than the bounds keep are the slowest under some settings: the
-/// higher, the less of the law they keep or the less decay comes on top.
+/// One object with far more candidates for the slowest mode than the bounds keep. The higher a
+/// mode, the less it keeps of the law or the less decay it has on top.
 std::shared_ptr<const Instrument> manySlowModes() {
     std::vector<double> frequenciesHz, decays, extras;
     std::mt19937 random(5);
@@ -63,7 +63,8 @@ std::vector<std::shared_ptr<const Instrument>> instruments() {
         if (preset.keyMap.kind != KeyMapKind::scene)
             all.push_back(Instrument::build(preset.keyMap, ObjectLibrary::shared()).value());
     all.push_back(manySlowModes());
-    // Measured decays, a live thickness, and materials that differ from key to key.
+    // An instrument with measured decays, a live thickness, and materials that differ from key to
+    // key.
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note) {
@@ -85,7 +86,7 @@ std::vector<std::shared_ptr<const Instrument>> instruments() {
 
 } // namespace
 
-TEST_CASE("No mode dies away more slowly than the bound, whatever the settings") {
+TEST_CASE("No mode decays more slowly than the bound under any settings") {
     std::mt19937 random(3);
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -136,7 +137,7 @@ TEST_CASE("The bound is at least half the decay of a factory keyboard's slowest 
     }
 }
 
-TEST_CASE("Where more modes may be the slowest than are kept, the bound is at least half of it") {
+TEST_CASE("With more candidates than kept bounds, the bound is at least half the slowest decay") {
     const auto instrument = manySlowModes();
     const auto bounds = decayBounds(*instrument);
     for (const SynthesisSettings& settings :
@@ -145,7 +146,7 @@ TEST_CASE("Where more modes may be the slowest than are kept, the bound is at le
         CHECK(slowestDecay(bounds, settings, 0) >= slowestOfAll(*instrument, settings, 0) / 2);
 }
 
-TEST_CASE("Of one material that is lightly damped the bound is the lowest mode's decay") {
+TEST_CASE("For one lightly damped material the bound is the lowest mode's decay") {
     ObjectLibrary library;
     const auto kept = library.add("plate", syntheticObject({300, 440, 2000}));
     const auto instrument =
@@ -160,7 +161,7 @@ TEST_CASE("Of one material that is lightly damped the bound is the lowest mode's
 }
 
 TEST_CASE(
-    "Where keys keep their pitch the bound is the decay of the lowest key's pitch at any size") {
+    "If keys keep their pitch, the bound is the decay of the lowest key's pitch at any size") {
     ObjectLibrary library;
     const auto kept = library.add("bell", syntheticObject({300, 440, 2000}));
     const auto instrument =
@@ -176,7 +177,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Keys with objects of their own lie as far below equal temperament as the lowest") {
+TEST_CASE(
+    "An instrument lies as far below equal temperament as its lowest key with an own object") {
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
     for (int note = 60; note < 64; ++note)

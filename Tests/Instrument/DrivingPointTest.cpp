@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const StrikePoint onVertex{.shapeRows = {0}, .weights = {1}, .normal = {0, 0, 1}};
 
-/// One vertex that carries shapes along z: φ² [1/kg] and frequencies as given.
+/// An object of one vertex with shapes along z, with the given φ² [1/kg] and frequencies.
 ModalObject object(double massKg,
                    const std::vector<double>& frequenciesHz,
                    const std::vector<double>& squaredShapes) {
@@ -45,7 +45,7 @@ ModalObject bar(double massKg, double fundamentalHz) {
     return object(massKg, frequencies, squares);
 }
 
-/// A plate so dense in modes that a short contact meets its resistance: 4 M/Z modes a hertz.
+/// A plate of 4 M/Z modes a hertz, so dense that a short contact meets a resistance.
 ModalObject plate(double massKg, double resistance) {
     std::vector<double> frequencies, squares;
     for (std::size_t n = 1; n <= DrivingPoint::mostModes; ++n) {
@@ -62,10 +62,11 @@ Striker head(double massKg, double rigidSeconds, double exponent = hertzExponent
     return {.massKg = massKg, .restitution = 1, .law = law};
 }
 
-/// m x'' = −K (x − u)^p, u' of the object's free mass and modes, until they part.
+/// The solution of m x'' = −K (x − u)^p until they part; u' is that of the object's free mass and
+/// modes.
 struct Solved {
     double impulse = 0;
-    double seconds = 0; ///< of the raised cosine or pulse of Hertz that is as wide
+    double seconds = 0; ///< of the pulse of Hertz with the same standard deviation
 };
 Solved solved(const ModalObject& struck, const Striker& striker, double speed) {
     const double step = contactSeconds(striker.law, striker.massKg, speed) / 400;
@@ -105,7 +106,7 @@ Solved solved(const ModalObject& struck, const Striker& striker, double speed) {
 
 } // namespace
 
-TEST_CASE("A head rebounds from a rigid wall after its own contact time, by its restitution") {
+TEST_CASE("A head rebounds from a rigid wall after its own contact time, with its restitution") {
     for (const double restitution : {0.0, 0.4, 1.0}) {
         auto striker = head(0.03, 1e-3);
         striker.restitution = restitution;
@@ -126,7 +127,7 @@ TEST_CASE("On a free mass the contact time and the impulse are those of the redu
     }
 }
 
-TEST_CASE("A free body that is struck off its centre yields by its rotation too") {
+TEST_CASE("A free body struck off its centre yields by its rotation too") {
     auto struck = object(0.5, {}, {});
     struck.vertices = {0.3f, 0, 0};
     struck.mass.inertiaKgM2 = {0.01, 0, 0, 0, 0.02, 0.003, 0, 0.003, 0.04};
@@ -136,7 +137,7 @@ TEST_CASE("A free body that is struck off its centre yields by its rotation too"
           Approx(expected).epsilon(1e-6));
 }
 
-TEST_CASE("A mode far slower than the contact is a free mass, one far faster is rigid") {
+TEST_CASE("A mode far slower than the contact acts as a free mass, a far faster one is rigid") {
     const auto striker = head(0.03, 1e-3);
     const auto blowOn = [&](double hz) {
         return DrivingPoint(object(0, {hz}, {20}), onVertex, {}).struckBy(striker, 1);
@@ -146,7 +147,7 @@ TEST_CASE("A mode far slower than the contact is a free mass, one far faster is 
     CHECK(blowOn(1).impulseNewtonSeconds == Approx(2 / (1 / 0.03 + 20)).epsilon(1e-3));
     CHECK(blowOn(1e5).contactSeconds == Approx(1e-3).epsilon(1e-3));
     CHECK(blowOn(1e5).impulseNewtonSeconds == Approx(0.06).epsilon(1e-3));
-    // No step in between.
+    // Between them there is no step.
     double last = blowOn(1).impulseNewtonSeconds;
     for (double hz = 1; hz < 1e5; hz *= 1.005) {
         const double impulse = blowOn(hz).impulseNewtonSeconds;
@@ -156,7 +157,8 @@ TEST_CASE("A mode far slower than the contact is a free mass, one far faster is 
     }
 }
 
-TEST_CASE("A hard blow on a constant resistance leaves the striker's momentum there, within 1 dB") {
+TEST_CASE(
+    "A hard strike on a constant resistance leaves the striker's momentum there, within 1 dB") {
     const double mass = 0.03, resistance = 200;
     const DrivingPoint driven(plate(1, resistance), onVertex, {});
     const auto blow = driven.struckBy(head(mass, 1e-4), 1);
@@ -164,7 +166,7 @@ TEST_CASE("A hard blow on a constant resistance leaves the striker's momentum th
     CHECK(blow.contactSeconds == Approx(3 * mass / resistance).epsilon(0.15));
 }
 
-TEST_CASE("Heavier heads stay longer, and heavier heads and objects take more momentum") {
+TEST_CASE("Heavier heads stay longer, and heavier heads and objects increase the momentum") {
     double longest = 0, mostOfHead = 0, mostOfObject = 0;
     for (const double mass : {0.005, 0.02, 0.08}) {
         const auto small =
@@ -180,7 +182,7 @@ TEST_CASE("Heavier heads stay longer, and heavier heads and objects take more mo
     }
 }
 
-TEST_CASE("Contact time and impulse are close to the equation of motion on bars and plates") {
+TEST_CASE("Contact time and impulse agree with the equation of motion on bars and plates") {
     struct Case {
         const char* name;
         ModalObject struck;
@@ -202,7 +204,7 @@ TEST_CASE("Contact time and impulse are close to the equation of motion on bars 
             }
 }
 
-TEST_CASE("A scaled mallet on a scaled object is the same blow at another scale") {
+TEST_CASE("A scaled mallet on a scaled object makes the same strike at another scale") {
     const auto struck = bar(0.1, 500);
     const double modulus = 1e8, radius = 0.0125, mass = 0.02;
     for (const double p : {1.5, 2.5})
@@ -218,12 +220,12 @@ TEST_CASE("A scaled mallet on a scaled object is the same blow at another scale"
         }
 }
 
-TEST_CASE("Live density, stiffness and thickness act on the mass and the modes that are struck") {
+TEST_CASE("Live density, stiffness and thickness act on the struck mass and modes") {
     auto struck = bar(0.1, 500);
     const Striker striker = head(0.02, 5e-4);
     SynthesisSettings dense;
     dense.material = LiveMaterial{.youngsModulusPa = 3e10, .densityKgPerM3 = 2000, .damping = {}};
-    auto heavy = struck; // the same, made so
+    auto heavy = struck; // the same object, made that way
     heavy.mass.massKg *= 2;
     for (double& moment : heavy.mass.inertiaKgM2)
         moment *= 2;

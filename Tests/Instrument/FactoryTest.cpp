@@ -31,7 +31,7 @@ void applyLevel(std::vector<float>& sound, const Preset& preset) {
         sample *= gain;
 }
 
-/// Both channels one after the other, as the level leaves them.
+/// Returns both channels one after the other, with the level applied.
 std::vector<float> renderBoth(Player& player,
                               const std::vector<MidiEvent>& events,
                               std::size_t samples,
@@ -60,14 +60,15 @@ TEST_CASE("Every factory preset is complete and builds an instrument") {
     CHECK(findFactoryPreset("no such preset") == nullptr);
 }
 
-TEST_CASE("Every key of every instrument of bars sounds within 1 cent of equal temperament") {
+TEST_CASE("Every key of every bar instrument sounds within 1 cent of equal temperament") {
     std::set<std::string> objects;
     for (const auto& preset : keyedFactoryPresets()) {
-        // Of tubular bells no mode has the pitch (TubeTuningTest).
+        // Tubular bells have no mode at their pitch (TubeTuningTest).
         if (preset.keyMap.kind != KeyMapKind::bars || preset.name == "Tubular Bells" ||
             !objects.insert(preset.keyMap.object).second)
             continue;
-        // Compression merges one fundamental with a twisting mode 2.5 Hz off, by a cent.
+        // Compression would merge one fundamental with a twisting mode 2.5 Hz away and shift it by
+        // a cent.
         auto parameters = preset.parameters;
         parameters.set(ParameterId::compression, 0);
         for (int note = preset.keyMap.lowestNote; note <= preset.keyMap.highestNote; ++note) {
@@ -86,7 +87,7 @@ TEST_CASE("Every key of every instrument of bars sounds within 1 cent of equal t
     CHECK(objects.size() >= 6);
 }
 
-TEST_CASE("Radiation parts left and right of every factory preset, by no more than 12 dB") {
+TEST_CASE("Radiation separates left and right of every factory preset by at most 12 dB") {
     for (const auto& preset : keyedFactoryPresets()) {
         auto player = playerFor(preset);
         const auto sound = renderStereo(*player, loudnessPhrase(preset.keyMap, 100, sampleRateHz),
@@ -117,7 +118,7 @@ TEST_CASE("Factory presets play their phrase at -26 LUFS at velocity 100, within
     }
 }
 
-TEST_CASE("Ten notes at once at velocity 127 are finite, and silence follows") {
+TEST_CASE("Ten notes at once at velocity 127 stay finite and end in silence") {
     for (const auto& preset : keyedFactoryPresets()) {
         INFO(preset.name);
         const int range = preset.keyMap.highestNote - preset.keyMap.lowestNote;

@@ -1,4 +1,4 @@
-// A hand that drags over a surface.
+// Tests a hand that drags over a surface.
 #include "Instrument/HandScrape.h"
 #include "Instrument/FactoryContent.h"
 #include "Instrument/ObjectSurface.h"
@@ -25,7 +25,7 @@ namespace {
 constexpr double rateHz = 48000;
 constexpr int eventSamples = 800; // 60 of them a second
 
-/// A square metre that rings for some ten milliseconds.
+/// A square of one metre that rings for about ten milliseconds.
 std::shared_ptr<const Instrument> shortSquare() {
     auto object = syntheticObject({300, 810, 1600, 2700});
     object.material.damping.fluidPerSecond = 1000;
@@ -44,7 +44,7 @@ SurfaceTouch touchAt(const Instrument& instrument, double x, double y, double pr
     return {.slot = 0, .point = surface.nearest({x, y, 0}), .pressure = pressure};
 }
 
-/// Of the left channel, while the hand moves along x at a speed for some time.
+/// Returns the left channel while the hand moves along x at a speed.
 std::vector<float> drag(Player& player,
                         double& x,
                         double metresPerSecond,
@@ -76,8 +76,8 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// A second of a hand that goes to and fro on what a key strikes, half a metre a second, but not
-/// more than four times: on a small object that speed would be a leap at each event.
+/// Returns a second of a hand that moves to and fro over the object of a key at 0.5 m/s. On a small
+/// object it makes at most about four passes, because faster motion would leap at each event.
 std::vector<float> scrapedToAndFro(Player& player, const Key& key, const Preset& preset) {
     const auto& strip = player.instrument().strip(key);
     const auto& slot = player.instrument().slots()[static_cast<std::size_t>(key.slot)];
@@ -101,7 +101,7 @@ std::vector<float> scrapedToAndFro(Player& player, const Key& key, const Preset&
 
 } // namespace
 
-TEST_CASE("Every factory instrument is heard when a hand scrapes it, beside blows") {
+TEST_CASE("Every factory instrument is audible beside strikes when a hand scrapes it") {
     for (const auto& preset : keyedFactoryPresets()) {
         if (!strikes(preset.parameters))
             continue;
@@ -131,7 +131,7 @@ TEST_CASE("Every factory instrument is heard when a hand scrapes it, beside blow
     }
 }
 
-TEST_CASE("A drag over the surface sounds, whatever the keys do, and the faster the louder") {
+TEST_CASE("A drag over the surface sounds with any key contact, and faster drags are louder") {
     auto parameters = quiet();
     parameters.set(ParameterId::contact, GENERATE(strikeContact, scrapeContact, rollContact));
     const auto levelAt = [&](double metresPerSecond) {
@@ -145,7 +145,7 @@ TEST_CASE("A drag over the surface sounds, whatever the keys do, and the faster 
     CHECK(fast > 1.3 * slow);
 }
 
-TEST_CASE("The force of the contact and the pressure of the hand make it louder") {
+TEST_CASE("The contact force and the hand's pressure make it louder") {
     const auto levelAt = [&](double newtons) {
         auto parameters = quiet();
         parameters.set(ParameterId::contactForce, newtons);
@@ -158,7 +158,7 @@ TEST_CASE("The force of the contact and the pressure of the hand make it louder"
     CHECK(std::abs(heavy / light - 2) < 0.01); // √F
 }
 
-TEST_CASE("A hand that rests on the surface is silent, and one that stops falls silent") {
+TEST_CASE("A hand at rest on the surface is silent, and a hand that stops falls silent") {
     Player player(shortSquare(), rateHz);
     double x = 0.2;
     CHECK(peak(drag(player, x, 0, 0.5)) == 0);
@@ -170,8 +170,8 @@ TEST_CASE("A hand that rests on the surface is silent, and one that stops falls 
     CHECK(rms(drag(player, x, 0.5, 0.5)) > 0.3 * rms(moving));
 }
 
-TEST_CASE("Between the events of a mouse the speed is smooth") {
-    // At the middle of a steady drag, in 60 steps a second: no more than noise pulses at 60 Hz.
+TEST_CASE("The speed is smooth between the events of a mouse") {
+    // In the middle of a steady drag with 60 steps a second, the 60 Hz pulses stay small.
     SurfacePath path;
     path.begin({}, {0, 0, 0});
     double least = 1e9, most = 0;
@@ -188,7 +188,7 @@ TEST_CASE("Between the events of a mouse the speed is smooth") {
     CHECK(most < 0.55);
 }
 
-TEST_CASE("A path is followed to its end without overshoot, no faster than allowed") {
+TEST_CASE("A path is followed to its end without overshoot, and no faster than allowed") {
     SurfacePath path;
     StrikePoint corner;
     path.begin(corner, {0, 0, 0});
@@ -196,7 +196,7 @@ TEST_CASE("A path is followed to its end without overshoot, no faster than allow
     path.extendTo(corner, {1, 0, 0});
     corner.shapeRows[0] = 2;
     path.extendTo(corner, {1, 1, 0});
-    path.extendTo(corner, {1, 1, 0}); // it ends there already
+    path.extendTo(corner, {1, 1, 0}); // the path ends there already
     double lastWay = -1;
     std::int32_t from = 0;
     for (int cell = 0; cell < 3000; ++cell) {
@@ -214,7 +214,7 @@ TEST_CASE("A path is followed to its end without overshoot, no faster than allow
     CHECK(path.place(0.5).points[1].direction == std::array<float, 3>{0, 0.5f, -1});
 }
 
-TEST_CASE("More corners than there is room for move the last one, and the hand arrives there") {
+TEST_CASE("Corners beyond the capacity move the last one, and the hand arrives there") {
     SurfacePath path;
     path.begin({}, {0, 0, 0});
     StrikePoint end;
@@ -229,7 +229,7 @@ TEST_CASE("More corners than there is room for move the last one, and the hand a
     CHECK(path.place(0).way == 1);
 }
 
-TEST_CASE("A hand that is lifted fades within 10 ms, without a click, and leaves silence") {
+TEST_CASE("A lifted hand fades within 10 ms without a click and leaves silence") {
     const auto instrument = plate();
     auto parameters = quiet();
     parameters.set(ParameterId::contactForce, 20);
@@ -264,7 +264,7 @@ TEST_CASE("A hand that is lifted fades within 10 ms, without a click, and leaves
     CHECK(player.silent());
 }
 
-TEST_CASE("The same touches give the same bits, in blocks of any size") {
+TEST_CASE("The same touches give the same bits in blocks of any size") {
     const auto instrument = plate();
     const auto played = [&](std::size_t blockSize) {
         Player player(instrument, rateHz);
@@ -286,7 +286,7 @@ TEST_CASE("The same touches give the same bits, in blocks of any size") {
         CHECK(played(blockSize) == expected);
 }
 
-TEST_CASE("There is one hand: where it touches another object it has left the first one") {
+TEST_CASE("A hand that touches another object leaves the first one") {
     const auto instrument = bars();
     Player player(instrument, rateHz);
     const auto drag = [&](std::size_t slot) {
@@ -311,7 +311,7 @@ TEST_CASE("There is one hand: where it touches another object it has left the fi
     CHECK(player.synthesiser().status()[3].amplitude == 0);
 }
 
-TEST_CASE("Touches of what the instrument does not have are ignored, and wild ones are bounded") {
+TEST_CASE("Touches of missing slots or rows are ignored, and extreme ones are bounded") {
     const auto instrument = shortSquare();
     Player player(instrument, rateHz);
     auto touch = touchAt(*instrument, 0.5, 0.5);
@@ -337,7 +337,7 @@ TEST_CASE("Touches of what the instrument does not have are ignored, and wild on
         REQUIRE(std::isfinite(sample));
 }
 
-TEST_CASE("All notes off lifts the hand, and a reset forgets it") {
+TEST_CASE("All Notes Off lifts the hand, and a reset forgets it") {
     Player player(shortSquare(), rateHz);
     double x = 0.1;
     drag(player, x, 0.5, 0.2);
@@ -348,7 +348,7 @@ TEST_CASE("All notes off lifts the hand, and a reset forgets it") {
     CHECK(player.silent());
 }
 
-TEST_CASE("A hand that all sound off lifts leaves nothing under the next note") {
+TEST_CASE("A hand lifted by All Sound Off leaves nothing under the next note") {
     Player player(shortSquare(), rateHz), alone(shortSquare(), rateHz);
     double x = 0.1;
     const auto scraped = drag(player, x, 1, 0.2);

@@ -1,4 +1,4 @@
-// Keys held on several MIDI channels.
+// Tests keys held on several MIDI channels.
 #include "HeldKeys.h"
 #include "Support/Level.h"
 
@@ -8,7 +8,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("What one channel does leaves the held keys of the others alone") {
+TEST_CASE("Messages on one channel leave the held keys of other channels alone") {
     const auto instrument = plate();
     const MidiEvent key = midi(0, 0x90, 60, 100);
     const auto still = play(instrument, {key}, 14400);
@@ -37,7 +37,7 @@ TEST_CASE("What one channel does leaves the held keys of the others alone") {
         }
 }
 
-TEST_CASE("Two channels hold one note apart from each other") {
+TEST_CASE("Two channels hold the same note independently") {
     const auto instrument = plate();
     const auto one = midi(0, 0x91, 60, 100), other = midi(0, 0x92, 60, 100);
     const auto both = play(instrument, {one, other}, 48000);

@@ -1,4 +1,4 @@
-// Where on the object a held key touches it: by the key, by CC74, and on the way between.
+// Tests where a held key touches its object: its own place, CC74, and the path between.
 #include "HeldKeys.h"
 #include "Support/Level.h"
 #include "Support/Periodogram.h"
@@ -16,7 +16,7 @@ using Catch::Approx;
 
 namespace {
 
-/// One key at the left end of a square's middle; only its right half sounds.
+/// One key at the left end of a square's middle line. Only the square's right half sounds.
 std::shared_ptr<const Instrument> halfDeafSquare(float sideMetres) {
     auto object = syntheticObject({500});
     object.vertices = {0, 0, 0, 0.5f, 0, 0, 1, 0, 0, 1, 1, 0, 0.5f, 1, 0, 0, 1, 0};
@@ -32,7 +32,7 @@ std::shared_ptr<const Instrument> halfDeafSquare(float sideMetres) {
 
 } // namespace
 
-TEST_CASE("CC74 reaches from one end of the strip to the other, the key's own place at 64") {
+TEST_CASE("CC74 moves the contact from end to end of the strip; 64 is the key's own place") {
     const auto instrument = plate();
     const auto at = [&](int place, int note) {
         return play(instrument, {midi(0, 0xb0, placeController, place), midi(0, 0x90, note, 100)},
@@ -47,7 +47,7 @@ TEST_CASE("CC74 reaches from one end of the strip to the other, the key's own pl
     CHECK(at(64, 60) == play(instrument, {midi(0, 0x90, 60, 100)}, 9600));
 }
 
-TEST_CASE("A contact moved while it is held ends where CC74 says, and moves the spectrum") {
+TEST_CASE("A held contact ends at the place that CC74 sets, and the spectrum changes") {
     const auto instrument = plate();
     const auto spectrum = [&](const std::vector<MidiEvent>& events) {
         auto sound = play(instrument, events, 144000);
@@ -74,7 +74,7 @@ TEST_CASE("A contact moved while it is held ends where CC74 says, and moves the 
     CHECK(furthest > 3);
 }
 
-TEST_CASE("A contact follows CC74 at 5 m/s, and where that takes no time, within 20 ms") {
+TEST_CASE("A contact follows CC74 at 5 m/s, or within 20 ms on a small object") {
     const auto samplesToTheMiddle = [](float sideMetres) {
         const auto sound =
             play(halfDeafSquare(sideMetres),
@@ -88,7 +88,7 @@ TEST_CASE("A contact follows CC74 at 5 m/s, and where that takes no time, within
     CHECK(small < 0.01 * playRateHz);
 }
 
-TEST_CASE("Every value of CC74 and every key of a plate is a sound of its own") {
+TEST_CASE("Every value of CC74 and every key of a plate has its own sound") {
     const auto instrument = plate();
     std::set<std::vector<float>> sounds;
     for (int value = 0; value < 128; ++value)

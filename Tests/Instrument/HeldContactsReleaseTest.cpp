@@ -1,4 +1,4 @@
-// How a held contact ends: released, silenced, or giving way to another.
+// Tests how a held contact ends: by a release, All Sound Off, or a further key.
 #include "HeldKeys.h"
 #include "Support/Highs.h"
 #include "Support/Level.h"
@@ -11,7 +11,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("The force is gone 10 ms after the key, and silence follows, at every sample rate") {
+TEST_CASE("The force ends 10 ms after the key, and silence follows, at every sample rate") {
     const double rateHz = GENERATE(8000, 11025, 48000, 96000, 192000);
     const auto instrument = shortBars();
     const auto samples = [rateHz](double seconds) { return static_cast<int>(seconds * rateHz); };
@@ -29,7 +29,7 @@ TEST_CASE("The force is gone 10 ms after the key, and silence follows, at every 
         CHECK(held > 1e-6);
         // The modes fall by 1 dB in 0.23 ms: by 60 dB within 14 ms.
         CHECK(rms(from(0.01 + 0.014)) < 2e-3 * held);
-        // As they fall when nothing drives them.
+        // They fall at the rate of free modes.
         const double fallDb = 20 * std::log10(rms(from(0.010)) / rms(from(0.014)));
         INFO(rateHz << " Hz, released at +" << release - grid << ": fell by " << fallDb << " dB");
         CHECK(fallDb > 14);
@@ -37,7 +37,7 @@ TEST_CASE("The force is gone 10 ms after the key, and silence follows, at every 
     }
 }
 
-TEST_CASE("Of one key more than there are contacts the oldest gives way") {
+TEST_CASE("One key beyond the capacity releases the oldest") {
     std::vector<MidiEvent> events;
     for (int i = 0; i <= static_cast<int>(HeldContacts::capacity); ++i)
         events.push_back(midi(100 * i, 0x90, 40 + i, 100));
@@ -49,7 +49,7 @@ TEST_CASE("Of one key more than there are contacts the oldest gives way") {
         CHECK(status[slot].amplitude > 0);
 }
 
-TEST_CASE("What gives way and what is silenced fades as what is released") {
+TEST_CASE("A replaced or silenced contact fades like a released one") {
     const auto instrument = plate({{-0.9, 0.9, 0}, {0, 0.9, 0}});
     auto parameters = scraping(rollContact);
     parameters.set(ParameterId::contactForce, 20);
@@ -70,12 +70,12 @@ TEST_CASE("What gives way and what is silenced fades as what is released") {
                  << ", silenced " << silencedDb);
     CHECK(stolenDb < heldDb + 3);
     CHECK(releasedDb < heldDb + 3);
-    // The damper takes hold at once. A force that is cut off gives about the peak itself.
+    // The damper acts at once. A force that is cut off would reach about the peak itself.
     const double peakDb = 20 * std::log10(peak(play(instrument, {loud}, 25200, parameters)));
     CHECK(silencedDb < peakDb - 30);
 }
 
-TEST_CASE("A key that comes back while it fades out begins as from silence") {
+TEST_CASE("A key pressed again during its fade-out begins as from silence") {
     const auto instrument = plate();
     const auto highsAfter = [&](const std::vector<MidiEvent>& events) {
         const auto sound = play(instrument, events, 25200, scraping(rollContact));
@@ -88,7 +88,7 @@ TEST_CASE("A key that comes back while it fades out begins as from silence") {
     CHECK(backDb < freshDb + 3);
 }
 
-TEST_CASE("All sound off, all notes off and the choice of strikes end a held contact") {
+TEST_CASE("All Sound Off, All Notes Off and a change to strikes end a held contact") {
     const auto instrument = shortBars();
     const auto silentAfter = [&](const MidiEvent& event, const ParameterValues& then) {
         Player player(instrument, playRateHz);

@@ -1,4 +1,4 @@
-// How rolls differ from scrapes, and what coupling to the modes makes of them.
+// Tests how rolls differ from scrapes, and how coupling to the modes changes them.
 #include "HeldKeys.h"
 #include "Support/Periodogram.h"
 
@@ -12,7 +12,7 @@ using namespace idiophone::test;
 
 namespace {
 
-/// Modes that lie far apart, and ring for some half a second.
+/// Modes that lie far apart and ring for about half a second.
 constexpr double barHz[] = {400, 1100, 2150};
 
 std::shared_ptr<const Instrument> oneBar() {
@@ -33,8 +33,7 @@ TEST_CASE("A roll is darker than a scrape") {
     CHECK(centroidHz(rollContact) < 0.8 * centroidHz(scrapeContact));
 }
 
-TEST_CASE(
-    "A coupled roll sounds at the modes as a scrape does, and as dark as any roll between them") {
+TEST_CASE("A coupled roll is as loud as a scrape at the modes, and as dark as any roll between") {
     const auto instrument = oneBar();
     const auto spectrum = [&](double kind, double coupling) {
         auto parameters = scraping(kind);
@@ -66,7 +65,7 @@ TEST_CASE(
         CHECK(std::abs(decibels(full, scrape, hz)) < 2);
 }
 
-TEST_CASE("Roll coupling changes no strike and no scrape") {
+TEST_CASE("Roll coupling changes neither strikes nor scrapes") {
     const auto instrument = plate();
     const auto sound = [&](double kind, double coupling) {
         auto parameters = scraping(kind);

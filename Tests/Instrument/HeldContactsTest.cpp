@@ -1,4 +1,4 @@
-// What a held key sounds like, by its pressure, its speed and its seed.
+// Tests the sound of a held key by its pressure, speed and seed.
 #include "Instrument/HeldContacts.h"
 #include "HeldKeys.h"
 #include "SameInAllBlocks.h"
@@ -17,7 +17,7 @@ using Catch::Approx;
 
 namespace {
 
-/// Keys held, let go, pressed and moved, more of them at a time than there are contacts.
+/// Keys pressed, released and moved, more of them at a time than there are contacts.
 std::vector<MidiEvent> busyHands(int samples) {
     std::mt19937 random(5);
     const auto below = [&](unsigned count) { return static_cast<int>(random() % count); };
@@ -49,7 +49,7 @@ std::vector<MidiEvent> busyHands(int samples) {
 
 } // namespace
 
-TEST_CASE("A held key sounds for as long as it is held, and the object rings out after") {
+TEST_CASE("A held key sounds while it is held, and the object rings after the release") {
     const double kind = GENERATE(scrapeContact, rollContact);
     const std::vector events{midi(100, 0x90, 60, 100), midi(48000, 0x80, 60, 0)};
     const auto sound = play(plate(), events, 96000, scraping(kind));
@@ -61,7 +61,7 @@ TEST_CASE("A held key sounds for as long as it is held, and the object rings out
     CHECK(during(86400) < 0.5 * during(38400));
 }
 
-TEST_CASE("What is heard follows the root of the pressure, and its roughness") {
+TEST_CASE("The level is proportional to the root of the pressure and to the roughness") {
     const auto instrument = plate();
     const auto loudness = [&](int pressure, double rough = 1) {
         auto parameters = scraping();
@@ -76,7 +76,7 @@ TEST_CASE("What is heard follows the root of the pressure, and its roughness") {
     CHECK(loudness(0) == 0);
 }
 
-TEST_CASE("Until pressure comes the velocity stands for it; both kinds of pressure do the same") {
+TEST_CASE("The velocity is the pressure until a pressure message of either kind arrives") {
     const auto instrument = plate();
     const auto byVelocity = play(instrument, {midi(0, 0x90, 60, 50)}, 9600);
     CHECK(peak(byVelocity) > 0);
@@ -85,7 +85,7 @@ TEST_CASE("Until pressure comes the velocity stands for it; both kinds of pressu
     CHECK(play(instrument, {midi(0, 0x90, 60, 50), midi(0, 0xa0, 61, 127)}, 9600) == byVelocity);
 }
 
-TEST_CASE("The faster a scrape, the louder and brighter, and at no speed it is silent") {
+TEST_CASE("A faster scrape is louder and brighter, and speed 0 is silent") {
     const auto instrument = plate();
     double lastCentroidHz = 0, lastLevel = 0;
     for (const int wheel : {20, 40, 64, 90, 127}) {
@@ -104,7 +104,7 @@ TEST_CASE("The faster a scrape, the louder and brighter, and at no speed it is s
           play(instrument, {midi(0, 0xb0, speedController, 64), midi(0, 0x90, 60, 100)}, 4800));
 }
 
-TEST_CASE("Reset controllers brings speed, place and pressure back to rest") {
+TEST_CASE("Reset All Controllers returns speed, place and pressure to rest") {
     const auto instrument = plate();
     const auto moved =
         play(instrument,
@@ -128,7 +128,7 @@ TEST_CASE("Held contacts are bit-identical for block sizes 1, 7, 64, 480 and 409
     CHECK(peak(sound.left) > 1e-5f);
 }
 
-TEST_CASE("Another seed is another sound of the same loudness, another surface is not") {
+TEST_CASE("Another seed changes the sound but not its loudness; another surface changes both") {
     const auto instrument = plate();
     const std::vector events{midi(0, 0x90, 60, 100)};
     const auto sound = [&](const Surface& surface, std::uint64_t seed) {

@@ -19,7 +19,7 @@ double decibels(double power) {
     return 10 * std::log10(power);
 }
 
-/// The force that ContactForce renders at a constant speed, from when it is steady on.
+/// Returns the force that ContactForce renders at a constant speed.
 Periodogram rendered(const Surface& surface, double speed, const ContactForceSettings& settings) {
     ContactForce force(std::make_shared<const SurfaceProfile>(surface, sampleRateHz, 1), 1);
     force.setSettings(settings);
@@ -34,8 +34,7 @@ Periodogram rendered(const Surface& surface, double speed, const ContactForceSet
 
 } // namespace
 
-TEST_CASE("The spectra of scrapes and rolls are those that ContactForce renders, within 1 dB from "
-          "band to band") {
+TEST_CASE("The spectra of scrapes and rolls match ContactForce within 1 dB from band to band") {
     for (const auto kind : {ContactKind::scrape, ContactKind::roll})
         for (const double speed : {0.3, 0.6, 1.0}) {
             const Surface surface;
@@ -56,13 +55,13 @@ TEST_CASE("The spectra of scrapes and rolls are those that ContactForce renders,
         }
 }
 
-TEST_CASE("Nothing is above what the profile holds at the contact's speed") {
+TEST_CASE("The spectrum ends at the profile's highest frequency at the contact's speed") {
     const HeldForceSpectrum force({}, 0.25, {}, {}, sampleRateHz);
     CHECK(force.smoothPower(fullTurn * 5900) > 0);
     CHECK(force.smoothPower(fullTurn * 6100) == 0);
 }
 
-TEST_CASE("A coupled mode takes h² + hc + c²/2 of a long note, and less of a short one") {
+TEST_CASE("A coupled mode takes h² + hc + c²/2 from a long note, and less from a short one") {
     const CoupledMode mode{.frequencyHz = 1000, .dampingPerSecond = 60};
     const ContactForceSettings settings{
         .kind = ContactKind::roll, .rollDryMix = 1, .rollModalCoupling = 2};

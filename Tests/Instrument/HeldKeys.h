@@ -14,14 +14,14 @@ namespace idiophone::test {
 constexpr double playRateHz = 48000;
 constexpr int speedController = 1, placeController = 74;
 
-/// Keys 40 to 80, objects of their own, which ring for some ten milliseconds only.
+/// Keys 40 to 80, each with its own object, which rings for about ten milliseconds.
 inline std::shared_ptr<const Instrument> shortBars() {
     auto object = syntheticObject({300, 810, 1600, 2700});
     object.material.damping.fluidPerSecond = 1000;
     return keysOn(std::move(object), KeyMapKind::scaled, 40, 80);
 }
 
-/// What held keys do: `choice` is scrapeContact, rollContact or strikeContact.
+/// Parameters for held keys; `choice` is scrapeContact, rollContact or strikeContact.
 inline ParameterValues scraping(double choice = scrapeContact) {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, choice);
@@ -29,7 +29,7 @@ inline ParameterValues scraping(double choice = scrapeContact) {
     return parameters;
 }
 
-/// The mean of both channels of a new player.
+/// Returns the mean of both channels of a new player.
 inline std::vector<float> play(const std::shared_ptr<const Instrument>& instrument,
                                const std::vector<MidiEvent>& events,
                                std::size_t samples,

@@ -8,7 +8,7 @@ using namespace idiophone;
 
 namespace fs = std::filesystem;
 
-TEST_CASE("A blow is one line of JSON that says when, what, where and how") {
+TEST_CASE("A strike is one line of JSON with its time, object, place and impulse") {
     const PlacedBlow blow{
         .seconds = 1.25,
         .slot = 3,
@@ -28,7 +28,7 @@ TEST_CASE("A blow is one line of JSON that says when, what, where and how") {
     CHECK(nlohmann::json::parse(impulseLine("coin.modal", 2, blow))["size"] == 2);
 }
 
-TEST_CASE("A list names files by their paths from its folder, and those elsewhere by whole paths") {
+TEST_CASE("A list names files by paths from its folder, and files elsewhere by whole paths") {
     const auto here = fs::current_path();
     const auto list = here / "lists" / "impacts.jsonl";
     const auto named = [&](const fs::path& file) { return objectInList(nameOf(file), list); };
@@ -39,6 +39,6 @@ TEST_CASE("A list names files by their paths from its folder, and those elsewher
     CHECK(objectInList("coin.modal", "impacts.jsonl") == "coin.modal");
     CHECK(named(here / "coin.modal") == storedNameOf(here / "coin.modal"));
     CHECK(named("coin.modal") == storedNameOf(here / "coin.modal"));
-    // A file, not the factory's object of its name.
+    // A path names the file, even if a factory object has its name.
     CHECK(named(here / "lists" / "plate") == storedNameOf(here / "lists" / "plate"));
 }

@@ -13,7 +13,7 @@ using test::syntheticObject;
 
 namespace {
 
-/// Without resized keys.
+/// A key map without resized keys.
 KeyMap keyMap(KeyMapKind kind, int lowest, int highest, std::string object) {
     KeyMap map;
     map.resizedFrom = 1;
@@ -35,7 +35,7 @@ double weightOf(const StrikePoint& point, int row) {
 
 } // namespace
 
-TEST_CASE("Every instrument has a serial number of its own, of whatever it is made") {
+TEST_CASE("Every instrument has its own serial number, on a stage too") {
     ObjectLibrary library;
     const auto kept = library.add("bar", syntheticObject({261.6}));
     const auto map = keyMap(KeyMapKind::zones, 60, 61, "bar");
@@ -65,7 +65,7 @@ TEST_CASE("Bars give every key an object of its own") {
     CHECK((*instrument)->key(62).slot == -1);
 }
 
-TEST_CASE("Keys of one object share its strip, which is made once") {
+TEST_CASE("Keys that share an object share its strip") {
     ObjectLibrary library;
     const auto all = library.add("all", syntheticObject({440}));
     const auto one = library.add("bar-60", syntheticObject({262}));
@@ -82,7 +82,7 @@ TEST_CASE("Keys of one object share its strip, which is made once") {
     CHECK(&bars->strip(bars->key(60)) != &bars->strip(bars->key(61)));
 }
 
-TEST_CASE("An instrument has a bounded number of modes on all keys together") {
+TEST_CASE("An instrument has a maximum number of modes on all keys together") {
     ObjectLibrary library;
     const auto kept =
         library.add("crowd", syntheticObject(std::vector<double>(mostObjectModes, 440.0)));
@@ -97,7 +97,7 @@ TEST_CASE("An instrument has a bounded number of modes on all keys together") {
     CHECK(Instrument::build(keyMap(KeyMapKind::zones, 0, 127, "crowd"), library));
 }
 
-TEST_CASE("There is a bounded number of slots, however few modes they have") {
+TEST_CASE("An instrument has a maximum number of slots, however few modes they have") {
     const SynthesiserSlot slot{.object =
                                    std::make_shared<const ModalObject>(syntheticObject({440}))};
     std::vector<SynthesiserSlot> slots(mostSlots, slot);
@@ -123,11 +123,11 @@ TEST_CASE("Zones move the strike along the path as the keys go up") {
         CHECK(key.slot == 0);
         // The path visits the square's four corners, which are the rows 0 to 3.
         const auto place = instrument.strip(key).between(key.along, 0).point;
-        CHECK(weightOf(place, note - 60) > 0.98); // the path's corners are cut by a table's step
+        CHECK(weightOf(place, note - 60) > 0.98); // the table's step cuts the path's corners
     }
 }
 
-TEST_CASE("Scaled keys resize the object so that its lowest mode sounds the key") {
+TEST_CASE("Scaled keys resize the object so that its lowest mode has the key's pitch") {
     ObjectLibrary library;
     const auto kept = library.add("thing", syntheticObject({440, 1000}));
     const auto built = Instrument::build(keyMap(KeyMapKind::scaled, 57, 81, "thing"), library);
@@ -170,7 +170,7 @@ TEST_CASE("The length of a strike path is in metres") {
     CHECK(square->strip(square->key(60)).lengthMetres == Approx(1.5));
 }
 
-TEST_CASE("An instrument whose object is missing says which") {
+TEST_CASE("The error for a missing object names it") {
     ObjectLibrary library;
     const auto built =
         Instrument::build(keyMap(KeyMapKind::zones, 60, 61, "no/such.modal"), library);
@@ -178,7 +178,7 @@ TEST_CASE("An instrument whose object is missing says which") {
     CHECK_THAT(built.error().message, ContainsSubstring("no/such.modal"));
 }
 
-TEST_CASE("Everybody who asks for an object gets the same one, for as long as it is used") {
+TEST_CASE("The library returns the same object to all callers while it is in use") {
     ObjectLibrary library;
     auto first = library.add("a", syntheticObject({100}));
     CHECK(library.find("a").value() == first);

@@ -1,4 +1,4 @@
-// What libebur128 measures of a sound.
+// Loudness as libebur128 measures it.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace idiophone::test {
 
-/// The gated loudness of EBU R 128 of the whole sound.
+/// Returns the gated loudness of the whole sound (EBU R 128).
 inline double
 integratedLufs(std::span<const float> interleaved, unsigned channels, double sampleRateHz) {
     auto* meter = ebur128_init(channels, static_cast<unsigned long>(sampleRateHz), EBUR128_MODE_I);
@@ -18,7 +18,7 @@ integratedLufs(std::span<const float> interleaved, unsigned channels, double sam
     return result;
 }
 
-/// LUFS of the loudest 400 ms, looked for every 10 ms.
+/// Returns the LUFS of the loudest 400 ms, searched in steps of 10 ms.
 inline double
 loudestMomentLufs(std::span<const float> interleaved, unsigned channels, double sampleRateHz) {
     auto* meter = ebur128_init(channels, static_cast<unsigned long>(sampleRateHz), EBUR128_MODE_M);

@@ -1,4 +1,4 @@
-// Keys that keep their pitch in any material, size and thickness.
+// Tests that keys keep their pitch in any material, size and thickness.
 #include "Instrument/Instrument.h"
 #include "Instrument/Player.h"
 #include "Instrument/SettingsOfParameters.h"
@@ -27,11 +27,11 @@ double noteHz(int note) {
     return 440 * std::exp2((note - 69) / 12.0);
 }
 
-/// What the preset's own key has for its fundamental, or for the partial an octave above its pitch.
+/// The mode of a key's fundamental, or of the partial an octave above its pitch.
 struct Fundamental {
     std::size_t mode = 0;
-    double ratio = 1;        ///< to the pitch
-    std::size_t partner = 0; ///< that the tube shares, or the mode itself
+    double ratio = 1;        ///< of its frequency to the pitch
+    std::size_t partner = 0; ///< other mode that it shares with the tube, or the mode itself
 };
 
 Fundamental fundamentalOf(const Preset& preset, const ModalObject& object, int note) {
@@ -52,7 +52,7 @@ std::shared_ptr<const Instrument> instrumentOf(const Preset& preset) {
     return Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
 }
 
-/// The preset's values in the custom material and every one of the library.
+/// Returns the preset's values in its own, the custom and every library material.
 std::vector<ParameterValues> inAllMaterials(const Preset& preset) {
     std::vector<ParameterValues> all{preset.parameters};
     auto custom = preset.parameters;
@@ -86,13 +86,13 @@ double missCents(const Instrument& instrument,
     };
     if (fundamental.partner == fundamental.mode)
         return missOf(fundamental.mode);
-    // Of two modes that bar and tube share the mean by their powers is heard.
+    // Two modes that bar and tube share are heard at their power-weighted mean.
     const double one = static_cast<double>(std::norm(slot.object->gains[fundamental.mode]));
     const double other = static_cast<double>(std::norm(slot.object->gains[fundamental.partner]));
     return (one * missOf(fundamental.mode) + other * missOf(fundamental.partner)) / (one + other);
 }
 
-/// One stream of blocks of a size, in which what automation says changes every 960 samples.
+/// Renders one stream in blocks of a size; the next values act every 960 samples.
 StereoSound renderAutomated(const std::shared_ptr<const Instrument>& instrument,
                             const std::vector<ParameterValues>& values,
                             std::size_t blockSize) {
@@ -113,9 +113,8 @@ StereoSound renderAutomated(const std::shared_ptr<const Instrument>& instrument,
 
 } // namespace
 
-TEST_CASE(
-    "Every key of every keyboard keeps its pitch in all materials, sizes and thicknesses within "
-    "1 cent") {
+TEST_CASE("Every key of every keyboard keeps its pitch within 1 cent in any material, size and "
+          "thickness") {
     int keyboards = 0;
     for (const auto& preset : keyedFactoryPresets()) {
         if (preset.keyMap.kind == KeyMapKind::zones)
@@ -123,7 +122,7 @@ TEST_CASE(
         ++keyboards;
         const auto instrument = instrumentOf(preset);
         auto all = inAllMaterials(preset);
-        for (std::size_t k = 0; k < all.size(); ++k) { // other extents with each material
+        for (std::size_t k = 0; k < all.size(); ++k) { // another size with each material
             CHECK(all[k][keepPitch] == 1);
             all[k].set(size, std::array{1.0, 0.1, 3.0, 10.0}[k % 4]);
             all[k].set(thickness, std::array{100.0, 400.0, 25.0}[k % 3]);
@@ -142,7 +141,7 @@ TEST_CASE(
     CHECK(keyboards >= 14);
 }
 
-TEST_CASE("What is rendered in another material has the pitch of its key") {
+TEST_CASE("Rendered notes in another material have the pitch of their key") {
     struct Case {
         const char* preset;
         const char* material;
@@ -182,7 +181,7 @@ TEST_CASE("What is rendered in another material has the pitch of its key") {
     }
 }
 
-TEST_CASE("Tunings and bends act on a pitch that is kept, to a hundredth of a cent") {
+TEST_CASE("Tunings and bends act on a kept pitch to a hundredth of a cent") {
     const auto* marimba = findFactoryPreset("Marimba");
     REQUIRE(marimba != nullptr);
     const auto instrument = instrumentOf(*marimba);
@@ -201,7 +200,7 @@ TEST_CASE("Tunings and bends act on a pitch that is kept, to a hundredth of a ce
     }
 }
 
-TEST_CASE("Objects without pitched keys follow the material whatever the switch says") {
+TEST_CASE("Objects without pitched keys follow the material with the switch on or off") {
     for (const char* name : {"Steel Plate", "Wok"}) {
         const auto* preset = findFactoryPreset(name);
         REQUIRE(preset != nullptr);
@@ -216,7 +215,7 @@ TEST_CASE("Objects without pitched keys follow the material whatever the switch 
     }
 }
 
-TEST_CASE("Automation of material, size and the switch is the same in blocks of all sizes") {
+TEST_CASE("Automation of material, size and the switch is the same for all block sizes") {
     const auto* preset = findFactoryPreset("Vibraphone");
     REQUIRE(preset != nullptr);
     const auto instrument = instrumentOf(*preset);
@@ -235,7 +234,7 @@ TEST_CASE("Automation of material, size and the switch is the same in blocks of 
         CHECK(renderAutomated(instrument, values, blockSize) == expected);
 }
 
-TEST_CASE("What rings is continuous where its material changes and its pitch is kept") {
+TEST_CASE("Ringing sound stays continuous when its material changes and its pitch is kept") {
     const auto* preset = findFactoryPreset("Vibraphone");
     REQUIRE(preset != nullptr);
     const auto instrument = instrumentOf(*preset);

@@ -1,4 +1,4 @@
-// How evenly mallets drive the keys of a keyboard: the spectrum of the force at each fundamental.
+// Tests how evenly mallets drive a keyboard, by the spectrum of the force at each fundamental.
 #include "Instrument/BlowSpectrum.h"
 #include "Instrument/ContactTrain.h"
 #include "Instrument/FactoryContent.h"
@@ -24,7 +24,7 @@ struct KeyContact {
     ContactTrain train;
     double fundamentalHz = 0;
 
-    /// 20 lg of the motion that it leaves at a frequency, for a residue of 1.
+    /// Returns 20 lg of the motion that it leaves at a frequency, for a residue of 1.
     double levelDb(double hz) const {
         return 20 * std::log10(std::abs(ringingVelocity(train, 1e-3, 2 * std::numbers::pi * hz)));
     }
@@ -59,7 +59,7 @@ std::vector<Played> struckPresets() {
     std::vector<Played> played;
     for (Preset preset : factoryPresets())
         if (preset.keyMap.kind != KeyMapKind::scene && strikes(preset.parameters)) {
-            preset.keyMap.voicingDb.clear(); // it evens what bars radiate, not contacts
+            preset.keyMap.voicingDb.clear(); // it evens the radiation of bars, not contacts
             auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
             played.push_back({std::move(preset), std::move(instrument)});
         }
@@ -81,8 +81,8 @@ double unevennessDb(const std::vector<double>& levelsDb) {
 
 } // namespace
 
-TEST_CASE("No key's fundamental lies 6 dB below the octave of its contact's spectrum around it, "
-          "under any mallet of the rack that stays for up to 16 periods") {
+TEST_CASE(
+    "No fundamental lies 6 dB below its octave of the contact's spectrum, up to 16 periods long") {
     for (const auto& [preset, instrument] : struckPresets())
         for (std::size_t i = 0; i < malletRack().size(); ++i)
             for (const int velocity : {20, 100}) {
@@ -102,8 +102,7 @@ TEST_CASE("No key's fundamental lies 6 dB below the octave of its contact's spec
             }
 }
 
-TEST_CASE("A preset's own mallet drives neighbouring keys alike, and all about as evenly when it "
-          "plays softly") {
+TEST_CASE("A preset's own mallet drives neighbouring keys alike, and stays as even when soft") {
     for (const auto& [preset, instrument] : struckPresets()) {
         const auto spanDb = [&](int velocity) {
             std::vector<double> levels;

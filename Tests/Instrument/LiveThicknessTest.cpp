@@ -1,5 +1,5 @@
-// A sheet is stiff by bending alone: twice as thick it is the sheet whose modes are an octave
-// higher, at half the amplitude. What keys do to it has to follow.
+// A sheet is stiff by bending alone. With twice the thickness its modes are an octave higher, at
+// half the amplitude. Tests that keys follow.
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/Player.h"
 #include "Support/Level.h"
@@ -27,7 +27,7 @@ std::shared_ptr<const Instrument> sheet() {
     return keysOn(std::move(object), KeyMapKind::zones, 48, 72);
 }
 
-/// The same made twice as thick: twice as heavy, an octave higher.
+/// The sheet made twice as thick: twice as heavy, an octave higher.
 std::shared_ptr<const Instrument> thickSheet() {
     auto object = syntheticObject({360, 820, 2060});
     for (float& component : object.shapes)
@@ -38,7 +38,7 @@ std::shared_ptr<const Instrument> thickSheet() {
     return keysOn(std::move(object), KeyMapKind::zones, 48, 72);
 }
 
-/// The worst difference of a sheet with twice the thickness from one made so, by the peak.
+/// Returns the largest difference between live thickness 2 and a sheet made so, over the peak.
 double errorOfThickSheet(const ParameterValues& parameters) {
     const std::vector events{midi(0, 0x90, 60, 100), midi(30000, 0x80, 60, 0)};
     Player thick(sheet(), sampleRateHz);
@@ -51,7 +51,7 @@ double errorOfThickSheet(const ParameterValues& parameters) {
     return static_cast<double>(worst) / peak(expected);
 }
 
-/// A shell whose modes move apart as it gets thicker, and which radiates.
+/// A radiating shell whose modes move apart as it gets thicker.
 std::shared_ptr<const Instrument> shellUnderKeys() {
     auto object = syntheticObject({220, 700, 1900, 4300});
     object.bending = {0, object.eigenvalues[1], object.eigenvalues[2] / 2, object.eigenvalues[3]};
@@ -63,7 +63,7 @@ std::shared_ptr<const Instrument> shellUnderKeys() {
 
 } // namespace
 
-TEST_CASE("Twice as thick, a sheet that is struck sounds as one made so") {
+TEST_CASE("A struck sheet at twice its thickness sounds like one made so") {
     for (const int pulse : {0, 1}) {
         ParameterValues parameters;
         parameters.set(modalPulse, pulse);
@@ -72,14 +72,14 @@ TEST_CASE("Twice as thick, a sheet that is struck sounds as one made so") {
     }
 }
 
-TEST_CASE("Twice as thick, a sheet that is rolled over sounds as one made so") {
+TEST_CASE("A rolled sheet at twice its thickness sounds like one made so") {
     ParameterValues parameters;
     parameters.set(contact, rollContact);
     parameters.set(rollCoupling, 100);
     CHECK(errorOfThickSheet(parameters) < 1e-3);
 }
 
-TEST_CASE("The loudness of a sheet twice as thick is predicted as that of one made so") {
+TEST_CASE("The predicted loudness of a sheet at twice its thickness is that of one made so") {
     ParameterValues parameters;
     parameters.set(rollCoupling, 100);
     parameters.set(modalPulse, 1);
@@ -94,7 +94,7 @@ TEST_CASE("The loudness of a sheet twice as thick is predicted as that of one ma
     }
 }
 
-TEST_CASE("What does not matter to a prediction changes nothing in it, and thickness matters") {
+TEST_CASE("valuesThatMatter does not change a prediction, and thickness matters") {
     const auto instrument = shellUnderKeys();
     for (const int kind : {strikeContact, scrapeContact, rollContact}) {
         ParameterValues own;
@@ -110,7 +110,7 @@ TEST_CASE("What does not matter to a prediction changes nothing in it, and thick
     }
 }
 
-TEST_CASE("The gain that matches loudness is that of the thickness at which both materials sound") {
+TEST_CASE("The matching gain compares both materials at the current thickness") {
     const auto instrument = shellUnderKeys();
     ParameterValues own;
     own.set(matchLoudness, 1);

@@ -1,4 +1,4 @@
-// When a loudness match has its gain: cell by cell, after resets and where songs begin.
+// Tests when a loudness match has its gain: cell by cell, after resets and at song starts.
 #include "Instrument/LoudnessMatch.h"
 
 #include "MatchedGain.h"
@@ -26,7 +26,7 @@ std::shared_ptr<const Instrument> synthetic(std::size_t modes) {
 
 } // namespace
 
-TEST_CASE("A cell's work on the gain is at most 16 modes, and all of it two predictions") {
+TEST_CASE("The gain takes at most 16 modes a cell, and two predictions in all") {
     for (const std::size_t modes : {200u, 5000u}) {
         ParameterValues own;
         own.set(matchLoudness, 1);
@@ -47,7 +47,8 @@ TEST_CASE("A cell's work on the gain is at most 16 modes, and all of it two pred
     }
 }
 
-TEST_CASE("Moving what does not enter a prediction costs no work, and another mallet one more") {
+TEST_CASE(
+    "A value that no prediction uses costs no work, and another mallet costs one prediction") {
     ParameterValues own;
     own.set(matchLoudness, 1);
     LoudnessMatch match(synthetic(500), {}, sampleRateHz, own);
@@ -68,7 +69,7 @@ TEST_CASE("Moving what does not enter a prediction costs no work, and another ma
     CHECK(work == 500);
 }
 
-TEST_CASE("The wheel moves the gain of scrapes, and not that of strikes") {
+TEST_CASE("The wheel changes the gain of scrapes but not of strikes") {
     ParameterValues own;
     own.set(matchLoudness, 1);
     for (const int kind : {strikeContact, scrapeContact}) {
@@ -86,7 +87,7 @@ TEST_CASE("The wheel moves the gain of scrapes, and not that of strikes") {
     }
 }
 
-TEST_CASE("After a reset what is played has its gain in the first cell, whatever was prepared") {
+TEST_CASE("After a reset the first cell has the gain, whatever was prepared") {
     const auto instrument = synthetic(500);
     ParameterValues own;
     own.set(matchLoudness, 1);
@@ -112,7 +113,7 @@ TEST_CASE("After a reset what is played has its gain in the first cell, whatever
             CHECK(match.gainDb() == gain);
         }
 
-        // And where it was under way.
+        // The same during an unfinished prediction.
         const auto other = with(own, material, firstLibraryMaterial + 7);
         match.advance(other);
         match.reset();
@@ -125,7 +126,7 @@ TEST_CASE("After a reset what is played has its gain in the first cell, whatever
     }
 }
 
-TEST_CASE("What is prepared for the wheel where it will be is known there, and at rest") {
+TEST_CASE("A prediction prepared for a wheel position is known there and at rest") {
     ParameterValues own;
     own.set(matchLoudness, 1);
     own.set(contact, scrapeContact);
@@ -149,7 +150,7 @@ TEST_CASE("What is prepared for the wheel where it will be is known there, and a
     CHECK(prepared.gainDb() == moved);
 }
 
-TEST_CASE("A song that begins as before has its gain at once, and follows the same values again") {
+TEST_CASE("A song that starts as before has its gain at once and follows the same values again") {
     const auto instrument = synthetic(500);
     ParameterValues own;
     own.set(matchLoudness, 1);
@@ -172,19 +173,19 @@ TEST_CASE("A song that begins as before has its gain at once, and follows the sa
         const auto expected = pass({first, second, own, second});
         REQUIRE(expected.front() != expected.back());
         CHECK((pass({first, second, own, second}) == expected));
-        match.advance(first); // under way
+        match.advance(first); // in the middle of a prediction
         CHECK((pass({first, second, own, second}) == expected));
         match.advance(second);
         auto quieter = first;
-        quieter.set(level, -40); // which changes no gain
+        quieter.set(level, -40); // the level changes no gain
         CHECK((pass({quieter, second, own, second}) == expected));
 
-        // A song of other values is followed, and is the one that is known then.
+        // A song with other values is followed, and becomes the known one.
         const auto other = pass({second, first});
         CHECK((pass({second, first}) == other));
         CHECK(other.back() == expected.front());
         match.setSpeedController(127);
-        pass({second, first}); // what it begins with takes its time where it was never heard
+        pass({second, first}); // the first pass with a new start takes time to predict
         const auto moved = pass({second, first});
         CHECK((moved == other) == (kind == strikeContact));
         CHECK((pass({second, first}) == moved));

@@ -40,10 +40,10 @@ double measuredLufs(const StereoSound& sound, double gainDb) {
     return integratedLufs(interleaved, 2, sampleRateHz);
 }
 
-/// A preset played and measured, its keys doing what `kind` says. What a single take has of chance
-/// is not what is to be matched, so several are taken: strikes a little early or late, as what
-/// still rings meets them in one phase or another, scrapes and rolls from places all over the
-/// surface's profile, of which narrow modes hear but a few harmonics.
+/// Plays and measures a preset whose keys have the contact `kind`. Several takes average out
+/// chance. Strikes come a little early or late, so that they meet the ringing sound in different
+/// phases. Scrapes and rolls start all over the surface's profile, because narrow modes hear only a
+/// few of its harmonics.
 class Rig {
 public:
     explicit Rig(const Preset& preset, int kind, std::uint32_t takes = 1)
@@ -51,7 +51,7 @@ public:
           own(preset.parameters) {
         own.set(contact, kind);
         own.set(matchLoudness, 1);
-        own.set(imperfection, 0); // chance of each key, which no prediction knows
+        own.set(imperfection, 0); // random for each key, so no prediction includes it
         match = std::make_unique<LoudnessMatch>(instrument, preset.surface, sampleRateHz, own);
         for (std::uint32_t take = 0; take < takes; ++take)
             voices.push_back(std::make_unique<Player>(
@@ -59,7 +59,7 @@ public:
                 strikes(own) ? preset.seed : preset.seed + seedsToNextPlace * take));
     }
 
-    /// Without any matching; the mean power of all takes.
+    /// Returns the mean power of all takes, without matching.
     double loudness(ParameterValues parameters, double gainDb, int velocity = 100) {
         parameters.set(matchLoudness, 0);
         double power = 0;
@@ -74,11 +74,12 @@ public:
     }
 
     struct Error {
-        double matched;   ///< with the gain applied, how much louder than the preset's own
-        double predicted; ///< how much louder than predicted of that velocity
+        double matched;   ///< LU above the preset's own, with the gain applied
+        double predicted; ///< LU above the prediction for that velocity
     };
 
-    /// Nothing where the gain is at its bound. Measured near −23 LUFS, far from the absolute gate.
+    /// Returns nothing if the gain is at its bound. Measures near −23 LUFS, far from the absolute
+    /// gate.
     std::optional<Error> error(const ParameterValues& now, int velocity = 100) {
         if (velocity != ownVelocity)
             measureOwn(velocity);
@@ -114,10 +115,10 @@ public:
     std::vector<std::unique_ptr<Player>> voices;
 
 private:
-    /// Whose contacts begin so much further on that 16 spread evenly over the profile.
+    /// Seed step that spreads 16 starts of contacts evenly over the profile.
     static constexpr std::uint32_t seedsToNextPlace = 60;
 
-    /// Strikes stray by up to 30 ms, but for those of the first take.
+    /// Shifts strikes by up to 30 ms, except in the first take.
     std::vector<MidiEvent> phraseOf(std::uint32_t take, int velocity) const {
         auto events = loudnessPhrase(map, velocity, sampleRateHz);
         const bool strays = take > 0 && strikes(own);
@@ -125,15 +126,15 @@ private:
             const double chance =
                 scatter(PhraseMeter::notes * take + static_cast<std::uint32_t>(note));
             const int late = static_cast<int>(0.015 * (1 + chance) * sampleRateHz);
-            events[2 * note - 1].sampleOffset += late; // the end of the note before
+            events[2 * note - 1].sampleOffset += late; // note-off of the note before
             events[2 * note].sampleOffset += late;
         }
         return events;
     }
 };
 
-/// What spans materials from plastic to hard ceramic: three speeds of sound √(E/ρ), 1200, 3500 and
-/// 6000 m/s, each with three densities and dampings from a bell's to a soft wood's.
+/// Materials from plastic to hard ceramic: speeds of sound √(E/ρ) of 1200, 3500 and 6000 m/s, each
+/// with three densities and with dampings from a bell's to a soft wood's.
 struct MaterialFigures {
     double youngsModulusGpa, densityKgPerM3, fluidPerSecond, viscoelasticMicroseconds, lossFactor;
 };
@@ -147,7 +148,7 @@ constexpr std::array materialGrid{MaterialFigures{1.008, 700, 0.01, 0.0001, 1e-4
                                   MaterialFigures{25.2, 700, 13, 0.3, 0},
                                   MaterialFigures{93.6, 2600, 30, 1, 0}};
 
-/// Likewise mallets from felt to brass, light and heavy ones.
+/// Mallets from felt to brass, light and heavy.
 struct MalletFigures {
     double hardnessMpa, massGrams, radiusMillimetres;
 };
@@ -174,8 +175,7 @@ ParameterValues of(const MalletFigures& figures, ParameterValues parameters) {
     return parameters;
 }
 
-/// By how much the worst of a grid is off on a preset whose keys do what `kind` says, and how many
-/// of it ask for more than the gain's bound.
+/// The largest errors over a grid of figures, and the number of figures beyond the gain's bound.
 struct Worst {
     double matched = 0, predicted = 0;
     int beyond = 0;
@@ -198,8 +198,9 @@ Worst worstOf(const Grid& grid, const Preset& preset, int kind, std::uint32_t ta
 
 } // namespace
 
-TEST_CASE("Strikes of another material are within 4.4 LU of every factory preset's own at velocity "
-          "100, 6 LU at 127 and 6.5 LU at 40, where long contacts leave stiff materials fainter") {
+TEST_CASE(
+    "Matched strikes of another material are within 4.4 LU at velocity 100, 6 at 127, 6.5 at 40") {
+    // At low velocities long contacts leave stiff materials fainter.
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{6.5, 4.4, 6};
     for (const auto& preset : keyedFactoryPresets())
         for (std::size_t level = 0; level < mostLu.size(); ++level) {
@@ -211,8 +212,7 @@ TEST_CASE("Strikes of another material are within 4.4 LU of every factory preset
         }
 }
 
-TEST_CASE("Strikes of another mallet are within 2.9 LU of every factory preset's own at velocity "
-          "100, 7 LU at 127, and within 1.7 LU of the prediction there, 4 LU at velocity 40") {
+TEST_CASE("Matched strikes of another mallet are within 2.9 LU at velocity 100, 7 LU at 127") {
     // At velocity 40 the long contacts of soft mallets leave high keys fainter, as real ones do.
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     constexpr std::array<double, PhrasePrediction::velocities.size()> mostLu{unbounded, 2.9, 7};
@@ -228,8 +228,7 @@ TEST_CASE("Strikes of another mallet are within 2.9 LU of every factory preset's
         }
 }
 
-TEST_CASE("The gain is the mean of what the velocities ask for, but within 1.5 dB of the middle "
-          "one's") {
+TEST_CASE("The gain is the mean over velocities, within 1.5 dB of the middle one") {
     std::size_t means = 0, bounded = 0;
     for (const auto& preset : keyedFactoryPresets()) {
         Rig rig(preset, strikeContact);
@@ -251,8 +250,7 @@ TEST_CASE("The gain is the mean of what the velocities ask for, but within 1.5 d
     CHECK(bounded > 10);
 }
 
-TEST_CASE("Scrapes of another material are within 2 LU of every factory preset's own, in the mean "
-          "over places on the surface") {
+TEST_CASE("Matched scrapes of another material are within 2 LU in the mean over the surface") {
     for (const auto& preset : keyedFactoryPresets()) {
         INFO(preset.name);
         const auto worst = worstOf(materialGrid, preset, scrapeContact, 16, 100);
@@ -261,8 +259,7 @@ TEST_CASE("Scrapes of another material are within 2 LU of every factory preset's
     }
 }
 
-TEST_CASE("Rolls of another material are within 2.3 LU of every factory preset's own, in the mean "
-          "over places on the surface") {
+TEST_CASE("Matched rolls of another material are within 2.3 LU in the mean over the surface") {
     for (const auto& preset : keyedFactoryPresets()) {
         INFO(preset.name);
         const auto worst = worstOf(materialGrid, preset, rollContact, 16, 100);
@@ -279,15 +276,16 @@ TEST_CASE("Without the gain, mallets on a xylophone are more than 20 LU apart") 
     CHECK(plastic - yarn > 20);
 }
 
-TEST_CASE("The predicted loudness of struck factory presets is libebur128's within 0.6 LU at "
-          "velocity 100") {
+TEST_CASE(
+    "The predicted loudness of struck presets is libebur128's within 0.6 LU at velocity 100") {
     for (const auto& preset : keyedFactoryPresets()) {
         if (static_cast<int>(preset.parameters[contact]) != strikeContact)
             continue;
-        // Blows on one object meet what still rings of the ones before: the mean of four phrases.
+        // Strikes on a shared object meet the sound that still rings, so measure the mean of four
+        // phrases.
         Rig rig(preset, strikeContact, 4);
         const double bothChannels = 10 * std::log10(2);
-        // A motor takes as much from what it is compared with.
+        // The comparison has no motor, which would reduce the measured loudness.
         const auto parameters = with(rig.own, motorDepth, 0);
         const double measured = rig.loudness(parameters, 0) - bothChannels;
         const auto predicted = rig.match->predictedLufs(parameters);
@@ -296,7 +294,7 @@ TEST_CASE("The predicted loudness of struck factory presets is libebur128's with
     }
 }
 
-TEST_CASE("With the preset's own material and mallet the gain is 0, whatever else moves") {
+TEST_CASE("With the preset's own material and mallet the gain is 0, whatever else changes") {
     const auto& preset = factoryPresets().front();
     Rig rig(preset, strikeContact);
     auto now = preset.parameters;
@@ -305,7 +303,7 @@ TEST_CASE("With the preset's own material and mallet the gain is 0, whatever els
     CHECK(gainOf(*rig.match, now) == 0);
 }
 
-TEST_CASE("The gain from one mallet to another is the opposite of the way back") {
+TEST_CASE("The gain from one mallet to another is the negative of the reverse gain") {
     const auto& preset = factoryPresets().front();
     const auto rubber = with(preset.parameters, mallet, firstRackMallet + 2);
     const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
@@ -316,7 +314,7 @@ TEST_CASE("The gain from one mallet to another is the opposite of the way back")
     CHECK(std::abs(gain + gainOf(back, preset.parameters)) < 1e-9);
 }
 
-TEST_CASE("The gain is finite and at most 40 dB, and 0 where nothing sounds") {
+TEST_CASE("The gain is finite and at most 40 dB, and 0 if nothing sounds") {
     ObjectLibrary library;
     const auto bar = library.add("bar", syntheticObject({15, 440, 440, 9000}));
     KeyMap map;

@@ -20,7 +20,7 @@ TEST_CASE("The lowest eight frequencies count pairs once and follow a ratio") {
     CHECK(LowestModes(syntheticObject({100, 300})).span().size() == 2);
 }
 
-TEST_CASE("Lowest modes follow a live thickness, each by the share of it that bends") {
+TEST_CASE("Lowest modes follow a live thickness, each by its share of bending") {
     auto shell = syntheticObject({100, 300, 900});
     const LowestModes solid(shell);
     shell.bending = {0, shell.eigenvalues[1], shell.eigenvalues[2] / 2};

@@ -1,4 +1,4 @@
-// What mallets, chatter and modal pulses make of the sound that a player renders.
+// Tests how mallets, chatter and modal pulses change the rendered sound.
 #include "Instrument/FactoryContent.h"
 #include "Instrument/LowestModes.h"
 #include "Instrument/MalletStrike.h"
@@ -40,7 +40,7 @@ ParameterValues xylophoneWith(std::size_t rackIndex) {
     return parameters;
 }
 
-/// The mean frequency of the power spectrum.
+/// Returns the mean frequency of the power spectrum.
 double spectralCentroidHz(const std::vector<float>& sound) {
     std::vector<std::complex<float>> spectrum;
     Eigen::FFT<float>().fwd(spectrum, sound);
@@ -53,8 +53,8 @@ double spectralCentroidHz(const std::vector<float>& sound) {
     return moment / power * sampleRateHz / static_cast<double>(sound.size());
 }
 
-/// The centroid at every velocity is not 1 % below that at the one before, and the last one is
-/// above the first: where a partial passes a dip of the contact's spectrum it hardly moves.
+/// CHECKs that the centroid never falls by 1 % from one velocity to the next, and that the last is
+/// above the first. It hardly moves where a partial passes a dip of the contact's spectrum.
 void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
                         int note,
                         std::size_t rackIndex,
@@ -62,7 +62,7 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
     auto parameters = xylophoneWith(rackIndex);
     parameters.set(size, sizeRatio);
     parameters.set(keepPitch, 0);
-    parameters.set(radiation, 0); // from afar the tube is louder than all else
+    parameters.set(radiation, 0); // from afar the tube would dominate
     double first = 0, last = 0;
     for (const int velocity : {16, 32, 48, 64, 80, 96, 112, 127}) {
         Player player(instrument, sampleRateHz);
@@ -78,7 +78,7 @@ void checkCentroidRises(const std::shared_ptr<const Instrument>& instrument,
     CHECK(last > 0.999 * first);
 }
 
-/// Notes in a hurry, so that trains overlap, at samples on no grid.
+/// Fast notes at odd samples, so that trains overlap.
 std::vector<MidiEvent> hurry(int samples) {
     std::vector<MidiEvent> events;
     for (int i = 0, time = 3; time < samples; ++i, time += 61 + 37 * (i % 11)) {
@@ -93,9 +93,10 @@ std::vector<MidiEvent> hurry(int samples) {
 
 } // namespace
 
-TEST_CASE("The spectral centroid rises with velocity for every mallet on every key, "
-          "as long as its contact is heard") {
-    // Up to two periods; longer contacts leave a faint sound whose partials come and go.
+TEST_CASE("The spectral centroid rises with velocity for every mallet on every key with a short "
+          "contact") {
+    // Short means up to two periods. Longer contacts leave a faint sound whose partials come and
+    // go.
     const auto instrument = xylophone();
     int heard = 0;
     for (const double sizeRatio : {1.0, 2.0, 4.0}) // the C5 bar as C4 and C3 too
@@ -118,7 +119,7 @@ TEST_CASE("The spectral centroid rises with velocity for every mallet on every k
 }
 
 TEST_CASE("Velocity changes the tone of a wound head more than that of a solid one") {
-    // The steel plate at twice its size has modes on both sides of these contacts.
+    // At twice its size the steel plate has modes on both sides of these contact times.
     const auto& preset = *findFactoryPreset("Steel Plate");
     const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
     const auto brightening = [&](std::size_t rackIndex) {
@@ -137,14 +138,14 @@ TEST_CASE("Velocity changes the tone of a wound head more than that of a solid o
     CHECK(brightening(0) > 1.3 * brightening(1));
 }
 
-TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its bar") {
+TEST_CASE("A harder mallet of the rack makes the same strike on a bar brighter") {
     const auto instrument = xylophone();
     std::vector<double> centroids;
     for (std::size_t i = 0; i < malletRack().size(); ++i) {
         auto parameters = xylophoneWith(i);
         parameters.set(size, 4);
         parameters.set(keepPitch, 0);
-        parameters.set(radiation, 0); // from afar the tube is louder than all else
+        parameters.set(radiation, 0); // from afar the tube would dominate
         Player player(instrument, sampleRateHz);
         centroids.push_back(
             spectralCentroidHz(render(player, {midi(0, 0x90, 72, 100)}, 32768, 480, parameters)));
@@ -152,7 +153,7 @@ TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its 
     const double yarn = centroids[0], soft = centroids[1], medium = centroids[2],
                  hard = centroids[3], wood = centroids[4], plastic = centroids[5],
                  brass = centroids[6];
-    CHECK(yarn > soft); // at 1 m/s their contact times are equal, and this blow is faster
+    CHECK(yarn > soft); // at 1 m/s their contact times are equal; this strike is faster
     CHECK(medium > yarn);
     CHECK(hard > 1.1 * medium);
     CHECK(wood > 1.5 * hard);
@@ -160,11 +161,11 @@ TEST_CASE("The harder the mallet of the rack, the brighter the same blow on its 
     CHECK(brass > 1.2 * plastic);
 }
 
-TEST_CASE("On a softer live material of the same frequencies a brass mallet sounds darker") {
+TEST_CASE("A brass mallet sounds darker on a softer live material of the same frequencies") {
     const auto instrument = xylophone();
     auto parameters = xylophoneWith(6);
     parameters.set(material, customMaterial);
-    parameters.set(radiation, 0); // from afar the tube is louder than all else
+    parameters.set(radiation, 0); // from afar the tube would dominate
     const auto centroid = [&] {
         Player player(instrument, sampleRateHz);
         return spectralCentroidHz(render(player, {midi(0, 0x90, 72, 100)}, 32768, 480, parameters));
@@ -186,7 +187,7 @@ TEST_CASE("With chatter and modal pulses renders are bit-identical for all block
     CHECK(peak(sound.left) > 0.01f);
 }
 
-TEST_CASE("Chatter adds onsets within 15 ms of the blow and leaves soft mallets as they are") {
+TEST_CASE("Chatter adds onsets within 15 ms of the strike and leaves soft mallets unchanged") {
     const auto instrument = xylophone();
     const auto sound = [&](std::size_t rackIndex, double percent) {
         auto parameters = xylophoneWith(rackIndex);
@@ -197,7 +198,7 @@ TEST_CASE("Chatter adds onsets within 15 ms of the blow and leaves soft mallets 
     for (const std::size_t soft : {0u, 1u, 2u})
         CHECK(sound(soft, 100) == sound(soft, 0));
     CHECK(sound(6, 100) != sound(6, 0));
-    // What a further collision adds starts abruptly beside the smooth ringing of the single blow.
+    // Further collisions start abruptly beside the smooth ringing of the single strike.
     const auto single = sound(6, 0), train = sound(6, 100);
     const float scale = train[4] / single[4];
     CHECK(scale < 1);
@@ -213,7 +214,7 @@ TEST_CASE("Chatter adds onsets within 15 ms of the blow and leaves soft mallets 
     CHECK(milliseconds < 15);
 }
 
-TEST_CASE("All sound off ends a blow between its collisions") {
+TEST_CASE("All Sound Off ends a strike between its collisions") {
     auto parameters = xylophoneWith(6);
     parameters.set(chatter, 100);
     Player player(xylophone(), sampleRateHz);
@@ -223,7 +224,7 @@ TEST_CASE("All sound off ends a blow between its collisions") {
     CHECK(player.silent());
 }
 
-TEST_CASE("A blow with modal pulses is four strikes of one period each, with the same impulse") {
+TEST_CASE("A strike with modal pulses is four strikes of one period each, with the same impulse") {
     const auto instrument = xylophone();
     auto parameters = xylophoneWith(5);
     parameters.set(modalPulse, 1);

@@ -1,11 +1,11 @@
-// The gain that a loudness match arrives at.
+// The complete gain of a loudness match.
 #pragma once
 
 #include "Instrument/LoudnessMatch.h"
 
 namespace idiophone::test {
 
-/// Of these values as they would be struck.
+/// Returns the gain in dB for these values with "match loudness" on.
 inline double gainOf(LoudnessMatch& match, ParameterValues now) {
     now.set(ParameterId::matchLoudness, 1);
     match.prepare(now);

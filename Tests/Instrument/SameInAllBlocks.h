@@ -1,4 +1,4 @@
-// The check that a player sounds alike whatever the sizes of the blocks it is rendered in.
+// Checks that a player's sound does not depend on the block size.
 #pragma once
 
 #include "Support/RenderNotes.h"
@@ -10,8 +10,8 @@
 
 namespace idiophone::test {
 
-/// CHECKs that in blocks of each of these sizes a new player, and again the same one after a reset,
-/// sounds to the last bit as in blocks of 512 samples, and returns that sound.
+/// CHECKs that for each block size a new player, and the same one after a reset, renders the same
+/// bits as with blocks of 512 samples. Returns that sound.
 inline StereoSound checkSameInBlocksOf(std::initializer_list<std::size_t> blockSizes,
                                        const std::shared_ptr<const Instrument>& instrument,
                                        double sampleRateHz,

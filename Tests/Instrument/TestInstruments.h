@@ -13,8 +13,8 @@
 
 namespace idiophone::test {
 
-/// One object under all keys from `lowestNote` to `highestNote`: as zones they share it, scaled
-/// each has its own.
+/// Puts one object under all keys from `lowestNote` to `highestNote`. Zones share it; with `scaled`
+/// each key has its own copy.
 inline std::shared_ptr<const Instrument>
 keysOn(ModalObject object, KeyMapKind kind, int lowestNote, int highestNote) {
     ObjectLibrary library;
@@ -29,8 +29,7 @@ keysOn(ModalObject object, KeyMapKind kind, int lowestNote, int highestNote) {
         .value();
 }
 
-/// Keys 60 to 72, a bar of two modes each, which radiate to the left and right in parts of their
-/// own.
+/// Keys 60 to 72: bars of two modes each, with different radiation to the left and right.
 inline std::shared_ptr<const Instrument> bars() {
     ObjectLibrary library;
     std::vector<std::shared_ptr<const ModalObject>> kept;
@@ -52,7 +51,7 @@ inline std::shared_ptr<const Instrument> bars() {
         .value();
 }
 
-/// A steel plate; keys 36 to 96 lie on a way over it, which by default begins in a corner.
+/// A steel plate. Keys 36 to 96 lie along a path over it, which by default begins in a corner.
 inline std::shared_ptr<const Instrument> plate(std::vector<std::array<double, 3>> strikePath = {
                                                    {-1, -1, 0}, {0.3, 0.8, 0}}) {
     return Instrument::build({.kind = KeyMapKind::zones,
