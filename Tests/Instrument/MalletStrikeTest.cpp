@@ -37,7 +37,7 @@ TEST_CASE("Contact times agree with Hertz for a hard mallet of 20 g on wood") {
     CHECK(contactMilliseconds(100, 25, 1) == Approx(0.99).margin(0.01));
 }
 
-TEST_CASE("The custom mallet's contact time falls with its radius and ignores what is struck") {
+TEST_CASE("The custom mallet's contact time falls with its radius and ignores the surface") {
     ParameterValues values;
     const double own = rigidMilliseconds(striker({}, values), 1);
     CHECK(rigidMilliseconds(striker({}, values, 1e-9), 1) == own);
@@ -51,17 +51,17 @@ TEST_CASE("The custom mallet has its own exponent") {
     CHECK(striker({}, values).law.exponent == 3);
 }
 
-TEST_CASE("A mallet of the rack brings its own figures and meets the surface") {
+TEST_CASE("A mallet of the rack has its own figures, and its contact depends on the surface") {
     auto values = racked(5); // wood
     const auto rigid = striker({}, values);
     CHECK(rigid.massKg == Approx(0.016));
     for (const auto figure : malletFigures)
         values.set(figure, parameterInfo(figure).maximum);
     CHECK(rigidMilliseconds(striker({}, values), 1) == rigidMilliseconds(rigid, 1));
-    // A surface as compliant as the head: half the modulus.
+    // A surface as compliant as the head halves the modulus.
     CHECK(rigidMilliseconds(striker({}, values, 1 / 8.5e8), 1) ==
           Approx(rigidMilliseconds(rigid, 1) * std::pow(2, 0.4)));
-    values.set(mallet, parameterInfo(mallet).maximum); // kept free: as custom
+    values.set(mallet, parameterInfo(mallet).maximum); // entry reserved for later: acts as custom
     CHECK(striker({}, values).massKg == Approx(parameterInfo(malletMass).maximum / 1000));
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("A rack mallet made custom strikes as before") {
     }
 }
 
-TEST_CASE("A mallet that follows the keys has contact times that follow their periods") {
+TEST_CASE("The contact times of a mallet that follows the keys follow their periods") {
     for (const int choice : {int{customMallet}, int{firstRackMallet}, firstRackMallet + 3}) {
         auto values = racked(choice);
         const double middle = rigidMilliseconds(striker({}, values), 1);
@@ -94,7 +94,7 @@ TEST_CASE("A mallet that follows the keys has contact times that follow their pe
     }
 }
 
-TEST_CASE("The live material is what the mallet meets where one is chosen, else the object's own") {
+TEST_CASE("The mallet meets the live material if one is chosen, otherwise the object's own") {
     const auto& own = *findMaterial("Plastic");
     const auto& glass = *findMaterial("Glass");
     ParameterValues values;

@@ -4,7 +4,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("Modes go in and out of a set, object by object") {
+TEST_CASE("Modes are added and removed object by object") {
     ModeSet set;
     CHECK(set.set("a", 3, true));
     CHECK(set.set("a", 3, true));
@@ -23,7 +23,7 @@ TEST_CASE("Modes go in and out of a set, object by object") {
     CHECK(set == ModeSet());
 }
 
-TEST_CASE("A set takes no more than it has room for, and no number that no mode has") {
+TEST_CASE("A full set takes no more modes, and no set takes an invalid number") {
     ModeSet set;
     CHECK_FALSE(set.set("a", -1, true));
     CHECK_FALSE(set.set("a", ModeSet::mostModes, true));

@@ -9,7 +9,7 @@
 using namespace idiophone;
 using Catch::Matchers::WithinAbs;
 
-TEST_CASE("The discs open and close twice a turn, as deep as asked for") {
+TEST_CASE("The discs open and close twice a turn, to the given depth") {
     constexpr double cellSeconds = 1.0 / 1000;
     Motor motor(cellSeconds);
     std::vector<float> gains;
@@ -24,7 +24,7 @@ TEST_CASE("The discs open and close twice a turn, as deep as asked for") {
     CHECK(openings == 9); // five a second, between the first second and the third
 }
 
-TEST_CASE("Without depth the gain is one, and after a reset the motor starts anew") {
+TEST_CASE("Without depth the gain is one, and a reset restarts the motor") {
     Motor motor(0.001);
     for (int k = 0; k < 100; ++k)
         CHECK(motor.advance(12, 0) == 1);
@@ -34,10 +34,9 @@ TEST_CASE("Without depth the gain is one, and after a reset the motor starts ane
         CHECK(motor.advance(3, 1) == fresh.advance(3, 1));
 }
 
-TEST_CASE(
-    "A motor is kept to where it should be at once, or by the shorter way and without a step") {
+TEST_CASE("A motor takes a given phase at once, or without a step along the shorter way") {
     constexpr double cellSeconds = 64.0 / 48000, turnsPerSecond = 1;
-    const auto there = [](double turns) { // a long time after its start
+    const auto there = [](double turns) { // long after its start
         Motor motor(cellSeconds);
         for (int k = 0; k < 1000; ++k)
             motor.advance(0, 1);
@@ -66,7 +65,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A motor that starts, stops or deepens never steps by more than a fifth a cell") {
+TEST_CASE("A motor that starts, stops or deepens never steps by more than a fifth in a cell") {
     Motor motor(64.0 / 48000);
     float before = 1;
     for (int k = 0; k < 4000; ++k) {

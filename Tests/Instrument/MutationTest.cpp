@@ -31,18 +31,18 @@ ParameterValues mutatedRosewood(double strength, std::uint32_t seed) {
 
 } // namespace
 
-TEST_CASE("The same seed mutates to the same sound, another seed to another") {
+TEST_CASE("The same seed gives the same mutation, another seed gives another") {
     CHECK(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 7));
     CHECK_FALSE(mutatedRosewood(0.5, 7) == mutatedRosewood(0.5, 8));
 }
 
-TEST_CASE("A mutation of no strength, or of no instrument, changes nothing") {
+TEST_CASE("A mutation of zero strength or without an instrument changes nothing") {
     CHECK(mutatedRosewood(0, 3) == rosewood().parameters);
     CHECK(mutatedRosewood(std::nan(""), 3) == rosewood().parameters);
     CHECK(mutated(rosewood().parameters, nullptr, rosewood(), 1, 3) == rosewood().parameters);
 }
 
-TEST_CASE("A mutation moves what shapes the sound and leaves pitch, quality and bypass alone") {
+TEST_CASE("A mutation changes the sound's shape and leaves pitch, quality and bypass alone") {
     std::set<ParameterId> mayMove{material, mallet, level, youngsModulus, density};
     for (const auto& info : parameterTable())
         if (info.mutation.step > 0)
@@ -56,7 +56,8 @@ TEST_CASE("A mutation moves what shapes the sound and leaves pitch, quality and 
         if (!mayMove.contains(info.parameter))
             CHECK(next[info.parameter] == rosewood().parameters[info.parameter]);
     }
-    // The custom material stands in for the bars' own: as stiff and as heavy, so as high.
+    // The custom material replaces the bars' own with its stiffness and density, so the pitch
+    // stays.
     const auto& own = built(rosewood())->slots().front().object->material;
     CHECK(next[material] == double{customMaterial});
     CHECK(next[youngsModulus] == Approx(own.youngsModulusPa / 1e9));
@@ -64,7 +65,7 @@ TEST_CASE("A mutation moves what shapes the sound and leaves pitch, quality and 
 }
 
 TEST_CASE("Every step stays within its share of the range and within musical bounds") {
-    const auto start = mutatedRosewood(1e-12, 1); // with the figures of what is played
+    const auto start = mutatedRosewood(1e-12, 1); // with the current figures
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const auto next = mutatedRosewood(0.3, seed);
         for (const auto& info : parameterTable()) {
@@ -97,7 +98,7 @@ TEST_CASE("A hundred mutations of mutations stay within the bounds") {
     CHECK(now[level] <= 0);
 }
 
-TEST_CASE("A mutation is as loud as what it comes from, where the level reaches, and no louder") {
+TEST_CASE("A mutation is as loud as its origin within the level's reach, and never louder") {
     for (const auto* name : {"Rosewood Xylophone", "Steel Plate", "Handbell"}) {
         const auto& preset = *findFactoryPreset(name);
         const auto instrument = built(preset);
@@ -117,7 +118,7 @@ TEST_CASE("A mutation is as loud as what it comes from, where the level reaches,
     }
 }
 
-TEST_CASE("No mutation of a factory preset struck hard goes beyond full scale") {
+TEST_CASE("No mutation of a factory preset struck hard exceeds full scale") {
     for (const auto* name : {"Rosewood Xylophone", "Glockenspiel", "Ammunition Shell"}) {
         const auto& preset = *findFactoryPreset(name);
         const auto instrument = built(preset);

@@ -12,14 +12,14 @@ namespace {
 
 using Mode = RingingMode<1>;
 
-/// Of a note alone, residues r to the left and to the right.
+/// A mode that one note excites, with residues to the left and to the right.
 Mode mode(double omega, double decay, std::complex<double> left, std::complex<double> right) {
     Mode result{.omega = omega, .decay = decay, .velocities = {1.0}};
     result.residues[0] = {left, right};
     return result;
 }
 
-/// ∫ of the mean of both channels' squares, from the powers that the modes' own decays carry.
+/// Returns ∫ of the mean of both channels' squares, from the powers that NearModes returns.
 double energyByPowers(const std::vector<Mode>& modes) {
     NearModes<1> near;
     double energy = 0;
@@ -28,7 +28,7 @@ double energyByPowers(const std::vector<Mode>& modes) {
     return energy;
 }
 
-/// The same of Σ Re(r e^(−αt + iωt)), sample by sample.
+/// Returns the same energy from samples of Σ Re(r e^(−αt + iωt)).
 double energyBySamples(const std::vector<Mode>& modes) {
     constexpr double step = 1e-5;
     double energy = 0;
@@ -50,7 +50,7 @@ TEST_CASE("The energy of one mode is A²/4α for the mean of its channels' squar
     CHECK(energyByPowers({mode(6000, 20, 3, 1)}) == Approx((9 + 1) / 2.0 / (4 * 20)));
 }
 
-TEST_CASE("Modes that beat slowly have the energy of their sum, those apart each its own") {
+TEST_CASE("Close modes have the energy of their sum, distant modes that of each alone") {
     for (const double apart : {0.0, 5.0, 30.0, 120.0}) {
         const std::vector modes{mode(6000, 20, 1, {0.8, -0.6}),
                                 mode(6000 + apart, 25, {0.3, 0.6}, -0.4)};
@@ -61,7 +61,7 @@ TEST_CASE("Modes that beat slowly have the energy of their sum, those apart each
     CHECK(energyByPowers(apart) == Approx(1 / 80.0 + (0.49 + 0.16) / 2 / 100));
 }
 
-TEST_CASE("Six modes close together interfere each with each") {
+TEST_CASE("Six close modes all interfere with each other") {
     std::vector<Mode> modes;
     for (int k = 0; k < 6; ++k)
         modes.push_back(mode(9000 + 7 * k, 15 + k, 1 - 0.3 * k, 0.2 * k));

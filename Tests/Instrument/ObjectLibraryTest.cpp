@@ -8,7 +8,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Threads that ask for one object at a time share it, and who comes later does too") {
+TEST_CASE("Threads that ask for an object share it, at the same time or later") {
     for (int round = 0; round < 20; ++round) {
         ObjectLibrary library;
         std::vector<std::shared_ptr<const ModalObject>> found(4);
@@ -23,12 +23,12 @@ TEST_CASE("Threads that ask for one object at a time share it, and who comes lat
     }
 }
 
-TEST_CASE("An object without a name is not looked for among files") {
+TEST_CASE("An object without a name is not searched among files") {
     ObjectLibrary library;
     CHECK(library.find("").error().message == "no object is named");
 }
 
-TEST_CASE("What is added wins over the factory for as long as somebody holds it") {
+TEST_CASE("An added object has precedence over the factory while it is held") {
     ObjectLibrary library;
     auto own = library.add("plate", syntheticObject({100}));
     CHECK(library.find("plate").value() == own);
@@ -36,8 +36,7 @@ TEST_CASE("What is added wins over the factory for as long as somebody holds it"
     CHECK(library.find("plate").value()->name != "synthetic");
 }
 
-TEST_CASE(
-    "What is added before another library is in no other's way, and all else is the other's") {
+TEST_CASE("A library before another one keeps its own objects and asks the other for the rest") {
     ObjectLibrary others;
     ObjectLibrary own(others);
     const auto added = own.add("plate", syntheticObject({100}));
@@ -48,7 +47,7 @@ TEST_CASE(
     CHECK_FALSE(own.find("no such object"));
 }
 
-TEST_CASE("An object that is not there is said so as often as it is asked for") {
+TEST_CASE("A missing object is an error on every request") {
     ObjectLibrary library;
     for (int round = 0; round < 3; ++round)
         CHECK_FALSE(library.find("no such object"));

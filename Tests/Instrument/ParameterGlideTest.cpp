@@ -30,14 +30,14 @@ ParameterValues with(ParameterId parameter, double value, ParameterValues values
 
 } // namespace
 
-TEST_CASE("The first values hold at once, later ones after a glide that ends exactly") {
+TEST_CASE("The first values act at once, later ones after a glide that ends exactly") {
     ParameterGlide glide(cellSeconds);
     const auto first = with(size, 2, with(malletMass, 50));
     glide.setGoal(first);
     CHECK(glide.values() == first);
     const auto second = with(size, 0.5, with(malletMass, 10));
     glide.setGoal(second);
-    CHECK(glide.values()[malletMass] == 10); // a blow's alone: at once
+    CHECK(glide.values()[malletMass] == 10); // affects strikes only: at once
     CHECK(glide.values()[size] == 2);
     int cells = 0;
     double before = 2;
@@ -52,7 +52,7 @@ TEST_CASE("The first values hold at once, later ones after a glide that ends exa
     CHECK(glide.values() == first);
 }
 
-TEST_CASE("A glide is 63 % of its way after ten milliseconds, at any sample rate") {
+TEST_CASE("A glide covers 63 % of its way in 10 ms at any sample rate") {
     for (const double hertz : {22050.0, 48000.0, 192000.0}) {
         ParameterGlide glide(64 / hertz);
         glide.setGoal({});
@@ -64,7 +64,7 @@ TEST_CASE("A glide is 63 % of its way after ten milliseconds, at any sample rate
     }
 }
 
-TEST_CASE("The figures of a material that was just chosen do not glide from another one's") {
+TEST_CASE("The figures of a newly chosen material do not glide from those of another") {
     ParameterGlide glide(cellSeconds);
     glide.setGoal(with(material, 5));
     const auto custom = with(youngsModulus, 200, with(material, customMaterial));
@@ -74,8 +74,8 @@ TEST_CASE("The figures of a material that was just chosen do not glide from anot
     CHECK(glide.values()[youngsModulus] == 200);
 }
 
-TEST_CASE("A pitch that comes once a block is heard as a slide, not as steps") {
-    // The pitch of a ringing bar, from the phase that it gains in a millisecond.
+TEST_CASE("A pitch that changes once a block sounds as a slide, not as steps") {
+    // Measures the pitch of a ringing bar from its phase gain in a millisecond.
     constexpr int blockSize = 512, samples = 48000;
     enum Source { tuneParameter, wheel, wheelOfNote };
     const auto source = GENERATE(tuneParameter, wheel, wheelOfNote);
@@ -99,7 +99,7 @@ TEST_CASE("A pitch that comes once a block is heard as a slide, not as steps") {
                                                  static_cast<std::size_t>(count)),
                        events, values);
     }
-    // Heterodyned, and averaged over 5 ms.
+    // Heterodyne, averaged over 5 ms.
     std::vector<double> cents;
     std::complex<double> before;
     for (std::size_t at = 4800; at + 480 < 36000; at += 48) {
@@ -116,7 +116,8 @@ TEST_CASE("A pitch that comes once a block is heard as a slide, not as steps") {
                 std::log2((600 + std::arg(sum / before) / (2 * std::numbers::pi * 0.001)) / 440));
         before = sum;
     }
-    // A block's step is 12.8 cents. At once it would read 7.7, where a steady slide reads up to 3.
+    // A block's step is 12.8 cents. Without a glide this would read 7.7; a steady slide reads up to
+    // 3.
     double steepest = 0;
     for (std::size_t i = 1; i < cents.size(); ++i)
         steepest = larger(steepest, std::abs(cents[i] - cents[i - 1]));

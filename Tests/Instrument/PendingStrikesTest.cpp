@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("Strikes come out in order of time, those of one time as they came in") {
+TEST_CASE("Strikes come out in order of time, and in order of arrival at equal times") {
     PendingStrikes pending(100);
     std::mt19937 random(1);
     for (std::size_t i = 0; i < 100; ++i)

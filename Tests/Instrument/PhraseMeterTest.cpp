@@ -16,8 +16,8 @@ constexpr double sampleRateHz = 48000;
 
 using Note = PhraseMeter::Note;
 
-/// Of a mode at a time after its note began, for an energy of 1 that comes in at once or all
-/// through the note, whose end hastens the decay.
+/// Returns a mode's envelope at a time after its note began. An energy of 1 arrives at once or
+/// throughout the note; after the note `release` adds to the decay.
 double envelope(Note kind, double seconds, double decay, double release) {
     constexpr double held = PhraseMeter::noteSeconds;
     const double after = std::max(seconds - held, 0.0);
@@ -26,7 +26,7 @@ double envelope(Note kind, double seconds, double decay, double release) {
     return std::sqrt(kind == Note::struck ? struck : sustained) * std::exp(-release * after);
 }
 
-/// The meter's phrase of one mode of that amplitude, as samples through libebur128.
+/// Returns libebur128's loudness of the meter's phrase, played by one mode of these amplitudes.
 double measuredLufs(Note kind,
                     const PhraseMeter::NoteFigures& amplitudes,
                     double hz,
@@ -37,7 +37,7 @@ double measuredLufs(Note kind,
         const auto start = note * 24000;
         for (std::size_t k = start; k < sound.size(); ++k) {
             const double seconds = static_cast<double>(k - start) / sampleRateHz;
-            // Notes in quadrature to their neighbours add in energy.
+            // Neighbouring notes are in quadrature, so their energies add.
             sound[k] +=
                 amplitudes[note] * envelope(kind, seconds, decay, release) *
                 std::sin(std::numbers::pi * (2 * hz * seconds + static_cast<double>(note) / 2));
@@ -46,7 +46,7 @@ double measuredLufs(Note kind,
     return integratedLufs(std::vector<float>(sound.begin(), sound.end()), 1, sampleRateHz);
 }
 
-/// By how much the meter is off.
+/// Returns the meter's error in LU.
 double errorOf(Note kind,
                const PhraseMeter::NoteFigures& amplitudes,
                double hz,
@@ -79,14 +79,14 @@ TEST_CASE("A phrase of decaying notes measures as libebur128 measures its sample
             for (const double decay : {6.0, 30.0, 300.0})
                 for (const double release : {0.0, 40.0}) {
                     if (decay > 0.2 * 2 * std::numbers::pi * hz)
-                        continue; // no frequency by which to weigh it
+                        continue; // too damped to have a frequency
                     INFO(hz << " Hz, decay " << decay << ", release " << release);
                     CHECK(std::abs(errorOf(Note::struck, amplitudes, hz, decay, release)) < 0.2);
                 }
 }
 
-TEST_CASE("A phrase of notes that build up while they are held measures as its samples do, within "
-          "0.2 LU") {
+TEST_CASE(
+    "A phrase of sustained notes measures as libebur128 measures its samples, within 0.2 LU") {
     for (const auto& amplitudes : {even, gated})
         for (const double decay : {0.01, 2.0, 30.0}) {
             INFO("decay " << decay);
@@ -94,7 +94,7 @@ TEST_CASE("A phrase of notes that build up while they are held measures as its s
         }
 }
 
-TEST_CASE("A steady power is heard as long as the notes: −0.691 LUFS for 1") {
+TEST_CASE("A steady power of 1 during the notes measures −0.691 LUFS") {
     PhraseMeter meter;
     meter.addSteady({1, 1, 1, 1, 1, 1, 1, 1});
     CHECK(std::abs(meter.integratedLufs() - -0.691) < 0.3);

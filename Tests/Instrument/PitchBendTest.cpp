@@ -41,7 +41,7 @@ TEST_CASE("Without MPE any channel's wheel bends all notes") {
     CHECK(bend.commonSemitones(60) == 0);
 }
 
-TEST_CASE("With MPE a member's wheel bends its own notes, and the zone's all of them") {
+TEST_CASE("With MPE a member's wheel bends its own notes, and the zone's wheel bends all of them") {
     auto bend = bendWith(true);
     bend.noteOn(1, 60);
     bend.noteOn(2, 64);
@@ -54,7 +54,7 @@ TEST_CASE("With MPE a member's wheel bends its own notes, and the zone's all of 
     CHECK(bend.ownSemitones(64) == 0);
 }
 
-TEST_CASE("A note begins where its channel's wheel is, and keeps its bend when it is released") {
+TEST_CASE("A note starts at its channel's bend and keeps its bend after its release") {
     auto bend = bendWith(true, 2, 12);
     bend.wheel(4, 127, up);
     bend.noteOn(4, 60);
@@ -68,7 +68,7 @@ TEST_CASE("A note begins where its channel's wheel is, and keeps its bend when i
     CHECK(bend.ownSemitones(60) == 0);
 }
 
-TEST_CASE("MIDI configures zones, whatever the parameter says") {
+TEST_CASE("MIDI configures zones regardless of the parameter") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 6, 7);
     giveRegistered(bend, 15, 6, 5);
@@ -92,11 +92,11 @@ TEST_CASE("MIDI configures zones, whatever the parameter says") {
     CHECK(bend.commonSemitones(60) == 2);
 }
 
-TEST_CASE("The wheel of a zone's own channel bends the zone's notes, and no others") {
+TEST_CASE("The wheel of a zone's own channel bends the notes of its zone only") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 6, 5);
     giveRegistered(bend, 15, 6, 5);
-    constexpr std::array channels{0, 3, 7, 8, 11, 15}; // two of each zone, two beside them
+    constexpr std::array channels{0, 3, 7, 8, 11, 15}; // two of each zone, two outside
     constexpr std::array groups{0, 0, 1, 1, 2, 2};
     constexpr std::array wheels{0, 8, 15}; // of each group
     for (std::size_t i = 0; i < channels.size(); ++i)
@@ -107,7 +107,7 @@ TEST_CASE("The wheel of a zone's own channel bends the zone's notes, and no othe
             CAPTURE(wheel, channels[i]);
             const int note = 60 + static_cast<int>(i);
             CHECK(bend.commonSemitones(note) == (groups[i] == static_cast<int>(wheel) ? 2 : 0));
-            bend.noteOff(channels[i], note); // and as it rings on
+            bend.noteOff(channels[i], note); // it keeps the bend while it rings
         }
         bend.controller(wheels[wheel], 121, 0);
     }
@@ -117,7 +117,7 @@ TEST_CASE("The wheel of a zone's own channel bends the zone's notes, and no othe
     CHECK(bend.commonSemitones(60) == 0);
 }
 
-TEST_CASE("A zone that is ended leaves the other one its members") {
+TEST_CASE("A zone that ends leaves the other zone its members") {
     auto bend = bendWith(true, 2, 24);
     giveRegistered(bend, 15, 6, 0);
     CHECK(bend.reachOf(0).last == 15);
@@ -128,11 +128,11 @@ TEST_CASE("A zone that is ended leaves the other one its members") {
     CHECK(bend.reachOf(0).last == 13);
 }
 
-TEST_CASE("Parameters may move along to what MIDI gave, and it holds as it was given") {
+TEST_CASE("A parameter that follows MIDI leaves the exact given value in effect") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 6, 3);
-    giveRegistered(bend, 1, 0, 0);  // less than its parameter can be
-    giveRegistered(bend, 0, 0, 60); // more than it can
+    giveRegistered(bend, 1, 0, 0);  // below its parameter's minimum
+    giveRegistered(bend, 0, 0, 60); // above the maximum
     giveRegistered(bend, 0, 0, 7);
     bend.controller(0, 38, 50); // and between its steps
     const auto given = bend.takeGiven();
@@ -153,7 +153,7 @@ TEST_CASE("Parameters may move along to what MIDI gave, and it holds as it was g
     CHECK(bend.commonSemitones(60) == 7.5);
     CHECK(bend.ownSemitones(60) == 0);
 
-    // Elsewhere they are moved by somebody else.
+    // Another source moves the parameters.
     values.set(ParameterId::mpeBendRange, 12);
     values.set(ParameterId::bendRange, 3);
     bend.setParameters(values);
@@ -163,7 +163,7 @@ TEST_CASE("Parameters may move along to what MIDI gave, and it holds as it was g
     CHECK(bend.takeGiven().mpe == 0);
 }
 
-TEST_CASE("What MIDI gave can be forgotten: zones and ranges are the parameters' again") {
+TEST_CASE("After forgetGiven zones and ranges are the parameters' again") {
     auto bend = bendWith(true, 3, 24);
     giveRegistered(bend, 0, 6, 7);
     giveRegistered(bend, 15, 6, 7);
@@ -196,13 +196,13 @@ TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
     CHECK(bend.commonSemitones(60) == 3);
     CHECK(bend.ownSemitones(60) == 24);
 
-    bend.controller(0, 101, 127); // no parameter: data go nowhere
+    bend.controller(0, 101, 127); // null parameter: data entry has no effect
     bend.controller(0, 100, 127);
     bend.controller(0, 6, 11);
     CHECK(bend.commonSemitones(60) == 3);
 }
 
-TEST_CASE("What is switched on finds all wheels at rest, and the parameter has the last word") {
+TEST_CASE("Switching MPE on returns all wheels to rest, and the parameter overrides MIDI") {
     auto bend = bendWith(false);
     bend.wheel(7, 0, 96);
     CHECK(bend.commonSemitones(60) == Approx(1).margin(0.01));
@@ -220,7 +220,7 @@ TEST_CASE("What is switched on finds all wheels at rest, and the parameter has t
     CHECK(bend.reachOf(0).last == 15);
 }
 
-TEST_CASE("Data for a parameter that is not registered are nobody's bend range") {
+TEST_CASE("Data for an unregistered parameter does not change a bend range") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 0, 12);
     bend.controller(0, 99, 1);
@@ -239,7 +239,7 @@ TEST_CASE("Notes that all end at once keep their bends") {
     CHECK(bend.ownSemitones(60) == 48);
 }
 
-TEST_CASE("Reset controllers brings a channel's wheel back; a reset keeps zones and ranges") {
+TEST_CASE("Reset All Controllers returns a channel's wheel, and a reset keeps zones and ranges") {
     auto bend = bendWith(false);
     giveRegistered(bend, 0, 6, 15);
     giveRegistered(bend, 1, 0, 12);

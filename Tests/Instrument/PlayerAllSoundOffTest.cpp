@@ -1,4 +1,4 @@
-// Controller 120: what rings ends, and no later blow brings it back.
+// Tests All Sound Off (controller 120): the sound ends, and no later strike brings it back.
 #include "HeldKeys.h"
 #include "Instrument/Player.h"
 #include "SameInAllBlocks.h"
@@ -47,7 +47,7 @@ float steepest(std::span<const float> sound) {
 
 } // namespace
 
-TEST_CASE("All sound off silences within 50 ms, and the next note sounds again") {
+TEST_CASE("All Sound Off silences within 50 ms, and the next note sounds again") {
     Player player(bars(), sampleRateHz);
     const auto sound = render(player,
                               {midi(0, 0x90, 69, 127), midi(0, 0x90, 60, 127),
@@ -57,7 +57,7 @@ TEST_CASE("All sound off silences within 50 ms, and the next note sounds again")
     CHECK(peak(std::span(sound).subspan(9600)) > 0.5f * peak(sound));
 }
 
-TEST_CASE("What rang before all sound off does not ring on under the next note") {
+TEST_CASE("Sound from before All Sound Off does not ring on under the next note") {
     const int off = GENERATE(4800, 4831, 4863), gap = GENERATE(0, 10, 144, 960);
     const int note = GENERATE(69, 60);
     CAPTURE(off, gap, note);
@@ -74,7 +74,7 @@ TEST_CASE("What rang before all sound off does not ring on under the next note")
     CHECK(steepest(around) < 1.5f * steepest(std::span(sound).subspan(2400, 2000)));
 }
 
-TEST_CASE("Once all sound off has silenced everything, a note is as loud as without it") {
+TEST_CASE("After All Sound Off has silenced everything, a note is as loud as without it") {
     const double rateHz = GENERATE(22050.0, 48000.0);
     const bool rangBefore = GENERATE(false, true);
     for (const int later : {0, 19, 20, 21, 40, 83, 84}) {
@@ -92,7 +92,7 @@ TEST_CASE("Once all sound off has silenced everything, a note is as loud as with
     }
 }
 
-TEST_CASE("All sound off before a note of the same sample is heard in all blocks alike") {
+TEST_CASE("All Sound Off before a note at the same sample is the same for all block sizes") {
     std::vector<MidiEvent> events;
     for (const int time : {700, 1000, 1001, 1100, 1120, 3000, 3840, 5011}) {
         events.push_back(allSoundOff(time));
@@ -104,7 +104,7 @@ TEST_CASE("All sound off before a note of the same sample is heard in all blocks
     CHECK(peak(sound.left) > 0.001f);
 }
 
-TEST_CASE("A note that all sound off follows at its sample is silent, one after it sounds") {
+TEST_CASE("A note before All Sound Off at the same sample is silent, one after it sounds") {
     const int at = GENERATE(0, 100);
     const auto before = midi(at, 0x90, 69, 127), after = midi(at, 0x90, 60, 20);
     Player player(bars(), sampleRateHz), alone(bars(), sampleRateHz);
@@ -112,7 +112,7 @@ TEST_CASE("A note that all sound off follows at its sample is silent, one after 
           render(alone, {after}, 4800, 480, steadyHand()));
 }
 
-TEST_CASE("A player tells what is silenced at the start of a block, up to the next blow") {
+TEST_CASE("A player reports the silenced samples at the start of a block, up to the next strike") {
     using Silenced = std::optional<std::size_t>;
     Player player(bars(), sampleRateHz);
     const auto silencedIn = [&](const std::vector<MidiEvent>& events, int samples) {
@@ -127,7 +127,7 @@ TEST_CASE("A player tells what is silenced at the start of a block, up to the ne
     CHECK(silencedIn({}, 100) == Silenced(100));
     CHECK(silencedIn({midi(70, 0x80, 60, 0), midi(77, 0x90, 60, 90)}, 480) == Silenced(77));
     CHECK(silencedIn({}, 480) == Silenced());
-    // A note of its sample sounds, and what rang behind the player is to end all the same.
+    // A note at its sample sounds, but effects behind the player must end the old sound.
     CHECK(silencedIn({allSoundOff(0), midi(0, 0x90, 60, 90)}, 480) == Silenced(0));
     CHECK(player.takeSilenced() == Silenced());
     player.process({}, std::vector{allSoundOff(0)}, {});
@@ -137,7 +137,7 @@ TEST_CASE("A player tells what is silenced at the start of a block, up to the ne
     CHECK(player.takeSilenced() == Silenced());
 }
 
-TEST_CASE("A scrape that all sound off ends leaves nothing under the next key") {
+TEST_CASE("A scrape that All Sound Off ends leaves nothing under the next key") {
     const int off = GENERATE(9600, 9631), gap = GENERATE(0, 200);
     CAPTURE(off, gap);
     const auto instrument = keysOn(syntheticObject({300, 810}), KeyMapKind::scaled, 40, 80);
@@ -149,7 +149,7 @@ TEST_CASE("A scrape that all sound off ends leaves nothing under the next key") 
           1e-6f * peak(sound));
 }
 
-TEST_CASE("After a reset nothing is left of what was played and moved before") {
+TEST_CASE("A reset leaves nothing of earlier notes and controllers") {
     Player player(bars(), sampleRateHz), fresh(bars(), sampleRateHz);
     const std::vector messages{
         midi(0, 0x90, 69, 127),  midi(0, 0x90, 60, 127),  midi(10, 0xb0, 64, 127),
@@ -159,7 +159,7 @@ TEST_CASE("After a reset nothing is left of what was played and moved before") {
     render(player, messages, 4710, 471);
     player.reset();
     CHECK(player.silent());
-    // A hand strikes one more, which no note brings to its pitch.
+    // A hand adds a strike, which no note brings to its pitch.
     const auto& key = player.instrument().key(65);
     for (auto* each : {&player, &fresh})
         each->strikeSurface({.slot = static_cast<std::size_t>(key.slot),

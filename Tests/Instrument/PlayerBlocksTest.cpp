@@ -1,4 +1,4 @@
-// Blocks of a host: they leave no trace in the sound, and notes start where they are stamped.
+// Tests that a host's blocks leave no trace in the sound, and that notes start at their sample.
 #include "BusyKeys.h"
 #include "SameInAllBlocks.h"
 #include "Support/Level.h"
@@ -46,7 +46,7 @@ TEST_CASE("Clicks of a rigid body are bit-identical for block sizes 1, 7, 64, 48
     CHECK(peak(sound.left) > 1e-4f);
 }
 
-TEST_CASE("After a reset the same events sound the same to the last bit") {
+TEST_CASE("After a reset the same events give the same bits") {
     Player player(bars(), sampleRateHz);
     const auto events = busyEvents(10000);
     const auto first = render(player, events, 10000, 100);
@@ -55,7 +55,7 @@ TEST_CASE("After a reset the same events sound the same to the last bit") {
     CHECK(render(player, events, 10000, 100) == first);
 }
 
-TEST_CASE("A note starts at its very sample") {
+TEST_CASE("A note starts exactly at its sample") {
     const int start = GENERATE(0, 1, 63, 64, 65, 1000);
     Player player(bars(), sampleRateHz);
     const auto sound = render(player, {midi(start, 0x90, 69, 127)}, 2000, 333);
@@ -63,7 +63,7 @@ TEST_CASE("A note starts at its very sample") {
     CHECK(peak(std::span(sound).subspan(static_cast<std::size_t>(start), 8)) > 0);
 }
 
-TEST_CASE("A note handed over with an empty block, or beyond a block's end, starts the next one") {
+TEST_CASE("A note of an empty block, or beyond a block's end, starts the next block") {
     const auto instrument = bars();
     Player expected(instrument, sampleRateHz);
     auto sound = render(expected, {}, 100, 100);

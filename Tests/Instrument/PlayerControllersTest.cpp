@@ -1,4 +1,4 @@
-// Pedals: when they end, what they soften, and that they outlast a change of the player.
+// Tests pedals: when they end, what they soften, and that another player takes them over.
 #include "HeldKeys.h"
 #include "Instrument/Player.h"
 #include "Support/Level.h"
@@ -28,7 +28,7 @@ ParameterValues damped() {
     return parameters;
 }
 
-/// Whether a key still rings 0.2 s after its release, where a pedal goes down between the two.
+/// Returns whether a key still rings 0.2 s after its release; `pedal` goes down before the release.
 bool ringsAfterRelease(Player& player, int pedal = 0) {
     std::vector events{midi(0, 0x90, 69, 100), midi(500, 0x80, 69, 0)};
     if (pedal != 0)
@@ -43,7 +43,7 @@ void send(Player& player, const std::vector<MidiEvent>& events) {
 
 } // namespace
 
-TEST_CASE("Pedals end with reset controllers and with a reset, and can go down again") {
+TEST_CASE("Reset All Controllers and a reset lift the pedals, which can go down again") {
     const int pedal = GENERATE(sustain, sostenuto);
     const bool byMessage = GENERATE(true, false);
     CAPTURE(pedal, byMessage);
@@ -57,7 +57,7 @@ TEST_CASE("Pedals end with reset controllers and with a reset, and can go down a
     CHECK(ringsAfterRelease(player, pedal));
 }
 
-TEST_CASE("Pedals stay where they are when another player takes over") {
+TEST_CASE("Pedals keep their positions when another player takes over") {
     Player former(bars(), sampleRateHz);
     SECTION("sustain") {
         send(former, {midi(0, 0xb0, sustain, 127)});
@@ -82,7 +82,7 @@ TEST_CASE("Pedals stay where they are when another player takes over") {
     }
 }
 
-TEST_CASE("The soft pedal halves the pressure that a key begins to scrape with") {
+TEST_CASE("The soft pedal halves the pressure with which a key begins to scrape") {
     const auto scraped = [](int pedal, int velocity) {
         return play(shortBars(), {midi(0, 0xb0, soft, pedal), midi(0, 0x90, 60, velocity)}, 9600);
     };

@@ -1,4 +1,4 @@
-// More blows at once than a player renders apart.
+// Tests more simultaneous strikes than a player renders separately.
 #include "SameInAllBlocks.h"
 #include "Support/Level.h"
 #include "Support/Phasor.h"
@@ -22,7 +22,7 @@ std::shared_ptr<const Instrument> crowdedBar(const std::vector<double>& frequenc
 
 } // namespace
 
-TEST_CASE("However many blows come at once, none is lost: together they are as loud as their sum") {
+TEST_CASE("No strike is lost in a crowd: together they are as loud as their sum") {
     const auto instrument = crowdedBar({200, 540, 1070, 1800, 2500});
     ParameterValues parameters;
     parameters.set(ParameterId::strikeSpread, 0);
@@ -42,13 +42,14 @@ TEST_CASE("However many blows come at once, none is lost: together they are as l
         INFO(keys << " keys: " << rms(all) / rms(one) / keys);
         CHECK(rms(all) > 0.95 * keys * rms(one));
         CHECK(rms(all) < 1.25 * keys * rms(one));
-        // Where most of the impulse goes nothing changes: the phase is that of the pulses.
+        // Nothing changes at low frequencies, which get most of the impulse: the phase is that of
+        // the pulses.
         CHECK(std::abs(phasorAt(all, 200, sampleRateHz) / phasorAt(one, 200, sampleRateHz) -
                        double(keys)) < 0.02 * keys);
     }
 }
 
-TEST_CASE("Crowded blows are bit-identical for block sizes 1, 64, 333 and 4096") {
+TEST_CASE("Crowded strikes are bit-identical for block sizes 1, 64, 333 and 4096") {
     ParameterValues parameters;
     parameters.set(ParameterId::modalPulse, 1);
     parameters.set(ParameterId::chatter, 100);

@@ -1,4 +1,4 @@
-// What a player does with the gain that matches loudness.
+// Tests how a player applies the gain that matches loudness.
 #include "Instrument/LoudnessMatch.h"
 #include "Instrument/Player.h"
 #include "Support/Level.h"
@@ -21,7 +21,7 @@ constexpr int modulation = 1; // the wheel's controller
 
 } // namespace
 
-TEST_CASE("Matching loudness multiplies by the gain that is predicted, at once from the start") {
+TEST_CASE("Matching loudness applies the predicted gain from the first sample") {
     const auto instrument = bars();
     ParameterValues own;
     own.set(ParameterId::strikeSpread, 0);
@@ -43,7 +43,7 @@ TEST_CASE("Matching loudness multiplies by the gain that is predicted, at once f
         REQUIRE(double(after[i]) == Approx(gain * double(before[i])).margin(1e-7).epsilon(1e-4));
 }
 
-TEST_CASE("A render after a reset is that of a player prepared anew for the same values") {
+TEST_CASE("A render after a reset equals that of a newly prepared player") {
     const auto instrument = bars();
     ParameterValues own;
     for (const int kind : {strikeContact, scrapeContact, rollContact}) {
@@ -71,7 +71,7 @@ TEST_CASE("A render after a reset is that of a player prepared anew for the same
     }
 }
 
-TEST_CASE("A player that takes over the wheel it was prepared for begins with that gain") {
+TEST_CASE("A player that takes over the wheel position it was prepared for starts with its gain") {
     const auto instrument = bars();
     ParameterValues own;
     own.set(ParameterId::contact, scrapeContact);
@@ -100,7 +100,7 @@ TEST_CASE("A player that takes over the wheel it was prepared for begins with th
         REQUIRE(double(after[i]) == Approx(gain * double(plain[i])).margin(1e-9).epsilon(1e-4));
 }
 
-TEST_CASE("A mallet that changes while loudness is matched moves the gain without a step") {
+TEST_CASE("A mallet change with matched loudness moves the gain without a step") {
     const auto instrument = bars();
     ParameterValues own;
     own.set(ParameterId::matchLoudness, 1);

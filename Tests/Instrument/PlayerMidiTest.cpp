@@ -1,4 +1,4 @@
-// What a player makes of MIDI messages other than strikes: releases, pedal, wheel and the rest.
+// Tests a player's response to MIDI messages: releases, pedals, wheel and others.
 #include "Instrument/Player.h"
 #include "Support/Highs.h"
 #include "Support/Level.h"
@@ -24,7 +24,8 @@ constexpr double sampleRateHz = 48000;
 
 } // namespace
 
-TEST_CASE("With let-ring off a released key falls by 60 dB in the release time, else it rings on") {
+TEST_CASE(
+    "With let-ring off a released key falls by 60 dB in the release time; otherwise it rings") {
     ParameterValues parameters;
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::releaseTime, 0.2);
@@ -48,7 +49,7 @@ TEST_CASE("With let-ring off a released key falls by 60 dB in the release time, 
     CHECK(render(letRing, events, 24000, 256, parameters) == ringing);
 }
 
-TEST_CASE("The sustain pedal holds released keys until it is lifted") {
+TEST_CASE("The sustain pedal holds released keys until it goes up") {
     ParameterValues parameters;
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::releaseTime, 0.05);
@@ -61,7 +62,7 @@ TEST_CASE("The sustain pedal holds released keys until it is lifted") {
     CHECK(at(12500) < 0.001 * at(9000));
 }
 
-TEST_CASE("The sostenuto pedal holds the keys that were down before it, and no others") {
+TEST_CASE("The sostenuto pedal holds only the keys that were down before it") {
     ParameterValues parameters;
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::releaseTime, 0.05);
@@ -85,8 +86,8 @@ TEST_CASE("The sostenuto pedal holds the keys that were down before it, and no o
     CHECK(later[1] < 0.001 * later[0]);
 }
 
-TEST_CASE("A released key rings while either pedal holds it, whatever their order") {
-    // K, S, O, F: the key, the sustain, the sostenuto and the soft pedal go down; small: up.
+TEST_CASE("A released key rings while either pedal holds it, in any order") {
+    // K, S, O, F: the key, sustain, sostenuto and soft pedal go down; lower case: up.
     struct Sequence {
         std::string_view moves;
         bool rings;
@@ -138,7 +139,7 @@ TEST_CASE("A released key rings while either pedal holds it, whatever their orde
     CHECK(share >= (rings ? 0.3 : 0));
 }
 
-TEST_CASE("The soft pedal makes blows softer and darker, as far as it is down") {
+TEST_CASE("The soft pedal makes strikes softer and darker in proportion to its position") {
     const auto played = [](int pedal) {
         Player player(bars(), sampleRateHz);
         return render(player, {midi(0, 0xb0, 67, pedal), midi(1, 0x90, 69, 100)}, 9600, 256);
@@ -167,7 +168,7 @@ TEST_CASE("A key struck again just after its release is not damped") {
           0.3 * rms(std::span(sound).subspan(5200, 960)));
 }
 
-TEST_CASE("The pitch wheel bends by its range, and reset controllers brings the pitch back") {
+TEST_CASE("The pitch wheel bends by its range, and Reset All Controllers returns the pitch") {
     Player player(bars(), sampleRateHz);
     const std::vector events{midi(0, 0x90, 69, 100), midi(0, 0xe0, 127, 127),
                              midi(24000, 0xb0, 121, 0)};
@@ -179,7 +180,7 @@ TEST_CASE("The pitch wheel bends by its range, and reset controllers brings the 
     CHECK(std::abs(cents(back.frequencyHz, 440)) < 0.5);
 }
 
-TEST_CASE("Notes outside the keys, and messages that mean nothing here, are silent") {
+TEST_CASE("Notes outside the keys and messages without a meaning here are silent") {
     Player player(bars(), sampleRateHz);
     const auto sound = render(player,
                               {midi(0, 0x90, 20, 127), midi(1, 0xa0, 69, 127), midi(2, 0xd0, 99, 0),
@@ -188,7 +189,7 @@ TEST_CASE("Notes outside the keys, and messages that mean nothing here, are sile
     CHECK(peak(sound) == 0);
 }
 
-TEST_CASE("All notes off lets keys go, and so does every message that changes the channel's mode") {
+TEST_CASE("All Notes Off and every channel mode message release the keys") {
     ParameterValues parameters;
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::releaseTime, 0.05);
@@ -198,14 +199,14 @@ TEST_CASE("All notes off lets keys go, and so does every message that changes th
                                   14400, 256, parameters);
         return rms(std::span(sound).subspan(9600, 4800)) / rms(std::span(sound).first(4800));
     };
-    CHECK(after(122) > 0.3); // local control: not a player's
+    CHECK(after(122) > 0.3); // local control: does not concern a player
     for (const int number : {123, 124, 125, 126, 127}) {
         INFO("controller " << number);
         CHECK(after(number) < 0.001);
     }
 }
 
-TEST_CASE("A blow is as loud wherever in a cell it comes: at its own pitch, its damper up") {
+TEST_CASE("A strike anywhere in a cell is equally loud, at its own pitch and with its damper up") {
     ParameterValues parameters;
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::releaseTime, 0.05);
@@ -235,7 +236,7 @@ TEST_CASE("A blow is as loud wherever in a cell it comes: at its own pitch, its 
     }
 }
 
-TEST_CASE("A note that is handed over with an empty block sounds as it does within the next") {
+TEST_CASE("A note of an empty block sounds as it does in the next block") {
     ParameterValues parameters;
     parameters.set(ParameterId::letRing, 0);
     parameters.set(ParameterId::releaseTime, 0.005);
@@ -258,7 +259,7 @@ TEST_CASE("A note that is handed over with an empty block sounds as it does with
     CHECK(played(true) == expected);
 }
 
-TEST_CASE("Pressure that comes with a key is that key's, whichever is told first") {
+TEST_CASE("Pressure at a key's sample belongs to that key in either order") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto pressure = midi(100, 0xd0, 127, 0), key = midi(100, 0x90, 69, 20);
@@ -268,7 +269,7 @@ TEST_CASE("Pressure that comes with a key is that key's, whichever is told first
     CHECK(rms(before) > 1.5 * rms(render(none, {key}, 9600, 256, parameters)));
 }
 
-TEST_CASE("A key that comes with no pressure has that of its velocity, unless it comes behind it") {
+TEST_CASE("Pressure 0 before a key does not replace its velocity, but after it does") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto pressure = midi(100, 0xd0, 0, 0), key = midi(100, 0x90, 69, 100);
@@ -285,7 +286,7 @@ TEST_CASE("A key that comes with no pressure has that of its velocity, unless it
     CHECK(played({midi(100, 0xa0, 69, 30), pressure, key}) == expected);
 }
 
-TEST_CASE("A key that comes leaves others the last pressure of its sample") {
+TEST_CASE("A new key leaves other keys the last pressure of its sample") {
     ParameterValues parameters;
     parameters.set(ParameterId::contact, scrapeContact);
     const auto held = midi(50, 0x90, 69, 100), other = midi(100, 0x90, 71, 100);

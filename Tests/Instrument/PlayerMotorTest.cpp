@@ -1,5 +1,5 @@
-// A player's motor: what bars share with their tubes pulses, however it is played, and nothing
-// else.
+// Tests a player's motor: the modes that bars share with their tubes pulse for every contact, and
+// nothing else does.
 #include "BusyKeys.h"
 #include "Instrument/Motor.h"
 #include "SameInAllBlocks.h"
@@ -41,7 +41,7 @@ ParameterValues turning(double depthPercent) {
     return parameters;
 }
 
-/// A key that is held for a second.
+/// Returns the sound of a key held for a second.
 StereoSound heldKey(const ParameterValues& parameters,
                     std::vector<std::uint8_t> silenced = {0, 0, 0, 0}) {
     const auto instrument = barsOverTubes();
@@ -53,8 +53,7 @@ StereoSound heldKey(const ParameterValues& parameters,
 
 } // namespace
 
-TEST_CASE("The motor multiplies what bars share with their tubes by the opening of its discs, and "
-          "nothing else") {
+TEST_CASE("The motor multiplies only the modes shared with tubes by the opening of its discs") {
     const double how = GENERATE(strikeContact, scrapeContact, rollContact);
     const double radiates = GENERATE(0, 100);
     CAPTURE(how, radiates);
@@ -85,7 +84,7 @@ TEST_CASE("The motor multiplies what bars share with their tubes by the opening 
     CHECK(farthest < 3e-6f * (peak(shared.left) + peak(own.left)));
 }
 
-TEST_CASE("A fundamental falls to what closed discs leave, and is back when they are open") {
+TEST_CASE("A fundamental falls to the gain of closed discs, and returns when they open") {
     const double depthPercent = GENERATE(45.0, 90.0);
     const std::vector<std::uint8_t> fundamental{0, 0, 1, 1};
     const auto turns = heldKey(turning(depthPercent), fundamental);
@@ -118,7 +117,7 @@ TEST_CASE("A motor without depth, or under bars without tubes, changes no bit") 
 
 TEST_CASE("With a motor renders are bit-identical for block sizes 1, 7, 64, 480 and 960") {
     auto events = busyEvents(20000);
-    for (auto& event : events) // some of them silence all sound
+    for (auto& event : events) // some of the events become All Sound Off
         if (event.bytes[0] == 0xe0 && event.bytes[2] < 40)
             event.bytes = {0xb0, 120, 0};
     auto parameters = turning(80);

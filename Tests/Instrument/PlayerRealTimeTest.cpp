@@ -19,8 +19,8 @@ struct Playing {
     float loudest = 0;
 };
 
-/// Keys 40 to 100, where every fourth block of 10 ms brings the crowd anew; `setBefore(block,
-/// parameters)` changes the parameters from block to block.
+/// Plays keys 40 to 100. Every fourth block of 10 ms repeats the crowd of events. `setBefore(block,
+/// parameters)` changes the parameters before each block.
 template <class Setter>
 Playing playCrowd(KeyMapKind kind,
                   const std::vector<MidiEvent>& crowd,
@@ -45,7 +45,7 @@ Playing playCrowd(KeyMapKind kind,
 
 } // namespace
 
-TEST_CASE("Held keys that scrape and roll allocate nothing, however many are held") {
+TEST_CASE("Held keys that scrape and roll never allocate, however many are held") {
     std::vector<MidiEvent> crowd;
     for (int i = 0; i < 300; ++i) {
         crowd.push_back(midi(i, i % 4 == 3 ? 0x80 : 0x90, 40 + i * 7 % 61, 1 + i % 127));
@@ -63,7 +63,7 @@ TEST_CASE("Held keys that scrape and roll allocate nothing, however many are hel
     CHECK(std::isfinite(playing.loudest));
 }
 
-TEST_CASE("Chattering blows with modal pulses allocate nothing, however many come at once") {
+TEST_CASE("Chattering strikes with modal pulses never allocate, however many come at once") {
     ParameterValues parameters;
     parameters.set(chatter, 100);
     std::vector<MidiEvent> crowd;

@@ -1,4 +1,4 @@
-// Blows on an object's surface beside the keys.
+// Tests strikes on an object's surface without a key.
 #include "Instrument/Player.h"
 #include "Support/AllocationCounter.h"
 #include "Support/Level.h"
@@ -25,7 +25,7 @@ ParameterValues steadyHand() {
     return parameters;
 }
 
-/// Where a key of the instrument strikes.
+/// Returns a strike at the place where a key strikes.
 SurfaceStrike strikeOf(const Instrument& instrument, int note, int velocity) {
     const auto& key = instrument.key(note);
     return {.slot = static_cast<std::size_t>(key.slot),
@@ -36,7 +36,7 @@ SurfaceStrike strikeOf(const Instrument& instrument, int note, int velocity) {
 } // namespace
 
 TEST_CASE(
-    "A blow on the surface where a key strikes is the key's, bit for bit, in blocks of any size") {
+    "A surface strike at a key's place equals the key's strike bit for bit in all block sizes") {
     const auto instruments = {bars(),
                               keysOn(syntheticObject({200, 520}), KeyMapKind::scaled, 48, 72)};
     for (const auto& instrument : instruments) {
@@ -52,7 +52,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("A hand on the surface lets it ring until it is lifted, as a key does") {
+TEST_CASE("A hand on the surface holds the object until it lifts, as a key does") {
     const auto instrument = bars();
     Player player(instrument, sampleRateHz);
     auto strike = strikeOf(*instrument, 65, 90);
@@ -65,7 +65,7 @@ TEST_CASE("A hand on the surface lets it ring until it is lifted, as a key does"
     CHECK(rms(std::span(lifted.left).last(480)) < 1e-3 * rms(std::span(held.left).first(480)));
 }
 
-TEST_CASE("All sound off ends blows on the surface, too, and a reset forgets one that waits") {
+TEST_CASE("All Sound Off ends surface strikes, and a reset forgets a pending one") {
     const auto instrument = bars();
     Player player(instrument, sampleRateHz);
     player.strikeSurface(strikeOf(*instrument, 65, 90));
@@ -76,7 +76,7 @@ TEST_CASE("All sound off ends blows on the surface, too, and a reset forgets one
     CHECK(player.silent());
 }
 
-TEST_CASE("A blow on what the instrument does not have is ignored") {
+TEST_CASE("A strike on a missing slot or row is ignored") {
     const auto instrument = bars();
     Player player(instrument, sampleRateHz);
     for (const auto& [slot, row] :
@@ -90,7 +90,7 @@ TEST_CASE("A blow on what the instrument does not have is ignored") {
     CHECK(peak(renderStereo(player, {}, 480, 480).left) == 0);
 }
 
-TEST_CASE("More blows between two blocks than there is room for are dropped without allocating") {
+TEST_CASE("Strikes beyond the capacity between two blocks are dropped without allocating") {
     const auto instrument = bars();
     Player player(instrument, sampleRateHz);
     const auto strike = strikeOf(*instrument, 65, 90);
@@ -100,8 +100,7 @@ TEST_CASE("More blows between two blocks than there is room for are dropped with
     CHECK(allocations.allocations() == 0);
 }
 
-TEST_CASE(
-    "A blow on the surface that is not finite is heard by nobody and leaves nothing waiting") {
+TEST_CASE("A surface strike that is not finite makes no sound and leaves nothing pending") {
     Player player(bars(), sampleRateHz);
     auto strike = strikeOf(player.instrument(), 65, 90);
     strike.point.normal[1] = std::numeric_limits<float>::quiet_NaN();

@@ -1,4 +1,4 @@
-// The sound that a player makes of strikes: its channels, pitch, place and seed.
+// Tests the sound of a player's strikes: channels, pitch, place and seed.
 #include "Instrument/Player.h"
 #include "BusyKeys.h"
 #include "Instrument/MalletStrike.h"
@@ -22,13 +22,13 @@ constexpr double sampleRateHz = 48000;
 
 } // namespace
 
-TEST_CASE("Without radiation both channels are the sound at the point struck") {
+TEST_CASE("Without radiation both channels are the sound at the struck point") {
     const auto instrument = bars();
     Player player(instrument, sampleRateHz);
     const auto sound = renderStereo(player, busyEvents(20000), 20000, 512);
     CHECK(sound.left == sound.right);
 
-    // Key 69's own slot, struck without a player.
+    // The slot of key 69, struck without a player.
     ParameterValues parameters;
     parameters.set(ParameterId::strikeSpread, 0);
     Player one(instrument, sampleRateHz);
@@ -54,7 +54,7 @@ TEST_CASE("Without radiation both channels are the sound at the point struck") {
     CHECK(played.right == expected);
 }
 
-TEST_CASE("With radiation left and right are apart, at the same pitch") {
+TEST_CASE("With radiation left and right differ, at the same pitch") {
     for (const double percent : {0.0, 30.0, 60.0, 100.0}) {
         ParameterValues parameters;
         parameters.set(ParameterId::radiation, percent);
@@ -72,8 +72,7 @@ TEST_CASE("With radiation left and right are apart, at the same pitch") {
     }
 }
 
-TEST_CASE(
-    "Where no pitch is kept a library material moves every frequency by the root of Y over ρ") {
+TEST_CASE("If no pitch is kept, a library material moves every frequency by the root of Y over ρ") {
     ParameterValues parameters;
     parameters.set(ParameterId::keepPitch, 0);
     parameters.set(ParameterId::material,
@@ -87,7 +86,7 @@ TEST_CASE(
           0.1);
 }
 
-TEST_CASE("Silence returns when all notes have died away") {
+TEST_CASE("Silence returns when all notes have decayed") {
     Player player(bars(), sampleRateHz);
     CHECK(player.silent());
     render(player, {midi(0, 0x90, 69, 100)}, 64, 64);
@@ -97,7 +96,7 @@ TEST_CASE("Silence returns when all notes have died away") {
     CHECK(peak(std::span(tail).last(4800)) == 0);
 }
 
-TEST_CASE("Every key of the plate is struck in a place of its own") {
+TEST_CASE("Every key of the plate has its own strike place") {
     const auto instrument = plate();
     ParameterValues parameters;
     parameters.set(ParameterId::strikeSpread, 0);
@@ -109,7 +108,7 @@ TEST_CASE("Every key of the plate is struck in a place of its own") {
     CHECK(sounds.size() == 61);
 }
 
-TEST_CASE("The seed is in the spread and the chatter of strikes, and nothing else of them") {
+TEST_CASE("The seed affects only the spread and the chatter of strikes") {
     const auto plate =
         Instrument::build({.kind = KeyMapKind::zones, .object = "plate"}, ObjectLibrary::shared())
             .value();

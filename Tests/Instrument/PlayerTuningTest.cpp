@@ -1,4 +1,4 @@
-// Pitches of keys: tunings, bends of single notes, and pressure on what was struck.
+// Tests the pitches of keys: tunings, bends of single notes, and pressure on struck keys.
 #include "Instrument/Player.h"
 #include "Instrument/ScalaTuning.h"
 #include "Support/Level.h"
@@ -61,7 +61,7 @@ TEST_CASE("Bars sound at the pitch that the tuning gives their key") {
           render(untuned, {midi(0, 0x90, 64, 100)}, 4800, 256));
 }
 
-TEST_CASE("A tuning that changes moves what rings, without a step") {
+TEST_CASE("A change of tuning moves ringing sound without a step") {
     Player player(bars(), sampleRateHz);
     auto sound = render(player, {midi(0, 0x90, 69, 100)}, 24000, 256);
     player.setTuning(tuningWith(69, 0.5));
@@ -78,7 +78,7 @@ TEST_CASE("A tuning that changes moves what rings, without a step") {
           1.1f * steepest(std::span(sound).subspan(20000, 3000)));
 }
 
-TEST_CASE("A key without a pitch is silent, and its pedal too") {
+TEST_CASE("A key without a pitch is silent, also under the pedal") {
     KeyTuning tuning;
     tuning.unmapped.set(69);
     Player player(bars(), sampleRateHz);
@@ -89,7 +89,7 @@ TEST_CASE("A key without a pitch is silent, and its pedal too") {
     CHECK(peak(render(player, {midi(0, 0x90, 70, 127)}, 4800, 256)) > 0);
 }
 
-TEST_CASE("What rings keeps its pitch when its key loses it") {
+TEST_CASE("Ringing sound keeps its pitch when its key loses it") {
     Player player(bars(), sampleRateHz);
     player.setTuning(tuningWith(69, -0.31));
     render(player, {midi(0, 0x90, 69, 100)}, 4800, 256);
@@ -109,7 +109,7 @@ TEST_CASE("Keys that share an object keep its pitch in any tuning") {
           render(untuned, {midi(0, 0x90, 60, 100)}, 4800, 256));
 }
 
-TEST_CASE("With MPE two notes bend apart, and each keeps its bend after its release") {
+TEST_CASE("With MPE two notes bend separately, and each keeps its bend after its release") {
     const auto off = midi(24000, 0x81, 69, 0), wheel = midi(24000, 0xe1, 0, 64),
                on = midi(24000, 0x91, 60, 1);
     // JUCE's VST3 wrapper puts wheels before the notes of their sample.
@@ -125,7 +125,7 @@ TEST_CASE("With MPE two notes bend apart, and each keeps its bend after its rele
     CHECK(std::abs(cents(soundingHz(std::span(sound).subspan(24064), bentHz), bentHz)) < 0.5);
 }
 
-TEST_CASE("Notes bend one another where they share an object: the last one's bend holds") {
+TEST_CASE("Notes that share an object follow the last note's bend") {
     const auto instrument = plate();
     const double lowestHz =
         std::sqrt(instrument->slots()[0].object->eigenvalues[0]) / (2 * std::numbers::pi);
@@ -134,14 +134,14 @@ TEST_CASE("Notes bend one another where they share an object: the last one's ben
                               {midi(0, 0x91, 60, 100), midi(0, 0xe1, 0, 66),
                                midi(100, 0x92, 60, 100), midi(100, 0xe2, 0, 60)},
                               24000, 256, withMpe());
-    const double bent = 48.0 * (60 * 128 - 8192) / 8192 * 100; // of the second, which is lower
+    const double bent = 48.0 * (60 * 128 - 8192) / 8192 * 100; // of the second note, which is lower
     CHECK(
         std::abs(cents(soundingHz(std::span(sound).subspan(256), lowestHz * std::exp2(bent / 1200)),
                        lowestHz) -
                  bent) < 2);
 }
 
-TEST_CASE("Pressure damps what a key has struck while the key is down") {
+TEST_CASE("Pressure damps a struck key while it is down") {
     ParameterValues values;
     values.set(ParameterId::releaseTime, 0.2);
     const auto level = [&](int pressure) {
@@ -151,7 +151,7 @@ TEST_CASE("Pressure damps what a key has struck while the key is down") {
         return 20 * std::log10(rms(std::span(sound).subspan(14160, 480)));
     };
     const double free = level(0);
-    CHECK(level(127) - free == Approx(-60).margin(1)); // as if it were released
+    CHECK(level(127) - free == Approx(-60).margin(1)); // as if released
     CHECK(level(64) - free == Approx(-60 * (64.0 / 127) * (64.0 / 127)).margin(1));
 
     Player lifted(bars(), sampleRateHz), never(bars(), sampleRateHz);
@@ -160,7 +160,7 @@ TEST_CASE("Pressure damps what a key has struck while the key is down") {
           render(never, {midi(0, 0x90, 69, 100), midi(100, 0x80, 69, 0)}, 4800, 256, values));
 }
 
-TEST_CASE("Pressure ends with its own key, or with reset controllers") {
+TEST_CASE("Pressure ends with its own key, or with Reset All Controllers") {
     ParameterValues values;
     values.set(ParameterId::releaseTime, 0.05);
     const auto level = [&](std::vector<MidiEvent> events) {
@@ -183,7 +183,7 @@ TEST_CASE("Pressure ends with its own key, or with reset controllers") {
     CHECK(rms(std::span(other).subspan(9000)) <= 2 * damped);
 }
 
-TEST_CASE("Polyphonic pressure damps its own key, and with MPE a channel's its own") {
+TEST_CASE("Polyphonic pressure damps its own key, and MPE channel pressure its channel's") {
     ParameterValues values = withMpe();
     values.set(ParameterId::releaseTime, 0.05);
     const auto remains = [&](const MidiEvent& press) {
@@ -201,7 +201,7 @@ TEST_CASE("Polyphonic pressure damps its own key, and with MPE a channel's its o
     CHECK(remains(midi(64, 0xd3, 127, 0)) > 0.1f);
 }
 
-TEST_CASE("CC74 moves where a key is struck, from one end of its path to the other") {
+TEST_CASE("CC74 moves the strike position of a key from one end of its path to the other") {
     ParameterValues values;
     values.set(ParameterId::strikeSpread, 0);
     const auto struck = [&](int controller, int channel) {
@@ -217,7 +217,7 @@ TEST_CASE("CC74 moves where a key is struck, from one end of its path to the oth
     CHECK(struck(127, 0) == render(end, {midi(0, 0x90, 96, 100)}, 4800, 256, values));
 }
 
-TEST_CASE("CC74 moves where bars and scaled objects are struck, with MPE those of its channel") {
+TEST_CASE("CC74 moves strike positions on bars and scaled objects, with MPE on its channel only") {
     const auto [kind, object] = GENERATE(std::pair(KeyMapKind::bars, "xylophone-{note}"),
                                          std::pair(KeyMapKind::scaled, "plate"));
     const bool isMpe = GENERATE(false, true);

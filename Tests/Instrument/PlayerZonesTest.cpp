@@ -1,5 +1,5 @@
-// Zones of MPE: what a zone's own channel does to its members, and that zones outlast a change of
-// the player.
+// Tests MPE zones: a zone's own channel acts on its members, and another player takes the zones
+// over.
 #include "HeldKeys.h"
 #include "Instrument/Player.h"
 #include "Support/Level.h"
@@ -27,7 +27,7 @@ ParameterValues withMpe(ParameterValues values) {
     return values;
 }
 
-/// Keys that scrape, and keys that strike, with MPE's one zone.
+/// Values for keys that scrape and for keys that strike, with the MPE parameter on.
 std::vector<ParameterValues> bothContacts() {
     return {withMpe(scraping(scrapeContact)), withMpe(scraping(strikeContact))};
 }
@@ -38,7 +38,7 @@ std::vector<float> played(const std::vector<MidiEvent>& events, const ParameterV
 
 } // namespace
 
-TEST_CASE("Pressure, CC1 and CC74 of a zone's own channel are those of every member") {
+TEST_CASE("Pressure, CC1 and CC74 of a zone's own channel act on every member") {
     const int member = GENERATE(1, 2, 15);
     const MidiEvent message =
         GENERATE(midi(3000, 0xd0, 20, 0), midi(0, 0xb0, 1, 110), midi(0, 0xb0, 74, 20));
@@ -58,7 +58,7 @@ TEST_CASE("Pressure, CC1 and CC74 of a zone's own channel are those of every mem
     }
 }
 
-TEST_CASE("Reset controllers on a zone's own channel resets every member") {
+TEST_CASE("Reset All Controllers on a zone's own channel resets every member") {
     const int member = GENERATE(1, 2, 15);
     CAPTURE(member);
     const auto key = midi(64, 0x90 | member, 60, 100);
@@ -73,7 +73,7 @@ TEST_CASE("Reset controllers on a zone's own channel resets every member") {
     }
 }
 
-TEST_CASE("Zones, bend ranges and wheels stay where they are when another player takes over") {
+TEST_CASE("Zones, bend ranges and wheels stay in place when another player takes over") {
     const bool byParameter = GENERATE(true, false);
     CAPTURE(byParameter);
     ParameterValues values;
@@ -86,7 +86,7 @@ TEST_CASE("Zones, bend ranges and wheels stay where they are when another player
     if (!byParameter)
         give(0, 6, 3);
     give(1, 0, 24);
-    setup.push_back(midi(0, 0xe1, 127, 127)); // of the first member
+    setup.push_back(midi(0, 0xe1, 127, 127)); // wheel of the first member
     Player former(bars(), sampleRateHz), next(bars(), sampleRateHz);
     render(former, setup, 64, 64, values);
     next.takeControllersOf(former);

@@ -25,7 +25,7 @@ std::filesystem::path write(const std::filesystem::path& name, const std::string
 
 } // namespace
 
-TEST_CASE("A preset file is read whole; what is none is an error that names it") {
+TEST_CASE("A preset file is read whole, and the error for a bad file names it") {
     const auto& preset = factoryPresets()[2];
     CHECK(readPresetFile(write("a/preset.json", encodePreset(preset))).value() == preset);
     for (const auto& file : {write("a/broken.json", "{"), testFolder() / "a/missing.json",
@@ -56,7 +56,7 @@ TEST_CASE("Objects beside a preset are found in its folder and those above, the 
     const auto& factory = factoryPresets().front();
     write("b/xylophone-65", "not this one");
     CHECK(withObjectsBeside(factory.keyMap, testFolder() / "b/x.json") == factory.keyMap);
-    // A full path stays one, and a folder is no object.
+    // A full path stays as it is, and a folder is not an object.
     const KeyMap full{.kind = KeyMapKind::zones, .object = storedNameOf(near)};
     CHECK(found(full, "c/x.json") == storedNameOf(near));
     const auto bell = write(std::filesystem::path("b") / u8"Glöckchen" / u8"γ.modal", "bell");
@@ -68,7 +68,7 @@ TEST_CASE("Objects beside a preset are found in its folder and those above, the 
     CHECK(found(none, "b/x.json").empty());
 }
 
-TEST_CASE("A file is named by how a preset finds it, where it does") {
+TEST_CASE("A file's name is the path by which a preset finds it, if it does") {
     const auto scene = write("n/Settings/Scenes/coins.json", "{}");
     const auto name = [&](const char* preset) { return nameBeside(scene, testFolder() / preset); };
     CHECK(name("n/Settings/Presets/x.json") == "Scenes/coins.json");
@@ -77,12 +77,12 @@ TEST_CASE("A file is named by how a preset finds it, where it does") {
     CHECK_FALSE(name("n/Settings/Presets/a/b/c/d/x.json"));
     CHECK_FALSE(nameBeside(testFolder() / "n/Settings/Scenes/none.json",
                            testFolder() / "n/Settings/Presets/x.json"));
-    // Another one of that name is nearer, so that a longer one is needed.
+    // A file of that name is nearer, so a longer path is needed.
     write("n/Settings/Presets/Scenes/coins.json", "{}");
     CHECK(name("n/Settings/Presets/x.json") == "Settings/Scenes/coins.json");
 }
 
-TEST_CASE("A file's name is plain, and leads up from the preset where it was written so") {
+TEST_CASE("A file's name is normalised, and leads up from the preset only if it was written so") {
     write("m/Pack/Scenes/d.json", "{}");
     write("m/Pack/Presets/Scenes/e.json", "{}");
     const auto preset = testFolder() / "m/Pack/Presets/a.json";
@@ -97,7 +97,7 @@ TEST_CASE("A file's name is plain, and leads up from the preset where it was wri
     CHECK(again("./Scenes/e.json", preset) == "Scenes/e.json");
 }
 
-TEST_CASE("A file is named so that it is found again where folders are links") {
+TEST_CASE("A file's name finds it again through folders that are links") {
     const auto linked = write("l/Cloud/Scenes/d.json", "the linked folder's");
     write("l/Idiophone/Scenes/d.json", "the own folder's");
     std::filesystem::create_directories(testFolder() / "l/Cloud/Presets/Bells");
@@ -123,7 +123,7 @@ TEST_CASE("A file is named so that it is found again where folders are links") {
     }
 }
 
-TEST_CASE("The initial preset is plain, plays, and is as loud as the first of the factory") {
+TEST_CASE("The initial preset is plain, plays, and is as loud as the first factory preset") {
     const auto loudness = [](const Preset& preset) {
         const auto instrument = Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
         const LoudnessMatch match(instrument, preset.surface, 48000, preset.parameters);

@@ -55,7 +55,7 @@ const std::string map =
 
 } // namespace
 
-TEST_CASE("A preset written and read back is the same preset") {
+TEST_CASE("A preset written and read back is equal") {
     const auto preset = example();
     const auto back = parsePreset(encodePreset(preset), "bowl.json");
     REQUIRE(back);
@@ -63,7 +63,7 @@ TEST_CASE("A preset written and read back is the same preset") {
     CHECK(encodePreset(*back) == encodePreset(preset));
 }
 
-TEST_CASE("Parameters may be given as they are shown, and unknown ones are remembered") {
+TEST_CASE("Parameters are read as displayed text, and unknown ones are remembered") {
     const auto preset = parsePreset(
         head + map + R"(,"parameters":{"material":"Glass","young":"70 GPa","x9":1}})", "x.json");
     REQUIRE(preset);
@@ -73,7 +73,7 @@ TEST_CASE("Parameters may be given as they are shown, and unknown ones are remem
     CHECK(preset->parameters[ParameterId::tau] == parameterInfo(ParameterId::tau).defaultValue);
 }
 
-TEST_CASE("What loudness is matched to is the preset itself, or differs in what the file says") {
+TEST_CASE("Loudness is matched to the preset itself, or to the values that the file gives") {
     const auto values = R"("parameters":{"density":"2500 kg/m³","tau":5})";
     const auto plain = parsePreset(head + map + "," + values + "}", "x.json");
     REQUIRE(plain);
@@ -89,7 +89,7 @@ TEST_CASE("What loudness is matched to is the preset itself, or differs in what 
                  "matchedTo.density is a value that it cannot take");
 }
 
-TEST_CASE("A preset that makes no sense is refused with its fault and where that stands") {
+TEST_CASE("An invalid preset is refused with its fault and the fault's place") {
     checkRefused("", "it is not JSON (line 1, column 1)");
     checkRefused("{\n  \"name\": }", "it is not JSON (line 2, column 11)");
     checkRefused("[]", "it is not an Idiophone preset");
@@ -123,7 +123,7 @@ TEST_CASE("A preset that makes no sense is refused with its fault and where that
     checkRefused(std::string(2 << 20, ' '), "it is too large for a preset");
 }
 
-TEST_CASE("A key map that makes no sense is refused with its fault and where that stands") {
+TEST_CASE("An invalid key map is refused with its fault and the fault's place") {
     const auto refuse = [](const std::string& keyMap, const std::string& sentence) {
         checkRefused(head + R"("keyMap":)" + keyMap + "}", sentence);
     };
@@ -150,7 +150,7 @@ TEST_CASE("A key map that makes no sense is refused with its fault and where tha
     refuse(open + R"(,"strikeAt":[]})", "keyMap.strikeAt is empty");
 }
 
-TEST_CASE("Keys strike between the places of the key map") {
+TEST_CASE("Keys strike at interpolated places of the key map") {
     KeyMap map{.kind = KeyMapKind::bars, .lowestNote = 40, .highestNote = 50, .object = "bar"};
     CHECK(map.strikePlace(47) == 0.5);
     map.strikeAt = {0.2, 0.4, 0.3};
@@ -164,7 +164,7 @@ TEST_CASE("Keys strike between the places of the key map") {
     CHECK(map.strikePlace(40) == 0.2);
 }
 
-TEST_CASE("Muted modes that make no sense are refused with their fault and where that stands") {
+TEST_CASE("Invalid muted modes are refused with their fault and the fault's place") {
     const auto refuse = [](const std::string& muted, const std::string& sentence) {
         checkRefused(head + map + R"(,"mutedModes":)" + muted + "}", sentence);
     };
@@ -184,21 +184,21 @@ TEST_CASE("Muted modes that make no sense are refused with their fault and where
     refuse(R"({"plate":[)" + many + ",0]}", "mutedModes.plate is a list of more than 16384");
 }
 
-TEST_CASE("A surface nested half a million deep is refused, and does not exhaust the stack") {
+TEST_CASE("A surface nested half a million deep is refused without exhausting the stack") {
     const auto deep = std::string(500000, '[') + std::string(500000, ']');
     checkRefused(head + map + R"(,"surface":)" + deep + "}", "it is not JSON");
 }
 
-TEST_CASE("What a preset says is fit for one line in the sentence that refuses it") {
+TEST_CASE("Text of a preset fits on one line in the error that quotes it") {
     checkRefused(head + R"("keyMap":{"kind":"two\nlines"}})",
                  "keyMap.kind is 'two?lines' and none of bars, zones, scaled and scene");
     checkRefused(head + map + R"(,"mutedModes":{"two\nlines":7}})",
                  "mutedModes.two?lines is not a list");
 }
 
-TEST_CASE("What people read of a preset is cut between characters where it is too long") {
+TEST_CASE("Long texts of a preset are cut between characters") {
     const auto quoted = [](const std::string& text) { return "\"" + text + "\""; };
-    const std::string odd = "x"; // so that no bound falls between two characters
+    const std::string odd = "x"; // so that no limit falls between two characters
     std::string long500 = odd, long4000 = odd;
     while (long500.size() < longestNameBytes - 1)
         long500 += "ü";

@@ -1,4 +1,4 @@
-// Keys that a preset has no object for: they play the nearest one, resized.
+// Tests keys without an object in the preset: they play the nearest object, resized.
 #include "Instrument/Instrument.h"
 #include "Instrument/Player.h"
 #include "Instrument/SilencedModes.h"
@@ -44,7 +44,7 @@ struct GappedBars {
     std::shared_ptr<const Instrument> build() { return Instrument::build(map, library).value(); }
 };
 
-/// In decibels, the energy of the first 200 ms of every key from 24 to 108 at velocity 100.
+/// Returns the energy in dB of the first 200 ms of every key from 24 to 108 at velocity 100.
 std::array<double, 128> keyLevels(const Preset& preset) {
     auto values = preset.parameters;
     values.set(ParameterId::strikeSpread, 0);
@@ -64,7 +64,7 @@ std::array<double, 128> keyLevels(const Preset& preset) {
 
 } // namespace
 
-TEST_CASE("Keys beside and between a preset's bars play the nearest one, resized to their pitch") {
+TEST_CASE("Keys beside and between a preset's bars play the nearest bar, resized to their pitch") {
     GappedBars bars;
     const auto instrument = bars.build();
     const auto check = [&](int note, int nearest) {
@@ -83,7 +83,7 @@ TEST_CASE("Keys beside and between a preset's bars play the nearest one, resized
         check(own, own);
     check(21, 60);
     check(59, 60);
-    check(61, 60); // of two the lower one
+    check(61, 60); // the lower of two
     check(64, 62);
     check(65, 67);
     check(108, 67);
@@ -92,14 +92,14 @@ TEST_CASE("Keys beside and between a preset's bars play the nearest one, resized
     CHECK(instrument->keysHaveObjects());
 }
 
-TEST_CASE("A preset says from where to where other keys play") {
+TEST_CASE("A preset sets the range of its resized keys") {
     GappedBars bars;
     bars.map.resizedFrom = 50;
     bars.map.resizedTo = 64;
     const auto some = bars.build();
     CHECK(some->key(49).slot < 0);
     CHECK(some->key(50).slot >= 0);
-    CHECK(some->key(66).slot >= 0); // between its own
+    CHECK(some->key(66).slot >= 0); // between its own keys
     CHECK(some->key(68).slot < 0);
     bars.map.resizedTo = 0;
     CHECK(bars.build()->key(59).slot < 0);
@@ -113,7 +113,7 @@ TEST_CASE("The lowest key needs an object of its own") {
     CHECK(built.error().message.find("no/such/folder/59.modal") != std::string::npos);
 }
 
-TEST_CASE("Muted modes go by the note of the bar, also on keys that play it resized") {
+TEST_CASE("Muted modes are identified by the bar's note, also on keys that play it resized") {
     GappedBars bars;
     const auto instrument = bars.build();
     for (const auto& [note, own] : {std::pair{62, 62}, {61, 60}, {63, 62}, {80, 67}})
@@ -121,7 +121,7 @@ TEST_CASE("Muted modes go by the note of the bar, also on keys that play it resi
               std::to_string(own));
 }
 
-TEST_CASE("Other keys stay silent where an object has too many modes for all of them") {
+TEST_CASE("Other keys stay silent if an object has too many modes for all of them") {
     ObjectLibrary library;
     const auto kept = library.add("crowd", syntheticObject(std::vector<double>(10'000, 440.0)));
     const KeyMap map{
@@ -131,7 +131,7 @@ TEST_CASE("Other keys stay silent where an object has too many modes for all of 
     CHECK(instrument->key(59).slot < 0);
 }
 
-TEST_CASE("Keys on a path over one object have no others beside them") {
+TEST_CASE("Keys along a path over one object have no resized keys beside them") {
     ObjectLibrary library;
     const auto kept = library.add("plate", syntheticObject({440}));
     const KeyMap map{
@@ -141,7 +141,7 @@ TEST_CASE("Keys on a path over one object have no others beside them") {
     CHECK(instrument->key(59).slot < 0);
 }
 
-TEST_CASE("Keys 24 to 108 sound on every keyboard preset, beside its own as loud as these") {
+TEST_CASE("Keys 24 to 108 sound on every keyboard preset, the resized ones as loud as its own") {
     for (const auto& preset : keyedFactoryPresets()) {
         if (preset.keyMap.kind == KeyMapKind::zones)
             continue;

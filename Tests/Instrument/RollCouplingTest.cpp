@@ -10,7 +10,7 @@ using Catch::Approx;
 
 namespace {
 
-/// Of the object with `ownMaterial`.
+/// Returns a slot for the object, made of the material `own`.
 SynthesiserSlot slotOf(ModalObject object, const Material& own, double sizeRatio = 1) {
     object.material = own;
     return {.object = std::make_shared<const ModalObject>(std::move(object)),
@@ -24,7 +24,7 @@ Material ownMaterial() {
     return own;
 }
 
-/// α = (γ + ηλ)/2 and f = √(λ − α²)/2π of a mode that sounds at `hz` when it is not damped.
+/// Checks α = (γ + ηλ)/2 and f = √(λ − α²)/2π of a mode that sounds at `hz` without damping.
 void checkPole(const CoupledMode& mode, double hz, double gamma, double eta) {
     const double lambda = std::pow(2 * std::numbers::pi * hz, 2);
     const double alpha = (gamma + eta * lambda) / 2;
@@ -34,7 +34,7 @@ void checkPole(const CoupledMode& mode, double hz, double gamma, double eta) {
 
 } // namespace
 
-TEST_CASE("A roll is coupled to an object's lowest eight modes where eq. 6 has their poles") {
+TEST_CASE("A roll couples to an object's lowest eight modes, at the poles of eq. 6") {
     const std::vector<double> hz{110, 300, 590, 975, 1450, 2030, 2700, 3450, 4300};
     const auto slot = slotOf(syntheticObject(hz), ownMaterial());
     const auto coupled = coupledModes(LowestModes(*slot.object), slot, {});
@@ -43,7 +43,8 @@ TEST_CASE("A roll is coupled to an object's lowest eight modes where eq. 6 has t
         checkPole(coupled.span()[k], hz[k], 40, 1e-6);
 }
 
-TEST_CASE("Coupled modes follow size, tuning and live material, damping with the moved frequency") {
+TEST_CASE(
+    "Coupled modes follow size, tuning and live material, with damping at the moved frequency") {
     const auto own = ownMaterial();
     const auto slot = slotOf(syntheticObject({110, 300}), own, 2);
     const LowestModes lowest(*slot.object);
@@ -61,7 +62,7 @@ TEST_CASE("Coupled modes follow size, tuning and live material, damping with the
     checkPole(other.span()[0], 110.0 / 2 * 3 / 0.5 * 2, 7, 3e-7);
 }
 
-TEST_CASE("Coupled modes follow a live thickness, damping with the moved frequency") {
+TEST_CASE("Coupled modes follow a live thickness, with damping at the moved frequency") {
     auto shell = syntheticObject({110, 300});
     shell.bending = {shell.eigenvalues[0], 0};
     SynthesisSettings settings;
@@ -84,7 +85,7 @@ TEST_CASE("Coupled modes keep a slot's pitch under another material and size") {
     CHECK(coupled.span()[0].frequencyHz == Approx(220));
 }
 
-TEST_CASE("A roll is not coupled to modes that do not sound or do not oscillate") {
+TEST_CASE("A roll does not couple to modes that do not sound or do not oscillate") {
     const auto object = syntheticObject({15, 25, 300, 9000});
     const LowestModes lowest(object);
     auto own = ownMaterial();

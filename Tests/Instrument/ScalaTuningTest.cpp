@@ -42,7 +42,7 @@ std::string equalSteps(int count) {
 const std::string just = "! just.scl\n!\nJust intonation in C\n 12\n!\n 16/15\n 9/8\n 6/5\n 5/4\n"
                          " 4/3\n 45/32\n 3/2\n 8/5\n 5/3\n 9/5\n 15/8\n 2/1\n";
 
-/// Seven degrees on the white keys, and nothing on the black ones.
+/// Seven degrees on the white keys, none on the black ones.
 const std::string whiteKeys = "! white.kbm\n12\n0\n127\n60\n69\n440.0\n7\n"
                               "0\nx\n1\nx\n2\n3\nx\n4\nx\n5\nx\n6\n";
 
@@ -58,7 +58,7 @@ void checkRefused(const ScalaTuning& tuning, const std::string& because) {
 
 } // namespace
 
-TEST_CASE("Without files, and by twelve equal steps, every key is where it was to the last bit") {
+TEST_CASE("Without files, or with twelve equal steps, every key keeps its pitch to the last bit") {
     CHECK(keyTuning({}) == KeyTuning{});
     CHECK(keyTuning(scaled(equalSteps(12))) == KeyTuning{});
 }
@@ -73,14 +73,14 @@ TEST_CASE("A scale of ratios begins at middle C") {
     CHECK(scaleTitle(tuning) == "Just intonation in C");
 }
 
-TEST_CASE("Thirty-one steps to the octave take thirty-one keys") {
+TEST_CASE("Thirty-one steps to the octave use thirty-one keys") {
     const auto tuning = scaled(equalSteps(31));
     CHECK(hertz(tuning, 60 + 31) == Approx(2 * middleCHz));
     CHECK(hertz(tuning, 60 - 31) == Approx(middleCHz / 2));
     CHECK(hertz(tuning, 61) == Approx(middleCHz * std::exp2(1 / 31.0)));
 }
 
-TEST_CASE("A scale repeats at its last note, be it an octave or not") {
+TEST_CASE("A scale repeats at its last note, whether it is an octave or not") {
     std::string thirteen = "Bohlen-Pierce\n13\n";
     for (int step = 1; step <= 13; ++step)
         thirteen += std::to_string(1901.955 * step / 13) + "\n";
@@ -95,7 +95,7 @@ TEST_CASE("A mapping alone moves the reference") {
     CHECK(scaleTitle(tuning) == "a.kbm");
 }
 
-TEST_CASE("A mapping puts degrees on keys and leaves others without a pitch") {
+TEST_CASE("A mapping assigns degrees to keys and leaves others without a pitch") {
     const auto tuning = mapped(equalSteps(7), whiteKeys);
     CHECK(hertz(tuning, 69) == Approx(440));
     CHECK(hertz(tuning, 71) == Approx(440 * std::exp2(1 / 7.0)));
@@ -108,7 +108,7 @@ TEST_CASE("A mapping puts degrees on keys and leaves others without a pitch") {
     CHECK_FALSE(keys->unmapped[62]);
 }
 
-TEST_CASE("The reference note may lie beyond the mapping's first repetition, on either side") {
+TEST_CASE("The reference note may lie outside the mapping's first repetition, on either side") {
     const std::string seven = "7\n0\n127\n60\nREFERENCE\n440\n7\n0\n1\n2\n3\n4\n5\n6\n";
     const int reference = GENERATE(40, 52, 60, 66, 67, 69, 95);
     auto mapping = seven;
@@ -118,8 +118,8 @@ TEST_CASE("The reference note may lie beyond the mapping's first repetition, on 
         CHECK(hertz(tuning, note) == Approx(440 * std::exp2((note - reference) / 7.0)));
 }
 
-TEST_CASE("A mapping repeats by its formal octave, which need not be the scale's last note") {
-    // Twenty-four notes over two octaves; seven of the lower octave on seven keys.
+TEST_CASE("A mapping repeats at its formal octave, which may differ from the scale's last note") {
+    // Twenty-four notes over two octaves; seven notes of the lower octave on seven keys.
     std::string two = "Two octaves\n24\n";
     for (int step = 1; step <= 24; ++step)
         two += std::to_string(100 * step) + ".\n";
@@ -128,14 +128,14 @@ TEST_CASE("A mapping repeats by its formal octave, which need not be the scale's
     CHECK(hertz(white, 67) == Approx(2 * middleCHz));
     CHECK(hertz(white, 72) == Approx(middleCHz * std::exp2(21 / 12.0)));
     CHECK(hertz(white, 53) == Approx(middleCHz / 2));
-    // Every second key of a scale of twelve over two of its octaves.
+    // Every second note of a scale of twelve, over two of its octaves.
     const auto wide =
         mapped(equalSteps(12), "12\n0\n127\n60\n69\n440\n24\n0\n2\n4\n6\n8\n10\n12\n14\n"
                                "16\n18\n20\n22\n");
     CHECK(hertz(wide, 69) == Approx(440));
     CHECK(hertz(wide, 70) == Approx(440 * std::exp2(2 / 12.0)));
     CHECK(hertz(wide, 81) == Approx(1760));
-    // Twelve of nineteen steps, where no formal octave is named: the scale's own.
+    // Twelve of nineteen steps; without a formal octave the scale's own holds.
     const auto nineteen =
         mapped(equalSteps(19),
                "12\n0\n127\n60\n60\n261.6255653\n0\n0\n1\n3\n5\n6\n8\n9\n11\n12\n14\n16\n17\n");
@@ -143,7 +143,7 @@ TEST_CASE("A mapping repeats by its formal octave, which need not be the scale's
     CHECK(hertz(nineteen, 72) == Approx(2 * middleCHz));
 }
 
-TEST_CASE("Keys left out at a mapping's end have no pitch, and a byte order mark is none of it") {
+TEST_CASE("Keys missing at a mapping's end have no pitch, and a byte order mark is ignored") {
     const auto tuning =
         mapped("\xef\xbb\xbf! a.scl\nFifths\n1\n3/2\n", "3\n0\n127\n60\n60\n300\n1\n0\n");
     CHECK(hertz(tuning, 60) == Approx(300));
@@ -153,7 +153,7 @@ TEST_CASE("Keys left out at a mapping's end have no pitch, and a byte order mark
     CHECK(scaleTitle(tuning) == "Fifths");
 }
 
-TEST_CASE("Lines end in any way, and what stands behind a number is ignored") {
+TEST_CASE("Lines may have any ending, and text after a number is ignored") {
     const auto plain = scaled("Fifths\n2\n3/2\n2/1\n");
     for (const std::string text : {"Fifths\r\n2\r\n3/2\r\n2/1\r\n", "Fifths\r2\r3/2\r2/1",
                                    "Fifths\n 2 notes\n"
@@ -170,7 +170,7 @@ TEST_CASE("The numbers of a ratio may be of any size") {
           Approx(middleCHz * 19073486328125.0 / 8796093022208.0));
 }
 
-TEST_CASE("A key whose pitch nobody hears has none") {
+TEST_CASE("A key with an inaudible pitch has none") {
     const auto keys = keyTuning(scaled("Octaves\n1\n2/1\n"));
     REQUIRE(keys);
     CHECK_FALSE(keys->unmapped[60]);
@@ -180,7 +180,7 @@ TEST_CASE("A key whose pitch nobody hears has none") {
     CHECK(keys->unmapped[0]);
 }
 
-TEST_CASE("What is wrong with a file is one sentence with its name and line") {
+TEST_CASE("A fault in a file is one sentence with the file's name and line") {
     checkRefused({.scale = {.name = "none.scl", .text = ""}, .mapping = {}}, "none.scl is empty");
     checkRefused(scaled("only a title\n"), "test.scl ends before the number of notes");
     checkRefused(scaled("title\nmany\n"), "test.scl, line 2: the number of notes is not a whole");
@@ -202,7 +202,7 @@ TEST_CASE("What is wrong with a file is one sentence with its name and line") {
     checkRefused(mapped(just, "2\n0\n127\n60\n61\n440\n12\n0\nx\n"), "reference note no degree");
 }
 
-TEST_CASE("However a file is cut off, it is read or refused in a sentence") {
+TEST_CASE("A truncated file is read or refused with a sentence") {
     for (std::size_t length = 1; length < just.size(); ++length)
         if (const auto keys = keyTuning(scaled(just.substr(0, length))); !keys)
             CHECK_THAT(keys.error().message, ContainsSubstring("test.scl"));

@@ -6,11 +6,11 @@
 using namespace idiophone;
 using Catch::Approx;
 
-TEST_CASE("The five figures of the custom material are live, and no others are") {
+TEST_CASE("Only the five figures of the custom material act live") {
     using enum ParameterId;
     ParameterValues values;
     values.set(lossFactor, 0.01);
-    CHECK_FALSE(synthesisSettings(values).material); // each object is of its own
+    CHECK_FALSE(synthesisSettings(values).material); // each object keeps its own material
     values.set(material, customMaterial);
     values.set(youngsModulus, 70);
     values.set(density, 2700);
@@ -25,7 +25,7 @@ TEST_CASE("The five figures of the custom material are live, and no others are")
     CHECK(live->damping.lossFactor == 0.01);
 }
 
-TEST_CASE("Every library material plays its own law, live") {
+TEST_CASE("Every library material plays its own damping law live") {
     ParameterValues values;
     int choice = firstLibraryMaterial;
     for (const auto& material : materialLibrary()) {
@@ -36,14 +36,14 @@ TEST_CASE("Every library material plays its own law, live") {
     }
 }
 
-TEST_CASE("A material made the custom one is played with its figures, held to the ranges") {
+TEST_CASE("A material made custom plays with its figures, clamped to the ranges") {
     for (const auto& material : materialLibrary()) {
         INFO(material.name);
         const auto live = synthesisSettings(withCustomMaterial({}, material)).material;
         REQUIRE(live);
         CHECK(live->youngsModulusPa == Approx(material.youngsModulusPa));
         CHECK(live->densityKgPerM3 == Approx(material.densityKgPerM3));
-        // A logarithmic range has no zero: its end is a T60 of 23 minutes.
+        // A logarithmic range has no zero; its end is a T60 of 23 minutes.
         CHECK(live->damping.fluidPerSecond == std::max(material.damping.fluidPerSecond, 0.01));
         CHECK(live->damping.viscoelasticSeconds ==
               Approx(std::max(material.damping.viscoelasticSeconds, 1e-10)));

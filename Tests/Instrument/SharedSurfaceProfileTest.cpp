@@ -4,7 +4,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("One profile is shared for one surface and rate, and no more than that") {
+TEST_CASE("A profile is shared only for the same surface and rate") {
     Surface slate;
     slate.resonFrequencyHz = 900;
     const auto first = sharedSurfaceProfile(slate, 48000);
@@ -16,7 +16,7 @@ TEST_CASE("One profile is shared for one surface and rate, and no more than that
     CHECK(sharedSurfaceProfile(slate, 48000) == first);
 }
 
-TEST_CASE("A profile that was crowded out is made again just as it was") {
+TEST_CASE("A profile dropped from the cache is made again identically") {
     const auto first = sharedSurfaceProfile({}, 48000);
     for (int rateHz = 20000; rateHz < 20010; ++rateHz)
         sharedSurfaceProfile({}, rateHz);

@@ -6,16 +6,15 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE(
-    "Muted modes are silenced; of an object with modes heard alone all others, muted or not") {
+TEST_CASE("Muted modes are silenced; modes heard alone silence all others of their object") {
     const auto instrument = bars();
     CHECK(modeSetKey(*instrument, 2) == "62");
     ModeSet muted, alone;
     CHECK(silencedModes(*instrument, muted, alone).objects.empty());
     muted.set("62", 1, true);
     muted.set("64", 1, true);
-    muted.set("62", 7, true);      // which it does not have
-    muted.set("nothing", 0, true); // nor this
+    muted.set("62", 7, true);      // the object lacks this mode
+    muted.set("nothing", 0, true); // the instrument lacks this object
     alone.set("64", 1, true);
     alone.set("62", 9, true);
     const auto silenced = silencedModes(*instrument, muted, alone);

@@ -1,4 +1,4 @@
-// Where keys strike an object by default, and paths between metres and the object's box.
+// Tests default strike places on an object, and paths between metres and the object's box.
 #include "Instrument/SingleObjectMap.h"
 
 #include "Geometry/ParametricMesh.h"
@@ -16,7 +16,7 @@ using Path = std::vector<std::array<double, 3>>;
 
 namespace {
 
-/// A mode that lifts one end of the mesh along z.
+/// An object with one mode, which lifts one end of the mesh along z.
 ModalObject objectOf(const Mesh& mesh) {
     auto object = syntheticObject({300});
     object.vertices.clear();
@@ -38,7 +38,7 @@ ModalObject objectOf(const Mesh& mesh) {
 
 } // namespace
 
-TEST_CASE("The path over the top of a ball runs from side to side over its crown") {
+TEST_CASE("The path over a ball runs from side to side over its top") {
     const auto ball = objectOf(icosphereMesh(0.1, 3));
     const auto path = pathOverTop(ball);
     REQUIRE(path.size() == 33);
@@ -51,20 +51,20 @@ TEST_CASE("The path over the top of a ball runs from side to side over its crown
     CHECK(path[16][2] > 0.98);
 }
 
-TEST_CASE("A ring's path goes half round it without a jump, on what is seen from above") {
+TEST_CASE("A ring's path goes half round it without a jump, on the side visible from above") {
     const auto path = pathOverTop(objectOf(torusMesh(0.1, 0.01, 40, 12)));
     REQUIRE(path.size() > 10);
     CHECK(path.front()[0] * path.back()[0] < -0.9);
     for (std::size_t i = 0; i < path.size(); ++i) {
         const auto& [x, y, z] = path[i];
-        CHECK(std::hypot(x, y) > 0.77); // the ring is 40 straight pieces
+        CHECK(std::hypot(x, y) > 0.77); // the ring consists of 40 straight pieces
         CHECK(z > -0.1);
         if (i > 0)
             CHECK(std::hypot(x - path[i - 1][0], y - path[i - 1][1]) < 0.3);
     }
 }
 
-TEST_CASE("What stands upright is struck from below up") {
+TEST_CASE("The path over an upright object leads upwards") {
     Mesh pole = boxMesh({0.02, 0.02, 0.5}, {2, 2, 20});
     const auto path = pathOverTop(objectOf(pole));
     CHECK(path.front()[2] < -0.95);
@@ -73,7 +73,7 @@ TEST_CASE("What stands upright is struck from below up") {
         CHECK(y == -1);
 }
 
-TEST_CASE("Every layout of an object can be built, scaled ones struck where it moves") {
+TEST_CASE("Every layout of an object can be built, and scaled ones are struck where they move") {
     const auto object = objectOf(sheetMesh(0.3, 0.1, 100));
     ObjectLibrary library;
     const auto kept = library.add("sheet", object);
@@ -83,7 +83,7 @@ TEST_CASE("Every layout of an object can be built, scaled ones struck where it m
     CHECK(Instrument::build(singleObjectMap(object, "sheet", KeyMapKind::zones), library));
 }
 
-TEST_CASE("A path in metres comes back as it was, held to the object's box and to 1000 points") {
+TEST_CASE("A path in metres is recovered, clamped to the object's box and to 1000 points") {
     const auto object = objectOf(icosphereMesh(0.1, 2));
     const Path drawn{{-0.05, 0.01, 0.08}, {0.04, 0.02, 0.09}};
     KeyMap map;
@@ -106,6 +106,6 @@ TEST_CASE("A path in metres comes back as it was, held to the object's box and t
     REQUIRE(kept.size() == 1000);
     CHECK(kept.front() == relativePath(object, {endless.front()})[0]);
     CHECK(kept.back() == relativePath(object, {endless.back()})[0]);
-    // A flat sheet has no height to be told in.
+    // A flat sheet has no extent along its height.
     CHECK(relativePath(objectOf(sheetMesh(0.2, 0.1, 50)), {{0, 0, 5}})[0][2] == 0);
 }

@@ -17,7 +17,7 @@ constexpr double rateHz = 48000;
 constexpr double cellSeconds = cellSamples / rateHz;
 constexpr std::size_t slotOf69 = 9, slotOf70 = 10;
 
-/// Bars, whose wheels reach 2 semitones, those of MPE's members 12.
+/// Bars with wheels of 2 semitones, and of 12 on MPE member channels.
 struct Bars {
     std::shared_ptr<const Instrument> instrument = bars();
     Synthesiser synthesiser{{instrument->slots().begin(), instrument->slots().end()}, rateHz};
@@ -47,7 +47,7 @@ double partOfWay(int cells) {
 
 } // namespace
 
-TEST_CASE("The first bends hold at once, later ones after a glide that ends exactly") {
+TEST_CASE("The first bends act at once, later ones after a glide that ends exactly") {
     Bars bars;
     bars.bend.wheel(0, 127, 127);
     bars.apply(1);
@@ -63,7 +63,7 @@ TEST_CASE("The first bends hold at once, later ones after a glide that ends exac
     CHECK(bars.semitones(slotOf69) == Approx(2));
 }
 
-TEST_CASE("What a note plays begins at its bend, while what rings glides on") {
+TEST_CASE("A new note starts at its bend while ringing notes glide on") {
     Bars bars;
     bars.apply(1);
     bars.bend.noteOn(1, 69);
@@ -80,7 +80,7 @@ TEST_CASE("What a note plays begins at its bend, while what rings glides on") {
     CHECK(bars.semitones(0) == Approx(2 * partOfWay(1)));
 }
 
-TEST_CASE("A tuning that changes holds at once, whatever glides") {
+TEST_CASE("A change of tuning acts at once during a glide") {
     Bars bars;
     bars.apply(1);
     bars.bend.wheel(0, 127, 127);
@@ -91,7 +91,7 @@ TEST_CASE("A tuning that changes holds at once, whatever glides") {
     CHECK(bars.semitones(slotOf69) == Approx(0.5 + 2 * partOfWay(1)));
 }
 
-TEST_CASE("An object that no note has played yet is bent by the wheel of all") {
+TEST_CASE("An object that no note has played yet follows the common wheel") {
     const auto instrument = plate();
     Synthesiser synthesiser({instrument->slots().begin(), instrument->slots().end()}, rateHz);
     SlotTuning tuning(*instrument, cellSeconds);

@@ -1,5 +1,5 @@
-// Loudness as it is predicted and heard for what nobody has set by ear: starting levels, the
-// loudest blow, and the strength of hands.
+// Tests predicted and rendered loudness of instruments that nobody has set by ear: starting levels,
+// the loudest strike, and hand strengths.
 #include "Instrument/StartingLevel.h"
 
 #include "Instrument/LoudnessPhrase.h"
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double sampleRateHz = 48000;
 
-/// Whose shapes are so much larger, as its mass is less by the square of that.
+/// A sheet with shapes larger by `gain` and a mass smaller by its square.
 std::shared_ptr<const Instrument> sheet(float gain) {
     auto object = syntheticObject({300, 820, 1600}, {gain, gain, gain});
     if (gain > 0) {
@@ -39,7 +39,8 @@ ParameterValues still() {
     return with({}, strikeSpread, 0);
 }
 
-/// With a mallet as much lighter and softer as the sheet is lighter: the same blow.
+/// Makes the mallet lighter and softer in the same ratio as the sheet is lighter, for the same
+/// strike.
 ParameterValues stillOn(float gain) {
     const double share = 1 / static_cast<double>(gain * gain);
     return with(with(still(), malletMass, share * still()[malletMass]), malletHardness,
@@ -48,14 +49,14 @@ ParameterValues stillOn(float gain) {
 
 } // namespace
 
-TEST_CASE("Eight keys stand for all, from the lowest to the highest") {
+TEST_CASE("Eight keys represent all, from the lowest to the highest") {
     CHECK(spreadNote(36, 96, 0, 8) == 36);
     CHECK(spreadNote(36, 96, 7, 8) == 96);
     CHECK(spreadNote(36, 96, 3, 8) == 61);
     CHECK(spreadNote(60, 60, 5, 8) == 60);
 }
 
-TEST_CASE("The loudest blow on a sheet a quarter as heavy is that of a mallet a quarter as heavy") {
+TEST_CASE("The loudest strike has the same peak if sheet and mallet are a quarter as heavy") {
     const double own = loudestBlowPeak(sheet(1), {}, sampleRateHz, still());
     CHECK(own > 0);
     CHECK(loudestBlowPeak(sheet(2), {}, sampleRateHz, stillOn(2)) == Approx(own).epsilon(1e-4));
@@ -63,8 +64,7 @@ TEST_CASE("The loudest blow on a sheet a quarter as heavy is that of a mallet a 
     CHECK(loudestBlowPeak(sheet(0), {}, sampleRateHz, still()) == 0);
 }
 
-TEST_CASE("A starting level makes sheets that differ in loudness alike, and is no higher than the "
-          "highest") {
+TEST_CASE("A starting level makes sheets equally loud, and is at most the highest level") {
     const auto levelOf = [](float gain) {
         return startingLevel(sheet(gain), {}, sampleRateHz, still());
     };
@@ -81,24 +81,24 @@ TEST_CASE("A starting level makes sheets that differ in loudness alike, and is n
     }
 }
 
-TEST_CASE("What does not sound keeps its level and its mallet has nothing to win") {
+TEST_CASE("A silent object keeps its level and its mallet") {
     const auto values = with(still(), level, -7);
     CHECK(startingLevel(sheet(0), {}, sampleRateHz, values) == -7);
     CHECK(withAudibleMallet(sheet(0), {}, sampleRateHz, values) == values);
     CHECK(withAudibleMallet(sheet(4), {}, sampleRateHz, values) == values);
 }
 
-TEST_CASE("The predicted loudness is the loudness match's own at its middle velocity") {
+TEST_CASE("The predicted loudness equals the loudness match's at its middle velocity") {
     const LoudnessMatch match(sheet(1), {}, sampleRateHz, still());
     CHECK(predictedLufs(sheet(1), {}, sampleRateHz, still()) ==
           match.predictedLufs(still())[PhrasePrediction::middleVelocity]);
 }
 
-TEST_CASE("Hands scrape stronger where scrapes are fainter beside blows, and alike where keys do") {
+TEST_CASE("Hands scrape harder if scrapes are fainter than strikes, with strength 1 if keys roll") {
     const auto strengths = handStrengths(sheet(1), {}, sampleRateHz, still());
     REQUIRE(strengths.size() == sheet(1)->slots().size());
     CHECK(strengths[0] > 1);
-    // Where a blow leaves the same motion, a scrape of the same force moves a lighter sheet more.
+    // If a strike leaves the same motion, a scrape of the same force moves a lighter sheet more.
     CHECK(handStrengths(sheet(2), {}, sampleRateHz, stillOn(2))[0] ==
           Approx(strengths[0] / 4).epsilon(1e-4));
     const auto harder = with(still(), malletSpeed, 2 * still()[malletSpeed]);

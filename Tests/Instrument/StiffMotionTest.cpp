@@ -10,8 +10,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Below a mode that a roll presses the K-weighted power is that of the sampled response, "
-          "within 0.5 dB") {
+TEST_CASE("Below a mode the power of a roll is that of the sampled response within 0.5 dB") {
     constexpr double rateHz = 48000;
     const double omega = 2 * std::numbers::pi * 3000;
     const HeldForceSpectrum force({}, 0.5, {.kind = ContactKind::roll}, {}, rateHz);
@@ -20,8 +19,8 @@ TEST_CASE("Below a mode that a roll presses the K-weighted power is that of the 
     residues[2] = {1, 1};
     stiff.add(omega, residues);
 
-    // Σ cos(ω_i n/f_s) z^(−n)/f_s at each frequency, half of its first sample, and its mirror
-    // image above. With the other half a force that rests would be heard.
+    // Σ cos(ω_i n/f_s) z^(−n)/f_s at each frequency, with half of its first sample, and its mirror
+    // image above. With the whole first sample, a force at rest would be heard.
     double expected = 0;
     const double step = 2 * std::numbers::pi * 0.5;
     for (double at = 2 * std::numbers::pi * 22; at < std::numbers::pi * rateHz; at += step) {

@@ -16,7 +16,7 @@ using test::syntheticObject;
 
 namespace {
 
-/// φ·n of a mode at a place.
+/// Returns φ·n of a mode at a place.
 double gain(const ModalObject& object, const StrikePoint& point, std::size_t mode) {
     double sum = 0;
     for (std::size_t k = 0; k < mostShapeRows; ++k) {
@@ -43,7 +43,7 @@ StrikePoint atRows(std::array<std::int32_t, 3> rows, std::array<float, 3> weight
             .normal = {0, 0, 1}};
 }
 
-/// A flat box about the origin, shapes at its corners.
+/// A flat box around the origin with shapes at its corners.
 ModalObject flatBox() {
     auto object = syntheticObject({100});
     object.vertices.clear();
@@ -67,7 +67,7 @@ KeyMap mapAlong(std::vector<std::array<double, 3>> path, double width = 1) {
 
 } // namespace
 
-TEST_CASE("A shape that is linear over the surface is met exactly at every place of the strip") {
+TEST_CASE("A shape that is linear over the surface is exact at every place of the strip") {
     auto object = syntheticObject({200});
     for (std::size_t row = 0; row < 4; ++row)
         object.shapes[3 * row + 2] =
@@ -78,14 +78,14 @@ TEST_CASE("A shape that is linear over the surface is met exactly at every place
         REQUIRE(gain(object, strip.between(along, 0).point, 0) ==
                 Approx(2 + 3 * x - y).epsilon(1e-5));
     }
-    // To the left of the path, which goes along (1.5, 1.1).
+    // A place to the left of the path, whose direction is (1.5, 1.1).
     const double norm = std::hypot(1.5, 1.1), reach = 0.3 * 0.5 * (1.5 + 1.1) / norm;
     const double x = 0.5 + 0.5 * (-0.8 + 0.75) - 0.37 * reach * 1.1 / norm;
     const double y = 0.5 + 0.5 * (-0.6 + 0.55) + 0.37 * reach * 1.5 / norm;
     CHECK(gain(object, strip.between(0.5, 0.37).point, 0) == Approx(2 + 3 * x - y).epsilon(1e-5));
 }
 
-TEST_CASE("Along the plate's paths every mode's gain is that of the surface within 2 %, no steps") {
+TEST_CASE("Along the plate's paths every mode's gain is the surface's within 2 %, without steps") {
     const auto plate = ObjectLibrary::shared().find("plate").value();
     using Corner = std::array<double, 2>; // in half lengths and widths
     const auto [from, to] = GENERATE(std::pair(Corner{-1, -1}, Corner{1, 1}),
@@ -123,7 +123,7 @@ TEST_CASE("Along the plate's paths every mode's gain is that of the surface with
     }
 }
 
-TEST_CASE("Beside the path places move without steps, too") {
+TEST_CASE("Places beside the path move without steps too") {
     const auto plate = ObjectLibrary::shared().find("plate").value();
     const auto strip = strikeStrip(*plate, mapAlong({{-1, -1, 0}, {1, 1, 0}}, 0.6));
     for (const double along : {0.2, 0.503, 0.77}) {
@@ -137,7 +137,7 @@ TEST_CASE("Beside the path places move without steps, too") {
     }
 }
 
-TEST_CASE("The path's direction lies in the surface, and both it and the normal have unit length") {
+TEST_CASE("The path's direction is a unit vector in the surface, and the normal a unit vector") {
     const auto ring = ObjectLibrary::shared().find("ring").value();
     const auto strip = strikeStrip(*ring, mapAlong({{0, -1, 0}, {1, 0, 0}, {0, 1, 0}}));
     for (double along = 0.01; along < 1; along += 0.0313)
@@ -152,7 +152,7 @@ TEST_CASE("The path's direction lies in the surface, and both it and the normal 
         }
 }
 
-TEST_CASE("At a place of the table the place is that one, and beyond the ends the end") {
+TEST_CASE("Places of the table are exact, and places beyond the ends are the ends") {
     const auto plate = ObjectLibrary::shared().find("plate").value();
     const auto strip = strikeStrip(*plate, mapAlong({{-1, -1, 0}, {1, 1, 0}}));
     for (const int i : {0, 1, 77, strip.alongCount - 1}) {
@@ -163,7 +163,7 @@ TEST_CASE("At a place of the table the place is that one, and beyond the ends th
     CHECK(strip.between(-2, -7).point == strip.between(0, -1).point);
 }
 
-TEST_CASE("A path through the middle of something solid stays on its upper side") {
+TEST_CASE("A path through the middle of a solid stays on its upper side") {
     const auto strip = strikeStrip(flatBox(), mapAlong({{-0.9, 0.05, 0}, {0.9, -0.05, 0}}));
     for (double along = 0.2; along <= 0.8; along += 0.01) {
         const auto point = strip.between(along, 0).point;
@@ -183,7 +183,7 @@ TEST_CASE("Rows of several places count once in the place between them") {
     CHECK(point.weights == std::array{0.5f, 0.375f, 0.125f, 0.0f, 0.0f, 0.0f});
 }
 
-TEST_CASE("Of more rows than a strike holds the lightest leave without a step") {
+TEST_CASE("If a strike has too many rows, the lightest leave without a step") {
     const auto first = atRows({0, 1, 2}, {0.5f, 0.3f, 0.2f});
     const auto second = atRows({3, 4, 5}, {0.4f, 0.4f, 0.2f});
     const auto third = atRows({6, 7, 8}, {0.6f, 0.3f, 0.1f});

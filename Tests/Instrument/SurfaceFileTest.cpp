@@ -52,11 +52,11 @@ TEST_CASE("A surface with the longest name survives its file, and a longer name 
     const auto read = parseSurface(encodeSurface(longest), "x.json");
     REQUIRE(read);
     CHECK(*read == longest);
-    // A file as large as can be read, which would be too large once it was written anew.
+    // The largest readable file; written again it would be too large.
     checkRefused(slateWith("name", std::string(65000, 'x')), "name is longer than 1000 bytes");
 }
 
-TEST_CASE("Name, slowest speed and roughness may be left out of a surface file") {
+TEST_CASE("Name, slowest speed and roughness are optional in a surface file") {
     CHECK(parseSurface(slateWithout("name"), "x.json")->name.empty());
     CHECK(parseSurface(slateWithout("roughness"), "x.json")->roughness == Surface{}.roughness);
     CHECK(parseSurface(slateWithout("slowest_speed_m_per_s"), "x.json")
@@ -84,6 +84,6 @@ TEST_CASE("A bad surface file is refused with one sentence that names the file a
     checkRefused(std::string(60000, '['), "not JSON");
 }
 
-TEST_CASE("What a surface says is fit for one line in the sentence that refuses it") {
+TEST_CASE("Text of a surface file fits on one line in the error that quotes it") {
     checkRefused(slateWith("two\nlines", 1), "no 'two?lines'");
 }

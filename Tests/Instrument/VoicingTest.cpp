@@ -1,4 +1,4 @@
-// Keyboards whose keys are equally loud.
+// Tests that the keys of factory keyboards are about equally loud.
 #include "Instrument/FactoryContent.h"
 #include "Instrument/Player.h"
 #include "IntegratedLufs.h"
@@ -23,7 +23,7 @@ std::shared_ptr<const Instrument> instrumentOf(const Preset& preset) {
     return Instrument::build(preset.keyMap, ObjectLibrary::shared()).value();
 }
 
-/// [velocity][key] LUFS of the loudest 400 ms.
+/// Returns [velocity][key] the LUFS of the loudest 400 ms.
 std::array<std::vector<double>, velocities.size()> loudnessOfKeys(const Preset& preset) {
     const auto instrument = instrumentOf(preset);
     std::array<std::vector<double>, velocities.size()> keys;
@@ -77,7 +77,7 @@ TEST_CASE("Keys of factory presets lie within 4 dB of a smooth curve that spans 
     }
 }
 
-TEST_CASE("A voicing of 20 dB multiplies what its key strikes by ten and no other key") {
+TEST_CASE("A voicing of 20 dB multiplies the impulse of its own key by ten") {
     auto preset = *findFactoryPreset("Rosewood Xylophone");
     preset.keyMap.voicingDb = {};
     const auto plain = instrumentOf(preset);
