@@ -18,8 +18,8 @@ struct ModeBound {
     double eigenvalue = std::numeric_limits<double>::infinity(); ///< minimum of λ/size²
     double scale = 1;                                            ///< minimum of ModeDamping::scale
     double extraPerSecond = 0; ///< minimum of ModeDamping::extraPerSecond/size
-    /// Maximum of Y/ρ [m²/s²] of the objects' own materials. Another material scales λ/size² of
-    /// these modes in inverse proportion to it.
+    /// Maximum of Y/ρ [m²/s²] of the objects' own materials. A live material scales λ/size² of
+    /// these modes by its own Y/ρ over this.
     double specificStiffness = 0;
     DampingLaw law; ///< minimum of each figure of the objects' own materials
 
@@ -37,8 +37,8 @@ struct DecayBounds {
     double keptShare = std::numeric_limits<double>::infinity();
     double keptShareAtAnyThickness = std::numeric_limits<double>::infinity();
     double slotsWithoutPitch = 0;
-    double mostBending = 0; ///< maximum of the share of λ that the thickness changes: 0 to 1
-    double mostScale = 0;   ///< maximum of ModeDamping::scale
+    double mostBending = 0;    ///< maximum of the share of λ that the thickness changes: 0 to 1
+    double mostScale = 0;      ///< maximum of ModeDamping::scale
     double mostExtraShare = 0; ///< maximum of ModeDamping::extraPerSecond/√λ
     DampingLaw most;           ///< maximum of each figure of the objects' own materials
 };

@@ -46,7 +46,7 @@ private:
     double rateHz = 1;
     double exponent = 0;
     double speedRatio = 1;
-    double lowestOmega = 0, highestOmega = 0; ///< of the profile
+    double lowestOmega = 0, highestOmega = 0; ///< band of the profile [rad/s]
     ResonPole reson;
     double resonGain = 1;
     double dry = 1, filtered = 0, coupled = 0;

@@ -31,7 +31,7 @@ std::string impulseLine(const std::string& object, double sizeRatio, const Place
                                 {"contact_time", blow.strike.durationSeconds}};
     if (sizeRatio != 1)
         line["size"] = sizeRatio;
-    // A path that is not UTF-8 cannot stand in a list; keep the rest of the line.
+    // A path that is not UTF-8 cannot be written in a list; keep the rest of the line.
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

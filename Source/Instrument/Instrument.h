@@ -17,7 +17,7 @@
 
 namespace idiophone {
 
-/// What a MIDI note plays.
+/// The object, place and mallet of a MIDI note.
 struct Key {
     int slot = -1;         ///< −1: the note is silent
     int strip = 0;         ///< index into Instrument::strips

@@ -91,7 +91,7 @@ private:
         double gainDb = 0;
         Side reference, played;
         bool working = false;
-        bool onReference = false; ///< which side it works on
+        bool onReference = false; ///< true: works on `reference`, not `played`
         std::optional<Goal> seen; ///< inputs of the present goals
     };
 

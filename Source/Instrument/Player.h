@@ -215,7 +215,7 @@ private:
     std::vector<CellOutput>
         slotCells; ///< output of each slot: its own in slotSamples, or the one cell
     int cellPosition = cellSamples;
-    std::int64_t cellIndex = -1; ///< of the newest cell
+    std::int64_t cellIndex = -1; ///< index of the newest cell
     std::uint32_t firstStrikeNumber;
     std::uint32_t strikeCount;
     CellStrikes pending;
@@ -233,7 +233,7 @@ private:
     std::optional<double> songPlace;              ///< in beats
     float gainAtCellStart = 1, gainAtCellEnd = 1; ///< matching gain; linear in between
 
-    std::array<std::bitset<128>, 16> keysDown; ///< of each channel
+    std::array<std::bitset<128>, 16> keysDown; ///< [channel][note]
     std::bitset<128> keysSustained;            ///< released under the sustain pedal
     std::bitset<128> keysCaught;               ///< down when the sostenuto pedal went down
     bool sustainPedal = false;
@@ -242,8 +242,8 @@ private:
     PitchBend bend;
     SlotTuning slotTuning;
     std::array<std::array<float, 128>, 16> keyPressures{}; ///< 0 to 1, of each channel's keys
-    std::array<float, 128> notePressures{}; ///< of each note: the maximum over channels
-    std::vector<bool> slotTouched;          ///< a hand on its surface holds it
+    std::array<float, 128> notePressures{};                ///< [note] maximum over channels
+    std::vector<bool> slotTouched;                         ///< a hand on its surface holds it
     std::vector<bool> slotHeld;     ///< touched, or a key is down or sustained, or it may ring
     std::vector<float> slotPressed; ///< maximum pressure of its keys
     bool playedResizedKeys = false;

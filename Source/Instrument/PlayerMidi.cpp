@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double softestShare = 0.5; // of the mallet's speed, with the soft pedal fully down
+constexpr double softestShare = 0.5; // share of the mallet's speed with the soft pedal fully down
 
 /// Includes Reset All Controllers.
 bool isChannelMode(const MidiEvent& event) {

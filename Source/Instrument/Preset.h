@@ -72,7 +72,7 @@ struct Preset {
     /// Values whose material and mallet "match loudness" keeps to, if not `parameters`.
     std::optional<ParameterValues> matchedTo;
     Surface surface;        ///< sound of scrapes and rolls; valid
-    std::uint32_t seed = 1; ///< of noise, spread and chatter, so that a render repeats
+    std::uint32_t seed = 1; ///< seeds noise, spread and chatter, so that a render repeats
     ModeSet mutedModes;     ///< of its objects, by modeSetKey
     /// Ids in the file that this version does not know.
     std::vector<std::string> unknownParameters;
@@ -87,8 +87,8 @@ inline constexpr int presetFormatVersion = 1;
 inline constexpr std::size_t largestPresetBytes = 1 << 20;
 inline constexpr std::size_t mostTags = 1000;
 /// Longer texts are cut, because the browser draws and searches them all. A state must open
-/// whatever its preset is called.
-inline constexpr std::size_t longestNameBytes = 500; ///< of a name, an author and each tag
+/// with any name of its preset.
+inline constexpr std::size_t longestNameBytes = 500; ///< limit of a name, an author and each tag
 inline constexpr std::size_t longestDescriptionBytes = 4000;
 inline constexpr std::size_t longestTagsBytes = 4000; ///< together; later tags are dropped
 inline constexpr std::size_t mostPathPoints = 1000;   ///< of KeyMap::strikePath

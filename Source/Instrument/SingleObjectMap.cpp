@@ -96,7 +96,7 @@ KeyMap singleObjectMap(const ModalObject& object, const std::string& name, KeyMa
 
 std::vector<Point> pathOverTop(const ModalObject& object) {
     constexpr int samples = 33;
-    constexpr double ends = 0.98; // of the way, so that the outermost rays still hit
+    constexpr double ends = 0.98; // share of the way, so that the outermost rays still hit
     const ObjectBox box(object);
     const auto along = box.longestAxis();
     const bool upright = along == 2;

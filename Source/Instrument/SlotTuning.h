@@ -37,7 +37,7 @@ public:
 
 private:
     struct SlotPitch {
-        int note = -1;    ///< whose pitch it has; −1 if none was played
+        int note = -1;    ///< note that sets its pitch; −1 if none was played
         double tuned = 0; ///< semitones by the last tuning with a pitch for it
         double bent = 0;  ///< semitones, gliding towards the wheels
         bool bendsAtOnce = true;

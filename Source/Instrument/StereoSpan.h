@@ -7,7 +7,7 @@
 namespace idiophone {
 
 struct StereoSpan {
-    std::span<float> left, right; ///< of one length
+    std::span<float> left, right; ///< equal lengths
 
     std::size_t size() const { return left.size(); }
     StereoSpan subspan(std::size_t offset, std::size_t count) const {

@@ -35,8 +35,9 @@ private:
     struct Corner {
         StrikePoint place;
         Point metres{};
-        std::array<float, 3> direction{}; ///< of the path to here, along the surface: unit, or zero
-        double along = 0;                 ///< path length from the first corner of all
+        std::array<float, 3>
+            direction{};  ///< path direction to here along the surface: unit, or zero
+        double along = 0; ///< path length from the first corner of all
     };
 
     Corner& corner(std::size_t index) noexcept { return corners[(first + index) % capacity]; }

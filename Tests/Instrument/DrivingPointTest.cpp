@@ -66,7 +66,7 @@ Striker head(double massKg, double rigidSeconds, double exponent = hertzExponent
 /// modes.
 struct Solved {
     double impulse = 0;
-    double seconds = 0; ///< of the pulse of Hertz with the same standard deviation
+    double seconds = 0; ///< duration of the pulse of Hertz with the same standard deviation
 };
 Solved solved(const ModalObject& struck, const Striker& striker, double speed) {
     const double step = contactSeconds(striker.law, striker.massKg, speed) / 400;
@@ -100,7 +100,8 @@ Solved solved(const ModalObject& struck, const Striker& striker, double speed) {
         }
     }
     const double deviation = std::sqrt(second / sum - std::pow(moment / sum, 2));
-    constexpr double hertzDeviation = 0.195; // of F ∝ sin^(3/2), in contact times
+    constexpr double hertzDeviation =
+        0.195; // standard deviation of F ∝ sin^(3/2), in contact times
     return {sum, deviation / hertzDeviation};
 }
 

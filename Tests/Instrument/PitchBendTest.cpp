@@ -98,7 +98,7 @@ TEST_CASE("The wheel of a zone's own channel bends the notes of its zone only") 
     giveRegistered(bend, 15, 6, 5);
     constexpr std::array channels{0, 3, 7, 8, 11, 15}; // two of each zone, two outside
     constexpr std::array groups{0, 0, 1, 1, 2, 2};
-    constexpr std::array wheels{0, 8, 15}; // of each group
+    constexpr std::array wheels{0, 8, 15}; // one of each group
     for (std::size_t i = 0; i < channels.size(); ++i)
         bend.noteOn(channels[i], 60 + static_cast<int>(i));
     for (std::size_t wheel = 0; wheel < wheels.size(); ++wheel) {
@@ -184,7 +184,7 @@ TEST_CASE("A bend range that MIDI gives holds until the parameter moves") {
     bend.controller(0, 38, 50);
     bend.wheel(0, 127, up);
     CHECK(bend.commonSemitones(60) == Approx(7.5));
-    giveRegistered(bend, 3, 0, 24); // of all members
+    giveRegistered(bend, 3, 0, 24); // acts on all members
     bend.noteOn(5, 60);
     bend.wheel(5, 127, up);
     CHECK(bend.ownSemitones(60) == 24);

@@ -22,8 +22,8 @@ namespace {
 constexpr double sampleRateHz = 48000;
 constexpr int key = 66;
 
-/// Keys 60 to 72: a fundamental, which a bar shares with its tube as a pair and the tube alone
-/// radiates, and two modes of its own.
+/// Keys 60 to 72. Each bar shares its fundamental with its tube as a pair of modes, which only the
+/// tube radiates. It has two further modes.
 std::shared_ptr<const Instrument> barsOverTubes(bool withTubes = true) {
     auto bar = syntheticObject({440, 446, 1500, 2700}, {0.7f, 0.7f, 1, 1});
     if (withTubes)

@@ -134,7 +134,7 @@ TEST_CASE("Notes that share an object follow the last note's bend") {
                               {midi(0, 0x91, 60, 100), midi(0, 0xe1, 0, 66),
                                midi(100, 0x92, 60, 100), midi(100, 0xe2, 0, 60)},
                               24000, 256, withMpe());
-    const double bent = 48.0 * (60 * 128 - 8192) / 8192 * 100; // of the second note, which is lower
+    const double bent = 48.0 * (60 * 128 - 8192) / 8192 * 100; // the second note's, which is lower
     CHECK(
         std::abs(cents(soundingHz(std::span(sound).subspan(256), lowestHz * std::exp2(bent / 1200)),
                        lowestHz) -
