@@ -1,4 +1,4 @@
-// What MIDI asks for by program changes, and keys that go down before it plays.
+// Follows MIDI program changes, and keys pressed before the requested program plays.
 #pragma once
 
 #include "Instrument/Player.h"
@@ -15,27 +15,27 @@ namespace idiophone {
 /// [audio thread] throughout; neither allocates, locks nor throws.
 class AwaitingKeys {
 public:
-    /// Programs from 0 up to, and without, this number are waited for; changes to others are none.
+    /// Follows changes to programs 0 to `programCount` - 1 and ignores others.
     explicit AwaitingKeys(int programCount) : programs(programCount) {}
 
-    /// Whether a MIDI message is a change to a program that is waited for.
+    /// Returns whether a MIDI message changes to a program below the count.
     bool isAwaited(std::span<const std::uint8_t> message) const noexcept;
 
-    /// Channel messages in order of time.
+    /// Takes channel messages, in order of time.
     void follow(std::span<const MidiEvent> messages) noexcept;
 
-    /// The program of the last change since this was asked, if any.
+    /// Returns the program of the last change since the previous call, if any.
     std::optional<int> takeProgram() noexcept { return std::exchange(program, std::nullopt); }
 
-    /// The note-ons since the last program change whose keys are still down, in order of time, and
-    /// waits no longer; valid until the next `follow`.
+    /// Returns the note-ons since the last program change whose keys are still down, in order of
+    /// time. Stops collecting keys. Valid until the next `follow`.
     std::span<const MidiEvent> take() noexcept;
 
-    /// All keys are up, and those that go down from now on are still waited for.
+    /// Forgets the keys held now, but still collects keys pressed from now on.
     void forgetKeys() noexcept { count = 0; }
 
 private:
-    static constexpr std::size_t capacity = 256; ///< keys beyond it are not struck again
+    static constexpr std::size_t capacity = 256; ///< further keys are not struck again
 
     void follow(const MidiEvent& event) noexcept;
     void release(const MidiEvent& event) noexcept;

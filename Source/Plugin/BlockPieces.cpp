@@ -32,12 +32,12 @@ void BlockPieces::begin(const juce::MidiBuffer& midi, NoteQueue& notes, int bloc
         notes.read([this](const MidiEvent& event) { events[eventCount++] = event; });
 }
 
-// Hosts have been seen to stamp events outside of their block.
+// Some hosts stamp events outside their block.
 int BlockPieces::stampOf(const juce::MidiMessageMetadata& metadata) const noexcept {
     return std::clamp(metadata.samplePosition, position, std::max(position, samples - 1));
 }
 
-// As far as samples and events fit; events on one sample are not parted from each other before it.
+// Returns how far samples and events fit. Ends before a sample whose events do not all fit.
 int BlockPieces::pieceEnd() const noexcept {
     const int end = std::min(position + maximumSamples, samples);
     auto count = eventCount;

@@ -1,5 +1,5 @@
-// Cuts a host's block into pieces whose MIDI and samples fit fixed buffers, so that neither a
-// crowded nor an overlong block allocates or loses anything.
+// Cuts a host's block into pieces whose MIDI and samples fit fixed buffers. A crowded or overlong
+// block neither allocates nor loses anything.
 #pragma once
 
 #include "Plugin/NoteQueue.h"
@@ -15,27 +15,27 @@ namespace idiophone {
 class BlockPieces {
 public:
     static constexpr int maximumSamples = 1024;
-    /// All the strikes that a synthesiser takes at a time: 64 contacts on each of 128 keys.
+    /// The strikes that a synthesiser takes at once: 64 contacts on each of 128 keys.
     static constexpr int maximumEvents = 64 * 128;
 
-    /// Valid until the next `next`. "All sound off" is at the start of its piece, so that what
-    /// sounds on behind the player can follow it at its sample. `length` is 0 where more events
-    /// fall on one sample than fit, or some of them before a system exclusive message.
+    /// Valid until the next call of `next`. "All sound off" starts a piece, so that the output
+    /// stage can follow it at its sample. `length` is 0 if more events fall on one sample than fit,
+    /// or if some of them come before a system exclusive message.
     struct Piece {
         int start = 0;
         int length = 0;
-        std::span<const juce::uint8> systemExclusive; ///< acts before the rest; empty: none
+        std::span<const juce::uint8> systemExclusive; ///< applies before the events; empty: none
         std::span<const MidiEvent> events;            ///< channel messages, offsets from `start`
     };
 
-    /// Starts a block; `midi` must live until its last piece. Waiting notes of the queue sound at
-    /// its first sample. Other system messages are left out. What comes in a block without samples
-    /// is kept for the next, unless a system exclusive message comes with it.
+    /// Starts a block; `midi` must live until its last piece. Queued notes sound at its first
+    /// sample. Skips other system messages. Keeps the events of a block without samples for the
+    /// next block, unless a system exclusive message comes with them.
     void begin(const juce::MidiBuffer& midi, NoteQueue& notes, int blockSamples) noexcept;
 
     std::optional<Piece> next() noexcept;
 
-    /// Forgets what is kept for the next block.
+    /// Forgets the events kept for the next block.
     void reset() noexcept { eventCount = 0; }
 
 private:
@@ -48,7 +48,7 @@ private:
     int samples = 0;
     bool finished = true;
     std::array<MidiEvent, maximumEvents> events{};
-    std::size_t eventCount = 0; ///< collected and not yet handed out
+    std::size_t eventCount = 0; ///< collected and not yet returned
     static_assert(NoteQueue::mostEvents <= maximumEvents);
 };
 

@@ -1,4 +1,4 @@
-// Names for contents: the same on every machine and of every standard library.
+// Hashes file contents: the same value on every machine and with every standard library.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace idiophone {
 
-/// FNV-1a; goes on from the hash of what comes before.
+/// FNV-1a; continues from `hash`, the hash of the bytes before.
 constexpr std::uint64_t contentHash(std::span<const std::byte> bytes,
                                     std::uint64_t hash = 0xcbf29ce484222325) noexcept {
     for (const auto byte : bytes)

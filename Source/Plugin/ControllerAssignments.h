@@ -1,4 +1,4 @@
-// Which MIDI controller moves which parameter: plain data.
+// Stores which MIDI controller moves which parameter: plain data.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -10,19 +10,19 @@ namespace idiophone {
 
 inline constexpr int noController = -1;
 
-/// Whether a controller's number may be assigned: not those of bank selection and channel modes.
+/// Returns whether a controller number may be assigned: not bank selection or channel modes.
 constexpr bool isLearnable(int number) {
     return number > 0 && number < 120 && number != 32;
 }
 
-/// Whether one that moves while a parameter learns is taken for it: not those of which MIDI makes
-/// registered parameters, as controllers send them unasked.
+/// Returns whether a controller that moves during MIDI learn is assigned. Excludes the controllers
+/// of registered parameters, because keyboards send them unasked.
 constexpr bool isMeantToBeLearned(int number) {
     return isLearnable(number) && number != 6 && number != 38 && (number < 96 || number > 101);
 }
 
 struct ControllerAssignments {
-    /// For each parameter a learnable number, or `noController`.
+    /// A learnable number for each parameter, or `noController`.
     std::array<std::int8_t, parameterCount> numbers = [] {
         std::array<std::int8_t, parameterCount> none{};
         none.fill(noController);
@@ -39,8 +39,8 @@ struct ControllerAssignments {
     bool operator==(const ControllerAssignments&) const = default;
 };
 
-/// The value that a controller at 0 to 127 stands for, evenly over the parameter's scale; of a
-/// choice, over those that have a name. Neither allocates nor locks.
+/// Returns the value for a controller at 0 to 127, spread evenly over the parameter's scale. For a
+/// choice, spreads over the named values. Neither allocates nor locks.
 double controlledValue(const ParameterInfo& info, int controllerValue) noexcept;
 
 } // namespace idiophone

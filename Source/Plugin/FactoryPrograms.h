@@ -1,14 +1,14 @@
-// The factory's presets as the host's programs and on the shelf.
+// Maps the factory presets to the host's programs and to ids on the shelf.
 #pragma once
 
 #include <string>
 
 namespace idiophone {
 
-/// By which the shelf knows the factory's preset of that name.
+/// Returns the shelf's id of the factory preset of that name.
 std::string factoryPresetId(const std::string& name);
 
-/// Index into factoryPresets(); −1 where the id is none of theirs.
+/// Returns the index into factoryPresets(), or −1 if the id is not a factory preset's.
 int factoryProgram(const std::string& presetId);
 
 } // namespace idiophone

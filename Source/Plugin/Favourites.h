@@ -1,4 +1,4 @@
-// Which presets a person likes: a small file of the user's settings, shared by all instances.
+// Stores the user's favourite presets in a small settings file, shared by all instances.
 #pragma once
 
 #include "Object/Result.h"
@@ -9,18 +9,18 @@
 
 namespace idiophone {
 
-/// Ids of presets. For the message thread; every change reads the file first, as another instance
-/// may have changed it.
+/// Holds preset ids. For the message thread. Every change reads the file first, because another
+/// instance may have changed it.
 class Favourites {
 public:
-    /// An empty file is settings that this machine has no place for: then there are none.
+    /// An empty file means that this machine has no settings folder; then there are no favourites.
     explicit Favourites(juce::File settings) : file(std::move(settings)) {}
 
     const std::set<std::string>& read();
     bool contains(const std::string& id) const { return ids.contains(id); }
 
     Result<void> set(const std::string& id, bool favourite);
-    /// The preset has another id now.
+    /// Keeps a preset a favourite when its id changes.
     Result<void> rename(const std::string& from, const std::string& to);
 
 private:
@@ -28,7 +28,7 @@ private:
 
     juce::File file;
     std::set<std::string> ids;
-    bool isDamaged = false; ///< the file, which is then kept aside
+    bool isDamaged = false; ///< the file is unreadable; `write` renames it and starts a new one
 };
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Which files the plugin opens, told by their extensions in any case.
+// Names the kinds of files that the plugin opens, by extension in any case.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ bool isKeyboardMapping(const std::filesystem::path& file); ///< .kbm
 std::string objectFilePatterns(); ///< "*.obj;*.off;*.ply;*.stl;*.modal"
 std::string tuningFilePatterns(); ///< "*.scl;*.kbm"
 
-/// Without its folder, in UTF-8.
+/// Returns the name without its folder, in UTF-8.
 std::string fileNameOf(const std::filesystem::path& file);
 
 } // namespace idiophone

@@ -16,7 +16,7 @@ public:
     }
 
     void timerCallback() override {
-        const juce::ScopedLock lock(calling); // which a thread may take again
+        const juce::ScopedLock lock(calling); // recursive
         if (!isOver)
             callback();
     }
@@ -38,7 +38,7 @@ void GuardedTimer::callSoon() {
 
 GuardedTimer::~GuardedTimer() {
     ticker->end();
-    // The message thread may be about to call it: it goes there, behind that.
+    // The message thread may be about to call the ticker: delete it there, after that call.
     juce::MessageManager::callAsync([last = std::move(ticker)] {});
 }
 

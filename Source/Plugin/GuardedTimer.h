@@ -1,4 +1,4 @@
-// A timer of the message thread whose owner may go on any thread.
+// A message-thread timer whose owner may be destroyed on any thread.
 #pragma once
 
 #include <functional>
@@ -6,16 +6,16 @@
 
 namespace idiophone {
 
-/// JUCE calls a timer back with no lock held, so that `stopTimer` does not wait for a call that is
-/// under way; and hosts of some formats remove a plugin on a thread of their own meanwhile.
+/// JUCE holds no lock while it calls a timer back, so `stopTimer` does not wait for a running call.
+/// Hosts of some formats remove a plugin on another thread meanwhile.
 class GuardedTimer {
 public:
-    /// Calls back on the message thread every so often.
+    /// Calls back on the message thread, once per interval.
     GuardedTimer(int milliseconds, std::function<void()> callback);
-    /// Any thread: waits for a call that is under way, unless that is what destroys it; none comes
-    /// after.
+    /// [any thread] Waits for a running call, unless that call destroys the timer. No call comes
+    /// afterwards.
     ~GuardedTimer();
-    /// [any thread but audio in real time] Calls back once more, as soon as the message thread can.
+    /// [any thread but the audio thread] Calls back once more, as soon as the message thread can.
     void callSoon();
     GuardedTimer(const GuardedTimer&) = delete;
     GuardedTimer& operator=(const GuardedTimer&) = delete;

@@ -1,5 +1,5 @@
-// Hands something that was built elsewhere to the audio thread, and takes back what the audio
-// thread no longer needs, so that it is destroyed elsewhere too. Nothing waits for anybody.
+// Hands an object built elsewhere to the audio thread, and takes back objects that the audio thread
+// no longer needs, for destruction elsewhere. Neither side waits.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace idiophone {
 
 /// [message side] is any thread but the audio thread, one at a time: the caller serialises.
-/// [audio thread] is the one that runs the callback; it may hold two `Built`s at a time.
+/// [audio thread] runs the callback; it may hold two `Built`s at a time.
 template <class Built>
 class Handoff {
 public:
@@ -17,29 +17,30 @@ public:
     Handoff(const Handoff&) = delete;
     Handoff& operator=(const Handoff&) = delete;
 
-    /// [message side] after the last callback.
+    /// [message side] Call after the last callback.
     ~Handoff() {
         delete pending.load();
         collect();
     }
 
-    /// [message side] The next `take` gets this. What was published before and not yet taken is
-    /// destroyed, and so is what came back.
+    /// [message side] Publishes an object for the next `take`. Destroys the one published before if
+    /// it was not taken, and everything given back.
     void publish(std::unique_ptr<Built> built) {
         collect();
         delete pending.exchange(built.release());
     }
 
-    /// [message side] Destroys what the audio thread gave back.
+    /// [message side] Destroys the objects that the audio thread gave back.
     void collect() {
         for (auto& slot : retired)
             delete slot.exchange(nullptr);
     }
 
-    /// [audio thread] The newest that was published, which the audio thread now owns, or nullptr.
+    /// [audio thread] Returns the newest published object, now owned by the audio thread, or
+    /// nullptr.
     Built* take() noexcept { return pending.exchange(nullptr); }
 
-    /// [audio thread] Gives one back for destruction; nullptr is nothing to give back.
+    /// [audio thread] Gives an object back for destruction; ignores nullptr.
     void retire(Built* built) noexcept {
         if (built == nullptr)
             return;
@@ -48,8 +49,8 @@ public:
             if (slot.compare_exchange_strong(empty, built))
                 return;
         }
-        // Not reached: every `publish` empties the slots, and from one to the next no more than
-        // the two that the audio thread held and the two that may have been pending come back.
+        // Not reached: every `publish` empties the slots. Until the next one at most four objects
+        // come back: the two that the audio thread held and the two that may have been pending.
     }
 
 private:

@@ -27,7 +27,8 @@ float HostParameter::getValue() const {
 }
 
 void HostParameter::setExactValue(double value) noexcept {
-    movedByController = false; // first: where a controller moves it meanwhile, the host is told
+    movedByController =
+        false; // first: a controller may move it meanwhile, and the host must hear of that
     exact = row.clamped(value);
     ++timesSet;
 }

@@ -1,6 +1,6 @@
-// One row of the parameter table as the host sees it: normalised, named, with text and unit. The
-// value is kept in its unit, exactly. It is also the hand-off of what a learned controller sets on
-// the audio thread to the host, which is told on the message thread.
+// One row of the parameter table as the host sees it: normalised, named, with text and unit. Keeps
+// the exact value in its unit. Hands the moves of a learned controller from the audio thread to the
+// message thread, which reports them to the host.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -15,30 +15,31 @@ class HostParameter final : public juce::AudioProcessorParameterWithID {
 public:
     explicit HostParameter(const ParameterInfo& info);
 
-    /// [any thread] In the unit of the table.
+    /// [any thread] Returns the value in the unit of the table.
     double exactValue() const noexcept { return exact.load(); }
     void setExactValue(double value) noexcept;
 
-    /// [any thread] Grows with every value that is set, also where it stays.
+    /// [any thread] Returns how often the value was set, also to the same value.
     std::uint32_t moves() const noexcept { return timesSet; }
 
-    /// [audio thread] As a controller has it; `tellHost` tells the host.
+    /// [audio thread] Sets the value from a controller; `tellHost` reports it to the host.
     void moveByController(double value) noexcept;
-    /// [message thread] Tells the host where it is, if a controller moved it since this was called
-    /// last and nothing else did since; as a gesture of its own, or within one by hand.
+    /// [message thread] Reports the value to the host if a controller was the last to set it and it
+    /// is still unreported. Makes a gesture of its own unless `isInGesture`.
     void tellHost(bool isInGesture);
-    /// [any thread] Tells the host and other listeners the value.
+    /// [any thread] Reports the value to the host and other listeners.
     void tellListeners();
-    /// [message thread] The same where it is not what was told last, if that is not forgotten.
+    /// [message thread] Reports the value if it differs from the last sent one and that one is not
+    /// forgotten.
     void tellListenersIfMoved();
-    /// [any thread] From now on nothing is an echo of what the host was told before.
+    /// [any thread] Forgets the last sent value, so that nothing counts as its echo.
     void forgetTold() noexcept { told = -1; }
 
     const ParameterInfo& info() const noexcept { return row; }
 
     float getValue() const override;
-    /// A host that echoes what `getValue` said changes nothing: the exact value stays. Nor does one
-    /// that echoes late what it was told, while it is to be told where the controller went since.
+    /// Ignores a value equal to `getValue`, so that a host echo does not round the exact value.
+    /// Also ignores an echo of the last sent value while a newer controller value is unreported.
     void setValue(float normalised) override;
     float getDefaultValue() const override;
     juce::String getText(float normalised, int maximumLength) const override;
@@ -50,8 +51,9 @@ public:
 private:
     const ParameterInfo& row;
     std::atomic<double> exact;
-    std::atomic<bool> movedByController{false}; ///< last, and the host is still to be told
-    std::atomic<float> told{-1};                ///< to the host last; normalised
+    std::atomic<bool> movedByController{
+        false};                  ///< was the last to set it, and the host does not know yet
+    std::atomic<float> told{-1}; ///< last value sent to the host, normalised; −1: none
     std::atomic<std::uint32_t> timesSet{0};
     static_assert(std::atomic<bool>::is_always_lock_free);
     static_assert(std::atomic<float>::is_always_lock_free);

@@ -1,5 +1,5 @@
-// All parameters of the table as the host's parameters, loaded all at once from presets and states,
-// and read by the audio thread as one snapshot.
+// Makes all parameters of the table the host's parameters. Presets and states load them all at
+// once; the audio thread reads them as one snapshot.
 #pragma once
 
 #include "Plugin/HostParameter.h"
@@ -12,7 +12,7 @@ namespace idiophone {
 
 class HostParameters {
 public:
-    /// Adds a parameter for every row to the processor, which owns them from then on.
+    /// Adds a parameter for every row to the processor, which then owns them.
     explicit HostParameters(juce::AudioProcessor& processor);
 
     HostParameter& operator[](ParameterId parameter) const {
@@ -22,33 +22,34 @@ public:
     /// [any thread]
     ParameterValues values() const noexcept;
 
-    /// [message side, one at a time] Sets all of them; a snapshot sees all or none.
+    /// [message side, one at a time] Sets all values; a snapshot sees all of them or none.
     void load(const ParameterValues& values) noexcept;
 
-    /// [message side, one at a time] Sets those in which the two differ, as `load` does, and leaves
-    /// others to whoever moves them.
+    /// [message side, one at a time] Sets the values that differ between `before` and `after`, all
+    /// at once as `load` does. Leaves the others alone.
     void loadChanges(const ParameterValues& before, const ParameterValues& after) noexcept;
 
-    /// [any thread] What `loadChanges` would leave.
+    /// [any thread] Returns the values that `loadChanges` would leave.
     ParameterValues valuesAfter(const ParameterValues& before,
                                 const ParameterValues& after) const noexcept;
 
-    /// [any thread] How often each was set.
+    /// [any thread] Returns how often each parameter was set.
     using Moves = std::array<std::uint32_t, parameterCount>;
     Moves moves() const noexcept;
 
-    /// [any thread] The values, but those that were set since are as they are.
+    /// [any thread] Returns `values`, with the current value of every parameter set since.
     ParameterValues withMoved(const Moves& since, ParameterValues values) const noexcept;
 
-    /// [message side] Tells the host and other listeners of all values, after `load`.
+    /// [message side] Reports all values to the host and other listeners, after `load`.
     void notifyListeners() const;
-    /// [message thread] Of those that have moved since they were told.
+    /// [message thread] Reports only the values that changed since they were last sent.
     void notifyListenersOfMoved() const;
 
-    /// [any thread] As each parameter does.
+    /// [any thread] Calls `forgetTold` on every parameter.
     void forgetTold() const noexcept;
 
-    /// [audio thread] What holds for this callback. While a `load` is under way, what held before.
+    /// [audio thread] Returns the values for this callback. During a `load`, returns the values
+    /// from before it.
     const ParameterValues& snapshot() noexcept;
 
 private:

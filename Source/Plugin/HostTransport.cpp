@@ -7,9 +7,10 @@
 namespace idiophone {
 namespace {
 
-constexpr double fastest = 2000;          // beats a minute
-constexpr double farthest = 1e9;          // beats from the start of the song
-constexpr double smallestJump = 1.0 / 16; // of a beat; less is how hosts round, or a tempo moves
+constexpr double fastest = 2000; // beats per minute
+constexpr double farthest = 1e9; // beats from the start of the song
+constexpr double smallestJump =
+    1.0 / 16; // beats; smaller jumps come from rounding or a tempo change
 
 double tempoOf(const juce::AudioPlayHead::PositionInfo& position) noexcept {
     const double told = position.getBpm().orFallback(0);

@@ -1,4 +1,4 @@
-// What the host's transport says: the tempo, and where in the song it plays.
+// Follows the host's transport: the tempo and the song position.
 #pragma once
 
 #include <juce_audio_basics/juce_audio_basics.h>
@@ -6,25 +6,26 @@
 
 namespace idiophone {
 
-/// For the audio thread; neither allocates, locks nor throws. A host that says nothing of a block
-/// means that all goes on as it told last: those of LV2 speak when something changes.
+/// For the audio thread; neither allocates, locks nor throws. If the host reports nothing for a
+/// block, the last report goes on: LV2 hosts report only changes.
 class HostTransport {
 public:
-    /// Once a callback, with its samples; nullptr where there is no host that tells. One without
-    /// samples says nothing, and a place told twice in a row is none: some hosts tell whole beats.
+    /// Call once a callback, with its number of samples; `host` is nullptr if there is no play
+    /// head. A block without samples is ignored. A position reported twice in a row counts as none,
+    /// because some hosts report whole beats.
     void follow(const juce::AudioPlayHead* host, int blockSamples, double sampleRateHz) noexcept;
 
-    /// As before the first callback, but for the tempo: where a song plays on it begins anew.
+    /// Forgets the position but keeps the tempo; the next song position counts as a start.
     void forgetPlace() noexcept { placeNow = told = reckoned = std::nullopt; }
     void forget() noexcept { *this = {}; }
 
-    /// Beats a minute; 0 where the host tells none, or none that is one.
+    /// Returns beats per minute, or 0 if the host reports no valid tempo.
     double tempo() const noexcept { return beatsPerMinute; }
-    /// Where the callback's first sample is in the song, in beats, while it plays and the host
-    /// tells of both.
+    /// Returns the song position of the callback's first sample in beats, if the song plays and the
+    /// host reports position and tempo.
     std::optional<double> songPlace() const noexcept { return placeNow; }
-    /// The song begins to play in this callback, or goes back. Where it is farther on than it
-    /// could be the host has left callbacks out, as many do while a plugin is silent.
+    /// Returns whether the song starts or jumps back in this callback. A jump forward is no start:
+    /// many hosts skip callbacks while a plugin is silent.
     bool begins() const noexcept { return beginsNow; }
 
 private:
@@ -32,9 +33,10 @@ private:
 
     double beatsPerMinute = 0;
     std::optional<double> placeNow;
-    std::optional<double> told;     ///< what the host said of the last callback
-    std::optional<double> reckoned; ///< where it began, while the song plays
-    double secondsSince = 0;        ///< then
+    std::optional<double> told;     ///< position reported for the last callback
+    std::optional<double> reckoned; ///< position of the last callback while the song plays,
+                                    ///< extrapolated if not reported
+    double secondsSince = 0;        ///< length of the last callback
     bool beginsNow = false;
 };
 
