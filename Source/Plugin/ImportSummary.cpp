@@ -15,7 +15,7 @@
 namespace idiophone {
 namespace {
 
-/// Three figures.
+/// Formats a value to three significant digits.
 juce::String figure(double value) {
     if (value >= 100)
         return juce::String(juce::roundToInt(value));

@@ -1,4 +1,4 @@
-// What there is to say of objects that are made of files.
+// Describes objects made from files, in sentences for the window.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -10,10 +10,10 @@ namespace idiophone {
 /// "171 modes from 412 Hz to 44.0 kHz; 32.7 kg of Steel, 200 x 200 x 200 mm".
 std::string summaryOf(const ModalObject& object);
 
-/// The sentences on its unit and of its analysis, one after the other.
+/// Returns the sentence on its unit, then the notes of its analysis.
 std::string notesOf(const ModalObject& object, const std::string& unitSentence);
 
-/// "imported/teapot-5f3a9c01": another for every other object.
+/// made from the content, so that different objects have different names.
 std::string uniqueName(const ModalObject& object);
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Hands the newest of a series of large values from one thread to one other: a triple buffer.
+// Hands the newest of a series of large values from one thread to another: a triple buffer.
 #pragma once
 
 #include <array>
@@ -6,23 +6,23 @@
 
 namespace idiophone {
 
-/// Neither side waits, allocates or sees a value that is being written; what is not read before the
-/// next one is lost.
+/// Neither side waits, allocates or sees a value half written. A value not read before the next one
+/// is lost.
 template <class Value>
 class LatestValue {
 public:
-    /// All three as `value`.
+    /// Initialises all three buffers to `value`.
     explicit LatestValue(const Value& value) : values{value, value, value} {}
     LatestValue(const LatestValue&) = delete;
     LatestValue& operator=(const LatestValue&) = delete;
 
-    /// [the writing thread] What is written here is handed over by `publish`; until then it is some
-    /// old value.
+    /// [the writing thread] Returns the buffer that `publish` hands over. It holds some old value
+    /// first.
     Value& next() noexcept { return values[writing]; }
     void publish() noexcept { writing = spare.exchange(writing | isNew) & index; }
 
-    /// [the reading thread] The newest published, valid until the next call; nullptr where it was
-    /// read already.
+    /// [the reading thread] Returns the newest published value, valid until the next call, or
+    /// nullptr if it was read already.
     const Value* take() noexcept {
         if ((spare.load() & isNew) == 0)
             return nullptr;
@@ -36,7 +36,7 @@ private:
     std::array<Value, 3> values;
     unsigned writing = 0;           ///< the writing thread's
     unsigned reading = 1;           ///< the reading thread's
-    std::atomic<unsigned> spare{2}; ///< of nobody; with `isNew` where it was published
+    std::atomic<unsigned> spare{2}; ///< in neither thread; `isNew`: not read yet
     static_assert(std::atomic<unsigned>::is_always_lock_free);
 };
 

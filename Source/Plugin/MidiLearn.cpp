@@ -5,7 +5,7 @@ namespace idiophone {
 MidiLearn::MidiLearn() {
     for (auto& number : numbers)
         number = noController;
-    // The first look makes the list, which the audio thread must not do.
+    // The first call builds the list of names, and the audio thread must not do that.
     for (const auto& info : parameterTable())
         choiceNames(info.parameter);
 }

@@ -1,5 +1,5 @@
-// Which MIDI controllers move which parameters: the hand-off between the audio thread, which sees
-// the controllers, and the message thread, which assigns them.
+// Assigns MIDI controllers to parameters. The audio thread sees the controllers, the message thread
+// assigns them; this is the hand-off between them.
 #pragma once
 
 #include "Editor/MidiLearnView.h"
@@ -12,24 +12,23 @@
 
 namespace idiophone {
 
-/// Each number is an atomic of its own: a thread sees another's change at its next look. Nobody
-/// waits for anybody.
+/// Each number is an atomic, and neither thread waits for the other.
 class MidiLearn final : public MidiLearnView {
 public:
     MidiLearn();
 
-    /// [audio thread] Before the parameters of a callback are read: each controller's last value
-    /// among these messages of its block counts. Neither allocates, locks nor throws.
+    /// [audio thread] Call before reading the parameters of a callback. Uses each controller's last
+    /// value among these messages of the block. Neither allocates, locks nor throws.
     void follow(juce::MidiBufferIterator first,
                 juce::MidiBufferIterator last,
                 const HostParameters& parameters) noexcept;
 
-    /// [message thread] Tells the host of what controllers moved since it was told last. Not during
-    /// an offline render: a host that echoes late would make the render depend on time.
-    /// `openGestures` has how many by hand each parameter is in.
+    /// [message thread] Reports to the host the values that controllers set since the last call. Do
+    /// not call during an offline render: a late echo from the host would make the render depend on
+    /// time. `openGestures` counts the open gestures of each parameter.
     void tellHost(const HostParameters& parameters,
                   const std::array<int, parameterCount>& openGestures);
-    /// [message thread] Whether a controller was learned or forgotten since this was asked last.
+    /// [message thread] Returns whether a controller was learned or forgotten since the last call.
     bool takeReassigned() noexcept { return reassigned.exchange(false); }
 
     /// [any thread but audio]
@@ -46,7 +45,7 @@ private:
     static constexpr int nothing = -1;
 
     std::array<std::atomic<std::int8_t>, parameterCount> numbers;
-    std::atomic<int> learning{nothing}; ///< a ParameterId
+    std::atomic<int> learning{nothing}; ///< a ParameterId, or `nothing`
     std::atomic<bool> reassigned{false};
     static_assert(std::atomic<std::int8_t>::is_always_lock_free);
     static_assert(std::atomic<int>::is_always_lock_free);

@@ -1,4 +1,4 @@
-// Which modes are not to be heard, from the window to the audio thread.
+// Hands the set of silenced modes from the window to the audio thread.
 #pragma once
 
 #include "Instrument/Player.h"
@@ -12,14 +12,14 @@ namespace idiophone {
 
 class ModeSilencer {
 public:
-    /// [message side, one at a time] Holds for players of this instrument from their next callback
-    /// on, and replaces what was sent before.
+    /// [message side, one at a time] Applies to players of this instrument from their next callback
+    /// on. Replaces the set sent before.
     void send(const Instrument& instrument, SilencedModes silenced) {
         handoff.publish(std::make_unique<Silences>(instrument.serialNumber(), std::move(silenced)));
     }
 
-    /// [audio thread] Gives what was sent last to the player; what is meant for another instrument,
-    /// which has gone since, is dropped. Neither allocates, locks nor throws.
+    /// [audio thread] Gives the last set to the player. Drops a set for another instrument. Neither
+    /// allocates, locks nor throws.
     void silence(Player* player) noexcept {
         Silences* const sent = handoff.take();
         if (sent == nullptr)

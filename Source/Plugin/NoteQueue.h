@@ -12,11 +12,11 @@ namespace idiophone {
 class NoteQueue {
 public:
     static constexpr int capacity = 256;
-    /// That one `read` hands over: what waits, and releases of all keys.
+    /// Maximum events of one `read`: the queue and a release of every key.
     static constexpr int mostEvents = capacity + 128;
 
-    /// [message thread] Velocity 0 releases. Of a full queue a note is lost, and false returned;
-    /// but never a release: then all notes of the queue are released.
+    /// [message thread] Queues a note; velocity 0 releases it. If the queue is full, drops the note
+    /// and returns false. If it drops a release, the next `read` releases all keys.
     bool push(int note, int velocity) noexcept {
         const bool isRelease = velocity <= 0;
         const bool isQueued = queue.push(isRelease ? release(note) : strike(note, velocity));
@@ -25,7 +25,7 @@ public:
         return isQueued;
     }
 
-    /// [audio thread] Hands each waiting note to `take`, oldest first; at most `mostEvents`.
+    /// [audio thread] Hands each pending note to `take`, oldest first; at most `mostEvents`.
     template <class Take>
     void read(Take&& take) noexcept {
         queue.read([&](const MidiEvent& event) {
@@ -40,7 +40,7 @@ public:
         held.reset();
     }
 
-    /// [audio thread] Forgets what waits, where all keys are up.
+    /// [audio thread] Discards all pending notes; call when all keys are up.
     void clear() noexcept {
         queue.read([](const MidiEvent&) {});
         releaseLost = false;
@@ -60,7 +60,7 @@ private:
     }
 
     OneWayQueue<MidiEvent, capacity> queue;
-    std::atomic<bool> releaseLost{false}; ///< for want of room
+    std::atomic<bool> releaseLost{false}; ///< because the queue was full
     std::bitset<128> held;                ///< the audio thread's
 };
 

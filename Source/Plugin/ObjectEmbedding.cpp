@@ -21,7 +21,7 @@
 namespace idiophone {
 namespace {
 
-/// What states have of the objects that live: hosts ask for states often, and packing is slow.
+/// Caches the packed text of every living object: hosts ask for states often, and packing is slow.
 class PackedObjects {
 public:
     using Text = std::shared_ptr<const std::string>;
@@ -34,7 +34,7 @@ public:
     Text of(const std::shared_ptr<const ModalObject>& object) {
         if (auto known = find(object))
             return known;
-        // Without the lock: others shall not wait.
+        // Pack without the lock, so that other threads need not wait.
         auto text = std::make_shared<const std::string>(packedModal(modalFile(*object)));
         keep(object, text);
         return text;
@@ -77,7 +77,7 @@ std::string shown(const std::string& name) {
                                  : oneLine(name);
 }
 
-/// Of what a scene names.
+/// Returns the first file that a scene names and this machine lacks.
 std::optional<std::string> firstMissingIn(const Scene& scene) {
     for (const auto& kind : scene.kinds)
         if (!kind.ball && !factoryObject(kind.object) && !isFile(kind.object))
@@ -88,7 +88,7 @@ std::optional<std::string> firstMissingIn(const Scene& scene) {
         return shown(scene.keyboard->preset);
     const auto file = pathNamed(scene.keyboard->preset);
     const auto preset = readPresetFile(file);
-    // No other has bars for a keyboard, and one of this scene would be asked without end.
+    // Only a `bars` preset can be a keyboard. Checking a scene preset could recurse without end.
     return preset && preset->keyMap.kind == KeyMapKind::bars
                ? firstMissing(withObjectsBeside(preset->keyMap, file), {})
                : std::nullopt;
@@ -98,7 +98,8 @@ bool isGiven(const std::string& name, const std::vector<EmbeddedObject>& objects
     return std::ranges::find(objects, name, &EmbeddedObject::name) != objects.end();
 }
 
-/// What a state names there without having it: not even looked for, as anybody may have written it.
+/// Returns the first network path that a state names without embedding it. The path is not even
+/// probed, because anybody may have written the state.
 std::optional<std::string> firstInNetwork(const KeyMap& keyMap,
                                           const std::vector<EmbeddedObject>& objects) {
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note)
@@ -108,7 +109,7 @@ std::optional<std::string> firstInNetwork(const KeyMap& keyMap,
     return std::nullopt;
 }
 
-/// Of its .modal file, at most.
+/// Returns an upper bound on the size of its .modal file.
 std::size_t largestFileBytes(const ModalObject& object) {
     constexpr std::size_t largestHeader = 1 << 20;
     const auto& radiation = object.radiation;
@@ -128,7 +129,7 @@ std::vector<ForeignObject> foreignObjects(const Instrument& instrument) {
     std::set<std::string> known;
     const auto& map = instrument.keyMap();
     if (map.kind == KeyMapKind::scene)
-        return objects; // it names its objects itself
+        return objects; // a scene names its objects itself
     for (int note = map.lowestNote; note <= map.highestNote; ++note) {
         const auto slot = static_cast<std::size_t>(instrument.key(note).slot);
         const auto name = map.objectFor(note);
@@ -214,10 +215,10 @@ std::optional<std::string> firstMissing(const KeyMap& keyMap,
         std::error_code fault;
         if (!std::filesystem::exists(file, fault))
             return shown(keyMap.object);
-        const auto scene = readSceneFile(file); // a damaged one is an error where it is built
+        const auto scene = readSceneFile(file); // a damaged one fails when it is built
         return scene ? firstMissingIn(*scene) : std::nullopt;
     }
-    // Other keys may do without one of their own.
+    // Only the lowest key must have an object of its own.
     const auto name = keyMap.objectFor(keyMap.lowestNote);
     const bool isThere = isGiven(name, objects) || factoryObject(name) || isFile(name);
     return isThere ? std::nullopt : std::optional(shown(name));
@@ -242,7 +243,7 @@ std::shared_ptr<const MissingObjects> replaceMissing(Preset& preset,
                            .mutedModes = std::exchange(preset.mutedModes, {}),
                            .objects = {}};
     for (const auto& object : objects) {
-        const bool isPacked = object.packed != nullptr; // which is all that states need
+        const bool isPacked = object.packed != nullptr; // states need only the packed text
         missing.objects.push_back({.name = object.name,
                                    .modal = isPacked ? std::vector<std::byte>() : object.modal,
                                    .packed = object.packed});

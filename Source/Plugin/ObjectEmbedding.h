@@ -1,5 +1,5 @@
-// Modal objects that a state must carry, as they are not part of the program, and instruments built
-// from what a state carried.
+// Packs modal objects that are not part of the program into states, and builds instruments from
+// them.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -13,60 +13,61 @@
 
 namespace idiophone {
 
-/// An object of an instrument that came from a file; not null.
+/// An object of an instrument that came from a file; never null.
 struct ForeignObject {
-    std::string name; ///< by which the key map knows it
+    std::string name; ///< as the key map names it
     std::shared_ptr<const ModalObject> object;
 };
 
-/// Each once, in the order of the keys.
+/// Returns each foreign object once, in the order of the keys.
 std::vector<ForeignObject> foreignObjects(const Instrument& instrument);
 
-/// Its .modal file, with shapes in half precision where that loses nothing.
+/// Encodes an object as a .modal file, with shapes in half precision if that loses nothing.
 std::vector<std::byte> modalFile(const ModalObject& object);
 
-/// The same objects as a state carries them, packed. Each object of the process is packed once, or
-/// not at all where it came from a state, for as long as it lives.
+/// Returns the foreign objects packed for a state. Each object is packed once per process, or never
+/// if it came from a state, and the text is kept while the object lives.
 std::vector<EmbeddedObject> embeddedObjects(const Instrument& instrument);
 
-/// Builds the instrument with the given objects under their names; factory objects keep theirs,
-/// whatever is embedded under the same name, and other instances know nothing of them. Refuses an
-/// instrument whose objects no state can carry, as `buildSingleObject` does.
+/// Builds the instrument with the given objects under their names. Factory objects keep their names
+/// even if an embedded object has the same one. Other instances do not see the objects. Refuses an
+/// instrument too large for a state, as `buildSingleObject` does.
 Result<std::shared_ptr<const Instrument>>
 buildInstrument(const KeyMap& keyMap, const std::vector<EmbeddedObject>& objects);
 
-/// The instrument unless its objects are too large for a state.
+/// Returns the instrument, or an error if its objects are too large for a state.
 Result<std::shared_ptr<const Instrument>> fitForState(std::shared_ptr<const Instrument> instrument);
 
-/// The first object of its notes that is neither the factory's nor given nor a file; or its scene,
-/// or what that names: its name for a sentence, of a long one the end.
+/// Returns the name of the first missing object: not a factory object, not given and not a file.
+/// For a scene, returns the scene or the first missing file that it names. Shortens a long name to
+/// its end.
 std::optional<std::string> firstMissing(const KeyMap& keyMap,
                                         const std::vector<EmbeddedObject>& objects);
 
-/// The factory's ring at the pitches of the keys, to play in the place of what is missing.
+/// Returns a key map that plays the factory's ring at the pitches of the keys.
 KeyMap standInFor(const KeyMap& keyMap);
 
-/// What a state names and this machine lacks, while something plays in its place: saved again, so
-/// that the sound is whole once it is back.
+/// Objects that a state names and this machine lacks, while a stand-in plays. They are saved again,
+/// so that the sound is complete once the objects are back.
 struct MissingObjects {
-    std::string first; ///< as of `firstMissing`
+    std::string first; ///< from `firstMissing`
     KeyMap keyMap;
     ModeSet mutedModes;
-    std::vector<EmbeddedObject> objects; ///< those that are there
+    std::vector<EmbeddedObject> objects; ///< those that the state carries
 };
 
-/// Where something is missing to a state's preset, gives it the stand-in's keys and returns what it
-/// had; else nothing.
+/// If a state's preset lacks an object, gives it the stand-in's key map and returns its own.
+/// Otherwise returns null.
 std::shared_ptr<const MissingObjects> replaceMissing(Preset& preset,
                                                      const std::vector<EmbeddedObject>& objects);
 
-/// Builds the instrument of a single object, which is not null: the map's, whose kind is not
+/// Builds the instrument of a single object, not null, under the map's name. The map's kind is not
 /// `bars`.
 Result<std::shared_ptr<const Instrument>>
 buildSingleObject(const KeyMap& keyMap, const std::shared_ptr<const ModalObject>& object);
 
-/// Builds an instrument of the same objects as another: the map differs in how keys play them, not
-/// in which there are.
+/// Builds an instrument of the same objects as `from`. The map may change how keys play the
+/// objects, but not the set of objects.
 Result<std::shared_ptr<const Instrument>> rebuilt(const Instrument& from, const KeyMap& keyMap);
 
 } // namespace idiophone

@@ -20,10 +20,10 @@
 namespace idiophone {
 namespace {
 
-// Of the progress shown.
+// Shares of the progress bar.
 constexpr double readShare = 0.03, previewShare = 0.12;
 
-/// Shapes times modes that an object keeps: 4 MB in half precision, in every project that plays it.
+/// Maximum shapes times modes that an object keeps: 4 MB in half precision in every project.
 constexpr std::size_t mostShapes = 700'000, fewestRows = 300;
 
 struct Choices {
@@ -45,7 +45,7 @@ Result<Choices> choicesOf(const ImportSettings& settings) {
     return Choices{.material = std::move(*material), .method = method};
 }
 
-/// A sentence of a reader's for the window, which has little room: the file without its folder.
+/// Shortens a reader's sentence for the window: gives the file without its folder.
 std::string withoutFolder(const std::string& sentence, const std::filesystem::path& file) {
     if (file.empty())
         return sentence;
@@ -107,7 +107,7 @@ void ObjectWorkshop::start(std::shared_ptr<Job> job) {
                         .unit = {},
                         .method = {}};
     auto formerMesh = job->source;
-    std::optional<Product> former; // destroyed without the mutex, as the mesh
+    std::optional<Product> former; // destroyed without the mutex, like `formerMesh`
     {
         const std::scoped_lock lock(mutex);
         if (current != nullptr)
@@ -121,7 +121,7 @@ void ObjectWorkshop::start(std::shared_ptr<Job> job) {
         if (!worker.joinable())
             worker = std::thread([this] { run(); });
     } catch (const std::system_error& fault) {
-        shown.stage = ImportStatus::Stage::failed; // nobody else is there to share it with
+        shown.stage = ImportStatus::Stage::failed; // no worker shares it
         shown.error = sentenceOf(fault, shown.fileName);
         shown.step.clear();
         waiting.reset();
@@ -158,7 +158,7 @@ std::optional<ObjectWorkshop::Product> ObjectWorkshop::takeProduct() {
     return std::exchange(product, std::nullopt);
 }
 
-// The worker.
+// The worker thread.
 
 void ObjectWorkshop::run() {
     for (;;) {
@@ -195,7 +195,7 @@ Result<void> ObjectWorkshop::make(const Job& job) {
     {
         const std::scoped_lock lock(mutex);
         if (!job.cancelled)
-            mesh = source; // where there was none: `start` took it
+            mesh = source; // it was empty: `start` cleared it
     }
     return makeFromMesh(job, *source);
 }
@@ -279,7 +279,7 @@ void ObjectWorkshop::deliver(const Job& job,
                                           .objectName = std::move(name),
                                           .isPreview = isPreview,
                                           .isNewFile = job.source == nullptr};
-    const std::scoped_lock lock(mutex); // released before the product that is replaced
+    const std::scoped_lock lock(mutex); // released before the replaced product is destroyed
     if (current.get() != &job || job.cancelled)
         return;
     shown.stage = isPreview ? ImportStatus::Stage::previewed : ImportStatus::Stage::done;

@@ -1,5 +1,5 @@
-// Makes objects from files on a thread of its own: reading, a preview, the whole analysis. It knows
-// nothing of the processor, which comes for what is finished.
+// Makes objects from files on its own thread: reads, makes a preview, then analyses in full. It
+// does not know the processor, which fetches the results.
 #pragma once
 
 #include "Editor/WorkshopView.h"
@@ -19,63 +19,62 @@
 
 namespace idiophone {
 
-/// Threads: every member function is for one side, which is any thread but the audio thread, one at
-/// a time (the message thread). The worker runs from the first job to the destructor. They share a
-/// job on its way in, a status, and a product on its way out, under `mutex`, which either holds for
-/// no longer than a copy takes; the wish to cancel is an atomic flag of the job. A product that
-/// nobody fetches is replaced by the next and stops nothing.
+/// Threads: call every member function from one thread at a time, not the audio thread (the message
+/// thread calls them). The worker runs from the first job to the destructor. Both sides share the
+/// job, the status and the product under `mutex`, and hold it only for a copy. Cancelling is an
+/// atomic flag of the job. A product not fetched is replaced by the next and blocks nothing.
 class ObjectWorkshop {
 public:
-    /// What became of a job: first the preview, if there is one, then the object itself.
+    /// The result of a job: first the preview, if there is one, then the whole object.
     struct Product {
         std::shared_ptr<const ModalObject> object;
-        std::string objectName; ///< of its own among all objects, for states and the library
+        std::string objectName; ///< unique among all objects, for states and the library
         bool isPreview = false;
-        bool isFirst = false;   ///< of its job
-        bool isNewFile = false; ///< rather than another analysis of what was there
+        bool isFirst = false;   ///< first product of its job
+        bool isNewFile = false; ///< from a newly opened file, not another analysis of a known mesh
     };
 
     ObjectWorkshop() = default;
     ObjectWorkshop(const ObjectWorkshop&) = delete;
     ObjectWorkshop& operator=(const ObjectWorkshop&) = delete;
-    /// Cancels, and waits the moment that takes.
+    /// Cancels, and waits until the worker has stopped.
     ~ObjectWorkshop();
 
-    /// A job of its own for a file, instead of whatever is under way or waits.
+    /// Starts a job for a file. Replaces any running or pending job.
     void open(const std::filesystem::path& file, const ImportSettings& settings);
-    /// Another for the mesh opened last, if there is one.
+    /// Starts a job for the mesh opened last, if there is one.
     void analyseAgain(const ImportSettings& settings);
-    /// Another for this mesh, which goes by that name.
+    /// Starts a job for this mesh under the given name.
     void analyse(Mesh meshMetres, const std::string& name, const ImportSettings& settings);
     void cancel();
 
-    /// Whether the mesh of a file opened before is there to be analysed again.
+    /// Returns whether a mesh is loaded that `analyseAgain` can use.
     bool hasMesh() const;
 
-    /// But for `followsSettings`.
+    /// Returns the status, without `followsSettings`.
     ImportStatus status() const;
-    /// What the job asked for last has made since this was asked; nothing of those before it, or
-    /// once cancelled.
+    /// Returns a product of the latest job made since the last call. Returns nothing of earlier or
+    /// cancelled jobs.
     std::optional<Product> takeProduct();
 
 private:
     struct Source {
-        std::string name; ///< of the file
+        std::string name; ///< file name, or the name given
         Mesh mesh;
-        bool isMetres = false; ///< or in units of the file
+        bool isMetres = false; ///< otherwise in the file's unit
     };
     struct Job {
         std::filesystem::path file;
-        std::shared_ptr<const Source> source; ///< or nothing, for the file to be read
+        std::shared_ptr<const Source> source; ///< null: read `file`
         ImportSettings settings;
         std::atomic<bool> cancelled{false};
-        bool isFetched = false; ///< some product of it
+        bool isFetched = false; ///< one of its products was fetched
     };
     enum class Finish { preview, whole };
 
     void start(std::shared_ptr<Job> job);
 
-    // The worker's.
+    // Called on the worker.
     void run();
     Result<void> make(const Job& job);
     Result<void> makeFromMesh(const Job& job, const Source& source);
@@ -87,8 +86,8 @@ private:
 
     mutable std::mutex mutex;
     std::condition_variable wake;
-    std::shared_ptr<Job> waiting, current; ///< current: asked for last
-    std::shared_ptr<const Source> mesh;    ///< read last
+    std::shared_ptr<Job> waiting, current; ///< `current` is the latest job
+    std::shared_ptr<const Source> mesh;    ///< mesh of the latest job that had one
     ImportStatus shown;
     std::optional<Product> product;
     bool ending = false;

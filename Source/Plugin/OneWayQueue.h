@@ -1,4 +1,4 @@
-// Small messages from one thread to one other, without a lock on either side.
+// Passes small messages from one thread to another without a lock.
 #pragma once
 
 #include <array>
@@ -14,8 +14,7 @@ class OneWayQueue {
 public:
     static constexpr int capacity = capacityOfQueue;
 
-    /// [the sending thread] Returns false, and forgets the message, where the other has not read
-    /// for so long that the queue is full.
+    /// [the sending thread] Returns false and drops the message if the queue is full.
     bool push(const Message& message) noexcept {
         const auto scope = fifo.write(1);
         if (scope.blockSize1 + scope.blockSize2 == 0)
@@ -25,7 +24,7 @@ public:
         return true;
     }
 
-    /// [the reading thread] Hands each waiting message to `take`, oldest first; at most `capacity`
+    /// [the reading thread] Hands each pending message to `take`, oldest first; at most `capacity`
     /// of them.
     template <class Take>
     void read(Take&& take) noexcept {

@@ -1,4 +1,4 @@
-// Which of an instrument's slots are objects of their own, and which share one.
+// Finds which slots of an instrument share an object.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -8,11 +8,10 @@
 
 namespace idiophone {
 
-/// The slots of an instrument that are objects of their own: of those that share an object the one
-/// nearest to its own size. Ascending.
+/// Returns one slot for each object: the one nearest to the object's own size. Ascending.
 std::vector<std::size_t> ownSlots(const Instrument& instrument);
 
-/// For each slot which of `ownSlots` has its object.
+/// Returns for each slot the index into `ownSlots` of the slot with its object.
 std::vector<int> objectsOfSlots(const Instrument& instrument);
 
 } // namespace idiophone

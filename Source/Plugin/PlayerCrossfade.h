@@ -1,5 +1,4 @@
-// What the audio thread plays: the current player, and the one before it for the few milliseconds
-// in which it fades out.
+// Plays the current player, and the previous one during its fade-out of a few milliseconds.
 #pragma once
 
 #include "Instrument/Player.h"
@@ -13,7 +12,7 @@
 
 namespace idiophone {
 
-/// Owns its players and gives them back through the handoff. Everything but the constructor, the
+/// Owns its players and gives them back through the handoff. All but the constructor, the
 /// destructor and `install` is for the audio thread and neither allocates, locks nor throws.
 class PlayerCrossfade {
 public:
@@ -22,25 +21,24 @@ public:
     explicit PlayerCrossfade(Handoff<Player>& retireThrough) : handoff(retireThrough) {}
     PlayerCrossfade(const PlayerCrossfade&) = delete;
     PlayerCrossfade& operator=(const PlayerCrossfade&) = delete;
-    ~PlayerCrossfade(); ///< [message side] after the last callback
+    ~PlayerCrossfade(); ///< [message side] Call after the last callback.
 
-    /// [message side] while no callback runs: plays this one from its start, at once, with
-    /// controllers at rest but MPE's zones and bend ranges as MIDI has set them.
+    /// [message side] Call while no callback runs. Plays this player from its start, at once.
+    /// Controllers are at rest, but MPE zones and bend ranges stay as MIDI has set them.
     void install(std::unique_ptr<Player> player);
 
-    /// Plays `next`, which it now owns, from here on, pedals and controllers where they are; what
-    /// rang before fades out under it. A second change within a fade cuts the player that has
-    /// hardly begun, and lets the older one fade on. Whatever fades is heard through the output of
-    /// what plays, and is multiplied by `levelBefore`, the old level to the new one. nullptr
-    /// changes nothing.
+    /// Plays `next`, now owned, with pedals and controllers where they are; the old player fades
+    /// out under it. A second change within a fade cuts the player that has just begun and lets the
+    /// older one finish its fade. The fading player goes through the current output level.
+    /// `levelBefore` is the old level divided by the new one and corrects that. Ignores nullptr.
     void changeTo(Player* next, float levelBefore = 1) noexcept;
 
-    /// The next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.
+    /// Renders the next samples, at most `BlockPieces::maximumSamples`; see `Player::process`.
     void process(const StereoSpan& output,
                  std::span<const MidiEvent> events,
                  const ParameterValues& values) noexcept;
 
-    /// Silence, at once.
+    /// Silences everything at once.
     void reset() noexcept;
 
     Player* player() const noexcept { return current; }
@@ -52,9 +50,9 @@ private:
     Player* current = nullptr;
     Player* fading = nullptr;
     int fadePosition = 0;
-    float fadingLevel = 1; ///< to that of what plays
+    float fadingLevel = 1; ///< relative to the current player's level
     ParameterValues lastValues;
-    ParameterValues fadingValues; ///< what held before the change, so that the fade keeps its sound
+    ParameterValues fadingValues; ///< from before the change, to keep the fading sound
     std::array<float, BlockPieces::maximumSamples> fadingLeft{}, fadingRight{};
 };
 

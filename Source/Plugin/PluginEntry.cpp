@@ -1,4 +1,4 @@
-// Where plugin formats and the standalone find the processor.
+// Creates the processor for the plugin formats and the standalone.
 #include "Plugin/Processor.h"
 
 juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter();

@@ -11,7 +11,7 @@
 namespace idiophone {
 namespace {
 
-constexpr double anyRateHz = 48000; // both sides of a match are predicted at the same
+constexpr double anyRateHz = 48000; // both sides of a match use the same rate
 
 juce::File below(const juce::File& settings, const char* name) {
     return settings == juce::File() ? settings : settings.getChildFile(name);
@@ -33,8 +33,8 @@ Sound soundWith(Preset preset,
             .stored = values};
 }
 
-/// What is saved sounds as it does now, when its own material and mallet are what "match loudness"
-/// keeps to; or what it keeps to now is, where no level is as loud or as soft.
+/// Stores values so that the preset sounds as it does now when "match loudness" takes its own
+/// material and mallet as the reference. If no level can do that, stores the present reference too.
 void storeValues(const Sound& sound, Preset& preset) {
     preset.parameters = withSetupOf({}, sound.parameters);
     LoudnessMatch match(sound.instrument, sound.preset.surface, anyRateHz, sound.preset.parameters);
@@ -49,7 +49,7 @@ void storeValues(const Sound& sound, Preset& preset) {
     }
 }
 
-/// Without a folder.
+/// Leaves the folder empty.
 PresetDetails detailsOf(const Preset& preset) {
     return {.name = preset.name,
             .folder = {},
@@ -70,7 +70,7 @@ ShelvedPreset shelved(const Preset& preset, std::string id) {
             .fault = {}};
 }
 
-/// What of a preset's file is done, though what follows from it failed.
+/// Prefixes an error of a later step with `what`: the part that succeeded.
 Result<void> butDone(const char* what, const Result<void>& after) {
     return after ? after : failure(what + after.error().message);
 }
@@ -102,7 +102,7 @@ void PresetCollection::readPresets() {
         last.folder = entry.folder;
         if (!entry.preset) {
             const auto file = folder.fileOf(entry.id).getFileNameWithoutExtension().toStdString();
-            last.name = oneLine(file); // which may be no UTF-8
+            last.name = oneLine(file); // the file name may not be UTF-8
             last.fault = entry.preset.error().message;
         }
     }
@@ -150,12 +150,12 @@ Result<PresetCollection::FoundSound> PresetCollection::soundOf(const std::string
         return cannot(entry->preset->name, built.error());
     auto preset = *entry->preset;
     if (preset.keyMap.kind == KeyMapKind::scene)
-        preset.keyMap = built->keyMap; // with its file's whole path: a project has no scene in it
+        preset.keyMap = built->keyMap; // absolute path: projects embed no scenes
     if (built->notice.empty())
         return FoundSound{.sound =
                               soundWith(std::move(preset), built->instrument, id, entry->content),
                           .notice = {}};
-    // It is none of the shelf's, so that saving it over the file has to be said.
+    // Give it no preset id, so that saving over the file must be confirmed.
     preset.keyMap = built->keyMap;
     preset.mutedModes = {};
     const auto notice = preset.name + ": " + built->notice;
@@ -216,7 +216,7 @@ Result<void> PresetCollection::saveChosenPreset() {
     if (folder.find(id) == nullptr)
         return failure("What plays is no preset of your own that could be replaced.");
     if (auto same = folder.checkContent(id, sound.presetContent); !same) {
-        readPresets(); // what is there now can be loaded
+        readPresets(); // so that the user can load the present content
         return same;
     }
     return save(sound, detailsOf(sound.preset), folder.fileOf(id), [&](const Preset& preset) {
@@ -249,15 +249,15 @@ PresetCollection::save(Sound sound,
             return write(preset);
         })
         .map([&](const std::string& id) {
-            // What plays goes on as it is, and so keeps what "match loudness" keeps to and where
-            // its objects came from; it only bears the preset's name from now on.
+            // The sound plays on unchanged, with its loudness reference and the origin of its
+            // objects. Only its name and preset id change.
             sound.preset = preset;
             sound.presetId = id;
             sound.presetContent = PresetFolder::contentOf(file);
             sound.stored = sound.parameters;
             holder.relabel(sound);
-            // What the steps keep of the preset as it was until now may be saved over it, too; not
-            // what they keep of it from before somebody else wrote it.
+            // Undo steps may hold the preset as it was until now: let them be saved over it too.
+            // Leave steps from before another program wrote the file.
             history.renewSounds([&](Sound& known) {
                 if (known.presetId != id || known.presetContent != replaced)
                     return;
@@ -279,8 +279,8 @@ Result<void> PresetCollection::renamePreset(const std::string& id, const std::st
                 return false;
             known.preset.name = name;
             known.presetId = newId;
-            // What another has written into it meanwhile stays in it, and is still not this one's
-            // to replace.
+            // If another program changed the file meanwhile, keep that change, and do not let this
+            // sound replace it.
             if (known.presetContent == before)
                 known.presetContent = content;
             return true;

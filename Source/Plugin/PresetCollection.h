@@ -1,5 +1,4 @@
-// The shelf of presets: the factory's, and the user's folder, and what loading and saving do to the
-// sound that plays.
+// Keeps the shelf of presets: the factory's and the user's. Loads and saves the sound that plays.
 #pragma once
 
 #include "Editor/PresetShelf.h"
@@ -15,8 +14,8 @@ namespace idiophone {
 /// For the message thread.
 class PresetCollection final : public PresetShelf {
 public:
-    /// Presets lie in `Presets` of the settings folder, favourites in a file there; an empty folder
-    /// is a machine without settings. Reads nothing yet.
+    /// Presets are in `Presets` of the settings folder, favourites in a file there. An empty folder
+    /// means a machine without settings. Reads nothing yet.
     PresetCollection(SoundHolder& holder, SoundHistory& history, const juce::File& settings);
 
     const std::vector<ShelvedPreset>& presets() const override { return shelf; }
@@ -44,7 +43,7 @@ private:
     };
     Result<FoundSound> soundOf(const std::string& id);
     void play(const FoundSound& found);
-    /// Writes the sound, which plays, to that file by `write`, which returns its id.
+    /// Writes the playing sound to that file by `write`, which returns its id.
     Result<void> save(Sound sound,
                       const PresetDetails& details,
                       const juce::File& file,

@@ -17,7 +17,7 @@ namespace idiophone {
 namespace {
 
 constexpr int longestName = 100;
-constexpr std::size_t longestNameBytes = 240; // disks take 255, with the ending
+constexpr std::size_t longestNameBytes = 240; // file systems allow 255, with the ending
 constexpr const char* ending = ".json";
 
 std::string nameOf(const PresetFolder::Entry& entry) {
@@ -25,7 +25,7 @@ std::string nameOf(const PresetFolder::Entry& entry) {
 }
 
 Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
-    // JUCE takes what begins with ~ for a path of its own.
+    // JUCE takes a name that begins with ~ for a path.
     const auto legal =
         juce::File::createLegalFileName(fromUtf8(name)).trimCharactersAtStart(".~ ").trim();
     if (legal.isEmpty())
@@ -37,7 +37,7 @@ Result<juce::String> legalName(const std::string& name, const char* ofWhat) {
     return legal;
 }
 
-/// Whatever the case, as on some disks that makes no other folder.
+/// Ignores case, because some file systems do.
 bool isForObjects(const juce::String& topFolder) {
     return topFolder.equalsIgnoreCase(presetObjectFolder);
 }
@@ -48,7 +48,8 @@ struct FoundFile {
     juce::Time written;
 };
 
-/// The folder's own first, by depth; then what links lead to, as that may be all of a disk.
+/// Returns the folder's own files first, by depth, then files behind links, as a link may lead to a
+/// whole disk.
 std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries) {
     struct Place {
         juce::File folder;
@@ -56,7 +57,7 @@ std::vector<FoundFile> presetFilesBelow(const juce::File& root, int mostEntries)
     };
     std::vector<FoundFile> files;
     std::deque<Place> own{{.folder = root}}, linked;
-    std::set<std::filesystem::path> visited; // as links may lead in circles
+    std::set<std::filesystem::path> visited; // links may form cycles
     int entries = 0;
     while (!own.empty() || !linked.empty()) {
         auto& waiting = own.empty() ? linked : own;
@@ -170,7 +171,7 @@ Result<juce::File> PresetFolder::placeFor(const std::string& name,
     for (const auto& part : parts) {
         if (part.trim().isEmpty())
             continue;
-        // One that is there keeps its name, which need not be one that every system allows.
+        // An existing folder keeps its name, even if some systems do not allow it.
         const auto child = place.getChildFile(part.trim());
         const bool isThere = child.isDirectory() && child.isAChildOf(place);
         const auto legal =
@@ -198,7 +199,7 @@ PresetFolder::write(const Preset& preset, const std::string& folderName, bool re
         return failure("There is already a preset '" +
                        place->getFileNameWithoutExtension().toStdString() + "'.");
     return writePreset(preset, *place).map([&] {
-        known.erase(idOf(*place)); // times are coarse
+        known.erase(idOf(*place)); // file times are coarse, so read it again
         return idOf(*place);
     });
 }
@@ -216,7 +217,7 @@ Result<void> PresetFolder::checkContent(const std::string& id, std::uint64_t con
     const auto text = readTextFile(pathOf(file), largestPresetBytes);
     if (text && hashOf(*text) == content)
         return {};
-    known.erase(id); // to be read again, whatever its time and size
+    known.erase(id); // read it again even if its time and size are the same
     return failure(id + " was changed elsewhere since this sound was loaded: load it again, or "
                         "save the sound by Save as in the list of presets.");
 }
@@ -232,7 +233,7 @@ Result<std::string> PresetFolder::rename(const std::string& id, const std::strin
     if (find(id) == nullptr || !file.existsAsFile())
         return failure("There is no preset '" + id + "' any more.");
     const auto place = legalName(name, "A preset").map([&](const juce::String& legal) {
-        return file.getSiblingFile(legal + ending); // whatever its folder is called
+        return file.getSiblingFile(legal + ending); // the folder may have any name
     });
     if (!place)
         return tl::unexpected(place.error());
@@ -261,7 +262,7 @@ Result<void> PresetFolder::moveToBin(const std::string& id) {
     if (find(id) == nullptr || !file.existsAsFile())
         return failure("There is no preset '" + id + "' any more.");
 #if JUCE_LINUX
-    // JUCE takes the bin as the desktop has made it; a desktop that never deleted anything has not.
+    // JUCE expects the bin to exist. A desktop creates it with the first deletion.
     juce::File("~/.local/share/Trash/files").createDirectory();
 #endif
     if (!file.moveToTrash())

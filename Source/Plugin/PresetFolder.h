@@ -1,5 +1,5 @@
-// The user's preset files: a folder with folders in it. It reads, writes and moves files; what
-// plays is no business of it.
+// Reads, writes and moves the user's preset files, in a folder with subfolders. It does not know
+// the playing sound.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -11,45 +11,48 @@
 
 namespace idiophone {
 
-/// For the message thread. Errors are one sentence; where there is one, no file has changed.
+/// For the message thread. An error is one sentence, and then no file has changed.
 class PresetFolder {
 public:
     struct Entry {
         std::string id;     ///< path below the folder, with '/': "Bells/Small bell.json"
         std::string folder; ///< "Bells"
         Result<Preset> preset;
-        std::uint64_t content = 0; ///< hash of the file as it was read
+        std::uint64_t content = 0; ///< hash of the file when it was read
     };
 
-    static constexpr int deepestFolder = 4; ///< deeper ones are not looked at
+    static constexpr int deepestFolder = 4; ///< deeper folders are ignored
 
-    /// An empty file is a folder that this machine has no place for. No more than `mostEntries`
-    /// files and folders of any kind are looked at, and what links lead to last, and once.
+    /// An empty file means that this machine has no preset folder. Visits at most `mostEntries`
+    /// files and folders of any kind. Follows links last, and each target once.
     explicit PresetFolder(juce::File folder, int mostEntries = 20'000)
         : root(std::move(folder)), entryLimit(mostEntries) {}
 
-    /// By folder and name, whatever the case. Files that are as they were are not read again.
+    /// Returns the presets sorted by folder and name, ignoring case. Does not read unchanged files
+    /// again.
     const std::vector<Entry>& read();
     const Entry* find(const std::string& id) const;
 
     juce::File fileOf(const std::string& id) const;
-    /// Where a preset of that name in that folder is saved; an error where there is no such place.
+    /// Returns the file for a preset of that name in that folder, or an error if the name or folder
+    /// cannot be used.
     Result<juce::File> placeFor(const std::string& name, const std::string& folder) const;
-    /// Hash of what is in the file now; 0 where it cannot be read.
+    /// Returns the hash of the file's present content, or 0 if it cannot be read.
     static std::uint64_t contentOf(const juce::File& file);
-    /// An error where the preset's file is not there any more, or not with that content: another
-    /// window or program has moved or written it. The sentence says what to do.
+    /// Returns an error if the preset's file is gone or has other content, because another window
+    /// or program changed it. The sentence says what to do.
     Result<void> checkContent(const std::string& id, std::uint64_t content);
 
-    /// Through a file beside it, so that what is there is never half overwritten. Returns the id.
+    /// Writes a file beside it first, so that an existing file is never half overwritten. Returns
+    /// the id.
     Result<std::string> write(const Preset& preset, const std::string& folder, bool replace);
-    /// Writes over the preset's file, whatever it is called.
+    /// Overwrites the preset's file and keeps its file name.
     Result<void> replace(const std::string& id, const Preset& preset);
-    /// Writes the file's preset under another name, in the file and of it. Returns the new id.
+    /// Renames the preset, both in the file and the file itself. Returns the new id.
     Result<std::string> rename(const std::string& id, const std::string& name);
     Result<void> moveToBin(const std::string& id);
 
-    /// The folder, made if it was not there.
+    /// Returns the folder, and makes it if needed.
     Result<juce::File> folder() const;
 
 private:

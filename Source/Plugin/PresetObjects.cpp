@@ -20,7 +20,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// By name, for every note that has one; none where all are the factory's.
+/// Returns the .modal files of all notes, by object name; none if all are factory objects.
 std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
     std::map<std::string, Bytes> files;
     for (const auto& [name, object] : foreignObjects(instrument))
@@ -34,15 +34,16 @@ std::map<std::string, Bytes> filesOf(const Instrument& instrument) {
     return files;
 }
 
-/// What people called it, as far as a file can be called that.
+/// Returns the object's name as far as a file name can hold it.
 juce::String fileStem(const KeyMap& keyMap) {
-    // A project may have been on Windows before.
+    // The project may come from Windows.
     const auto name = fromUtf8(keyMap.object).replace("{note}", "").replaceCharacter('\\', '/');
     const auto last = name.trimCharactersAtEnd("/").fromLastOccurrenceOf("/", false, false);
-    const auto legal = juce::File::createLegalFileName(last.upToLastOccurrenceOf(".", false, false))
-                           .upToLastOccurrenceOf("-", false, false) // as writePresetObjects adds
-                           .substring(0, 60)
-                           .trim();
+    const auto legal =
+        juce::File::createLegalFileName(last.upToLastOccurrenceOf(".", false, false))
+            .upToLastOccurrenceOf("-", false, false) // cut the hash that writePresetObjects appends
+            .substring(0, 60)
+            .trim();
     return legal.isEmpty() ? "Object" : legal;
 }
 
@@ -57,11 +58,11 @@ Result<void> writeOnce(const juce::File& file, const Bytes& bytes) {
     return writeWhole(file, bytes);
 }
 
-/// The objects of `found`, by the names of `keyMap`.
+/// Builds an instrument with the objects of `found` under the names of `keyMap`.
 Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const KeyMap& found) {
     if (found.object == keyMap.object)
         return buildInstrument(keyMap, ObjectLibrary::shared());
-    // Where the names mean these objects; the objects are shared all the same.
+    // A library in which the names of `keyMap` mean these objects; the objects stay shared.
     ObjectLibrary own(ObjectLibrary::shared());
     std::map<std::string, std::shared_ptr<const ModalObject>> kept;
     for (int note = keyMap.lowestNote; note <= keyMap.highestNote; ++note) {
@@ -69,7 +70,7 @@ Result<std::shared_ptr<const Instrument>> buildWith(const KeyMap& keyMap, const 
         if (kept.contains(name) || factoryObject(name))
             continue;
         if (note > keyMap.lowestNote && !ObjectLibrary::shared().has(found.objectFor(note)))
-            continue; // a key without an object of its own
+            continue; // this key has no object of its own
         auto object = ObjectLibrary::shared().find(found.objectFor(note));
         if (!object)
             return tl::unexpected(object.error());
@@ -111,7 +112,7 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
     for (const auto& [name, bytes] : files)
         hash = contentHash(bytes, hash);
     const bool isOne = files.size() == 1 && keyMap.objectFor(0) == keyMap.objectFor(1);
-    std::vector<int> notes; // one for each file
+    std::vector<int> notes; // one note for each file
     for (int note = keyMap.lowestNote; note <= (isOne ? keyMap.lowestNote : keyMap.highestNote);
          ++note)
         if (files.contains(keyMap.objectFor(note)))
@@ -121,7 +122,7 @@ writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juc
     const auto fileOf = [&](int note) {
         return folder.getChildFile(fromUtf8(stored.objectFor(note)));
     };
-    // A name that other contents have, damaged or put there by somebody, is left to them.
+    // Skip a name whose file has other content, damaged or written by somebody else.
     const auto isTaken = [&](int note) {
         return fileOf(note).exists() && !holds(fileOf(note), bytesOf(note));
     };

@@ -1,5 +1,5 @@
-// The modal objects of a preset file that are not the factory's: they lie beside it as .modal files
-// named after what they hold, so that presets share them and nothing is overwritten.
+// Stores the non-factory objects of a preset file beside it, as .modal files named by content.
+// Presets share them, and nothing is overwritten.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -12,26 +12,26 @@ namespace idiophone {
 
 inline constexpr const char* presetObjectFolder = "Objects";
 
-/// Writes the instrument's objects below `folder` unless they are there already or the factory has
-/// them, and returns the key map with their names relative to it ("Objects/Bowl-1f3a.modal"). The
-/// instrument was built from the key map. Not for the audio thread, as the next one.
+/// Writes the instrument's objects below `folder`, except factory objects and files already there.
+/// Returns the key map with names relative to `folder` ("Objects/Bowl-1f3a.modal"). The instrument
+/// was built from the key map. Not for the audio thread, nor is `withSceneBeside`.
 Result<KeyMap>
 writePresetObjects(const KeyMap& keyMap, const Instrument& instrument, const juce::File& folder);
 
-/// The key map as the preset of that file is to have it: a scene by a path that leads there from
-/// where presets look for their objects, if it lies there, and not by this machine's whole path.
+/// Returns the key map to write into that preset file. A scene that lies where presets look for
+/// objects gets a relative path instead of this machine's absolute one.
 KeyMap withSceneBeside(KeyMap keyMap, const juce::File& presetFile);
 
 struct PresetInstrument {
-    KeyMap keyMap; ///< from which the instrument was built
+    KeyMap keyMap; ///< the instrument was built from it
     std::shared_ptr<const Instrument> instrument;
-    std::string notice; ///< a sentence where something plays in the place of what is missing
+    std::string notice; ///< a sentence if a stand-in plays for a missing object; otherwise empty
 };
 
-/// Builds the instrument of a preset that was read from a file; its objects keep the names of the
-/// key map, wherever they lie (withObjectsBeside), but a scene gets its file's whole path. Where
-/// they are missing, a factory object plays their keys; files that are there and cannot be read are
-/// an error.
+/// Builds the instrument of a preset read from a file. Objects keep the names of the key map,
+/// wherever their files are (withObjectsBeside); a scene gets its file's absolute path. If an
+/// object is missing, a factory object plays its keys. A file that exists and cannot be read is an
+/// error.
 Result<PresetInstrument> buildPresetInstrument(const KeyMap& keyMap, const juce::File& presetFile);
 
 } // namespace idiophone

@@ -11,11 +11,11 @@
 
 namespace idiophone {
 
-// The audio thread.
+// Audio thread.
 
 void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) {
     const juce::ScopedNoDenormals noDenormals;
-    if (!isPrepared) { // some hosts process all the same
+    if (!isPrepared) { // some hosts process unprepared plugins
         buffer.clear();
         midi.clear();
         return;
@@ -28,12 +28,11 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
         output.reset();
         transport.forgetPlace();
     }
-    // The player before the values: a new one never plays values older than its own. Nor does the
-    // former one play those of the next, at a level that is none of its own: while values and their
-    // player are handed over, and it has not come yet, the values stay what they were.
+    // Take the new player before the parameter snapshot, so that it never sees older values. Until
+    // a pending player arrives, keep the previous values.
     const auto changesBefore = soundChanges.load();
     Player* const next = handoff.take();
-    // It says itself what it answers: from the callback that takes it on, keys are its own.
+    // A player's label names the request that it answers. It plays all keys from this callback on.
     const bool isAnswer = next != nullptr && next->label() == awaitedRequest;
     followControllers(midi);
     const ParameterValues& newest = parameters.snapshot();
@@ -56,8 +55,8 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
     hand.playOn(sound.player());
     if (isAnswer || refusedRequest == awaitedRequest) {
         const auto keys = awaitingKeys.take();
-        if (isAnswer && !keys.empty())       // or else they sound where they are
-            sound.process({}, keys, values); // they strike with the first sample there is
+        if (isAnswer && !keys.empty())       // otherwise they sound at their own samples
+            sound.process({}, keys, values); // struck at the first sample
     }
 
     pieces.begin(midi, editorNotes, buffer.getNumSamples());
@@ -79,19 +78,20 @@ void Processor::processBlock(juce::AudioBuffer<float>& buffer, juce::MidiBuffer&
                 output.hush(*silenced);
         }
         if (!output.process(rendered.left, rendered.right, channels, values)) {
-            // Or else it would stay so, and the instrument silent: the next note begins anew.
+            // The player would stay non-finite: reset it, so that the next note starts from
+            // silence.
             sound.reset();
             ++notFinite;
         }
         report(channels, piece->length);
     }
-    midi.clear(); // what is left in it some wrappers send on
+    midi.clear(); // some wrappers send on the events left in it
     if (isNonRealtime())
         followProgramChange();
 }
 
-/// [audio thread] Notes and blows that wait, as those do that came while the host did not process:
-/// for when all keys are up. A program that was asked for is still awaited.
+/// [audio thread] Discards pending notes and strikes, also those queued while the host did not
+/// process. Call when all keys are up. A requested program stays pending.
 void Processor::forgetEvents() noexcept {
     pieces.reset();
     awaitingKeys.forgetKeys();
@@ -99,7 +99,8 @@ void Processor::forgetEvents() noexcept {
     hand.clear();
 }
 
-/// [audio thread] Those behind the block's last program change count as set since.
+/// [audio thread] Follows learned controllers. Those after the block's last program change count as
+/// set after it.
 void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
     auto behind = midi.begin();
     for (auto message = midi.begin(); message != midi.end();) {
@@ -117,16 +118,16 @@ void Processor::followControllers(const juce::MidiBuffer& midi) noexcept {
     controllers.follow(behind, midi.end(), parameters);
 }
 
-/// [audio thread]
+/// [audio thread] Asks the message thread for a program.
 void Processor::requestProgram(int program) noexcept {
     const auto request = programsOfMidi * ++programRequests + program;
     atProgramChange.request = awaitedRequest = request;
     movesAtRequest.next() = atProgramChange;
-    movesAtRequest.publish(); // before it is asked for
+    movesAtRequest.publish(); // before the request is visible
     requestedProgram = request;
 }
 
-/// [audio thread] Before anything of the callback is played.
+/// [audio thread] Call before rendering anything of the callback.
 void Processor::followTransport(Player& player, int blockSamples) noexcept {
     transport.follow(getPlayHead(), blockSamples, player.synthesiser().sampleRateHz());
     tempo = transport.tempo();
@@ -136,8 +137,8 @@ void Processor::followTransport(Player& player, int blockSamples) noexcept {
         output.reset();
 }
 
-/// [audio thread] Zones and bend ranges that MIDI gives move their parameters as learned
-/// controllers do: they are shown and saved.
+/// [audio thread] Moves the parameters of the MPE zones and bend ranges that MIDI sets, as learned
+/// controllers do. They are shown and saved.
 void Processor::followGivenBends(Player& player) noexcept {
     using enum ParameterId;
     const auto given = player.takeGivenBends();
@@ -177,18 +178,18 @@ void Processor::report(std::span<float* const> channels, int count) noexcept {
     }
 }
 
-// Everybody else.
+// Other threads.
 
 Processor::Processor()
     : AudioProcessor(BusesProperties().withOutput("Output", juce::AudioChannelSet::stereo(), true)),
       parameters(*this), awaitingKeys(static_cast<int>(factoryPresets().size())) {
     setCurrentProgram(0);
-    soundToTell = movedToTell = 0; // the host has yet to ask
+    soundToTell = movedToTell = 0; // the host has not asked yet
     looks.emplace(lookMilliseconds, [this] { look(); });
 }
 
 Processor::~Processor() {
-    looks.reset(); // before anything that it looks at
+    looks.reset(); // before everything it polls
 }
 
 bool Processor::isBusesLayoutSupported(const BusesLayout& layouts) const {
@@ -201,23 +202,23 @@ bool Processor::isBusesLayoutSupported(const BusesLayout& layouts) const {
 void Processor::prepareToPlay(double sampleRateHz, int) {
     const std::scoped_lock lock(soundMutex);
     preparedRateHz = std::isfinite(sampleRateHz) && sampleRateHz > 0 ? sampleRateHz : 44100;
-    // Blocks are rendered in pieces of our own size: the host's may be of any.
+    // Blocks are rendered in pieces of our own size, because the host's blocks may have any size.
     output.prepare(preparedRateHz, BlockPieces::maximumSamples);
     monitor.prepare(preparedRateHz);
     delete handoff.take();
-    modulationWheel = HeldContacts::controllerAtRest; // of what is installed
+    modulationWheel = HeldContacts::controllerAtRest; // wheel of the installed player
     auto player = newPlayer(instrument, loadedPreset, parameters.values());
     if (!player)
         lastError = player.error().message;
     sound.install(player ? std::move(*player) : nullptr);
     handoff.collect();
     forgetEvents();
-    if (requestedProgram == noRequest) // no player comes that would answer it
+    if (requestedProgram == noRequest) // no pending player would answer it
         awaitingKeys.take();
     transport.forget();
     tempo = 0;
     resetRequested = false;
-    ++callbacks; // the first will come
+    ++callbacks; // counts the first callback in advance
     playedValues = parameters.values();
     isPrepared = true;
 }
@@ -231,8 +232,8 @@ void Processor::reset() {
     resetRequested = true;
 }
 
-/// Some wrappers call it with every block. Offline the host is told of no controller, and so does
-/// not echo.
+/// Some wrappers call it with every block. Offline, the host hears of no controller and so sends no
+/// echo.
 void Processor::setNonRealtime(bool isOffline) noexcept {
     if (isOffline != isNonRealtime())
         parameters.forgetTold();
@@ -246,7 +247,7 @@ juce::AudioProcessorParameter* Processor::getBypassParameter() const {
 double Processor::getTailLengthSeconds() const {
     using enum ParameterId;
     const auto values = parameters.values();
-    // Before the first callback the player knows neither tunings nor ranges.
+    // Before the first callback the player does not know tunings and bend ranges.
     const double bends = values[bendRange] + (values[mpe] != 0 ? values[mpeBendRange] : 0);
     const double semitonesBelow =
         std::max(bends + semitonesBelowTuned.load(), semitonesBelowPlayed.load());
@@ -256,7 +257,8 @@ double Processor::getTailLengthSeconds() const {
     return std::min(stageSeconds + std::log(65536) / slowest + inRoom, longestTailSeconds);
 }
 
-/// Under soundMutex, with what `newPlayer` has made of them, and what loads their values.
+/// Call under soundMutex. Plays a preset with its instrument and the player from `newPlayer`.
+/// `loadValues` sets the parameter values.
 void Processor::play(Preset preset,
                      std::shared_ptr<const Instrument> built,
                      std::unique_ptr<Player> player,
@@ -282,14 +284,14 @@ void Processor::play(Preset preset,
     });
 }
 
-/// Under soundMutex, with an instrument: the last thing, as callbacks until then play the former
-/// player as it was. The values come right before the player, if there is one, and for the callback
-/// hold with it.
+/// Call under soundMutex with an instrument, as the last step: until then callbacks play the former
+/// player unchanged. Loads the values right before publishing the player, if there is one, so that
+/// a callback takes both together.
 void Processor::handOver(std::unique_ptr<Player> player, const std::function<void()>& loadValues) {
     if (player != nullptr)
         player->setLabel(answeredRequest);
-    handoff.collect(); // which may take a while, and not between what follows
-    // Before the player, which has its own: an older message never comes to it.
+    handoff.collect(); // it may take a while, so do it before changing anything
+    // Send silences before the player: the player has its own and must not get older ones.
     sendSilences();
     ++soundChanges;
     loadValues();
@@ -298,10 +300,9 @@ void Processor::handOver(std::unique_ptr<Player> player, const std::function<voi
     ++soundChanges;
 }
 
-/// Under soundMutex: the first thing where another sound is to play, since all stays as it was
-/// where memory or threads do not suffice for it, and as it takes its time, in which the former
-/// player sounds on with its own values. Complete, for the values with which it is to play. Null
-/// without a sample rate or an instrument.
+/// Call under soundMutex as the first step of a change: if memory or threads do not suffice,
+/// nothing has changed. The former player sounds on meanwhile with its own values. Returns a player
+/// prepared for `values`, or null without a sample rate or an instrument.
 Result<std::unique_ptr<Player>> Processor::newPlayer(const std::shared_ptr<const Instrument>& built,
                                                      const Preset& preset,
                                                      const ParameterValues& values) const {
@@ -324,20 +325,20 @@ void Processor::look() {
     if (const auto times = notFinite.load(); std::exchange(notFiniteShown, times) != times)
         reportError("The sound was not finite, and begins anew with the next note.");
     followWorkshop();
-    if (!isNonRealtime()) { // or else the callback follows
+    if (!isNonRealtime()) { // offline the callback does this
         followProgramChange();
         controllers.tellHost(parameters, openGestures);
         if (controllers.takeReassigned())
             updateHostDisplay(ChangeDetails().withNonParameterStateChanged(true));
         if (statesComing == 0 && soundToTell > 0) {
-            --soundToTell; // first: another sound may have come
+            --soundToTell; // first: another sound may arrive meanwhile
             tellOfSound();
         } else if (statesComing == 0 && movedToTell > 0) {
             --movedToTell;
             parameters.notifyListenersOfMoved();
         }
     }
-    // Players that faded out are destroyed here at the latest. Whoever holds the mutex does it too.
+    // Destroy players that faded out. If another thread holds the mutex, it does so.
     if (const std::unique_lock lock(soundMutex, std::try_to_lock); lock) {
         handoff.collect();
         capture.follow(instrument);

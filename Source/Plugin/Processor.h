@@ -1,5 +1,5 @@
-// The plugin: what a host drives. It joins parameters, MIDI, the player and the output stage; the
-// sound itself is Instrument's and Synth's.
+// Implements the plugin that a host drives. Joins parameters, MIDI, the player and the output
+// stage; Instrument and Synth make the sound.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -36,11 +36,11 @@
 
 namespace idiophone {
 
-/// Threads: `processBlock` neither allocates, locks nor calls the system, in real time. All that
-/// changes which sound is played (states, programs, `prepareToPlay`) may come from any other thread
-/// and takes `soundMutex`, which the audio thread never does; it gets finished players through the
-/// handoff. In an offline render the callback itself loads the program that MIDI asks for, between
-/// two blocks; in real time a timer of the message thread does, some 50 ms later.
+/// Threads: in real time `processBlock` neither allocates, locks nor calls the system. Everything
+/// that changes the sound (states, programs, `prepareToPlay`) may come from any other thread and
+/// takes `soundMutex`. The audio thread never takes it and gets finished players through the
+/// handoff. A program that MIDI asks for is loaded by a message-thread timer some 50 ms later. In
+/// an offline render the callback loads it between two blocks.
 class Processor final : public juce::AudioProcessor, public ProcessorView, public SoundHolder {
 public:
     Processor();
@@ -60,22 +60,22 @@ public:
     using AudioProcessor::processBlock;
 
     juce::AudioProcessorParameter* getBypassParameter() const override;
-    /// The time in which a stage's bodies move and the lowest mode, as low as wheels may bend it,
-    /// falls from full scale by 96 dB, one 16-bit step, and then in the room by as much; at most
-    /// `longestTailSeconds`, as hosts do not stop for longer and lightly damped objects ring for
-    /// minutes. Undamped, whatever `let_ring` says: pedals hold keys that were let go, and many
-    /// hosts ask but once.
+    /// Returns the tail in seconds: the time that a stage's bodies move, plus the decay of the
+    /// lowest mode by 96 dB (one 16-bit step), plus the decay of the room by as much. Takes the
+    /// mode as low as wheels may bend it. At most `longestTailSeconds`, because lightly damped
+    /// objects ring for minutes and hosts do not stop for longer. Ignores dampers, whatever
+    /// `let_ring` is: pedals hold released keys, and many hosts ask only once.
     double getTailLengthSeconds() const override;
     static constexpr double longestTailSeconds = 120;
 
-    /// The factory's presets, and in a VST3 as many programs as MIDI numbers: unused ones behind
-    /// them, which do nothing, and as the last the sound that is none of these.
+    /// Returns the number of factory presets. A VST3 has 128 programs, as many as MIDI numbers: the
+    /// presets, then unused programs that do nothing. The last one stands for any other sound.
     int getNumPrograms() override;
     static constexpr int vst3Programs = 128;
     int getCurrentProgram() override;
     void setCurrentProgram(int index) override;
     const juce::String getProgramName(int index) override;
-    void changeProgramName(int, const juce::String&) override {} // factory presets keep theirs
+    void changeProgramName(int, const juce::String&) override {} // factory presets keep their names
 
     void getStateInformation(juce::MemoryBlock& destination) override;
     /// Returns with the instrument ready: the next block plays it. A state that cannot be restored
@@ -159,17 +159,17 @@ public:
     void setStrikePath(std::size_t index,
                        const std::vector<std::array<double, 3>>& pathMetres) override;
 
-    /// [message side] What plays; null where nothing could be loaded.
+    /// [message side] Returns the playing instrument, or null if none could be loaded.
     std::shared_ptr<const Instrument> loadedInstrument() const;
-    /// [any thread] How often what was to be heard was not finite: it was silence instead, and the
-    /// player began anew.
+    /// [any thread] Returns how often the output was not finite. Each time it was silenced and the
+    /// player reset.
     std::int64_t timesNotFinite() const { return notFinite; }
-    /// [message thread] Whether callbacks come. Blows meanwhile would all wait, and sound as one
-    /// when the host goes on: they are refused.
+    /// [message thread] Returns whether the host calls `processBlock`. Otherwise the window's
+    /// strikes are refused: all would wait and sound at once when the host goes on.
     bool isProcessing() const;
 
 private:
-    /// How often the message thread looks after what the audio thread and the workshop have left.
+    /// Interval at which the message thread polls the audio thread and the workshop.
     static constexpr int lookMilliseconds = 50;
 
     void look();
@@ -177,7 +177,7 @@ private:
     void chooseProgram(int index, std::int64_t request);
     Result<bool> loadProgram(int index, std::int64_t request);
     void tellOfSound();
-    void lookForCallbacks(); ///< for `isProcessing`, to know when they came
+    void lookForCallbacks(); ///< notes when callbacks came, for `isProcessing`
     void changeByHand(const ParameterValues& wanted, std::span<const ParameterId> changed);
     Result<void> restore(const State& state);
     void play(Preset preset,
@@ -198,9 +198,9 @@ private:
                 const std::function<bool(const std::string& key, std::size_t modeCount)>& change);
     void sendSilences();
 
-    // ProcessorForWorkshop.cpp; for the message thread.
-    /// What plays at one moment, and the number of its load: what is made of it is played only
-    /// where no other thread has loaded something since.
+    // In ProcessorForWorkshop.cpp; for the message thread.
+    /// The sound that plays and the number of its load. A sound made from it is played only if no
+    /// other thread has loaded something since.
     struct Loaded {
         Sound sound;
         int number = 0;
@@ -229,11 +229,11 @@ private:
                                    const ParameterValues& values);
 
     static constexpr std::int64_t noRequest = -1, programsOfMidi = 128;
-    /// What the values were when MIDI asked for a program, and how often they had been set: those
-    /// set later are its own.
+    /// The values when MIDI asked for a program, and how often each had been set. Values set later
+    /// belong to the program.
     struct MovesAtRequest {
         std::int64_t request = noRequest;
-        std::uint32_t soundChanges = 0; ///< while it is this, no other sound has come
+        std::uint32_t soundChanges = 0; ///< if unchanged, no other sound was loaded since
         HostParameters::Moves moves{};
         ParameterValues values;
     };
@@ -247,42 +247,43 @@ private:
     void report(std::span<float* const> channels, int count) noexcept;
 
     HostParameters parameters;
-    // The message thread's.
+    // Owned by the message thread.
     std::vector<Material> userMaterials;
     SoundPicture picture;
-    StageCapture capture; ///< the audio thread gives it blows
+    StageCapture capture; ///< the audio thread feeds it
     std::uint32_t callbacksSeen = 0, lastCallbackMilliseconds = 0;
     int asksUnanswered = 0;
     std::int64_t notFiniteShown = 0;
-    std::optional<std::size_t> watched; ///< of the instrument of that number
+    std::optional<std::size_t>
+        watched; ///< object of the instrument with number `watchedInstrument`
     int watchedInstrument = 0;
     ObjectWorkshop workshop;
-    ImportSettings importSettings; ///< given, for what is opened
-    int importLoads = -1; ///< number of the load that the workshop's job began from or led to
+    ImportSettings importSettings; ///< settings given for opened files
+    int importLoads = -1;          ///< load that the workshop's job began from or led to
     bool importFailureShown = true;
-    std::weak_ptr<const ModalObject> imported; ///< the workshop's last that played
+    std::weak_ptr<const ModalObject> imported; ///< the last product that played
     bool importedIsPreview = false;
     std::weak_ptr<const ModalObject>
-        settingsGivenFor; ///< that played then, and not by the workshop
+        settingsGivenFor; ///< foreign object when the settings were given
 
-    // The message side's, under soundMutex.
+    // Owned by the message side, under soundMutex.
     mutable std::mutex soundMutex;
     Preset loadedPreset;
     ModeSet modesHeardAlone;
-    ScalaTuning scala; ///< of files
-    KeyTuning ownKeys; ///< by them
+    ScalaTuning scala; ///< from files
+    KeyTuning ownKeys; ///< computed from `scala`
     std::shared_ptr<const Instrument> instrument;
-    std::shared_ptr<const MissingObjects> missing; ///< for which a stand-in plays, or null
-    std::string presetId;                          ///< of the shelf, or empty
-    std::uint64_t presetContent = 0;               ///< as in Sound
-    ParameterValues storedParameters;              ///< of that preset
-    std::optional<Sound> soundBeforePrograms;      ///< that MIDI asked for, and nobody has heard of
+    std::shared_ptr<const MissingObjects> missing; ///< a stand-in plays for these; or null
+    std::string presetId;                          ///< on the shelf, or empty
+    std::uint64_t presetContent = 0;               ///< see Sound
+    ParameterValues storedParameters;              ///< values of that preset
+    std::optional<Sound> soundBeforePrograms; ///< sound before MIDI's programs, not recorded yet
     std::string lastError;
     double preparedRateHz = 0;                ///< 0 until prepared
-    std::int64_t answeredRequest = noRequest; ///< the last for which a player was handed over
+    std::int64_t answeredRequest = noRequest; ///< last request whose player was handed over
     MovesAtRequest atLastRequest;
 
-    // Between threads.
+    // Shared between threads.
     Handoff<Player> handoff;
     NoteQueue editorNotes;
     SurfaceHand hand;
@@ -291,51 +292,55 @@ private:
     SoundMonitor monitor;
     MidiLearn controllers;
     std::atomic<int> loads{0}, loadsByHost{0};
-    std::atomic<std::uint32_t> callbacks{0}; ///< that came, and times that the first was announced
-    std::atomic<bool> isPrepared{false};     ///< from the first `prepareToPlay` on
+    std::atomic<std::uint32_t> callbacks{
+        0};                              ///< number of callbacks, plus one for each `prepareToPlay`
+    std::atomic<bool> isPrepared{false}; ///< set by the first `prepareToPlay`
     std::atomic<bool> resetRequested{false};
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};
-    std::atomic<bool> forgetsGivenBends{false}; ///< the player has not forgotten them yet
-    /// That MIDI asked for last, until its player is handed over or it is refused: with a number of
-    /// its own in the upper bits, as the same may be asked for again. Players carry the last that
-    /// was answered when they were handed over, as their label; what is refused has no player.
+    std::atomic<bool> forgetsGivenBends{false}; ///< until the player has forgotten them
+    /// The last program that MIDI asked for, until its player is handed over or it is refused. The
+    /// upper bits hold a serial number, as MIDI may ask for the same program again. A player's
+    /// label is the last request answered when it was handed over. A refused request has no player.
     std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
     LatestValue<MovesAtRequest> movesAtRequest{{}}; ///< read under soundMutex
-    std::atomic<int> soundToTell{0};  ///< so many times, to the host, by the message thread
-    int movedToTell = 0;              ///< likewise, of what moves while a sound is told
-    std::atomic<int> statesComing{0}; ///< while which JUCE's VST3 passes nothing on
+    std::atomic<int> soundToTell{
+        0};              ///< times that the message thread still reports the sound to the host
+    int movedToTell = 0; ///< times that it still reports values that moved meanwhile
+    std::atomic<int> statesComing{
+        0}; ///< states being restored; JUCE's VST3 reports nothing to the host meanwhile
     std::atomic<int> programIndex{-1};
-    SharedFigures<DecayBounds> ownDecays, allDecays; ///< of the loaded keys' (RingingKeys)
-    std::atomic<bool> playedResizedKeys{false};      ///< by the player that plays
-    /// By how much any of them may sound below equal temperament: by the instance's own tuning
-    /// alone, and by tunings and wheels as the player has them.
+    SharedFigures<DecayBounds> ownDecays, allDecays; ///< of the loaded keys (RingingKeys)
+    std::atomic<bool> playedResizedKeys{false};      ///< by the current player
+    /// [semitones] How far any key may sound below equal temperament: by the instance's own tuning
+    /// alone, and by tunings and wheels in the player.
     std::atomic<double> semitonesBelowTuned{0}, semitonesBelowPlayed{0};
-    std::atomic<double> tempo{0};        ///< that the host told last, or 0
-    std::atomic<double> stageSeconds{0}; ///< that bodies move after a note
-    std::atomic<int> modulationWheel{HeldContacts::controllerAtRest}; ///< as it was last
+    std::atomic<double> tempo{0};        ///< last reported by the host, or 0
+    std::atomic<double> stageSeconds{0}; ///< time that bodies move after a note
+    std::atomic<int> modulationWheel{HeldContacts::controllerAtRest}; ///< last position
     std::atomic<std::int64_t> modesMixed{0};
     std::atomic<std::int64_t> lateBlows{0};
     std::atomic<std::int64_t> notFinite{0};
     std::atomic<float> peak{0};
-    /// Odd while values and their player are on the way.
+    /// Odd while values and their player are being handed over.
     std::atomic<std::uint32_t> soundChanges{0};
 
-    // The audio thread's.
+    // Owned by the audio thread.
     BlockPieces pieces;
     PlayerCrossfade sound{handoff};
     AwaitingKeys awaitingKeys;
     HostTransport transport;
     std::int64_t programRequests = 0;
-    MovesAtRequest atProgramChange;          ///< the last that there was
-    std::int64_t awaitedRequest = noRequest; ///< the last that there was
-    ParameterValues playedValues;            ///< of the callback
+    MovesAtRequest atProgramChange;          ///< values at the last program change
+    std::int64_t awaitedRequest = noRequest; ///< the last request
+    ParameterValues playedValues;            ///< values of this callback
     OutputStage output;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
     std::array<float*, 2> channelPointers{};
 
-    // The message thread's.
-    std::array<int, parameterCount> openGestures{}; ///< by hand, of each parameter; message thread
+    // Owned by the message thread.
+    std::array<int, parameterCount>
+        openGestures{}; ///< gestures by hand in progress, of each parameter
     SoundHistory history{*this};
     PresetCollection shelf{*this, history, userSettingsFolder()};
 

@@ -1,4 +1,4 @@
-// What the processor is to the window.
+// Implements the window's view of the processor.
 #include "Editor/EditorWindow.h"
 #include "Plugin/OwnSlots.h"
 #include "Plugin/Processor.h"
@@ -13,7 +13,7 @@
 namespace idiophone {
 namespace {
 
-/// Of what plays, or nullptr.
+/// Returns the material of the playing instrument, or nullptr.
 const Material* materialOf(const Instrument* playing) {
     return playing == nullptr || playing->slots().empty()
                ? nullptr
@@ -51,7 +51,7 @@ void Processor::makeCustom(ParameterId figure) {
     const auto playing = loadedInstrument();
     const auto wanted = withCustom(parameters.values(), *choice, materialOf(playing.get()));
     changeByHand(wanted, choice->figures);
-    // Last: what plays up to here keeps its own figures.
+    // Change the choice last: until then the sound keeps its own figures.
     changeByHand(wanted, std::array{choice->choice});
 }
 
@@ -64,7 +64,7 @@ bool Processor::isLive(ParameterId parameter) const {
                                                 : hasPitch(playing->slots()));
 }
 
-// A figure that makes a material custom is changed within a gesture of its own: the outer one
+// A figure that makes a material custom changes within a gesture of its own. Only the outer gesture
 // counts.
 void Processor::beginParameterChange(ParameterId parameter) {
     if (openGestures[static_cast<std::size_t>(parameter)]++ > 0)
@@ -124,7 +124,7 @@ void Processor::chooseUserMaterial(int index) {
     const auto wanted = withCustomMaterial(parameters.values(), chosen);
     history.beginEdit(chosen.name);
     changeByHand(wanted, materialFigures);
-    changeByHand(wanted, std::array{ParameterId::material}); // last, as above
+    changeByHand(wanted, std::array{ParameterId::material}); // last, as in `makeCustom`
     history.endEdit();
 }
 
@@ -142,7 +142,7 @@ void Processor::lookForCallbacks() {
 }
 
 bool Processor::isProcessing() const {
-    // Twice that of 8192 samples at 44.1 kHz.
+    // Twice the length of 8192 samples at 44.1 kHz.
     constexpr std::uint32_t longestPauseMilliseconds = 400;
     return callbacks != callbacksSeen ||
            juce::Time::getMillisecondCounter() - lastCallbackMilliseconds <

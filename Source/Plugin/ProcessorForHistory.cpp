@@ -1,4 +1,4 @@
-// Whole sounds of the processor, for its history and presets.
+// Takes and plays whole sounds, for the history and presets.
 #include "Plugin/Processor.h"
 
 #include "Instrument/SilencedModes.h"
@@ -10,13 +10,13 @@
 namespace idiophone {
 namespace {
 
-/// Whether a player of the one plays the other too, given its parameters and muted modes.
+/// Returns whether a player of one preset can play the other, given its parameters and muted modes.
 bool playsAlike(const Preset& a, const Preset& b) {
     return a.surface == b.surface && a.seed == b.seed && a.parameters == b.parameters;
 }
 
-/// [dB] What rings on takes a new level in a ramp, in which what is struck has the former one. By
-/// more than this either could be a burst.
+/// [dB] A ringing sound ramps to the new level while a new strike starts at the former one. A
+/// larger change could make either a burst.
 constexpr double mostLevelChange = 12;
 
 bool sharesObject(const std::shared_ptr<const Instrument>& one,
@@ -37,7 +37,7 @@ Processor::Loaded Processor::loaded() const {
     return {.sound = soundNow(), .number = loads};
 }
 
-/// Under soundMutex.
+/// Call under soundMutex.
 Sound Processor::soundNow() const {
     return {.preset = loadedPreset,
             .instrument = instrument,
@@ -53,7 +53,7 @@ std::optional<Sound> Processor::takeSoundBeforePrograms() {
     return std::exchange(soundBeforePrograms, std::nullopt);
 }
 
-/// Under soundMutex.
+/// Call under soundMutex.
 void Processor::countHostLoad() {
     ++loadsByHost;
     soundBeforePrograms.reset();
@@ -75,8 +75,8 @@ bool Processor::playSound(const Sound& wanted) {
         return false;
     {
         const std::scoped_lock lock(soundMutex);
-        // Steps back and forth between keys of one object leave its analysis under way; another
-        // preset of the same object does not.
+        // Undo steps between key layouts of one object keep its analysis running. Another preset of
+        // the same object does not.
         const bool isImport = importLoads == loads && wanted.preset.name == loadedPreset.name &&
                               sharesObject(wanted.instrument, instrument);
         const bool playsOn =
@@ -91,11 +91,11 @@ bool Processor::playSound(const Sound& wanted) {
         const auto loadValues = [&] {
             parameters.load(wantedNow());
             if (playsOn)
-                soundChanges += 2; // another sound, though the player may go on
+                soundChanges += 2; // counts as another sound, even if the player goes on
         };
         if (playsOn) {
             const bool sameModes = wanted.preset.mutedModes == loadedPreset.mutedModes;
-            loadedPreset = wanted.preset; // whose silences a new player begins with
+            loadedPreset = wanted.preset; // a new player starts with its silences
             if (!sameModes && *player == nullptr)
                 sendSilences();
             goOn(std::move(*player), loadValues);
@@ -147,8 +147,9 @@ void Processor::changeParameters(const Sound& of, const ParameterValues& wanted)
     tellOfSound();
 }
 
-/// Under soundMutex: for the same instrument at other values. Null where its player goes on, as all
-/// do whose level comes near, and stages at any level: their bodies would begin anew.
+/// Call under soundMutex. Returns a new player for the same instrument at other values. Returns
+/// null if the current player can go on: if the level changes little, or on a stage, whose bodies
+/// would start again.
 Result<std::unique_ptr<Player>> Processor::playerForLevel(const Preset& preset,
                                                           const ParameterValues& values) const {
     using enum ParameterId;
@@ -158,7 +159,7 @@ Result<std::unique_ptr<Player>> Processor::playerForLevel(const Preset& preset,
     return newPlayer(instrument, preset, values);
 }
 
-/// Under soundMutex, with what `playerForLevel` has made of them.
+/// Call under soundMutex with the player from `playerForLevel`.
 void Processor::goOn(std::unique_ptr<Player> player, const std::function<void()>& loadValues) {
     if (player != nullptr)
         handOver(std::move(player), loadValues);

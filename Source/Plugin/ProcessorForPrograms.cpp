@@ -1,4 +1,4 @@
-// Which preset is the program, as hosts and MIDI ask for it, and that hosts hear of another sound.
+// Maps presets to programs for hosts and MIDI, and reports new sounds to the host.
 #include "Editor/Utf8.h"
 #include "Instrument/FactoryContent.h"
 #include "Plugin/FactoryPrograms.h"
@@ -9,8 +9,9 @@
 
 namespace idiophone {
 
-// To a VST3 host a program is a share of their number, and one that is current cannot be chosen: so
-// that number never changes, and the last program is any sound that is none of the factory's.
+// A VST3 host sees a program as a fraction of the number of programs, and cannot choose the current
+// one again. So the number never changes, and the last program stands for any sound that is not a
+// factory preset.
 
 int Processor::getNumPrograms() {
     return isVst3() ? vst3Programs : static_cast<int>(factoryPresets().size());
@@ -35,21 +36,22 @@ void Processor::setCurrentProgram(int index) {
     chooseProgram(index, noRequest);
 }
 
-/// For MIDI's request of that number, or the host's own.
+/// Loads a program for MIDI's request, or for the host if `request` is `noRequest`.
 void Processor::chooseProgram(int index, std::int64_t request) {
     if (index < 0 || index >= static_cast<int>(factoryPresets().size()))
         return;
     {
         const std::scoped_lock lock(soundMutex);
         if (request != noRequest && requestedProgram != request)
-            return; // a state or another request has come since
+            return; // a state or a newer request has arrived
         const auto loaded = loadProgram(index, request);
         if (!loaded)
             lastError = loaded.error().message;
         if (request != noRequest) {
             if (!loaded)
-                refusedRequest = request; // for the audio thread, which forgets the keys that wait
-            // Before anybody is told, which may take long; unless another came meanwhile.
+                refusedRequest = request; // the audio thread then forgets the pending keys
+            // Clear the request before reporting, which may take long, unless a newer one has
+            // arrived.
             requestedProgram.compare_exchange_strong(request, noRequest);
         }
         if (!loaded || !*loaded)
@@ -58,33 +60,34 @@ void Processor::chooseProgram(int index, std::int64_t request) {
     tellOfSound();
 }
 
-/// The host of all values and of the program. On a thread that is not the message thread JUCE's
-/// VST3 keeps the values for the next callback's output, but asks the host on the message thread to
-/// read all values anew. Where that comes second, it finds the former ones in the controller, and
-/// Ardour sends them back as changes: so there they are told again, before the program. And a host
-/// that reads them anew while another of its threads moves them may keep what it read, as JUCE's
-/// does: so what has moved by one of the next looks is told.
+/// Reports all values and the program to the host.
+/// Off the message thread, JUCE's VST3 keeps the values for the next callback's output, but asks
+/// the host on the message thread to read all values anew. If the host reads first, it finds the
+/// former values in the controller, and Ardour sends them back as changes. So the message thread
+/// reports them again, before the program. A host that reads the values while another of its
+/// threads moves them may keep the values read, as JUCE's does. So the next polls report the values
+/// that moved.
 void Processor::tellOfSound() {
     const bool isMessageThread = juce::MessageManager::existsAndIsCurrentThread();
     parameters.notifyListeners();
     if (isNonRealtime() || !isMessageThread)
-        parameters.forgetTold(); // in an offline render nothing is an echo
+        parameters.forgetTold(); // offline, no value from the host is an echo
     if (isMessageThread) {
         updateHostDisplay(ChangeDetails().withProgramChanged(true));
-        movedToTell = isNonRealtime() ? 0 : 2; // looks, the first of which may come at once
+        movedToTell = isNonRealtime() ? 0 : 2; // polls; the first may follow at once
         return;
     }
     if (wrapperType == wrapperType_LV2)
-        return; // which has but one way to its host, and hears of no program
-    // Twice: the wrapper passes nothing on until some time after a state is restored.
+        return; // LV2 reports values only this way, and no program
+    // Report twice: the wrapper reports nothing until some time after a state is restored.
     soundToTell = 2;
     if (looks)
         looks->callSoon();
 }
 
-/// Under soundMutex. What has moved since MIDI asked for it is the program's: so it is offline,
-/// where it is there at once. False where MIDI has asked for another meanwhile, which comes
-/// instead.
+/// Call under soundMutex. Values moved since MIDI's request are kept, as in an offline render,
+/// where the program is there at once. Returns false if MIDI has asked for another program
+/// meanwhile.
 Result<bool> Processor::loadProgram(int index, std::int64_t request) {
     const auto& preset = factoryPresets()[static_cast<std::size_t>(index)];
     auto built = buildInstrument(preset.keyMap, {});

@@ -1,4 +1,4 @@
-// What the processor shows of the sound, and how modes of it are muted and heard alone.
+// Shows the sound to the window, and mutes modes or plays them alone.
 #include "Plugin/Processor.h"
 
 #include "Instrument/SilencedModes.h"
@@ -28,7 +28,7 @@ const SoundFrame* Processor::takeSoundFrame() {
     const auto playing = subject.instrument;
     if (playing == nullptr || playing->slots().empty())
         return nullptr;
-    // Another instrument has other objects.
+    // A new instrument has other objects.
     if (std::exchange(watchedInstrument, subject.instrumentNumber) != subject.instrumentNumber)
         watchObject(std::nullopt);
     picture.show(std::move(subject));
@@ -92,7 +92,7 @@ void Processor::hearAllModes(std::size_t object) {
     });
 }
 
-/// `change` is given what mode sets know the object by, and its number of modes.
+/// Calls `change` with the object's key in mode sets and its number of modes.
 bool Processor::changeModes(
     std::size_t object,
     const std::function<bool(const std::string& key, std::size_t modeCount)>& change) {
@@ -107,7 +107,7 @@ bool Processor::changeModes(
     return true;
 }
 
-/// Under soundMutex, with an instrument.
+/// Call under soundMutex with an instrument.
 void Processor::sendSilences() {
     silencer.send(*instrument,
                   silencedModes(*instrument, loadedPreset.mutedModes, modesHeardAlone));

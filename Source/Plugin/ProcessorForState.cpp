@@ -1,4 +1,4 @@
-// How the processor is saved and restored.
+// Saves and restores the processor's state.
 #include "Plugin/Processor.h"
 
 #include "Instrument/FactoryContent.h"
@@ -26,7 +26,7 @@ void Processor::getStateInformation(juce::MemoryBlock& destination) {
         playing = instrument;
         absent = missing;
     }
-    // Without the lock: objects that were never saved take a while.
+    // Pack without the lock: objects never saved before take a while.
     if (absent != nullptr) {
         state.preset.keyMap = absent->keyMap;
         state.preset.mutedModes = absent->mutedModes;
@@ -67,13 +67,13 @@ Result<void> Processor::restore(const State& state) {
     auto player = newPlayer(*built, preset, state.parameters);
     if (!player)
         return tl::unexpected(player.error());
-    // What MIDI asked for before is overtaken, and keys that wait for it are forgotten.
+    // The state overrides a pending program change; forget the keys that wait for it.
     if (const auto request = requestedProgram.exchange(noRequest); request != noRequest)
         refusedRequest = request;
     auto tuning = state.tuning;
     play(std::move(preset), std::move(*built), std::move(*player), [&] {
         tuneTo(std::move(tuning), *keys);
-        tuner.forgetMessages(); // the state knows of none
+        tuner.forgetMessages(); // a state holds no tuning messages
         forgetsGivenBends = true;
         controllers.assign(state.controllers);
         parameters.load(state.parameters);

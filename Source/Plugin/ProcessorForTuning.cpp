@@ -1,4 +1,4 @@
-// How the keys are tuned: Scala files of this instance's own, kept in its state.
+// Tunes the keys by Scala files, which this instance keeps in its state.
 #include "Object/TextFile.h"
 #include "Plugin/FileKinds.h"
 #include "Plugin/Processor.h"
@@ -43,7 +43,7 @@ void Processor::forgetTuning() {
     recordTuning("Forget tuning", before, {});
 }
 
-/// Makes a step of what has been done, and tells the host of it.
+/// Records the change as an undo step and reports it to the host.
 void Processor::recordTuning(const std::string& step,
                              const ScalaTuning& before,
                              const ScalaTuning& after) {
@@ -53,7 +53,7 @@ void Processor::recordTuning(const std::string& step,
     const auto tune = [this, tellHost](const ScalaTuning& wanted) {
         {
             const std::scoped_lock lock(soundMutex);
-            if (const auto keys = keyTuning(wanted)) // as it has before
+            if (const auto keys = keyTuning(wanted)) // valid when it was recorded
                 tuneTo(wanted, *keys);
         }
         tellHost();
@@ -64,7 +64,8 @@ void Processor::recordTuning(const std::string& step,
     tellHost();
 }
 
-/// Under soundMutex. Makes no copy of the texts: where it is a part of a hand-over, nothing fails.
+/// Call under soundMutex. Moves the texts instead of copying, so that nothing fails within a
+/// hand-over.
 void Processor::tuneTo(ScalaTuning wanted, const KeyTuning& keys) {
     scala = std::move(wanted);
     ownKeys = keys;

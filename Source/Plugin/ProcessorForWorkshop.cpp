@@ -1,4 +1,4 @@
-// What becomes of objects made in the workshop: how keys play them, and how loud.
+// Plays objects made in the workshop: maps them to keys and matches their loudness.
 #include "Plugin/Processor.h"
 
 #include "Geometry/ObjectMesh.h"
@@ -28,7 +28,7 @@ bool plays(const std::shared_ptr<const Instrument>& instrument, const ModalObjec
            instrument->slots().front().object.get() == &object;
 }
 
-/// Nothing where there is an object for each key.
+/// Returns nothing if each key has an object of its own.
 std::optional<KeyLayout> layoutOf(const std::shared_ptr<const Instrument>& instrument) {
     if (instrument == nullptr || instrument->slots().empty())
         return std::nullopt;
@@ -57,7 +57,7 @@ std::string Processor::openPatterns() const {
 }
 
 void Processor::beginImport(int number) {
-    shelf.keepAudition(); // who makes another object of it wants it
+    shelf.keepAudition(); // making another object of it keeps it
     importLoads = number;
     importFailureShown = false;
 }
@@ -71,7 +71,7 @@ bool Processor::canAnalyseAgain() const {
     return followsImportSettings() || keyLayout().has_value();
 }
 
-/// The single object that plays, where it is not of the workshop's mesh.
+/// Returns the playing single object if it was not made from the workshop's mesh.
 std::shared_ptr<const ModalObject> Processor::foreignObject() const {
     if (followsImportSettings())
         return nullptr;
@@ -79,8 +79,9 @@ std::shared_ptr<const ModalObject> Processor::foreignObject() const {
     return layoutOf(playing) ? playing->slots().front().object : nullptr;
 }
 
-/// Such an object is analysed anew as what it is, until other settings are given for it. Figures of
-/// a custom material have no name here: then it is the one that the object was analysed with.
+/// Returns the settings for the next analysis. A foreign object keeps its own material and
+/// thickness until the user gives settings for it. A custom material has no name here; then uses
+/// the material that the object was analysed with.
 ImportSettings Processor::settingsInForce() const {
     auto settings = importSettings;
     const auto object = foreignObject();
@@ -112,7 +113,7 @@ void Processor::analyseAgain() {
     const bool isOurs = importLoads == now.number && workshop.hasMesh();
     if (!isOurs && !layoutOf(now.sound.instrument))
         return;
-    importSettings = settingsInForce(); // from now on the mesh is the workshop's
+    importSettings = settingsInForce(); // the mesh is the workshop's from now on
     beginImport(now.number);
     if (isOurs)
         return workshop.analyseAgain(importSettings);
@@ -134,11 +135,11 @@ bool Processor::playsPreview() const {
     const auto object = imported.lock();
     if (!importedIsPreview || object == nullptr || !plays(loadedInstrument(), *object))
         return false;
-    const auto stage = workshop.status().stage; // once it is done, the whole object is to follow
+    const auto stage = workshop.status().stage; // if it is done, the whole object follows
     return stage == ImportStatus::Stage::previewed || stage == ImportStatus::Stage::done;
 }
 
-/// A product plays where nothing else was chosen meanwhile.
+/// Plays a product unless another sound was chosen meanwhile.
 void Processor::followWorkshop() {
     if (importLoads != loads)
         return workshop.cancel();
@@ -160,7 +161,7 @@ void Processor::followWorkshop() {
 
 void Processor::playProduct(const ObjectWorkshop::Product& product) {
     if (product.isFirst)
-        shelf.keepAudition(); // recording would end it, and so load
+        shelf.keepAudition(); // recording would end the audition, and so load
     const auto now = loaded();
     if (now.number != importLoads)
         return;
@@ -176,7 +177,7 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
     preset.name = object.name;
     preset.author.clear();
     preset.description = object.name + ": " + summaryOf(object);
-    if (product.isPreview) // which a project that is saved now keeps
+    if (product.isPreview) // a project saved now keeps it
         preset.description += ". A preview of few elements: analyse it again for all modes.";
     preset.tags = {"imported"};
     preset.mutedModes = {};
@@ -190,7 +191,8 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
             values = withAudibleMallet(*built, preset.surface, rateHz(), values);
         preset.parameters = values;
     }
-    if (isNew && isStruck(values)) // scrapes and rolls are predicted but for a constant
+    if (isNew &&
+        isStruck(values)) // the loudness of scrapes and rolls is predicted only up to a constant
         values.set(ParameterId::level, startingLevel(*built, preset.surface, rateHz(), values));
     else
         values = asLoudAs(now.sound, preset, *built, values);
@@ -210,7 +212,7 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
         renewHistory(*now.sound.instrument->slots().front().object, map, *built);
 }
 
-/// Steps that know the preview know the whole object from now on, by whatever keys they play it.
+/// Replaces the preview by the whole object in all undo steps, with their own key maps.
 void Processor::renewHistory(const ModalObject& preview,
                              const KeyMap& wholeMap,
                              const std::shared_ptr<const Instrument>& whole) {
@@ -238,7 +240,7 @@ double Processor::rateHz() const {
     return preparedRateHz > 0 ? preparedRateHz : 48000;
 }
 
-/// With the level that keeps it as loud as what plays, and where that had headroom, leaves it.
+/// Matches the loudness of the current sound and keeps its headroom.
 ParameterValues Processor::asLoudAs(const Sound& before,
                                     const Preset& preset,
                                     const std::shared_ptr<const Instrument>& built,
@@ -258,9 +260,9 @@ ParameterValues Processor::asLoudAs(const Sound& before,
     return values;
 }
 
-/// Plays it instead of what was loaded, of whose parameters it changes those in which `values`
-/// differ. Returns the number of its load;
-/// nothing where that does not play any more, or the memory does not suffice, which it reports.
+/// Plays `preset` instead of the loaded sound, and changes only the parameters that differ between
+/// its values and `values`. Returns the number of the load. Returns nothing if the loaded sound
+/// plays no more, or if memory does not suffice, which it reports.
 std::optional<int> Processor::playInstead(const Loaded& now,
                                           const Preset& preset,
                                           const std::shared_ptr<const Instrument>& built,
@@ -314,9 +316,9 @@ void Processor::setStrikePath(std::size_t index, const std::vector<std::array<do
         playMapped(now, map, "Strike path");
 }
 
-/// The same objects, played by other keys or at other places.
+/// Plays the same objects by other keys or at other places.
 void Processor::playMapped(const Loaded& now, const KeyMap& map, const std::string& step) {
-    if (now.sound.missing != nullptr) // which would be no more
+    if (now.sound.missing != nullptr) // a new map would drop the missing objects
         return reportError("The keys cannot be changed while a steel ring plays in the place of " +
                            now.sound.missing->first + ", which is missing.");
     const bool isOurs = importLoads == now.number;
@@ -326,7 +328,7 @@ void Processor::playMapped(const Loaded& now, const KeyMap& map, const std::stri
     auto preset = now.sound.preset;
     preset.keyMap = map;
     const auto values = asLoudAs(now.sound, preset, *built, now.sound.parameters);
-    shelf.keepAudition(); // who changes its keys wants it
+    shelf.keepAudition(); // changing its keys keeps it
     std::optional<int> number;
     history.record(step, [&] { number = playInstead(now, preset, *built, values); });
     if (number)
