@@ -62,9 +62,9 @@ public:
     juce::AudioProcessorParameter* getBypassParameter() const override;
     /// Returns the tail in seconds: the time that a stage's bodies move, plus the decay of the
     /// lowest mode by 96 dB (one 16-bit step), plus the decay of the room by as much. Takes the
-    /// mode as low as wheels may bend it. At most `longestTailSeconds`, because lightly damped
-    /// objects ring for minutes and hosts do not stop for longer. Ignores dampers, whatever
-    /// `let_ring` is: pedals hold released keys, and many hosts ask only once.
+    /// mode as low as wheels may bend it. At most `longestTailSeconds`: lightly damped objects ring
+    /// for minutes, and hosts would render as long. Ignores dampers, whatever `let_ring` is: pedals
+    /// hold released keys, and many hosts ask only once.
     double getTailLengthSeconds() const override;
     static constexpr double longestTailSeconds = 120;
 
@@ -254,8 +254,7 @@ private:
     std::uint32_t callbacksSeen = 0, lastCallbackMilliseconds = 0;
     int asksUnanswered = 0;
     std::int64_t notFiniteShown = 0;
-    std::optional<std::size_t>
-        watched; ///< object of the instrument with number `watchedInstrument`
+    std::optional<std::size_t> watched; ///< index of the object that the window watches
     int watchedInstrument = 0;
     ObjectWorkshop workshop;
     ImportSettings importSettings; ///< settings given for opened files
@@ -292,9 +291,8 @@ private:
     SoundMonitor monitor;
     MidiLearn controllers;
     std::atomic<int> loads{0}, loadsByHost{0};
-    std::atomic<std::uint32_t> callbacks{
-        0};                              ///< number of callbacks, plus one for each `prepareToPlay`
-    std::atomic<bool> isPrepared{false}; ///< set by the first `prepareToPlay`
+    std::atomic<std::uint32_t> callbacks{0}; ///< one more for each `prepareToPlay`
+    std::atomic<bool> isPrepared{false};     ///< set by the first `prepareToPlay`
     std::atomic<bool> resetRequested{false};
     std::atomic<bool> stagePaused{false};
     std::atomic<bool> stageResetRequested{false};
@@ -304,11 +302,10 @@ private:
     /// label is the last request answered when it was handed over. A refused request has no player.
     std::atomic<std::int64_t> requestedProgram{noRequest}, refusedRequest{noRequest};
     LatestValue<MovesAtRequest> movesAtRequest{{}}; ///< read under soundMutex
-    std::atomic<int> soundToTell{
-        0};              ///< times that the message thread still reports the sound to the host
-    int movedToTell = 0; ///< times that it still reports values that moved meanwhile
-    std::atomic<int> statesComing{
-        0}; ///< states being restored; JUCE's VST3 reports nothing to the host meanwhile
+    std::atomic<int> soundToTell{0};                ///< further reports of the sound to the host
+    int movedToTell = 0; ///< further reports of values that moved meanwhile
+    /// States being restored; meanwhile JUCE's VST3 reports nothing to the host.
+    std::atomic<int> statesComing{0};
     std::atomic<int> programIndex{-1};
     SharedFigures<DecayBounds> ownDecays, allDecays; ///< of the loaded keys (RingingKeys)
     std::atomic<bool> playedResizedKeys{false};      ///< by the current player
@@ -339,8 +336,7 @@ private:
     std::array<float*, 2> channelPointers{};
 
     // Owned by the message thread.
-    std::array<int, parameterCount>
-        openGestures{}; ///< gestures by hand in progress, of each parameter
+    std::array<int, parameterCount> openGestures{}; ///< of each parameter
     SoundHistory history{*this};
     PresetCollection shelf{*this, history, userSettingsFolder()};
 

@@ -57,7 +57,7 @@ std::string Processor::openPatterns() const {
 }
 
 void Processor::beginImport(int number) {
-    shelf.keepAudition(); // making another object of it keeps it
+    shelf.keepAudition(); // the user wants the sound: it is analysed again
     importLoads = number;
     importFailureShown = false;
 }
@@ -191,8 +191,8 @@ void Processor::playProduct(const ObjectWorkshop::Product& product) {
             values = withAudibleMallet(*built, preset.surface, rateHz(), values);
         preset.parameters = values;
     }
-    if (isNew &&
-        isStruck(values)) // the loudness of scrapes and rolls is predicted only up to a constant
+    // The loudness of scrapes and rolls is predicted only up to a constant.
+    if (isNew && isStruck(values))
         values.set(ParameterId::level, startingLevel(*built, preset.surface, rateHz(), values));
     else
         values = asLoudAs(now.sound, preset, *built, values);
@@ -328,7 +328,7 @@ void Processor::playMapped(const Loaded& now, const KeyMap& map, const std::stri
     auto preset = now.sound.preset;
     preset.keyMap = map;
     const auto values = asLoudAs(now.sound, preset, *built, now.sound.parameters);
-    shelf.keepAudition(); // changing its keys keeps it
+    shelf.keepAudition(); // the user wants the sound: its keys are changed
     std::optional<int> number;
     history.record(step, [&] { number = playInstead(now, preset, *built, values); });
     if (number)

@@ -1,4 +1,4 @@
-// Some numbers that one thread writes and any may read, without waiting for each other.
+// Shares a few numbers that one thread writes and any thread reads. Neither side waits.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace idiophone {
 
-/// `Figures` has nothing but doubles. Each crosses whole; who reads while others are written may
-/// have some of both.
+/// `Figures` holds only doubles. Each double is read whole, but a reader during a write may see a
+/// mix of old and new ones.
 template <class Figures>
 class SharedFigures {
 public:
     SharedFigures() { store({}); }
 
-    /// By one thread at a time.
+    /// Call from one thread at a time.
     void store(const Figures& figures) noexcept {
         const auto values = std::bit_cast<Values>(figures);
         for (std::size_t i = 0; i < count; ++i)

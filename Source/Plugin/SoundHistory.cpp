@@ -9,11 +9,11 @@
 namespace idiophone {
 namespace {
 
-// In KiB, of which so many are kept, but the newest steps in any case.
+// Limits of juce::UndoManager, in KiB. It always keeps the newest steps.
 constexpr int mostUnits = 512 * 1024, fewestSteps = 8;
-constexpr int unitsOfParameters = 64; // more than they take: so no more than 8192 steps are kept
+constexpr int unitsOfParameters = 64; // more than their size, so that at most 8192 steps are kept
 constexpr int unitsOfSound = 256;
-constexpr int unitsOfTunings = 1024; // two of two files each
+constexpr int unitsOfTunings = 1024; // two tunings of two files each
 
 int unitsOfObjects(const Sound& sound) {
     if (sound.instrument == nullptr)
@@ -30,14 +30,14 @@ int unitsOfObjects(const Sound& sound) {
 
 } // namespace
 
-/// Some parameters that changed together.
+/// A step in which some parameters changed together.
 class SoundHistory::ParameterStep final : public juce::UndoableAction {
 public:
     ParameterStep(SoundHistory& owner, std::vector<Change> done)
         : history(owner), changes(std::move(done)) {}
 
     bool perform() override {
-        if (std::exchange(isDone, true)) // the first time the hand has done it
+        if (std::exchange(isDone, true)) // the first time, the user has done it already
             history.change(changes, true);
         return true;
     }
@@ -53,7 +53,7 @@ private:
     bool isDone = false;
 };
 
-/// From one session to another.
+/// A step from one session to another.
 class SoundHistory::LoadStep final : public juce::UndoableAction {
 public:
     LoadStep(SoundHistory& owner, std::shared_ptr<LoadedSessions> done)
@@ -77,7 +77,7 @@ private:
     bool isDone = false;
 };
 
-/// What the history knows nothing of.
+/// A step of a change outside the sound.
 class SoundHistory::DoneStep final : public juce::UndoableAction {
 public:
     DoneStep(std::function<void()> undoIt, std::function<void()> doItAgain)
@@ -194,7 +194,7 @@ void SoundHistory::followHolder() {
         recordPrograms(std::move(*before));
 }
 
-/// They came unasked, so an audition is over, as it is where another sound is loaded.
+/// A program change ends an audition, as loading another sound does.
 void SoundHistory::recordPrograms(Sound before) {
     if (beforeAudition)
         changes.clear();

@@ -1,5 +1,5 @@
-// Undo and redo of all that is done to the sound in the window, and its A and B. It remembers; the
-// processor plays.
+// Keeps undo and redo steps for all changes of the sound in the window, and the variants A and B.
+// It stores sounds; the processor plays them.
 #pragma once
 
 #include "Editor/EditHistory.h"
@@ -13,7 +13,7 @@
 
 namespace idiophone {
 
-/// What plays, what it is compared with, and which of them is B.
+/// The current sound, the other variant, and whether the current one is B.
 struct Session {
     Sound playing;
     std::optional<Sound> other;
@@ -22,12 +22,12 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
-/// For the message thread. The host's states and programs, of which the holder counts the loads,
-/// forget all steps and the other variant. Programs that MIDI asks for are a step, those in a row
-/// a single one, as a song may go on changing them.
+/// For the message thread. A state or program loaded by the host clears all steps and the other
+/// variant; the holder counts these loads. Programs that MIDI asks for are a step. Consecutive ones
+/// are one step, as a song may change them all the time.
 class SoundHistory final : public EditHistory, public SoundVariants {
 public:
-    /// Asks nothing of the holder yet.
+    /// Does not call the holder yet.
     explicit SoundHistory(SoundHolder& holder);
     ~SoundHistory() override;
 
@@ -45,31 +45,30 @@ public:
     void copyToOther() override;
     void mutate(double strength, std::uint32_t seed) override;
 
-    /// Between these two a parameter changes by hand, of which `willChange` tells every time,
-    /// before.
+    /// A change by hand starts with `beginGesture` and ends with `endGesture`. Call `willChange`
+    /// before each change between them.
     void beginGesture(ParameterId parameter);
     void willChange(ParameterId parameter);
     void endGesture(ParameterId parameter);
-    /// Ends whatever gestures and edits have not ended, as those of a window that was closed.
+    /// Ends all open gestures and edits, such as those of a closed window.
     void endAllGestures();
 
-    /// Does something that plays another sound, as one step of that name; none where the sound is
-    /// the same afterwards, as when it failed.
+    /// Calls `load`, which plays another sound, as one step of that name. Makes no step if the
+    /// sound stays the same, for example after a failure.
     void record(const std::string& name, const std::function<void()>& load);
 
-    /// One step of something beside the sound, which is done already.
+    /// Makes one step of a change outside the sound that is done already.
     void recordDone(const std::string& name,
                     std::function<void()> undone,
                     std::function<void()> doneAgain);
 
-    /// What sounds refer to has been replaced for good, for what plays too, as the preview of an
-    /// analysis by its end or what the file of a preset held by what was saved: every sound that
-    /// the steps and the other variant know passes through `renew`. No step.
+    /// Passes every sound of the steps and the other variant through `renew`. For data that was
+    /// replaced for good, also for the current sound: a preview by the whole analysis, or a preset
+    /// file by saving. Makes no step.
     void renewSounds(const std::function<void(Sound&)>& renew);
 
-    /// Plays sounds to listen to, without steps, until `keepAudition`, which makes one step of them
-    /// all, or `endAudition`, which returns to what played before. Without an audition under way
-    /// both do nothing.
+    /// Plays sounds for listening, without steps. `keepAudition` makes one step of all of them;
+    /// `endAudition` returns to the sound before. Without an audition both do nothing.
     void audition(const std::function<void()>& load);
     void keepAudition();
     void endAudition();
@@ -87,33 +86,33 @@ private:
     };
 
     Session session() const;
-    /// Returns whether it plays. Steps that fail are forgotten, with all others.
+    /// Returns whether it plays. If a step fails, all steps are cleared.
     bool play(const Session& wanted);
     void change(const std::vector<Change>& changes, bool forward);
     void followHolder();
     void forgetAll();
     void recordPrograms(Sound before);
     void closeEdit();
-    /// With these values at its end.
+    /// Closes the edit with these final values.
     void closeEdit(const std::function<double(ParameterId)>& valueOf);
     void push(juce::UndoableAction* step, const std::string& name);
-    /// Returns whether there is anything to take back.
+    /// Returns whether there is anything to undo.
     bool pushLoad(const std::string& name, const Session& before);
 
     SoundHolder& holder;
     juce::UndoManager steps;
-    std::vector<std::weak_ptr<LoadedSessions>> loads; ///< of the steps that live
-    int knownHostLoads = -1;                          ///< that came before the steps
-    std::weak_ptr<LoadedSessions> programs; ///< of the newest step, if it is one of MIDI's
+    std::vector<std::weak_ptr<LoadedSessions>> loads; ///< sessions of the steps still kept
+    int knownHostLoads = -1;                          ///< host loads counted before the steps
+    std::weak_ptr<LoadedSessions> programs; ///< sessions of the newest step, if MIDI made it
 
     std::optional<Sound> other;
     bool isB = false;
     std::optional<Session> beforeAudition;
 
-    std::bitset<parameterCount> gestures; ///< under way
+    std::bitset<parameterCount> gestures; ///< open gestures
     int openEdits = 0;
     std::string editName;
-    std::vector<Change> changes; ///< of the edit or gesture under way
+    std::vector<Change> changes; ///< of the open edit or gesture
 };
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// How changes by hand become steps, and what the variants and auditions do.
+// Turns changes by hand into undo steps; handles variants and auditions.
 #include "Plugin/SoundHistory.h"
 
 #include "Instrument/Mutation.h"
@@ -70,7 +70,7 @@ bool SoundHistory::playsB() {
     return isB;
 }
 
-// Who compares, copies or mutates what is listened to wants it.
+// Comparing, copying or mutating an auditioned sound keeps it.
 
 void SoundHistory::compare() {
     keepAudition();

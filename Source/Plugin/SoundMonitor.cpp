@@ -6,7 +6,7 @@ namespace idiophone {
 namespace {
 
 constexpr double looksPerSecond = 30;
-constexpr double secondsToMeasureOn = 1; // after the last time somebody asked
+constexpr double secondsToMeasureOn = 1; // after the window last asked
 
 } // namespace
 
@@ -14,7 +14,7 @@ void SoundMonitor::prepare(double sampleRateHz) {
     rateHz = sampleRateHz;
     watchedSamples = samplesSinceLook = 0;
     peaks = {};
-    load.reset(sampleRateHz, 1); // every callback says how long it is
+    load.reset(sampleRateHz, 1); // every callback passes its own length
 }
 
 const MonitoredSound* SoundMonitor::take() {
@@ -74,7 +74,7 @@ void SoundMonitor::look(const Player& player) noexcept {
     seen.modeBudget = synthesiser.settings().modeBudget;
     seen.load = static_cast<float>(load.getLoadAsProportion());
     seen.peaks = std::exchange(peaks, {});
-    // Before it is published: who takes it asks for the next one.
+    // Clear before publishing: the reader sets it to ask for the next picture.
     wanted = false;
     latest->publish();
 }

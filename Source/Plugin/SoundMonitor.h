@@ -1,5 +1,5 @@
-// What the window shows of the sound, taken on the audio thread some 30 times a second of the
-// stream while somebody asks, and handed over whole. It only looks.
+// Takes a picture of the sound for the window, on the audio thread. Takes one some 30 times per
+// second of the stream while the window asks, and hands it over whole. Changes nothing.
 #pragma once
 
 #include "Instrument/Player.h"
@@ -16,43 +16,42 @@
 
 namespace idiophone {
 
-/// As of the end of a callback.
+/// The state at the end of a callback.
 struct MonitoredSound {
-    static constexpr std::size_t mostModes = 8192; ///< of an object; those beyond are not shown
+    static constexpr std::size_t mostModes = 8192; ///< of an object; further modes are not shown
     static constexpr std::size_t mostSlots = 128;
 
     std::uint64_t instrument = 0; ///< its serial number
     double sampleRateHz = 0;
-    std::size_t slot = 0; ///< whose groups these are
+    std::size_t slot = 0; ///< slot of `groups`
     SoundingGroups groups{mostModes};
     std::size_t slotCount = 0;
     std::array<Synthesiser::SlotStatus, mostSlots> slots{};
-    std::size_t bodyCount = 0; ///< of a stage's slots, or 0
+    std::size_t bodyCount = 0; ///< number of a stage's slots, or 0
     std::array<BodyPose, mostSlots> bodies{};
     double qualitySlope = 1;
     double modeBudget = 0;
-    float load = 0;               ///< of one processor, 0 to 1
-    std::array<float, 2> peaks{}; ///< of each output channel since the one before
+    float load = 0;               ///< of one processor core, 0 to 1
+    std::array<float, 2> peaks{}; ///< of each output channel since the last picture
 };
 
 class SoundMonitor {
 public:
-    /// [message side] while no callback runs.
+    /// [message side] Call while no callback runs.
     void prepare(double sampleRateHz);
 
-    /// [message thread] The newest since the last call, valid until the next one, or nullptr.
-    /// Asking is what makes the audio thread look. The first call allocates.
+    /// [message thread] Returns the newest picture since the last call, valid until the next call,
+    /// or nullptr. Calling makes the audio thread take the next one. The first call allocates.
     const MonitoredSound* take();
 
-    /// [message thread] The slot of `instrument` to look at, or of those that share its object the
-    /// one played last; nothing: always the one played last.
+    /// [message thread] Chooses the slot of `instrument` to show; of slots that share its object,
+    /// shows the one played last. Without a slot always shows the one played last.
     void watch(std::optional<std::size_t> slot) noexcept {
         watchedSlot = slot ? static_cast<int>(*slot) : -1;
     }
 
-    /// [audio thread] One callback, from construction to destruction: measures its time, which is
-    /// only shown, and looks when it is due. Neither allocates, locks nor throws; costs nothing
-    /// while nobody asks.
+    /// [audio thread] Lives for one callback: measures its duration for display and takes a picture
+    /// when one is due. Neither allocates, locks nor throws. Costs nothing while nobody asks.
     class Callback {
     public:
         Callback(SoundMonitor& monitor, const PlayerCrossfade& sound, int samples) noexcept;
@@ -67,20 +66,20 @@ public:
         std::optional<juce::AudioProcessLoadMeasurer::ScopedTimer> timer;
     };
 
-    /// [audio thread] What was played since, full scale 1.
+    /// [audio thread] Notes a peak of the output, full scale 1.
     void hear(std::size_t channel, float peak) noexcept;
 
 private:
     void look(const Player& player) noexcept;
     std::size_t slotToShow(const Player& player) const noexcept;
 
-    std::unique_ptr<LatestValue<MonitoredSound>> latest; ///< made before `wanted` is first set
+    std::unique_ptr<LatestValue<MonitoredSound>> latest; ///< created before `wanted` is first set
     std::atomic<bool> wanted{false};
     std::atomic<int> watchedSlot{-1};
 
-    // The audio thread's.
+    // Owned by the audio thread.
     double rateHz = 44100;
-    double watchedSamples = 0; ///< for which it goes on to measure
+    double watchedSamples = 0; ///< samples for which to go on measuring
     double samplesSinceLook = 0;
     std::array<float, 2> peaks{};
     juce::AudioProcessLoadMeasurer load;

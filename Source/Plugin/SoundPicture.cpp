@@ -54,7 +54,7 @@ void SoundPicture::show(PictureSubject next) {
         }
 }
 
-/// What is known of a slot's object once for all.
+/// Prepares the constant data of a slot's object.
 void SoundPicture::look(std::size_t slot) {
     frame.instrumentNumber = subject.instrumentNumber;
     frame.object = objectOfSlot[slot];
@@ -115,7 +115,7 @@ void SoundPicture::addBodies(std::span<const BodyPose> poses) {
                                     .turn = pose.turn});
 }
 
-/// As the synthesis groups them, or will when the object is struck.
+/// Groups the modes as the synthesis does, or will when the object is struck.
 void SoundPicture::groupModesOf(const MonitoredSound& sound) {
     const SoundingGroups& groups = sound.groups;
     if (!groups.groupsAreBehind) {
@@ -156,7 +156,7 @@ void SoundPicture::addModes(const MonitoredSound& sound) {
     frame.modesOmitted = static_cast<std::int32_t>(total - frame.modes.size());
 }
 
-/// Of one that is silent.
+/// Returns the entry of a silent mode.
 ModeNow SoundPicture::modeNow(const MonitoredSound& sound, std::size_t mode) const {
     const ModalPole pole = sound.groups.law.pole(
         object->eigenvalueAt(mode, sound.groups.thicknessRatio), object->damping(mode));

@@ -1,5 +1,5 @@
-// Makes what the window shows of what was taken on the audio thread: figures of single modes out of
-// those of groups, objects and notes out of slots.
+// Converts monitored sound into frames for the window: groups into single modes, slots into objects
+// and notes.
 #pragma once
 
 #include "Editor/SoundView.h"
@@ -15,7 +15,7 @@
 
 namespace idiophone {
 
-/// What there is to be shown of; the instrument is not null.
+/// The instrument to show, never null, and its muted modes.
 struct PictureSubject {
     std::shared_ptr<const Instrument> instrument;
     int instrumentNumber = 0;
@@ -28,13 +28,13 @@ struct PictureSubject {
 /// For the message thread.
 class SoundPicture {
 public:
-    /// Changes where the instrument, or what is muted or heard alone, has changed.
+    /// Chooses the subject; updates the tables if it has changed.
     void show(PictureSubject subject);
 
-    /// Of sound that was played on the subject's instrument; valid until the next call.
+    /// Returns the frame of sound played on the subject's instrument; valid until the next call.
     const SoundFrame& of(const MonitoredSound& sound);
 
-    /// What there is to see of a slot, which exists, while nothing is rendered.
+    /// Returns the frame of an existing slot while nothing is rendered.
     const SoundFrame& ofSilence(std::size_t slot, const ParameterValues& values, double rateHz);
 
 private:
@@ -46,14 +46,14 @@ private:
     void addBodies(std::span<const BodyPose> poses);
 
     PictureSubject subject;
-    std::vector<int> objectOfSlot; ///< of ProcessorView::playedObjects
+    std::vector<int> objectOfSlot; ///< index into ProcessorView::playedObjects
     std::vector<int> noteOfSlot;
     std::vector<bool> isOfOneKey;
     std::vector<std::int32_t> modesOfSlot;
 
-    // Of the slot that is looked at.
+    // Of the slot shown.
     std::shared_ptr<const ModalObject> object;
-    std::string key;                       ///< in mode sets
+    std::string key;                       ///< its key in mode sets
     std::vector<double> weights;           ///< [M] mean-square shapes
     std::vector<std::uint8_t> isSilenced;  ///< [M], or empty: none
     std::vector<std::int32_t> groupStarts; ///< [G+1]

@@ -16,14 +16,14 @@ namespace {
 constexpr int ticksPerBeat = 960;
 constexpr double noteSeconds = 0.05;
 constexpr int firstObjectNote = 36;
-constexpr double usualVelocityCurve = 1.5; // of the parameter's default
+constexpr double usualVelocityCurve = 1.5; // default of the parameter
 
 double newtonSecondsOf(const PlacedBlow& blow) {
     const auto& impulse = blow.strike.impulseNewtonSeconds;
     return std::hypot(double(impulse[0]), double(impulse[1]), double(impulse[2]));
 }
 
-/// By slot, −1 where there is none.
+/// Returns the note of each slot, or −1 if none is left.
 std::vector<int> notesOf(const Instrument& instrument) {
     const auto slots = instrument.slots();
     std::vector<int> notes(slots.size(), -1);
@@ -36,7 +36,7 @@ std::vector<int> notesOf(const Instrument& instrument) {
         if (notes[own] >= 0)
             continue;
         while (instrument.keysHaveObjects() && next < 128 && instrument.key(next).slot >= 0)
-            ++next; // that one is a key's
+            ++next; // a key has this note
         for (std::size_t slot = 0; slot < slots.size(); ++slot)
             if (slots[slot].object == slots[own].object && next < 128)
                 notes[slot] = next;
@@ -54,7 +54,8 @@ void StageCapture::take(Player& player) noexcept {
                        .blow = blow});
 }
 
-/// From the first one on; those of one cell come act by act.
+/// Returns the impacts by time, counted from the first. Impacts of one cell arrive in the order of
+/// their simulations.
 std::vector<PlacedBlow> StageCapture::inOrder() const {
     auto blows = kept;
     std::ranges::stable_sort(blows, {}, &PlacedBlow::seconds);

@@ -1,4 +1,4 @@
-// Keeps what the bodies of a stage did, to be taken along as MIDI or as a list of impulses.
+// Records the impacts of a stage's bodies, for export as MIDI or as a list of impulses.
 #pragma once
 
 #include "Instrument/Player.h"
@@ -15,22 +15,22 @@ namespace idiophone {
 
 class StageCapture {
 public:
-    /// Blows beyond are left out.
+    /// Further impacts are not recorded.
     static constexpr std::size_t mostBlows = 200'000;
 
-    /// [audio thread] What a player's bodies did. Neither allocates, locks nor throws; what is not
-    /// read in time is lost.
+    /// [audio thread] Queues the impacts of a player's bodies. Neither allocates, locks nor throws.
+    /// Impacts not read in time are lost.
     void take(Player& player) noexcept;
 
-    /// [message thread] Keeps what was taken; of another instrument or performance than before it
-    /// begins anew.
+    /// [message thread] Stores the queued impacts. Starts again with another instrument or
+    /// performance.
     void follow(const std::shared_ptr<const Instrument>& instrument);
     void clear() { kept.clear(); }
     std::size_t count() const { return kept.size(); }
 
-    /// [message thread] Both begin with the first blow. A blow on a bar is a note of its key, one
-    /// on another object a note of the object's, from C2 (36) on; the hardest has velocity 127 and
-    /// others fall with their impulse, as keys' blows do by the usual curve.
+    /// [message thread] Both files start at the first impact. An impact on a bar becomes a note of
+    /// its key. Other objects get notes from C2 (36) on. The hardest impact has velocity 127; the
+    /// others follow their impulse by the keys' default velocity curve.
     Result<void> writeMidi(const std::filesystem::path& file, double beatsPerMinute) const;
     Result<void> writeImpulses(const std::filesystem::path& file) const;
 
@@ -45,7 +45,7 @@ private:
 
     OneWayQueue<Message, 1024> messages;
     std::shared_ptr<const Instrument> played;
-    std::uint32_t performance = 0; ///< of what is kept
+    std::uint32_t performance = 0; ///< performance number of `kept`
     std::vector<PlacedBlow> kept;
 };
 

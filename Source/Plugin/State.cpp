@@ -10,12 +10,12 @@
 namespace idiophone {
 namespace {
 
-using nlohmann::json; // read: sorted, as ordered_json takes quadratic time for hostile key lists
-using nlohmann::ordered_json; // written: in the order that people expect
+using nlohmann::json; // for reading: ordered_json takes quadratic time for hostile key lists
+using nlohmann::ordered_json; // for writing: keeps a readable order
 
 constexpr const char* formatName = "idiophone-state";
 
-// Inside this file a fault travels as an exception and becomes a Result at parseState.
+// A fault is an exception inside this file and becomes a Result in parseState.
 struct Fault {
     std::string sentence;
 };
@@ -41,7 +41,7 @@ unpacked(const std::string& packedText, const std::string& name, std::int64_t la
     juce::MemoryInputStream source(compressed.getData(), compressed.getDataSize(), false);
     juce::GZIPDecompressorInputStream zip(source);
     juce::MemoryOutputStream plain;
-    // A few bytes can unpack to any length, so that the end must be ours to set.
+    // A few bytes can unpack to any length, so limit the output.
     plain.writeFromInputStream(zip, largestBytes);
     if (plain.getDataSize() == 0 || !zip.isExhausted())
         throw Fault{"holds a damaged object " + inQuotes(name)};
@@ -77,7 +77,7 @@ std::vector<EmbeddedObject> parseObjects(const json& list) {
     return objects;
 }
 
-// Refuses numbers that cannot be learned.
+// Refuses controller numbers that cannot be learned.
 ControllerAssignments parseControllers(const json& object) {
     if (!object.is_object())
         throw Fault{"has 'controllers' that are not a JSON object"};
@@ -98,7 +98,7 @@ ControllerAssignments parseControllers(const json& object) {
 ScalaFile parseScalaFile(const json& tuning, const char* key) {
     if (!tuning.contains(key))
         return {};
-    // A byte of a file that is not UTF-8 is three when it has been saved.
+    // A byte that is not UTF-8 becomes three bytes when saved.
     constexpr auto largestBytes = 3 * ScalaTuning::largestFileBytes;
     auto file = ScalaFile{.name = text(tuning[key], "name"), .text = text(tuning[key], "text")};
     if (file.text.size() > largestBytes)
@@ -176,7 +176,7 @@ std::string encodeState(const State& state) {
         root["controllers"] = controllers;
     if (state.tuning.isGiven())
         root["tuning"] = encodeTuning(state.tuning);
-    // Names come from people and files: replace what is not UTF-8 rather than throw.
+    // Names come from users and files: replace bytes that are not UTF-8 instead of throwing.
     return root.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 

@@ -1,5 +1,6 @@
-// The bytes that a host saves with its project: versioned JSON ("format", "version", "parameters",
-// "preset", "objects", "controllers", "tuning"). Plain data; applying it is the processor's.
+// Encodes and parses the state that a host saves with its project: versioned JSON ("format",
+// "version", "parameters", "preset", "objects", "controllers", "tuning"). Plain data; the processor
+// applies it.
 #pragma once
 
 #include "Instrument/Preset.h"
@@ -19,39 +20,38 @@ namespace idiophone {
 
 inline constexpr int stateFormatVersion = 1;
 
-/// The .modal files of all objects that a state can carry, together.
+/// Maximum bytes of all .modal files in one state together.
 inline constexpr std::int64_t largestEmbeddedBytes = std::int64_t{1} << 30;
 
-/// A modal object that is not part of the program and so travels with the state.
+/// A modal object that the state carries because it is not part of the program.
 struct EmbeddedObject {
-    std::string name;             ///< by which the preset's key map knows it
-    std::vector<std::byte> modal; ///< the .modal file; not needed where `packed` is given
-    std::shared_ptr<const std::string> packed = {}; ///< the same as the state has it, or null
+    std::string name;             ///< as the preset's key map names it
+    std::vector<std::byte> modal; ///< the .modal file; may be empty if `packed` is given
+    std::shared_ptr<const std::string> packed = {}; ///< the same, packed for a state, or null
 
     bool operator==(const EmbeddedObject& other) const {
         return name == other.name && modal == other.modal;
     }
 };
 
-/// A .modal file as states have it: as text. Takes some tenths of a second for a large one.
+/// Packs a .modal file as text for a state. Takes some tenths of a second for a large file.
 std::string packedModal(std::span<const std::byte> modal);
 
 struct State {
     ParameterValues parameters;
     Preset preset;
     std::vector<EmbeddedObject> objects;
-    ControllerAssignments controllers; ///< none in states that say none
-    ScalaTuning tuning;                ///< none in states that say none; the files' text as it is
+    ControllerAssignments controllers; ///< empty if the state has none
+    ScalaTuning tuning;                ///< empty if the state has none; the files' text unchanged
 
     bool operator==(const State&) const = default;
 };
 
-/// The same state always gives the same bytes; values are exact to the last bit.
+/// Encodes a state. The same state always gives the same bytes; values are exact to the last bit.
 std::string encodeState(const State& state);
 
-/// Trusts nothing, and ignores members and parameters that it does not know. The error is one
-/// sentence that begins "The saved state". States of older formats are migrated here, and nowhere
-/// else; there are none yet.
+/// Parses untrusted bytes; ignores unknown members and parameters. The error is one sentence that
+/// begins "The saved state". Only this function migrates older formats; there are none yet.
 Result<State> parseState(std::string_view bytes);
 
 } // namespace idiophone

@@ -6,10 +6,10 @@
 namespace idiophone {
 namespace {
 
-// Of a drag between two events: what lies between is as straight as a hand is fast.
+// Maximum steps between two mouse events; a faster drag is followed more coarsely.
 constexpr int mostSteps = 8;
 
-/// No longer than an edge of the mesh each, where that many do.
+/// Returns how many steps keep each within a mesh edge, up to `mostSteps`.
 int stepsBetween(const std::array<double, 3>& from,
                  const std::array<double, 3>& to,
                  double edgeMetres) {

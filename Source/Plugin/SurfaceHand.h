@@ -1,5 +1,4 @@
-// The hand that strikes objects in the window and drags over them: from a place on a surface to the
-// audio thread.
+// Hands strikes and drags on objects in the window to the audio thread.
 #pragma once
 
 #include "Instrument/ObjectSurface.h"
@@ -17,43 +16,43 @@ namespace idiophone {
 class SurfaceHand {
 public:
     /// [message thread] Strikes the slot's object at the place nearest to a point, in metres of its
-    /// own mesh, as struck at its next sample; velocity 1 to 127, or 0 to lift the hand. Of a full
-    /// queue the blow is lost, but never that a hand is lifted. The slot exists.
+    /// own mesh. The strike acts at the next sample. Velocity is 1 to 127; 0 lifts the hand. If the
+    /// queue is full, a strike is lost, but a lift never is. The slot exists.
     void strike(const std::shared_ptr<const Instrument>& instrument,
                 std::size_t slot,
                 const std::array<double, 3>& pointMetres,
                 int velocity);
 
-    /// [message thread] Drags over the slot's object, straight to the place nearest to a point;
-    /// pressure 0 to 1, or 0 to lift the hand. Of a full queue the way there is lost, but never
-    /// that a hand is lifted. The slot exists.
+    /// [message thread] Drags over the slot's object, straight to the place nearest to a point.
+    /// Pressure is 0 to 1; 0 lifts the hand. If the queue is full, part of the path is lost, but a
+    /// lift never is. The slot exists.
     void scrape(const std::shared_ptr<const Instrument>& instrument,
                 std::size_t slot,
                 const std::array<double, 3>& pointMetres,
                 double pressure);
 
-    /// [audio thread] Gives what waits to the player of its instrument; what is meant for another
-    /// instrument, which has gone since, is dropped. Neither allocates, locks nor throws.
+    /// [audio thread] Passes pending gestures to the player of their instrument. Drops gestures for
+    /// another instrument. Neither allocates, locks nor throws.
     void playOn(Player* player) noexcept;
 
-    /// [audio thread] Forgets what waits, where all hands are lifted.
+    /// [audio thread] Discards pending gestures; call when all hands are lifted.
     void clear() noexcept;
 
 private:
-    /// A blow or a touch.
+    /// A strike or a contact.
     struct Gesture {
         std::uint64_t instrument = 0; ///< its serial number
         bool isTouch = false;
         SurfaceStrike strike;
         SurfaceTouch touch;
     };
-    /// Where the hand was dragged to last.
+    /// The last place of the drag.
     struct Drag {
         std::uint64_t instrument = 0; ///< its serial number
         std::size_t slot = 0;
         std::array<double, 3> pointMetres{};
     };
-    /// Of the object played last, which it keeps alive.
+    /// Surface of the object played last; keeps the object alive.
     struct Surface {
         explicit Surface(std::shared_ptr<const ModalObject> played)
             : object(std::move(played)), places(*object) {}
@@ -66,7 +65,7 @@ private:
     void push(const Gesture& gesture, bool lifts) noexcept;
 
     OneWayQueue<Gesture, 256> gestures;
-    std::atomic<bool> liftLost{false}; ///< for want of room: all hands are to be lifted
+    std::atomic<bool> liftLost{false}; ///< the queue was full: lift all hands
     std::optional<Surface> surface;
     std::optional<Drag> drag;
 };

@@ -13,27 +13,28 @@ namespace {
 constexpr char anyChannel = -1;
 constexpr double farthestSemitones = 128;
 
-/// Scale of an octave, one byte a note, on all channels.
+/// A "scale/octave tuning" message, one byte a note, on all channels.
 constexpr std::array<juce::uint8, 21> equalTemperament{0xf0, 0x7e, 0x7f, 0x08, 0x08, 0x03, 0x7f,
                                                        0x7f, 64,   64,   64,   64,   64,   64,
                                                        64,   64,   64,   64,   64,   64,   0xf7};
 
-/// Single notes, of which each has its key's number before its pitch, or a dump of all keys.
+/// Returns whether each pitch follows its key number (single notes) instead of being a dump of all
+/// keys.
 bool namesKeys(std::span<const juce::uint8> message) {
     return message[4] == 0x02 || message[4] == 0x07;
 }
 
-/// Where in a message the keys begin that it gives pitches: behind a program, in some a bank before
-/// it, and a name or a number of keys. Nothing where it gives none, but those of an octave.
+/// Returns where a message's list of key pitches begins: behind the program, the bank if given, and
+/// the name or number of keys. Returns nothing for other messages, such as those for an octave.
 std::optional<std::size_t> firstKeyIn(std::span<const juce::uint8> message) {
     switch (message[4]) {
-    case 0x01: // of a program: a dump
+    case 0x01: // bulk dump of a program
         return 22;
-    case 0x04: // of a bank and a program
+    case 0x04: // bulk dump of a bank and program
         return 23;
-    case 0x02: // of a program: single notes
+    case 0x02: // single notes of a program
         return 7;
-    case 0x07: // of a bank and a program
+    case 0x07: // single notes of a bank and program
         return 8;
     default:
         return std::nullopt;
@@ -63,7 +64,7 @@ std::string Tuner::masterScaleName() const {
 }
 
 void Tuner::retune(std::span<const juce::uint8> message) noexcept {
-    // F0, any or real time, any device, MIDI Tuning Standard.
+    // F0, non-real or real time, any device, MIDI Tuning Standard.
     const bool isTuning =
         message.size() > 4 && (message[1] == 0x7e || message[1] == 0x7f) && message[3] == 0x08;
     if (!isTuning)
@@ -75,7 +76,7 @@ void Tuner::retune(std::span<const juce::uint8> message) noexcept {
     tunedByMessages = true;
 }
 
-/// One by one, as the client takes "no change" for a pitch.
+/// Sends one message per key, because the client takes "no change" for a pitch.
 void Tuner::retuneKeys(std::span<const juce::uint8> keys, bool areNamed) noexcept {
     const std::size_t bytesOfKey = areNamed ? 4 : 3;
     for (std::size_t key = 0; key < KeyTuning::notes && keys.size() > bytesOfKey; ++key) {
@@ -91,7 +92,7 @@ void Tuner::retuneKeys(std::span<const juce::uint8> keys, bool areNamed) noexcep
     }
 }
 
-/// The client has no way to forget but a message: no offset for any of the twelve notes.
+/// The client forgets only by a message: zero offset for all twelve notes.
 void Tuner::followForgetting() noexcept {
     if (!forgetsMessages)
         return;
@@ -113,7 +114,7 @@ void Tuner::tune(Player* player) noexcept {
     player->setTuning(own.isGiven ? own.keys : session);
 }
 
-/// A pitch that is no number, or as far away as no key is, is none.
+/// Ignores a pitch that is not finite or farther away than any key.
 void Tuner::readSession() noexcept {
     session = {};
     if (!tunedByMessages && !MTS_HasMaster(client.get()))

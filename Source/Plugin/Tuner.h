@@ -1,5 +1,5 @@
-// Which tuning the keys have: the user's own for this instance, or else what a master of the
-// session (MTS-ESP) or MIDI Tuning Standard messages say.
+// Chooses the tuning of the keys: this instance's own, or that of a session master (MTS-ESP) or of
+// MIDI Tuning Standard messages.
 #pragma once
 
 #include "Instrument/KeyTuning.h"
@@ -18,29 +18,29 @@ namespace idiophone {
 
 class Player;
 
-/// Constructed and destroyed off the audio thread; a client of MTS-ESP for as long as it lives.
+/// Construct and destroy off the audio thread. Registered as a client of MTS-ESP while it lives.
 class Tuner {
 public:
     Tuner();
 
-    /// [message side, one at a time] Holds from the next callback on; nothing leaves the tuning to
-    /// the session.
+    /// [message side, one at a time] Sets the own tuning from the next callback on; nothing leaves
+    /// the tuning to the session.
     void setOwn(const std::optional<KeyTuning>& tuning) noexcept;
 
-    /// [any thread but the audio thread] Whether a master tunes the plugins of the session.
+    /// [any thread but the audio thread] Returns whether a master tunes the session's plugins.
     bool hasMaster() const;
-    /// [any thread but the audio thread] The master's scale, which may have no name.
+    /// [any thread but the audio thread] Returns the name of the master's scale; may be empty.
     std::string masterScaleName() const;
 
-    /// [any thread] Whether messages of the MIDI Tuning Standard have tuned keys.
+    /// [any thread] Returns whether messages of the MIDI Tuning Standard have tuned keys.
     bool isTunedByMessages() const noexcept { return tunedByMessages && !forgetsMessages; }
-    /// [any thread] From the next callback on keys are as without the messages before.
+    /// [any thread] Drops the tuning by messages from the next callback on.
     void forgetMessages() noexcept { forgetsMessages = true; }
 
-    /// [audio thread] Once a callback, and after `retune`: gives the tuning that holds to the
-    /// player, if there is one. Neither allocates, locks nor throws, as the next one.
+    /// [audio thread] Call once a callback and after `retune`: gives the tuning in effect to the
+    /// player, if there is one. Neither allocates, locks nor throws, nor does `retune`.
     void tune(Player* player) noexcept;
-    /// [audio thread] Takes in a system exclusive message, whatever it is.
+    /// [audio thread] Reads a system exclusive message; ignores those that are not for tuning.
     void retune(std::span<const juce::uint8> message) noexcept;
 
 private:
@@ -59,9 +59,9 @@ private:
     std::unique_ptr<MTSClient, Deregister> client;
     LatestValue<Own> handoff{Own{}}; ///< message side to audio thread
     std::atomic<bool> tunedByMessages{false};
-    std::atomic<bool> forgetsMessages{false}; ///< the client has not forgotten them yet
+    std::atomic<bool> forgetsMessages{false}; ///< until the client has forgotten them
 
-    // The audio thread's.
+    // Owned by the audio thread.
     Own own;
     KeyTuning session;
 };

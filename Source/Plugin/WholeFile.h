@@ -1,4 +1,4 @@
-// How the user's files are written: whole, or not at all.
+// Writes the user's files whole, or not at all.
 #pragma once
 
 #include "Object/Result.h"
@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// As `replaceFile` does (Object/FileBeside.h), and makes the folder. Where it fails, what was
-/// there stays, and the error is a sentence that names the file and the fault. Not for the audio
+/// Writes like `replaceFile` (Object/FileBeside.h), and makes the folder. On failure an existing
+/// file stays, and the error is a sentence that names the file and the fault. Not for the audio
 /// thread.
 Result<void> writeWhole(const juce::File& file, std::span<const std::byte> bytes);
 

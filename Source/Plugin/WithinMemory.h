@@ -1,4 +1,4 @@
-// What is made of files and states, which may ask for any memory, and for threads.
+// Runs work on files and states, and turns a lack of memory or threads into an error.
 #pragma once
 
 #include "Object/Result.h"
@@ -11,16 +11,15 @@
 
 namespace idiophone {
 
-/// What is said of a subject for which the system does not do what was asked of it: mostly it
-/// starts no more threads.
+/// Returns the sentence for a subject after a system error, mostly that no more threads start.
 inline std::string sentenceOf(const std::system_error& fault, std::string_view subject) {
     if (fault.code() == std::errc::resource_unavailable_try_again)
         return std::string(subject) + " needs a thread, and this machine starts no more";
     return std::string(subject) + " cannot be made: " + fault.what();
 }
 
-/// What `work` returns, a Result, or where memory or threads do not suffice a failure that says so
-/// of the subject. Not for the audio thread.
+/// Returns the Result of `work`. If memory or threads do not suffice, returns a failure that names
+/// the subject. Not for the audio thread.
 template <class Work>
 auto withinMemory(Work&& work, std::string_view subject = "it") -> decltype(work()) {
     try {
