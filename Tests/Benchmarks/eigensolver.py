@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Our eigensolver against SciPy's, on the same matrices, for the same modes, on one thread.
+"""Compares our eigensolver with SciPy's on the same matrices, for the same modes, on one thread.
 
     eigensolver.py PROGRAM [--case MODEL:ROWS:MODES]... [--repetitions N] [--folder F] [--json FILE]
 
-PROGRAM is the built eigensolver_benchmark. Each case is solved in turn by both, each time in a new
-process: by solveModes for the band that holds so many modes (zero modes included), and by
-scipy.sparse.linalg.eigsh(K, k, M, sigma=-(2 pi 20 Hz)^2), all else at its defaults. Of each the
-least processor time, wall time and memory (peak less what the process had before it read the
-matrices) count. Fails if an eigenvalue differs by more than 1e-6.
+PROGRAM is the built eigensolver_benchmark. Both solve each case in turn, each time in a new process.
+Ours runs solveModes for the band that holds MODES modes (zero modes included). SciPy runs
+scipy.sparse.linalg.eigsh(K, k, M, sigma=-(2 pi 20 Hz)^2) with defaults. The minima of processor time,
+wall time and memory count. Memory is the peak minus the amount before the process read the matrices.
+Fails if an eigenvalue differs by more than 1e-6.
 """
 import argparse
 import json
@@ -44,7 +44,7 @@ def peak_megabytes():
 
 
 def solve_with_scipy(folder, modes):
-    """In a process of its own: prints what the C++ program's `solve` prints."""
+    """Solves in a process of its own and prints the same line as the C++ program's `solve`."""
     import numpy as np
     from scipy.sparse.linalg import eigsh
     at_start = peak_megabytes()
@@ -65,7 +65,7 @@ def run(command):
 
 
 def largest_difference(folder, zero_modes):
-    """The largest relative difference of an eigenvalue; infinite if their numbers differ."""
+    """Returns the largest relative difference of eigenvalues; infinite if their numbers differ."""
     import numpy as np
     ours = np.fromfile(folder / "eigenvalues.f64")
     theirs = np.fromfile(folder / "scipy.f64")[zero_modes:]

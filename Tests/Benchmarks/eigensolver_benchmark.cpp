@@ -1,5 +1,5 @@
-// What eigensolver.py compares with SciPy: writes the matrices of a model of the product, and
-// solves them in a process of its own, so that its time and memory are the solver's alone.
+// Writes the matrices of a model for eigensolver.py, which compares our solver with SciPy. `solve`
+// runs in a process of its own, so that time and memory are the solver's alone.
 //
 //     eigensolver_benchmark write shell|tetrahedra ROWS MODES FOLDER
 //     eigensolver_benchmark solve FOLDER
@@ -78,7 +78,7 @@ Material wood() {
     return material;
 }
 
-/// Of a solid bar of 0.4 × 0.05 × 0.02 m, divided until it has about so many rows.
+/// Returns the model of a solid bar of 0.4 × 0.05 × 0.02 m, divided until it has about `rows` rows.
 VibrationModel tetrahedra(Eigen::Index rows) {
     const auto box = boxMesh({0.4, 0.05, 0.02}, {8, 1, 1});
     double edge = 0.03;
@@ -102,7 +102,7 @@ VibrationModel modelOf(const std::string& kind, Eigen::Index rows) {
     throw std::runtime_error("There is no model \"" + kind + "\".");
 }
 
-/// A frequency below which just so many modes lie, zero modes included, or as near as gaps of a
+/// Returns a frequency with `modes` modes below it, zero modes included, or as near as gaps of a
 /// millionth allow.
 double frequencyAbove(const VibrationModel& model, Eigen::Index modes) {
     double low = 20, high = 1e6;

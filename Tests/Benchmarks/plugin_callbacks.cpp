@@ -1,11 +1,11 @@
-// Times the plugin's callback as a host drives it: every factory preset with music, another
-// material in mid-ring and a change to the next preset, room, loudness match and all. The same
-// blocks are played again and again, and of each the least processor time counts.
+// Times the plugin's callback as a host drives it. Plays music with every factory preset, changes
+// the material while notes ring and then changes to the next preset. Replays the same blocks
+// several times and counts the minimum processor time of each block.
 //
 //     plugin_callbacks [REPLAYS]
 //
-// prints the table of docs/benchmarks.md. A program built for speed fails where a block took longer
-// than it lasts.
+// prints the table of docs/benchmarks.md. An optimised build fails if a block took longer than it
+// lasts.
 #include "Instrument/FactoryContent.h"
 #include "Plugin/Processor.h"
 #include "Support/Sanitizers.h"
@@ -31,7 +31,7 @@ namespace {
 
 constexpr double rateHz = 48000;
 constexpr int blockSamples = 128;
-constexpr std::size_t aftermath = 12; // blocks in which what was changed is worked off: 32 ms
+constexpr std::size_t aftermath = 12; // blocks in which a change still costs time: 32 ms
 constexpr std::size_t materialBlock = 600, programBlock = 1440, blocks = programBlock + aftermath;
 constexpr int defaultReplays = 10;
 #ifdef NDEBUG
@@ -42,15 +42,15 @@ constexpr bool isBuiltForSpeed = false;
 constexpr auto blockTime =
     std::chrono::nanoseconds(std::int64_t{1'000'000'000} * blockSamples / 48000);
 
-/// [s] Of this thread; what else the machine does, or waits for, is not in it.
+/// [s] Returns the processor time of this thread only.
 double processorSeconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Notes and chords over all keys, held for a tenth of a second, under pressure and wheels that
-/// move.
+/// Returns notes and chords over all keys, held for a tenth of a second, with moving pressure and
+/// wheels.
 std::vector<juce::MidiBuffer> musicOn(const ProcessorView::KeyRange& keys) {
     std::mt19937 random(3);
     const auto between = [&](int low, int high) {
@@ -85,7 +85,7 @@ public:
 
     void replay(Processor& processor) {
         processor.setCurrentProgram(program);
-        processor.prepareToPlay(rateHz, blockSamples); // from its start
+        processor.prepareToPlay(rateHz, blockSamples); // a new player
         const auto music = musicOn(processor.keyRange());
         juce::AudioBuffer<float> sound(2, blockSamples);
         const bool hasStage = processor.hasStage();
@@ -99,7 +99,7 @@ public:
             const double start = processorSeconds();
             processor.processBlock(sound, midi);
             least[block] = std::min(least[block], processorSeconds() - start);
-            if (hasStage) // whose worker moves bodies meanwhile
+            if (hasStage) // a worker thread moves its bodies meanwhile
                 std::this_thread::sleep_until(next += blockTime);
         }
     }
@@ -108,7 +108,7 @@ public:
         return std::accumulate(least.begin(), least.end(), 0.0) / static_cast<double>(blocks);
     }
     double worstSeconds() const { return *std::max_element(least.begin(), least.end()); }
-    /// Of those in which a change is worked off.
+    /// Returns the maximum of the blocks right after a change at `block`.
     double worstSecondsBehind(std::size_t block) const {
         const auto from = least.begin() + static_cast<std::ptrdiff_t>(block);
         return *std::max_element(from, from + aftermath);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double mostGrowthMebibytes = 64; // since the log's first hour
 constexpr double mostMebibytesPerHour = 1;
-// Presets and what the allocator keeps make hours differ by some ten mebibytes: a slope counts from
-// eight hours on, where it is so many times its own standard error.
+// Presets and the allocator's reserves make hours differ by some ten mebibytes. So a slope counts
+// only from eight hours on, and if it exceeds this many of its own standard errors.
 constexpr int leastHours = 8, leastFreedom = 5;
 constexpr double leastErrors = 3;
 
@@ -22,9 +22,9 @@ std::string rounded(double mebibytes) {
     return text;
 }
 
-/// Hours between which memory should be the same.
+/// Sums over hours whose memory should be equal.
 struct Level {
-    double hours = 0, count = 0, mebibytes = 0; // sums
+    double hours = 0, count = 0, mebibytes = 0;
 };
 
 struct Slope {

@@ -1,4 +1,4 @@
-// What the soak's log tells of its processes' memory, hour by hour, and whether that grows.
+// Reads and writes the soak's log of memory per hour, and finds whether memory grows.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace idiophone::test {
 
-/// Of a day's hours the first ones are of many players, the others of one that lives on.
+/// The first hours of a day use many players, the others one player that lives on.
 constexpr int hoursPerDay = 24, shortLivedHours = 8; // 2^31 samples are 12.4 hours at 48 kHz
 constexpr int hourOfDay(int hour) {
     return (hour - 1) % hoursPerDay;
@@ -22,19 +22,20 @@ constexpr int dayOf(int hour) {
 struct LoggedHour {
     int hour = 0;          ///< from 1, over all processes
     int hourOfProcess = 0; ///< from 1
-    double mebibytes = 0;  ///< resident when it was over
+    double mebibytes = 0;  ///< resident at its end
 };
 
 /// "hour 9: 46379 notes, 149.2 MiB, 1 of its process".
 std::string logLine(const LoggedHour& hour, std::int64_t notes);
 
-/// Lines that say nothing of the process go on with the one of the line before.
+/// Reads the hours of a log. A line without an hour of process continues the process of the line
+/// before.
 std::vector<LoggedHour> readHours(std::istream& log);
 
-/// The sentence that tells of it where the last hour has far more than the log's first, or where
-/// the memory of each process climbs with its hours by more than they differ anyhow: by the slope
-/// that fits all of them best, with a level of its own for each process and for each life of one
-/// player.
+/// Returns a sentence if memory grows: if the last hour has far more than the log's first, or if
+/// memory rises with the hours of each process. The second test fits one slope to all hours, with a
+/// separate level for each process and for each player that lives on; it compares the slope with
+/// its standard error.
 std::optional<std::string> growthOf(std::span<const LoggedHour> hours);
 
 } // namespace idiophone::test

@@ -10,8 +10,8 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// As seven hours in one process were measured, again and again, the life of one player at a level
-/// of its own, with so much more after each hour of a process.
+/// Returns hours like seven measured ones of one process, repeated. The life of one player has a
+/// level of its own. Memory rises by `leak` with each hour of a process.
 std::vector<LoggedHour> measured(int count, double leak, int hoursOfProcess = 1000) {
     constexpr std::array mebibytes{142, 162, 137, 165, 165, 164, 149};
     std::vector<LoggedHour> hours;
@@ -34,14 +34,13 @@ bool anyGrowth(const std::vector<LoggedHour>& hours) {
 
 } // namespace
 
-TEST_CASE("Hours that differ as measured do not grow, in one process or in many") {
+TEST_CASE("Hours that vary as measured count as no growth, in one process or many") {
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0)));
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0, 4)));
     CHECK_FALSE(anyGrowth(measured(7 * 24, 0, 1)));
 }
 
-TEST_CASE(
-    "A leak of 2.6 MiB an hour is found after a day, and over days of processes of eight hours") {
+TEST_CASE("A leak of 2.6 MiB an hour is found after a day, also over processes of eight hours") {
     const auto day = growthOf(measured(24, 2.6));
     REQUIRE(day);
     CHECK_THAT(*day, ContainsSubstring("MiB an hour"));
@@ -50,8 +49,7 @@ TEST_CASE(
     CHECK_THAT(*days, ContainsSubstring("MiB an hour"));
 }
 
-TEST_CASE(
-    "A process has no more than its log's first hour and 64 MiB, whichever process that was of") {
+TEST_CASE("Growth of more than 64 MiB since the log's first hour is found, also across processes") {
     const std::vector<LoggedHour> hours{{1, 1, 142}, {2, 2, 150}, {3, 1, 205}, {4, 2, 207}};
     CHECK_FALSE(growthOf(std::span(hours).first(3)));
     const auto growth = growthOf(hours);
@@ -59,7 +57,7 @@ TEST_CASE(
     CHECK_THAT(*growth, ContainsSubstring("207.0") && ContainsSubstring("142.0"));
 }
 
-TEST_CASE("The log is read as it is written, with lines that say nothing of the process") {
+TEST_CASE("The log reads back as written, also lines without an hour of process") {
     std::stringstream log;
     log << "hour 1: 48748 notes, 142 MiB\nhour 2: 47594 notes, 162 MiB\n"
         << logLine({3, 1, 137.24}, 54676) << '\n'

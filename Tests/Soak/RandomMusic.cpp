@@ -13,7 +13,7 @@ namespace {
 
 constexpr int channels = 16;
 constexpr int centredWheel = 8192;
-constexpr double longNoteShare = 0.02; // of notes: those that last up to a minute
+constexpr double longNoteShare = 0.02; // share of notes that last up to a minute
 
 void addSystemExclusive(juce::MidiBuffer& midi,
                         const std::vector<juce::uint8>& content,
@@ -26,7 +26,7 @@ void addSystemExclusive(juce::MidiBuffer& midi,
 /// MIDI Tuning Standard: a bulk dump of equal temperament.
 void addEqualTuning(juce::MidiBuffer& midi, int stamp) {
     std::vector<juce::uint8> content{0x7e, 0x7f, 0x08, 0x01, 0};
-    content.resize(content.size() + 16, ' '); // its name
+    content.resize(content.size() + 16, ' '); // name of the tuning
     for (juce::uint8 note = 0; note < 128; ++note)
         content.insert(content.end(), {note, 0, 0});
     const int sum = std::accumulate(content.begin(), content.end(), 0,
@@ -104,7 +104,7 @@ void RandomMusic::forget() {
 void RandomMusic::addNote(juce::MidiBuffer& midi, const Block& block, int channel, int stamp) {
     const int note = block.keys.lowest + chance.below(block.keys.highest - block.keys.lowest + 1);
     if (keysDown.contains({channel, note}))
-        return; // on every key at most one note a channel, as on a keyboard
+        return; // at most one note per key and channel, as on a keyboard
     midi.addEvent(
         juce::MidiMessage::noteOn(channel, note, static_cast<juce::uint8>(1 + chance.below(127))),
         stamp);
@@ -129,7 +129,7 @@ void RandomMusic::addControllers(juce::MidiBuffer& midi, int channel, int note, 
         midi.addEvent(juce::MidiMessage::aftertouchChange(channel, note, chance.below(128)), stamp);
         break;
     case 3: {
-        // The last ones end a slide, as what is on any channel.
+        // The last two end a slide on any channel.
         constexpr std::array controllers{1, 6, 38, 64, 66, 67, 74, 100, 101, 121, 120, 123};
         const int count = static_cast<int>(controllers.size()) - (slides ? 2 : 0);
         const int value = chance.below(128);
@@ -146,10 +146,10 @@ void RandomMusic::addControllers(juce::MidiBuffer& midi, int channel, int note, 
     }
 }
 
-/// Of keys, of the wheel's range or of MPE's zones.
+/// Tunes keys, the wheel's range or MPE's zones.
 void RandomMusic::addTuning(juce::MidiBuffer& midi, int stamp) {
     if (chance.share() < 0.5) {
-        std::vector<juce::uint8> content{0x7f, 0x7f, 0x08, 0x02, 0, 1}; // a note, at once
+        std::vector<juce::uint8> content{0x7f, 0x7f, 0x08, 0x02, 0, 1}; // single note change
         for (int i = 0; i < 4; ++i)
             content.push_back(static_cast<juce::uint8>(chance.below(128)));
         addSystemExclusive(midi, content, stamp);
@@ -162,8 +162,8 @@ void RandomMusic::addTuning(juce::MidiBuffer& midi, int stamp) {
     control(midi, channel, midi::dataEntryMsb, chance.below(25), stamp);
 }
 
-/// Notes what is owed after it: keys and pedals of a channel that its host has told to be up are
-/// not spoken of again.
+/// Adds a controller and updates the pending releases. If it releases keys and pedals of a channel,
+/// they are no longer pending.
 void RandomMusic::control(juce::MidiBuffer& midi, int channel, int number, int value, int stamp) {
     addController(midi, channel, number, value, stamp);
     if (number == midi::sustainPedal)
@@ -176,7 +176,7 @@ void RandomMusic::control(juce::MidiBuffer& midi, int channel, int number, int v
         std::erase_if(keysDown, [&](const auto& key) { return key.first.first == channel; });
 }
 
-/// Of the block's samples up to this one.
+/// Adds the releases due up to sample `last` of the block.
 void RandomMusic::addDueReleases(juce::MidiBuffer& midi, const Block& block, int last) {
     std::erase_if(keysDown, [&](const auto& key) {
         const auto& [played, end] = key;

@@ -1,5 +1,5 @@
-// Music at random on sixteen channels: notes of any length, controllers, pedals, tunings. Knows
-// what it owes: the note-offs of keys and the ends of pedals that are down.
+// Makes random music on sixteen channels: notes of any length, controllers, pedals, tunings. Tracks
+// the pending note-offs and pedal releases.
 #pragma once
 
 #include "Editor/ProcessorView.h"
@@ -12,16 +12,16 @@
 
 namespace idiophone::test {
 
-/// What music may have changed as it is at first: equal temperament, no MPE zones, wheels of two
-/// semitones in the middle, controllers.
+/// Adds messages that undo changes by music: equal temperament, no MPE zones, pitch wheels centred
+/// at a range of two semitones, controllers at rest.
 void addDefaults(juce::MidiBuffer& midi);
-/// On every channel as hosts do who stop: all notes off, controllers reset.
+/// Adds all notes off and a controller reset on every channel, as hosts do when they stop.
 void addEndOfNotes(juce::MidiBuffer& midi);
 
 class RandomMusic {
 public:
     struct Block {
-        std::int64_t start; ///< its first sample, since the music began
+        std::int64_t start; ///< first sample, counted from the start of the music
         int length;         ///< samples
         double rateHz;
         ProcessorView::KeyRange keys;
@@ -29,19 +29,19 @@ public:
 
     explicit RandomMusic(Chance& drawnFrom) : chance(drawnFrom) {}
 
-    /// In order of time, in which what is owed is noted as it becomes so.
+    /// Adds the events of a block in order of time, and notes pending releases.
     void add(juce::MidiBuffer& midi, const Block& block, double expectedNotes);
 
-    /// Holds a key of the last channel softly until that sample. Meanwhile no other note is long,
-    /// so that it never has to make room, and no controller ends it.
+    /// Holds a key of the last channel softly until the sample `end`. Meanwhile no other note is
+    /// long, so that the slide is not cut for a new voice, and no controller ends it.
     void slide(juce::MidiBuffer& midi, ProcessorView::KeyRange keys, std::int64_t end);
     bool isSliding() const { return slides; }
-    /// From now on a slide is none.
+    /// Treats the slide as an ordinary note from now on.
     void endSlide() { slides = false; }
 
-    /// The note-offs and pedals that are owed.
+    /// Adds all pending note-offs and pedal releases.
     void addOwed(juce::MidiBuffer& midi) const;
-    /// Nothing is owed any more.
+    /// Forgets pending releases.
     void forget();
 
     std::int64_t notesPlayed() const { return notes; }
@@ -58,7 +58,7 @@ private:
     void control(juce::MidiBuffer& midi, int channel, int number, int value, int stamp);
 
     Chance& chance;
-    /// Keys that are down, by channel and note, with the sample at which they go up.
+    /// Keys held, by channel and note, with the sample of their release.
     std::map<std::pair<int, int>, std::int64_t> keysDown;
     std::map<int, Pedals> pedalsDown; ///< by channel
     bool slides = false;

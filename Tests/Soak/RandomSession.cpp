@@ -15,7 +15,7 @@ using enum ParameterId;
 
 constexpr int largestBlock = 4096;
 constexpr std::size_t keptStates = 8;
-// How often in a block something happens.
+// Probability of each event in a block.
 constexpr double automationShare = 0.3, soundShare = 0.004, hostShare = 0.0005;
 
 std::string savedState(Processor& processor) {
@@ -28,7 +28,7 @@ void restoreState(Processor& processor, const std::string& state) {
     processor.setStateInformation(state.data(), static_cast<int>(state.size()));
 }
 
-/// To the last bit, which a host's values are not.
+/// Sets exact values; a host's would be rounded.
 void setToDefaults(Processor& processor) {
     for (const auto& info : parameterTable())
         processor.setValue(info.parameter, info.defaultValue);
@@ -68,7 +68,7 @@ void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSeco
     juce::MidiBuffer midi;
     music.endSlide();
     if (changes == Changes::parameters && chance.share() < 0.7) {
-        // Of a slow hand, for as long as the music.
+        // A slow contact as long as the music.
         const double kind = chance.share() < 0.5 ? scrapeContact : rollContact;
         processor.getParameters()[static_cast<int>(contact)]->setValue(
             static_cast<float>(parameterInfo(contact).toNormalised(kind)));
@@ -90,7 +90,7 @@ void RandomSession::play(double seconds, std::uint64_t seed, double notesPerSeco
         render(midi, length);
         midi.clear();
         if (changes == Changes::parameters && juce::MessageManager::existsAndIsCurrentThread())
-            juce::Timer::callPendingTimersSynchronously(); // the plugin's own looks beside it
+            juce::Timer::callPendingTimersSynchronously(); // run the plugin's own polls too
     }
 }
 
@@ -141,7 +141,7 @@ void RandomSession::render(juce::MidiBuffer& midi, int length) {
     buffer.clear();
     processor.processBlock(buffer, midi);
     samples += length;
-    if (processor.timesNotFinite() > 0) // which is heard as silence
+    if (processor.timesNotFinite() > 0) // the output is silent then
         throw std::runtime_error("What was rendered up to sample " + std::to_string(samples) +
                                  " was not finite.");
     loudest = 0;
@@ -157,7 +157,7 @@ void RandomSession::render(juce::MidiBuffer& midi, int length) {
 
 void RandomSession::settle() {
     setToDefaults(processor);
-    // On a stage nothing is damped. Else nothing but dampers ends what rings.
+    // A stage has no dampers. Otherwise only dampers end the sound.
     if (!processor.hasStage()) {
         processor.setValue(letRing, 0);
         processor.setValue(material, customMaterial);
@@ -206,13 +206,13 @@ void RandomSession::awaitSilence(const char* after) {
                              std::to_string(longestSeconds) + " seconds after " + after + ".");
 }
 
-/// Parameters, controllers and tuning.
+/// Resets parameters, controllers and tuning.
 void RandomSession::putBack() {
     setToDefaults(processor);
     processor.setValue(strikeSpread, 0);
     juce::MidiBuffer midi;
     addDefaults(midi);
-    // What glides or fades arrives.
+    // Let glides and fades end.
     for (double waited = 0; waited < 1; waited += largestBlock / rateHz) {
         render(midi, largestBlock);
         midi.clear();
@@ -277,7 +277,7 @@ double RandomSession::tremolo() {
             power += std::pow(buffer.getSample(0, i), 2);
         all += power;
         turning += std::polar(power, 4 * std::numbers::pi * turnsPerSecond * rendered /
-                                         rateHz); // twice a turn
+                                         rateHz); // the disc opens twice a turn
     }
     midi.addEvent(juce::MidiMessage::noteOff(1, note), 0);
     render(midi, largestBlock);

@@ -1,5 +1,5 @@
-// A host that plays a processor at random: notes of any length, controllers, automation, tunings,
-// presets, states, blocks of any size. The same seed does the same.
+// Drives a processor at random as a host: notes of any length, controllers, automation, tunings,
+// presets, states, blocks of any size. The same seed gives the same session.
 #pragma once
 
 #include "Plugin/Processor.h"
@@ -11,45 +11,43 @@
 
 namespace idiophone::test {
 
-/// Left and right in turn.
+/// Interleaved left and right samples.
 using PlayedPhrase = std::vector<float>;
 double rmsLevel(const PlayedPhrase& phrase);
 
 class RandomSession {
 public:
     enum class Changes {
-        parameters, ///< by automation, on the thread that plays: the player stays the same one
-        all         ///< and sounds, sample rates and resets, offline: no player lasts long
+        parameters, ///< by automation, on the audio thread: the player stays
+        all         ///< also sounds, sample rates and resets, offline: no player lasts long
     };
-    /// Prepares the processor to play.
+    /// Prepares the processor for playing.
     explicit RandomSession(Processor& played, Changes whatChanges = Changes::all);
 
-    /// Has a new player of a factory program, at 48 kHz; scenes are passed over.
+    /// Loads a factory program at 48 kHz with a new player; skips scenes.
     void load(int program);
 
-    /// Plays so many seconds of music, from the first of which on a key may be held to the last of
-    /// them. Throws a sentence on a sample that is not finite.
+    /// Plays random music of this length; one key may be held all the time. Throws a sentence if a
+    /// sample is not finite.
     void play(double seconds, std::uint64_t seed, double notesPerSecond = 12);
 
-    /// Loads a preset, or keeps, restores or resets a state.
+    /// Loads a preset, or saves, restores or resets a state.
     void changeSound();
 
-    /// Releases what is down: mostly by the note-offs and pedals that are owed and nothing else, at
-    /// times as hosts do who stop (all notes off, or a reset). Then plays every key there is, in
-    /// turn. Throws a sentence where either is not soon followed by silence, though nothing but
-    /// dampers ends what rings.
+    /// Releases all keys and pedals: mostly by the pending releases alone, sometimes as hosts do
+    /// when they stop (all notes off, or a reset). Then plays every key in turn. Throws a sentence
+    /// if silence does not follow soon, though only dampers end the sound.
     void settle();
 
-    /// A phrase, struck: with parameters, controllers and tuning put back, by the player there is
-    /// and with whatever it remembers.
+    /// Returns a struck phrase by the current player with all that it remembers. First resets
+    /// parameters, controllers and tuning.
     PlayedPhrase phrase();
-    /// The same after a reset, and by a new player of the state that the processor had at first.
+    /// Return the phrase after a reset, and by a new player of the processor's first state.
     PlayedPhrase phraseAfterReset();
     PlayedPhrase phraseAnew();
 
-    /// The depth of the motor's tremolo in a key that is held for ten seconds and rolls, from
-    /// parameters put back: the part of the sound's power that comes and goes with its discs,
-    /// over all of it.
+    /// Returns the depth of the motor's tremolo in a key that rolls for ten seconds, from default
+    /// parameters: the power that varies with the discs, divided by all power.
     double tremolo();
 
     std::int64_t notesPlayed() const { return music.notesPlayed(); }
@@ -70,10 +68,10 @@ private:
     Chance chance;
     RandomMusic music{chance};
     juce::AudioBuffer<float> buffer;
-    std::vector<std::string> states; ///< kept on the way, to come back to
+    std::vector<std::string> states; ///< saved earlier, to restore later
     std::string reference;
     double rateHz = 48000;
-    double loudest = 0; ///< of what was rendered last
+    double loudest = 0; ///< of the last block
     std::int64_t samples = 0;
 };
 

@@ -9,8 +9,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE(
-    "Two minutes of many players at random: finite, silent when it is over, and anew as before") {
+TEST_CASE("Two random minutes with many players stay finite and leave silence and no change") {
     Processor processor;
     RandomSession session(processor);
     const auto first = session.phraseAnew();
@@ -22,7 +21,7 @@ TEST_CASE(
     CHECK(isAsBefore);
 }
 
-TEST_CASE("A player that was played at random for two minutes sounds as it did at first") {
+TEST_CASE("A player sounds the same after two minutes of random music") {
     Processor processor;
     RandomSession session(processor, RandomSession::Changes::parameters);
     session.load(0);
@@ -42,18 +41,18 @@ TEST_CASE("A player that was played at random for two minutes sounds as it did a
     CHECK(isAsBefore);
 }
 
-TEST_CASE("Whenever music stops, the note-offs and pedals that are owed are enough") {
+TEST_CASE("Pending note-offs and pedal releases silence music stopped at any time") {
     Processor processor;
     RandomSession session(processor, RandomSession::Changes::parameters);
     session.load(0);
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         CAPTURE(seed);
-        session.play(0.5, seed, 600); // so that a block has several notes
+        session.play(0.5, seed, 600); // several notes a block
         REQUIRE_NOTHROW(session.settle());
     }
 }
 
-TEST_CASE("Music goes on on one thread while sounds, states and windows change on another") {
+TEST_CASE("Music plays on one thread while sounds, states and windows change on another") {
     Processor processor;
     std::atomic<bool> done{false};
     std::string fault;

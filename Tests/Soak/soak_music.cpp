@@ -1,8 +1,8 @@
-// Plays music at random, faster than real time, in one processor, hour by hour of it. Of a day's
-// hours the first ones change sounds and hosts, so that no player lasts long; the others are one
-// player's life. After each hour everything must fall silent, a reference phrase must sound as it
-// did at first and the process must not have grown, by all hours of the log. Plays so many hours
-// behind the last one that the log tells of.
+// Plays random music in one processor, faster than real time, hour by hour. The first hours of a
+// day change sounds and host settings, so that no player lasts long. The other hours are the life
+// of one player. After each hour the output must fall silent, a reference phrase must sound as at
+// first, and memory must not have grown over all hours of the log. Plays HOURS hours after the last
+// one in the log.
 //   soak_music LOG HOURS
 #include "Soak/MemoryLog.h"
 #include "Soak/RandomSession.h"
@@ -29,7 +29,7 @@ constexpr double hourSeconds = 3600;
 constexpr double farthestDb = 0.0001;
 constexpr double farthestTremolo = 0.1; // of a rolling noise, in ten seconds
 
-/// Without what the allocator could give back.
+/// Returns resident memory, without pages that the allocator can give back.
 double residentMebibytes() {
 #ifdef __GLIBC__
     ::malloc_trim(0);
@@ -45,7 +45,7 @@ void check(bool holds, const std::string& fault) {
         throw std::runtime_error(fault);
 }
 
-/// What a player sounds like that lives on, before and after.
+/// Reference sounds of the player that lives on.
 struct Sounds {
     PlayedPhrase afterReset;
     double rms = 0, tremolo = 0;
@@ -87,7 +87,7 @@ private:
     }
 
     void beginLife(int day) {
-        oneLife.load(4 + 5 * day); // from rings over bars to bowls
+        oneLife.load(4 + 5 * day); // different kinds of object each day
         life.emplace();
         life->afterReset = oneLife.phraseAfterReset();
         oneLife.settle();
@@ -101,7 +101,7 @@ private:
     RandomSession oneLife{processor, RandomSession::Changes::parameters};
     RandomSession manyLives{processor};
     const PlayedPhrase first = manyLives.phraseAnew();
-    std::optional<Sounds> life; ///< of the player that plays, while it is one that lives on
+    std::optional<Sounds> life; ///< of the current player, if it is one that lives on
 };
 
 void soak(const std::string& log, int wantedHours) {

@@ -1,10 +1,10 @@
-// Counts what operator new hands out, for tests of code that must not allocate. It does not see
+// Counts allocations by operator new, for tests of code that must not allocate. Does not count
 // malloc. A test program that counts links AllocationCounter.cpp, which replaces the operators.
 #pragma once
 
 namespace idiophone::test {
 
-/// [any thread] Counts on every thread, from when it is made.
+/// [any thread] Counts the allocations of all threads since construction.
 class AllocationCounter {
 public:
     AllocationCounter();

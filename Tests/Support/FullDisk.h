@@ -1,5 +1,5 @@
-// A disk that has room for so many bytes of each file, for this process and while it lives. Windows
-// has no such limit.
+// Simulates a full disk: limits the size of each file that this process writes, while the object
+// lives. Not for Windows, which has no such limit.
 #pragma once
 
 #ifndef _WIN32
@@ -9,7 +9,7 @@
 
 namespace idiophone::test {
 
-/// Let nothing be reported meanwhile: the test's own output may be a file.
+/// Make no assertion meanwhile: the test's own output may be a file.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytesOfFile) : signalBefore(std::signal(SIGXFSZ, SIG_IGN)) {

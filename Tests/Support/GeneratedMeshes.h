@@ -1,4 +1,4 @@
-// Generated meshes that only tests are made of: beside those of ParametricMesh.
+// Generates meshes that only tests need, beside those of ParametricMesh.
 #pragma once
 
 #include "Geometry/MeshBuilder.h"
@@ -14,8 +14,8 @@
 
 namespace idiophone::test {
 
-/// A flat rectangle of columns × rows squares or rectangles, each cut in two along the same
-/// diagonal: (columns+1)(rows+1) vertices.
+/// Returns a flat rectangle of columns × rows rectangles, each cut in two along the same diagonal:
+/// (columns+1)(rows+1) vertices.
 inline Mesh gridPlateMesh(double lengthMetres, double widthMetres, int columns, int rows) {
     MeshBuilder builder;
     for (int j = 0; j <= rows; ++j)
@@ -31,8 +31,8 @@ inline Mesh gridPlateMesh(double lengthMetres, double widthMetres, int columns, 
     return builder.mesh();
 }
 
-/// A flat ring in the xy plane: `rows` + 1 circles of `around` vertices, every other one turned by
-/// half a spacing.
+/// Returns a flat ring in the xy plane: `rows` + 1 circles of `around` vertices, every other one
+/// turned by half a spacing.
 inline Mesh annulusMesh(double innerRadiusMetres, double outerRadiusMetres, int around, int rows) {
     MeshBuilder builder;
     for (int row = 0; row <= rows; ++row)
@@ -58,8 +58,8 @@ inline Mesh annulusMesh(double innerRadiusMetres, double outerRadiusMetres, int 
     return builder.mesh();
 }
 
-/// The closed surface of a solid sheet: the flat mesh at z = ± thickness/2 and walls of `layers`
-/// rows along its boundary. Vertices are those of the top, those of the bottom, then the walls'.
+/// Returns the closed surface of a solid sheet: the flat mesh at z = ± thickness/2, and walls of
+/// `layers` rows along its boundary. Vertices come in the order top, bottom, walls.
 inline Mesh extrudedMesh(const Mesh& flatMesh, double thicknessMetres, int layers = 1) {
     MeshBuilder builder;
     const auto count = static_cast<int>(flatMesh.vertexCount());
@@ -104,7 +104,7 @@ inline Mesh extrudedMesh(const Mesh& flatMesh, double thicknessMetres, int layer
     return builder.mesh();
 }
 
-/// Two closed surfaces with a solid wall between: a hollow sphere of this mean radius.
+/// Returns a hollow sphere of this mean radius: two closed surfaces with a solid wall between.
 inline Mesh hollowSphereMesh(double radiusMetres, double thicknessMetres, int level) {
     const Mesh unit = icosphereMesh(1, level);
     const auto count = unit.vertexCount();

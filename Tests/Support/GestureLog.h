@@ -1,4 +1,5 @@
-// What a host hears of a parameter: "(" and ")" where a gesture begins and ends, "=" for a value.
+// Logs what the host receives from a parameter: "(" and ")" for the begin and end of a gesture, "="
+// for a value.
 #pragma once
 
 #include <juce_audio_processors/juce_audio_processors.h>

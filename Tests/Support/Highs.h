@@ -1,4 +1,4 @@
-// The high end of a signal, where a click shows.
+// Measures the high frequencies of a signal, where a click shows.
 #pragma once
 
 #include "Support/Larger.h"
@@ -11,7 +11,7 @@
 
 namespace idiophone::test {
 
-/// [dB] What lies between 8 and 20 kHz at its loudest, a hundredth of a second at a time.
+/// [dB] Returns the largest power between 8 and 20 kHz in windows of a hundredth of a second.
 inline double loudestHighsDb(std::span<const float> signal, double sampleRateHz) {
     constexpr std::size_t length = 512;
     double loudest = 0;

@@ -1,4 +1,4 @@
-// Files to be dropped on the window, in the test's own folder.
+// Writes files for import into the test's own folder.
 #pragma once
 
 #include "Geometry/MeshWriter.h"
@@ -20,7 +20,7 @@ inline void waitFor(int milliseconds = 1) {
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
 
-/// Lets the message thread's timers run until a job has ended and what it made plays.
+/// Runs the message thread's timers until an import has ended and its object plays.
 inline void finish(
     Processor& processor, const std::function<void()>& meanwhile = [] {}) {
     const auto tick = [&] {
@@ -29,7 +29,7 @@ inline void finish(
     };
     for (; processor.importStatus().isWorking(); waitFor())
         tick();
-    // Without a message loop JUCE's timers may stand still for 300 ms.
+    // Without a message loop JUCE's timers may pause for 300 ms.
     for (int i = 0; i < 20; ++i) {
         waitFor(20);
         tick();
@@ -49,7 +49,7 @@ inline std::filesystem::path meshFile(const std::string& name, const Mesh& mesh)
     return file;
 }
 
-/// A sheet of 60 x 36 mm, which is soon analysed, in units of which a metre has so many.
+/// Writes a sheet of 60 x 36 mm in the given unit; its analysis is fast.
 inline std::filesystem::path smallPlateFile(const std::string& name, double unitsPerMetre) {
     auto mesh = sheetMesh(0.06, 0.036, 150);
     mesh.vertices *= unitsPerMetre;

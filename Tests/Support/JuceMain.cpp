@@ -1,5 +1,5 @@
-// Tests of the plugin need JUCE's message manager, though no display, and a user's folder of their
-// own.
+// Runs tests of the plugin with JUCE's message manager, without a display, and with a user folder
+// of their own.
 #include "Support/TestFolder.h"
 
 #include <catch2/catch_session.hpp>

@@ -1,4 +1,4 @@
-// The factory presets whose keys play objects, without those of scenes.
+// Lists the factory presets whose keys play objects, without those of scenes.
 #pragma once
 
 #include "Instrument/FactoryContent.h"
@@ -7,7 +7,7 @@
 
 namespace idiophone::test {
 
-/// In their order, wherever those of scenes stand between them.
+/// Returns them in the order of factoryPresets().
 inline auto keyedFactoryPresets() {
     return factoryPresets() | std::views::filter([](const Preset& preset) {
                return preset.keyMap.kind != KeyMapKind::scene;

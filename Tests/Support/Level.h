@@ -1,4 +1,4 @@
-// How loud a signal is, for tests: its root mean square and its peak.
+// Measures how loud a signal is, for tests: its root mean square and its peak.
 #pragma once
 
 #include "Support/Larger.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone::test {
 
-/// Of at least one sample.
+/// `signal` has at least one sample.
 inline double rms(std::span<const float> signal) {
     double sum = 0;
     for (const float sample : signal)

@@ -1,4 +1,4 @@
-// The power spectrum of a long sound under a Hann window, for tests.
+// Computes the power spectrum of a long sound under a Hann window, for tests.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace idiophone::test {
 
-/// Segments of 2^15 samples, overlapping by half, averaged (Welch): bins of 1.5 Hz at 48 kHz.
+/// Averages segments of 2^15 samples that overlap by half (Welch): bins of 1.5 Hz at 48 kHz.
 class Periodogram {
 public:
     Periodogram(std::span<const float> samples, double sampleRateHz)
@@ -30,7 +30,7 @@ public:
             bin /= count;
     }
 
-    /// Summed from `lowHz` to `highHz`, in a unit of its own.
+    /// Returns the power from `lowHz` to `highHz`, in an arbitrary unit.
     double power(double lowHz, double highHz) const {
         double sum = 0;
         for (std::size_t k = 0; k < bins.size(); ++k)
@@ -39,7 +39,7 @@ public:
         return sum;
     }
 
-    /// Where, between the two, a band of 2 % holds the most power for its width.
+    /// Returns the centre of the 2 % band between the two with the largest power per width.
     double peakHz(double lowHz, double highHz) const {
         double best = lowHz, most = 0;
         for (double centre = lowHz; centre < highHz; centre *= 1.002) {

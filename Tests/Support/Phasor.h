@@ -1,4 +1,4 @@
-// One frequency of a short signal, for tests that ask for a few lines of a spectrum only.
+// Computes single lines of the spectrum of a short signal, for tests.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace idiophone::test {
 
-/// The Fourier sum at any one frequency under a Hann window of mean 1: a sinusoid of amplitude a
-/// gives half of a times the number of samples, turned by its phase at the first.
+/// Returns the Fourier sum at any frequency under a Hann window of mean 1. A sinusoid of amplitude
+/// a gives a/2 times the number of samples, with its phase at the first sample.
 inline std::complex<double>
 phasorAt(std::span<const float> signal, double frequencyHz, double sampleRateHz) {
     std::complex<double> sum = 0;

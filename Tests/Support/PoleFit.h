@@ -13,9 +13,9 @@ struct FittedPole {
     double decayPerSecond = 0;
 };
 
-/// Heterodynes at the expected frequency, averages under Hann windows of `frameSeconds` (which must
-/// be long against the distance to the next partial), and takes the least-squares ratio of
-/// successive frames; repeated until the frequency stands still.
+/// Heterodynes at the expected frequency, averages under Hann windows, and takes the least-squares
+/// ratio of successive frames. Repeats this until the frequency converges. `frameSeconds` must be
+/// long compared with 1 / (distance to the next partial in Hz).
 inline FittedPole fitPole(std::span<const float> signal,
                           double sampleRateHz,
                           double expectedHz,

@@ -22,7 +22,7 @@ struct StereoSound {
     bool operator==(const StereoSound&) const = default;
 };
 
-/// `events` are stamped on the stream and in order.
+/// Renders stereo; `events` are in order and stamped from the start of the stream.
 inline StereoSound renderStereo(Player& player,
                                 const std::vector<MidiEvent>& events,
                                 std::size_t samples,
@@ -44,7 +44,7 @@ inline StereoSound renderStereo(Player& player,
     return output;
 }
 
-/// The mean of both channels.
+/// Renders the mean of both channels.
 inline std::vector<float> render(Player& player,
                                  const std::vector<MidiEvent>& events,
                                  std::size_t samples,

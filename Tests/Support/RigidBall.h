@@ -1,11 +1,11 @@
-// A ball that moves as a whole, and whose only mode moves nothing.
+// Makes a ball that moves only as a rigid body: its one mode has no amplitude.
 #pragma once
 
 #include "Support/SyntheticObject.h"
 
 namespace idiophone::test {
 
-/// Heard from straight above (left) and from 60° beside that (right).
+/// The left direction is straight above, the right one 60° from it.
 inline ModalObject rigidBall(double radiusMetres, double densityKgPerM3) {
     auto object = syntheticObject({3170}, {0.0f});
     object.body = BodyKind::solid;

@@ -1,4 +1,5 @@
-// Whether a sanitizer watches this build: it keeps memory of its own, and traps no allocation.
+// Defines whether a sanitizer watches this build: it keeps memory of its own, and its allocations
+// do not fail.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -1,4 +1,4 @@
-// Runs code with the kernels of each SIMD target that this machine has, not just the best.
+// Runs code with the kernels of every SIMD target of this machine, not only the best one.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace idiophone::test {
 
-/// While it lives, dispatch takes that target; after, the best one.
+/// Makes dispatch use this target while it lives, and the best one afterwards.
 struct TargetInTurn {
     explicit TargetInTurn(std::int64_t target) {
         hwy::SetSupportedTargetsForTest(target);

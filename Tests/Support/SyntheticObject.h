@@ -1,4 +1,4 @@
-// Small modal objects with known modes, for tests that need no mesh analysis.
+// Makes small modal objects with known modes, for tests without a mesh analysis.
 #pragma once
 
 #include "Object/ModalObject.h"
@@ -9,7 +9,8 @@
 
 namespace idiophone::test {
 
-/// A flat square of 4 vertices; every mode moves every vertex along z by its `gain` (1/√kg).
+/// Returns a flat square of 4 vertices; every mode moves every vertex along z by its `gain`
+/// (1/√kg).
 inline ModalObject syntheticObject(const std::vector<double>& frequenciesHz,
                                    std::vector<float> gains = {}) {
     ModalObject object;

@@ -1,4 +1,4 @@
-// A folder for a test's files that no other running test shares.
+// Makes a folder for a test's files that no other running test shares.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace idiophone::test {
 
-/// This process's own folder, removed when it ends: CTest runs every test case as a process of its
-/// own, several at a time, so a name fixed for all of them would be written by two at once.
+/// Returns this process's own folder, removed when the process ends. CTest runs several test cases
+/// at a time, each as a process, so they cannot share a fixed name.
 inline const std::filesystem::path& testFolder() {
     struct Folder {
         Folder() { std::filesystem::create_directories(path); }

@@ -1,5 +1,5 @@
-// A keyboard of small synthetic objects that travels inside a state, for tests of the plugin that
-// ask nothing of the factory content.
+// Makes a keyboard of small synthetic objects inside a state, for plugin tests without factory
+// content.
 #pragma once
 
 #include "Object/ModalObjectFile.h"
@@ -17,7 +17,8 @@ namespace idiophone::test {
 
 constexpr int lowestTestNote = 60, highestTestNote = 72;
 
-/// Twelve modes a key, struck over MIDI notes 60 to 72. `folder` tells sounds apart.
+/// Returns a state of twelve modes a key, played by MIDI notes 60 to 72. `folder` distinguishes
+/// sounds.
 inline State testState(const std::string& folder = "test", double transpose = 1) {
     State state;
     state.preset.name = "Test keyboard";
@@ -42,7 +43,7 @@ inline State testState(const std::string& folder = "test", double transpose = 1)
     return state;
 }
 
-/// The same with a tube under every key, which shares the lowest mode.
+/// Adds a tube under every key, coupled to its lowest mode.
 inline State overTubes(State state) {
     for (auto& object : state.objects) {
         auto bar = readModalObject(object.modal, object.name).value();
@@ -68,7 +69,7 @@ inline void restoreBytes(Processor& processor, const std::string& bytes) {
     processor.setStateInformation(bytes.data(), static_cast<int>(bytes.size()));
 }
 
-/// Notes, releases, bends and pedals, stamped from 0 to `samples`; always the same ones.
+/// Returns notes, releases, bends and pedals, stamped from 0 to `samples`; always the same ones.
 inline juce::MidiBuffer testMusic(int samples,
                                   int spacing = 701,
                                   const ProcessorView::KeyRange& keys = {lowestTestNote,
@@ -89,7 +90,7 @@ inline juce::MidiBuffer testMusic(int samples,
     return midi;
 }
 
-/// What a host gets; of a mono bus all of it is left.
+/// The output that a host receives; a mono output is in `left`.
 struct HostSound {
     std::vector<float> left, right;
 

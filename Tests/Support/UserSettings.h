@@ -1,4 +1,4 @@
-// An empty settings folder of a user while it lives, in place of this machine's.
+// Replaces this user's settings folder by an empty one, while the object lives.
 #pragma once
 
 #include "Object/MaterialFile.h"
@@ -11,7 +11,7 @@
 
 namespace idiophone::test {
 
-/// Made before the processors that are to see it.
+/// Construct it before the processors that must see it.
 class UserSettings {
 public:
     UserSettings() {
@@ -23,7 +23,7 @@ public:
     UserSettings& operator=(const UserSettings&) = delete;
     ~UserSettings() { setSettings(before.c_str()); }
 
-    /// Idiophone's own.
+    /// Returns Idiophone's settings folder.
     std::filesystem::path folder() const { return userMaterialFolder().parent_path(); }
 
     void write(const std::filesystem::path& name, const std::string& text) const {

@@ -1,4 +1,4 @@
-// Parameter values but for one of them.
+// Returns parameter values with one of them changed.
 #pragma once
 
 #include "Parameters/ParameterTable.h"

@@ -1,4 +1,4 @@
-# Says why a test is not run, and fails: CTest takes that for skipped unless its tool should be here.
+# Prints why a test cannot run, and fails. CTest counts that as skipped unless the tool is required.
 #   cmake -DTOOL=... -DPACKAGES=... -P untested.cmake
 set(sentence "${TOOL} is not found")
 if(PACKAGES)
