@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removed with the process, unless it crashes.
+/// A folder that is removed with the process, unless it crashes.
 class ScratchFolder {
 public:
     ScratchFolder() {

@@ -1,5 +1,5 @@
-// What the fuzz targets share: each defines `examine`, and states claims about what came of the
-// bytes. A claim that does not hold ends the process, and libFuzzer keeps the input.
+// Declares what all fuzz targets need: each defines `examine`, and states claims about the result
+// of the bytes. A false claim ends the process, and libFuzzer keeps the input.
 #pragma once
 
 #include "Object/Result.h"
@@ -14,13 +14,13 @@
 
 namespace idiophone::fuzz {
 
-/// The target: reads the bytes as a file's or a host's and states its claims.
+/// Reads the bytes as a file or as host data, and states claims; each target defines it.
 void examine(std::string_view bytes);
 
-/// Says the claim and ends the process unless it holds.
+/// Prints the claim and ends the process unless it holds.
 void claim(bool holds, std::string_view text);
 
-/// The error is one sentence for people: UTF-8 of one line, neither empty nor endless.
+/// Claims that the error is one sentence for users: one line of UTF-8, neither empty nor too long.
 void claimSentence(const Error& error);
 
 template <class Values>
@@ -32,8 +32,8 @@ inline std::span<const std::byte> asBytes(std::string_view bytes) {
     return std::as_bytes(std::span(bytes));
 }
 
-/// A file of that name, which holds the bytes until the next one of that name is made, for what
-/// reads from disk alone. In memory where the system has a place for that.
+/// Writes the bytes to a file of that name, for readers that need a file; the next call with the
+/// name overwrites it. The file is in memory if the system offers that.
 std::filesystem::path scratchFile(std::string_view bytes, const std::string& name);
 
 } // namespace idiophone::fuzz

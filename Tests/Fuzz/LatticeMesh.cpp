@@ -11,7 +11,7 @@ Mesh latticeMesh(std::string_view bytes) {
     Mesh mesh{Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(vertices), 3), {}};
     std::size_t next = 1;
     for (std::size_t i = 0; i < vertices * 3 && next < bytes.size(); ++i, ++next)
-        // Fourths of a lattice's step are off it by less than repair welds, or by more.
+        // Offsets are below the distance that repair welds, or quarters of a lattice step.
         mesh.vertices(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
             (at(next) & 15) + (at(next) >> 6) * (at(next) & 32 ? 0.25 : 1e-7);
     const auto faces = std::min(mostFaces, (bytes.size() - next) / 3);

@@ -1,5 +1,5 @@
-// Meshes that no modeller would write, of any bytes: corners on a lattice of few points, so that
-// faces meet, fold, repeat and pass through each other.
+// Makes degenerate meshes from any bytes: vertices lie on a lattice of few points, so that faces
+// meet, fold, repeat and pass through each other.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -8,8 +8,8 @@
 
 namespace idiophone::fuzz {
 
-/// A byte that says how many vertices there are, three bytes for each, then three for each face. At
-/// most 64 vertices within about 16 units, and 200 faces. Not of no bytes.
+/// Reads a byte for the number of vertices, three bytes for each vertex, then three for each face.
+/// At most 64 vertices within about 16 units, and 200 faces. `bytes` is not empty.
 Mesh latticeMesh(std::string_view bytes);
 
 } // namespace idiophone::fuzz

@@ -1,5 +1,5 @@
-// Bodies of any mesh, which fall on a ground or are fallen on: what a scene makes of the objects
-// that it names.
+// Fuzzes rigid bodies of any mesh, as scenes make them: they fall on a ground, and others fall on
+// them.
 #include "Fuzz/FuzzTarget.h"
 #include "Fuzz/LatticeMesh.h"
 #include "Scene/TestBodies.h"
@@ -8,9 +8,9 @@ namespace idiophone::fuzz {
 namespace {
 
 constexpr double latticeMetres = 0.01;
-constexpr auto mostPairs = 150'000; // of faces of a surface, with which it takes a second
+constexpr auto mostPairs = 150'000; // pairs of faces of a surface; more take over a second
 
-/// By the bits of a byte.
+/// Returns the template that the bits of a byte choose.
 BodyTemplate templateOf(unsigned char bits) {
     BodyTemplate kind;
     kind.name = "body";
@@ -20,7 +20,8 @@ BodyTemplate templateOf(unsigned char bits) {
     return kind;
 }
 
-/// A shell where the byte's fifth bit says so, of 2 mm or less by a thousandth at a time.
+/// Makes a shell if the byte's fifth bit is set. The last three bits divide its 2 mm by powers of
+/// 1000.
 std::shared_ptr<ModalObject> objectOf(const Mesh& mesh, unsigned char bits) {
     const bool isShell = (bits & 16) != 0;
     auto object = test::objectOf({latticeMetres * mesh.vertices, mesh.faces}, "Steel");
@@ -38,7 +39,7 @@ void examine(std::string_view bytes) {
     const auto bits = static_cast<unsigned char>(bytes[0]);
     const auto mesh = latticeMesh(bytes.substr(1));
     if (mesh.faceCount() == 0)
-        return; // no object is without faces
+        return; // objects have faces
     const auto object = objectOf(mesh, bits);
     const auto model = makeRigidBodyModel(templateOf(bits), object);
     if (!model)
@@ -50,7 +51,7 @@ void examine(std::string_view bytes) {
         test::gravity);
     const double top = latticeMetres * mesh.vertices.col(2).maxCoeff();
     world.add(0, test::at({0, 0, -0.001}));
-    // Bullet takes the one that came first for the first of two.
+    // Bullet orders the two bodies of a contact by when they were added.
     const auto cube = world.add(1, test::at({-0.02, 0.02, top + 0.012}, {0, 0, -0.5}, {3, 2, 1}));
     const auto body = world.add(2, test::at({0, 0, 0}));
     const auto ball = world.add(3, test::at({0.02, 0.02, top + 0.007}, {0, 0, -0.5}));

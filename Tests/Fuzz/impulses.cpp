@@ -1,4 +1,4 @@
-// Lists of impulses, as games and physics engines write them.
+// Fuzzes lists of impulses, as games and physics engines write them.
 #include "Console/ImpulseFile.h"
 #include "Fuzz/FuzzTarget.h"
 
@@ -7,7 +7,7 @@
 namespace idiophone::fuzz {
 namespace {
 
-/// One sentence for each bad line, for the first of them.
+/// Claims one sentence for each of the first bad lines.
 void claimSentences(const Error& error) {
     std::istringstream lines(error.message);
     std::string line;

@@ -1,4 +1,4 @@
-// Materials of the user's own, and lists of materials.
+// Fuzzes user materials and lists of materials.
 #include "Fuzz/FuzzTarget.h"
 #include "Object/MaterialFile.h"
 

@@ -1,4 +1,4 @@
-// Meshes from Wavefront OBJ files.
+// Fuzzes meshes from Wavefront OBJ files.
 #include "Fuzz/MeshFormat.h"
 
 void idiophone::fuzz::examine(std::string_view bytes) {

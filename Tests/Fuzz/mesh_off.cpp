@@ -1,4 +1,4 @@
-// Meshes from OFF files.
+// Fuzzes meshes from OFF files.
 #include "Fuzz/MeshFormat.h"
 
 void idiophone::fuzz::examine(std::string_view bytes) {

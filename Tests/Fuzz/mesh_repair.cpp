@@ -1,4 +1,4 @@
-// What repair, checks and subdivision make of meshes that no modeller would write.
+// Fuzzes repair, checks and subdivision with degenerate meshes.
 #include "Fuzz/FuzzTarget.h"
 #include "Fuzz/LatticeMesh.h"
 #include "Geometry/MeshCheck.h"

@@ -1,4 +1,4 @@
-// Meshes from STL files, text and binary.
+// Fuzzes meshes from STL files, text and binary.
 #include "Fuzz/MeshFormat.h"
 
 void idiophone::fuzz::examine(std::string_view bytes) {

@@ -1,4 +1,4 @@
-// Standard MIDI Files, as `idiophone render` plays them.
+// Fuzzes Standard MIDI Files, as `idiophone render` plays them.
 #include "Console/MidiSong.h"
 #include "Console/TempoMap.h"
 #include "Fuzz/FuzzTarget.h"
@@ -9,8 +9,8 @@
 namespace idiophone::fuzz {
 namespace {
 
-/// Nothing where JUCE would take long, or finds no tracks, as where there are 32768 or more, which
-/// it takes for a negative number.
+/// Returns nothing for large files, where JUCE takes long, and if JUCE finds no tracks. It reads
+/// 32768 or more tracks as a negative number.
 std::optional<juce::MidiFile> readByJuce(std::string_view bytes) {
     if (bytes.size() > 1 << 14)
         return std::nullopt;
@@ -35,12 +35,12 @@ void claimTracksOfJuce(std::string_view bytes) {
               "a track has the messages that JUCE finds");
 }
 
-/// Which JUCE reads as a tempo of bytes that it does not have.
+/// Returns whether a tempo message is too short; JUCE reads past its end.
 bool isHalfTempo(const juce::MidiMessage& message) {
     return message.isTempoMetaEvent() && !isTempo(message);
 }
 
-/// Of a song, to the same bits.
+/// Claims the same times as JUCE, bit for bit.
 void claimTimesOfJuce(std::string_view bytes) {
     auto juces = readByJuce(bytes);
     const auto midi = readMidiTracks(bytes);

@@ -1,4 +1,4 @@
-// Modal objects, as a user drops them on the window or a project carries them.
+// Fuzzes modal objects, as users import them or projects carry them.
 #include "Fuzz/FuzzTarget.h"
 #include "Object/ModalObjectFile.h"
 #include "Synth/Synthesiser.h"
@@ -52,15 +52,16 @@ void claimValues(const ModalObject& object) {
     claim(nearestShapeRow(object, {0, 0, 0}) < object.shapeVertexCount(), "a row is nearest");
 }
 
-/// What is lighter may be struck too hard to be taken.
+/// Lighter objects may refuse a hard strike.
 bool isHeavierThanDust(const ModalObject& object) {
     return std::ranges::all_of(object.shapes, [](float x) { return std::abs(x) <= 1e5f; });
 }
 
-/// Struck at its first, middle and last vertex, by an impulse and for a while, and then pressed on.
+/// Strikes the first, middle and last vertex, by an impulse and by a contact, and then presses on
+/// the object.
 void hit(Synthesiser& synth, const ModalObject& object, const CellOutput& cell) {
     const auto last = static_cast<std::int32_t>(object.shapeVertexCount() - 1);
-    constexpr std::array impulse{0.3f, 0.5f, 0.8f}; // about a newton second
+    constexpr std::array impulse{0.3f, 0.5f, 0.8f}; // about 1 N s
     for (const auto row : {0, last / 2, last})
         for (const double seconds : {0.0, 0.002}) {
             const bool isStruck = synth.strike(0,

@@ -1,8 +1,8 @@
-// What a host plays on a small instrument: channel messages and system exclusive ones, of whatever
-// bytes, in blocks of any length.
+// Fuzzes a player with MIDI from a host: channel and system exclusive messages of any bytes, in
+// blocks of any length.
 //
-// The input: a byte that chooses what keys do and how blocks begin, and then messages, each behind
-// a byte of how many samples, times 4, it comes after the one before.
+// Input: a byte that chooses what keys do and how blocks begin, then messages. Before each message
+// a byte gives its distance to the previous one in units of 4 samples.
 #include "Fuzz/FuzzTarget.h"
 #include "Instrument/Player.h"
 #include "Object/ModalObjectFile.h"
@@ -21,12 +21,12 @@ namespace idiophone::fuzz {
 namespace {
 
 constexpr double rateHz = 24000;
-constexpr int longestSamples = 4096; // of what is played; what comes later is left out
-constexpr int samplesAfter = 200;    // what came last
+constexpr int longestSamples = 4096; // later messages are ignored
+constexpr int samplesAfter = 200;    // after the last message
 constexpr int longestSilencingSamples = 24000;
 
 struct Message {
-    int sample = 0; // of the stream
+    int sample = 0; // from the start of the stream
     std::string_view bytes;
 };
 
@@ -36,7 +36,7 @@ struct Sound {
     bool operator==(const Sound&) const = default;
 };
 
-/// The bytes that belong to the message in front, as its status says, as far as there are any.
+/// Returns the length of the first message by its status, up to the end of the bytes.
 std::size_t messageLength(std::string_view bytes) {
     const auto status = static_cast<unsigned char>(bytes.front());
     if (status == 0xf0)
@@ -61,8 +61,8 @@ std::vector<Message> messagesIn(std::string_view bytes) {
     return messages;
 }
 
-/// Eight keys of an object of its own size and smaller, in which every path of a strike is short.
-/// By itself it rings for a minute or two, so that nothing but dampers silences it in time.
+/// Returns eight keys of a small object, scaled for each key, so that all code paths of a strike
+/// are fast. It rings for a minute or two, so that only dampers can silence it in time.
 std::shared_ptr<const Instrument> smallInstrument() {
     const KeyMap map{.kind = KeyMapKind::scaled,
                      .lowestNote = 60,
@@ -91,12 +91,12 @@ ParameterValues valuesOf(unsigned choice) {
     return values;
 }
 
-/// A player as the processor drives it.
+/// Drives a player as the processor does.
 class Host {
 public:
     explicit Host(unsigned choice) : values(valuesOf(choice)) { player.prepare(values); }
 
-    /// The messages lie in the block, or come before it has a sample.
+    /// Plays one block. The messages lie in it, or at its start if it has no samples.
     void play(std::span<const Message> messages, int length, Sound& sound) {
         juce::MidiBuffer midi;
         for (const auto& [at, bytes] : messages) {
@@ -118,7 +118,7 @@ public:
         sample += length;
     }
 
-    /// Every key that is down goes up, and the pedals that may hold it.
+    /// Releases every held key, and the pedals that may hold it.
     void releaseAll(Sound& sound) {
         std::vector<std::array<char, 3>> releases{{'\xb0', 64, 0}, {'\xb0', 66, 0}};
         for (std::size_t key = 0; key < keysDown.size(); ++key)
@@ -156,7 +156,7 @@ private:
     Player player{instrument(), rateHz};
     std::bitset<16 * 128> keysDown;
     std::array<float, BlockPieces::maximumSamples> left{}, right{};
-    int sample = 0; // of the stream, at which the next block begins
+    int sample = 0; // first sample of the next block
 };
 
 void claimFinite(const Sound& sound) {
@@ -164,7 +164,8 @@ void claimFinite(const Sound& sound) {
     fuzz::claimFinite(sound.right, "what is played is finite");
 }
 
-/// `lengths` of blocks in turn; a block without samples has the messages of the next one's first.
+/// Plays blocks of these lengths in turn. A block without samples gets the messages of the next
+/// block's first sample.
 Sound played(std::span<const Message> messages, unsigned choice, std::span<const int> lengths) {
     Host host(choice);
     Sound sound;

@@ -1,4 +1,4 @@
-// Presets, as they are saved and passed around.
+// Fuzzes preset files.
 #include "Instrument/Preset.h"
 #include "Fuzz/FuzzTarget.h"
 
@@ -41,7 +41,7 @@ void examine(std::string_view bytes) {
     claimParameters(preset->matched());
     claim(validated(preset->surface).has_value(), "its surface is valid");
     claim(preset->mutedModes.size() <= ModeSet::capacity, "muted modes are few");
-    preset->unknownParameters.clear(); // which are not written
+    preset->unknownParameters.clear(); // they are not written
     const auto again = parsePreset(encodePreset(*preset), "again.json");
     claim(again && *again == *preset, "a preset that was written reads back equal");
 }

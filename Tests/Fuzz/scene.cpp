@@ -1,4 +1,4 @@
-// Scenes, as people write them and pass them around.
+// Fuzzes scene files.
 #include "Fuzz/FuzzTarget.h"
 #include "Scene/SceneRun.h"
 #include "Scene/SceneText.h"
@@ -25,12 +25,12 @@ void claimKind(const BodyTemplate& kind, std::size_t kindCount) {
         claim(validated(*kind.surface).has_value(), "its surface is valid");
 }
 
-/// A few steps of its bodies, where they are soon made: of few kinds, of an object at hand, and of
-/// no surface, which becomes a mesh of thousands of faces.
+/// Moves the bodies for a few steps. Uses few kinds of body, a small object, and no surfaces,
+/// because a surface becomes a mesh of thousands of faces.
 void claimMotion(Scene scene) {
     constexpr std::size_t mostKinds = 3, mostReleases = 4;
     constexpr int mostOfEach = 2;
-    static const auto die = ObjectLibrary::shared().find("die").value(); // kept loaded
+    static const auto die = ObjectLibrary::shared().find("die").value(); // stays loaded
     if (scene.kinds.size() > mostKinds)
         return;
     for (auto& kind : scene.kinds) {

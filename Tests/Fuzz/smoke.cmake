@@ -1,9 +1,10 @@
-# Has CTest run each target, where there is a clang with libFuzzer: its corpus, then some seconds of new
-# inputs, the same ones every time.
+# Makes a CTest of each target if a clang with libFuzzer exists: it runs the corpus, then a few
+# seconds of new inputs, the same ones every time.
 #
-# Clang builds those of them that need no JUCE in the preset `fuzz`, as a part of "all". JUCE and the
-# plugin would take it longer than all the rest: their targets are made of what this build tests, with
-# its sanitizers if it has any, and libFuzzer varies the seeds without knowing what that reaches.
+# Targets without JUCE are built by clang in the preset `fuzz`, as a part of "all". Building JUCE
+# and the plugin there would take longer than all the rest. So targets with JUCE link the libraries
+# of this build, with its sanitizers if any, and libFuzzer varies the seeds without coverage
+# feedback.
 function(find_libfuzzer found)
     set(${found} OFF PARENT_SCOPE)
     include(clang)
@@ -61,10 +62,11 @@ foreach(room ${rooms_with_juce})
 endforeach()
 
 if(IDIOPHONE_SANITIZE)
-    return() # the others have sanitizers of their own
+    return() # the other targets have their own sanitizers
 endif()
 
-# The presets' builds share one, which `./dev soak` finds; any other build has its own.
+# The builds of all presets share one fuzz build, which `./dev soak` uses; other builds have their
+# own.
 set(fuzz_build "${PROJECT_SOURCE_DIR}/build/fuzz")
 cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH builds)
 if(NOT builds STREQUAL "${PROJECT_SOURCE_DIR}/build")

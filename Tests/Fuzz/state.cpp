@@ -1,7 +1,7 @@
-// What a host hands back to the plugin when a project opens: it is read, played and saved again.
+// Fuzzes the state that a host gives to the plugin when a project opens: reads, plays and saves it.
 //
-// The input: a saved state, and behind a zero byte, if there is one, the .modal file of the object
-// that its keys play. Factory objects and scenes take seconds to build here, and are left out.
+// Input: a saved state, then optionally a zero byte and the .modal file of the object that its keys
+// play. Skips factory objects and scenes, because they take seconds to build here.
 #include "Plugin/State.h"
 #include "Fuzz/FuzzTarget.h"
 #include "Object/ModalObjectFile.h"
@@ -38,7 +38,7 @@ std::string saved(Processor& processor) {
     return {static_cast<const char*>(block.getData()), block.getSize()};
 }
 
-/// What came back out of the processor is what went in; objects may be packed otherwise.
+/// Claims that the saved state equals the given one; objects may be packed differently.
 void claimKept(const State& given, const std::string& bytes) {
     const auto kept = parseState(bytes);
     claim(kept.has_value(), "what was saved can be read");
@@ -47,7 +47,8 @@ void claimKept(const State& given, const std::string& bytes) {
           "what was restored is saved as it was");
 }
 
-/// Whether the processor took it and plays what it names; otherwise nothing has changed.
+/// Restores a state and returns whether the processor took it. Claims that a refused state changes
+/// nothing.
 bool restored(Processor& processor, const std::string& bytes) {
     const auto before = saved(processor);
     processor.setStateInformation(bytes.data(), static_cast<int>(bytes.size()));
@@ -83,8 +84,8 @@ EmbeddedObject object(std::vector<std::byte> modal) {
     return {.name = "own", .modal = std::move(modal)};
 }
 
-/// The state with one object for all keys, which are few where each is built for itself: the bytes
-/// behind it, or else the first one that it carries, or else a small one.
+/// Returns the state with one object for all keys: from the bytes behind it, else its first object,
+/// else a small one. Limits the number of keys if each has an object.
 State withOneObject(State state, std::string_view behind) {
     const auto given = asBytes(behind);
     if (!given.empty())
@@ -101,11 +102,11 @@ State withOneObject(State state, std::string_view behind) {
     return state;
 }
 
-/// The same one for all inputs, prepared, as a host's that opens one project after another; it
-/// lasts as long as the process.
+/// Returns one prepared processor for all inputs, like a host that opens one project after another.
+/// It lives as long as the process.
 Processor& sharedProcessor() {
     static Processor& processor = []() -> Processor& {
-        // No files of the user's are read.
+        // Read no files of the user.
         const auto settings = scratchFile({}, "settings").parent_path();
         claim(setenv("XDG_CONFIG_HOME", settings.c_str(), 1) == 0, "settings lie apart");
         [[maybe_unused]] static const auto* juce = new juce::ScopedJuceInitialiser_GUI;

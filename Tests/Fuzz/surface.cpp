@@ -1,4 +1,4 @@
-// Surfaces to scrape, as `idiophone surface` saves them.
+// Fuzzes surfaces, as `idiophone surface` saves them.
 #include "Fuzz/FuzzTarget.h"
 #include "Instrument/SurfaceFile.h"
 

@@ -1,4 +1,4 @@
-// Scala scales, and behind a zero byte keyboard mappings.
+// Fuzzes Scala scales, and keyboard mappings behind a zero byte.
 #include "Fuzz/FuzzTarget.h"
 #include "Instrument/ScalaTuning.h"
 

@@ -1,4 +1,4 @@
-// Recordings, as `idiophone fit` and `idiophone surface` measure them.
+// Fuzzes recordings, as `idiophone fit` and `idiophone surface` read them.
 #include "Console/WavReader.h"
 #include "Fuzz/FuzzTarget.h"
 

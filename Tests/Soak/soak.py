@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Runs what finds faults with time: every fuzz target for SOAK_SECONDS, an hour unless set, and a day of
-music at random, or the same share of it.
+"""Runs long searches for faults: each fuzz target for SOAK_SECONDS (default: an hour), and a day of
+random music, or the same fraction of a day.
 
-build/soak keeps what there is between calls: log.tsv with a line for each run, the inputs that each
-target has come by, and those that failed. A run is cut into slices, so that a call which ends early
-loses minutes at most. The next call goes on where this one stopped; once every program has had its
-time, it begins another round.
+build/soak keeps results between calls: log.tsv with a line for each run, the inputs that each target
+has found, and the inputs that failed. A run is cut into slices, so that a call that ends early loses
+minutes at most. The next call continues where this one stopped. When every program has had its time,
+it begins another round.
 
-    soak.py [PROGRAM...]    all of them, unless some are named ("music", "preset", "mesh_ply")
+    soak.py [PROGRAM...]    all programs, or only those named ("music", "preset", "mesh_ply")
 
-Of a fuzz target a run is an input, of the music it is an hour of it. Seconds are the processor's, so that
-what runs beside other work counts for what it got.
+A run of a fuzz target is one input; a run of the music is one hour of it. Seconds are processor time, so
+that other work on the machine does not count.
 """
 import datetime
 import os
@@ -28,27 +28,27 @@ BUILT = ROOT / "build/fuzz/Tests/Fuzz"
 MUSIC = ROOT / "build/release/Tests/Soak/soak_music"
 
 class Run(typing.NamedTuple):
-    """What a program did while it ran."""
+    """The result of one slice of a program."""
 
-    seconds: int  # of the processor, at least one
+    seconds: int  # processor time, at least 1
     runs: int
-    finding: str  # a file, or ""
+    finding: str  # path of a file, or ""
 
 
 class Total(typing.NamedTuple):
-    """Of all runs of a program in the log."""
+    """The sums of all runs of a program in the log."""
 
     seconds: int
     runs: int
-    findings: list  # of which the files are still there
+    findings: list  # files that still exist
 
 
 class FuzzTarget:
-    """One of the libFuzzer programs of Tests/Fuzz, built in the preset `fuzz`. Its rounds go by seconds.
+    """A libFuzzer program of Tests/Fuzz, built in the preset `fuzz`. Its rounds are counted in seconds.
 
-    Of three slices' time one slice's goes to inputs of up to `longest` bytes, which pass what the readers
-    of presets, materials, tunings and scenes allow; the others are left to libFuzzer, for which 4096
-    are enough unless a seed is longer."""
+    One slice of three tries inputs of up to `longest` bytes, more than the readers of presets,
+    materials, tunings and scenes allow. In the others libFuzzer chooses the length: at most 4096
+    bytes unless a seed is longer."""
 
     unit = "seconds"
     interrupted = 72  # libFuzzer's exit code
@@ -71,14 +71,15 @@ class FuzzTarget:
         return seconds
 
     def run(self, seconds, before):
-        """Tries inputs behind so many seconds in earlier slices and calls, as a Run, with the file of one that failed or that says why nothing ran."""
+        """Tries inputs after `before` seconds in earlier slices and calls, and returns a Run. Its finding
+        is the input that failed, or the output that says why nothing ran."""
         grown, findings = KEPT / "corpus" / self.name, KEPT / "findings"
         for folder in (grown, findings):
             folder.mkdir(parents=True, exist_ok=True)
         dictionary = ROOT / f"Tests/Fuzz/dictionaries/{self.name}.dict"
         output = KEPT / f"{self.name}.txt"
         with output.open("wb") as file:
-            # In a session of its own, so that only this script is told to stop, and passes it on.
+            # A session of its own, so that only this script gets a signal to stop, and passes it on.
             process = subprocess.Popen(
                 [self.program, f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048",
                  "-print_final_stats=1", f"-artifact_prefix={findings}/{self.name}-",
@@ -97,20 +98,20 @@ class FuzzTarget:
 
 
 class Music:
-    """Hours of music in one processor, after each of which everything must be as it was. Its rounds go by
-    these hours, which are its runs."""
+    """Hours of music in one processor; after each hour everything must be as before. Its rounds are
+    counted in these hours, which are its runs."""
 
     unit = "runs"
     name = "music"
     hours_of_day = 24
-    slice_length = hours_of_day  # a long session in one process is what is tried
+    slice_length = hours_of_day  # tests a long session in one process
 
     @classmethod
     def round_length(cls, seconds):
         return max(1, round(cls.hours_of_day * seconds / 3600))
 
     def run(self, wanted, before):
-        """Plays so many hours, as a Run, with the file that says what went wrong."""
+        """Plays up to `wanted` hours and returns a Run. Its finding is the output of a failure."""
         KEPT.mkdir(parents=True, exist_ok=True)
         hours, output = KEPT / "music.hours", KEPT / "music.txt"
         logged = len(hours.read_text().splitlines()) if hours.exists() else 0
@@ -122,7 +123,7 @@ class Music:
 
 
 def keep(output):
-    """The output of a program that failed, where the next run does not write over it."""
+    """Moves the output of a failed program to the findings, and returns its new path."""
     now = datetime.datetime.now().strftime("%Y%m%d-%H%M%S")
     kept = KEPT / "findings" / f"{output.stem}-{now}.txt"
     kept.parent.mkdir(parents=True, exist_ok=True)
@@ -130,7 +131,7 @@ def keep(output):
 
 
 class Stop:
-    """Whether a signal has asked the soak to end, and the program that runs meanwhile."""
+    """Notes that a signal asked the soak to end, and stops the running program."""
 
     asked = False
     process = None
@@ -143,7 +144,7 @@ class Stop:
 
 
 def wait(process):
-    """(exit code, seconds of the processor)"""
+    """Waits for a process; returns (exit code, seconds of processor time)."""
     def children_seconds():
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
         return used.ru_utime + used.ru_stime
@@ -157,7 +158,7 @@ def wait(process):
 
 
 class Log:
-    """Lines of time, program, seconds, runs and finding; totals are sums of them."""
+    """The log file: lines of time, program, seconds, runs and finding. Totals are sums of them."""
 
     def __init__(self):
         KEPT.mkdir(parents=True, exist_ok=True)
@@ -176,12 +177,12 @@ class Log:
         return Total(sum(int(row[2]) for row in rows), sum(int(row[3]) for row in rows), findings)
 
     def done(self, program):
-        """Of what the program's rounds go by."""
+        """Returns the total in the unit of the program's rounds."""
         return getattr(self.total(program.name), program.unit)
 
 
 def soak(program, left, log):
-    """Runs the program for so many seconds or hours in slices; what it finds ends that early."""
+    """Runs the program for `left` seconds or hours in slices; a finding ends it early."""
     while left > 0 and not Stop.asked:
         ran = program.run(min(left, program.slice_length), log.total(program.name).seconds)
         log.add(program.name, ran)
@@ -192,7 +193,7 @@ def soak(program, left, log):
 
 
 def all_programs():
-    """What has a name and can run for some seconds."""
+    """Returns the music, if built, and all fuzz targets."""
     targets = [FuzzTarget(program) for program in sorted(BUILT.glob("fuzz_*"))]
     return ([Music()] if MUSIC.exists() else []) + targets
 

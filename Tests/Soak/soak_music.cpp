@@ -87,7 +87,7 @@ private:
     }
 
     void beginLife(int day) {
-        oneLife.load(4 + 5 * day); // different kinds of object each day
+        oneLife.load(4 + 5 * day); // day by day: rings, bars, bowls
         life.emplace();
         life->afterReset = oneLife.phraseAfterReset();
         oneLife.settle();

@@ -1,4 +1,4 @@
-"""The soak itself, with programs that only say that they were run."""
+"""Tests soak.py with programs that only record their runs."""
 import contextlib
 import io
 import os
@@ -51,7 +51,7 @@ class Soak(unittest.TestCase):
             self.code = soak.main(names)
         return told.getvalue()
 
-    def test_each_program_has_its_time_in_slices_and_then_another_round(self):
+    def test_each_program_gets_its_time_in_slices_and_then_another_round(self):
         a, b = Program("a"), Program("b")
         for _ in range(2):
             self.soak(a, b, each=700)
@@ -60,7 +60,7 @@ class Soak(unittest.TestCase):
         self.assertEqual(b.seconds, a.seconds)
         self.assertEqual(soak.Log().total("a"), (1400, 14000, []))
 
-    def test_it_goes_on_where_it_stopped(self):
+    def test_the_next_call_continues_where_the_last_one_stopped(self):
         a, stopped, c = Program("a"), StoppedProgram("b"), Program("c")
         self.soak(a, stopped, c, each=60)
         self.assertEqual((a.seconds, stopped.seconds, c.seconds), ([60], [60], []))
@@ -68,13 +68,13 @@ class Soak(unittest.TestCase):
         self.soak(a, b, c, each=60)
         self.assertEqual((a.seconds, b.seconds, c.seconds), ([60], [60], [60]))
 
-    def test_a_new_program_makes_up_for_what_the_others_have(self):
+    def test_a_new_program_catches_up_with_the_others(self):
         a, b = Program("a"), Program("b")
         self.soak(a, each=60)
         self.soak(a, b, each=60)
         self.assertEqual((a.seconds, b.seconds), ([60], [60]))
 
-    def test_a_finding_ends_its_program_and_no_other(self):
+    def test_a_finding_ends_only_its_own_program(self):
         crash = self.folder / "a-crash"
         crash.touch()
         a, b = Program("a", str(crash)), Program("b")
@@ -82,7 +82,7 @@ class Soak(unittest.TestCase):
         self.assertEqual((a.seconds, b.seconds), ([300], [300, 300, 100]))
         self.assertIn(f"a: {crash}", told)
         self.assertEqual(self.code, 1)
-        crash.unlink()  # mended
+        crash.unlink()  # fixed
         self.soak(b, each=700)
         self.assertEqual(self.code, 0)
 
@@ -102,7 +102,7 @@ class Soak(unittest.TestCase):
         self.addCleanup(patch.stop)
         return soak.Music()
 
-    def test_music_is_played_by_the_hour_a_day_for_an_hour_of_the_others(self):
+    def test_music_plays_a_day_while_each_target_runs_an_hour(self):
         music, a = self.music('for i in $(seq "$2"); do echo hour >> "$1"; done'), Program("a")
         self.soak(music, a, each=600)
         self.assertEqual(soak.Log().total("music").runs, 4)
@@ -112,7 +112,7 @@ class Soak(unittest.TestCase):
         self.assertEqual(soak.Log().total("music").runs, 48)
         self.assertEqual(sum(a.seconds), 7200)
 
-    def test_music_that_fails_is_a_finding_and_its_hours_count(self):
+    def test_failed_music_is_a_finding_and_its_hours_count(self):
         told = self.soak(self.music('echo hour >> "$1"; echo "It grew."; exit 1'), each=3600)
         total = soak.Log().total("music")
         self.assertEqual((total.runs, self.code), (1, 1))
@@ -125,7 +125,7 @@ class Soak(unittest.TestCase):
         program.chmod(0o755)
         return soak.FuzzTarget(program)
 
-    def test_a_fuzz_target_tells_its_runs_and_the_input_that_failed(self):
+    def test_a_fuzz_target_reports_its_runs_and_the_failed_input(self):
         said = "stat::number_of_executed_units: 77"
         crash = self.folder / "findings/x-crash-1"
         self.assertEqual(self.target(f"echo {said}").run(1, 0)[1:], (77, ""))
@@ -138,7 +138,7 @@ class Soak(unittest.TestCase):
         self.assertEqual(pathlib.Path(said).parent, self.folder / "findings")
         self.assertEqual(pathlib.Path(said).read_text(), "no\n")
 
-    def test_of_three_slices_one_tries_long_inputs(self):
+    def test_one_slice_of_three_tries_long_inputs(self):
         for name, longest in ("x", 1 << 20), ("scene", 1 << 22), ("player_midi", 1 << 14):
             target = self.target('echo "$@"', name)
             said = []
@@ -150,7 +150,7 @@ class Soak(unittest.TestCase):
                              [False, False, True, True, False, False, True])
             self.assertGreaterEqual(int(lengths[2].group(1)), longest)
 
-    def test_calls_shorter_than_a_slice_come_to_long_inputs_too(self):
+    def test_calls_shorter_than_a_slice_also_try_long_inputs(self):
         target = self.target('echo "$@" >> ' + str(self.folder / "said"))
         soak.Log().add("x", soak.Run(550, 1, ""))
         for _ in range(2):
@@ -159,10 +159,10 @@ class Soak(unittest.TestCase):
         lengths = ["-max_len" in each for each in (self.folder / "said").read_text().splitlines()]
         self.assertEqual(lengths, [False, True])
 
-    def test_seconds_are_those_of_the_processor(self):
+    def test_seconds_are_processor_time(self):
         self.assertEqual(self.target("sleep 2").run(5, 0).seconds, 1)
 
-    def test_music_tells_its_hours_and_keeps_what_went_wrong(self):
+    def test_music_reports_its_hours_and_keeps_the_output_of_a_failure(self):
         program = self.folder / "soak_music"
         program.write_text('#!/bin/sh\necho "hour 1" >> "$1"\necho "hour 2" >> "$1"\n'
                            '[ "$2" = 5 ] || { echo "It has grown."; exit 1; }\n')
