@@ -3,11 +3,11 @@
 
     eigensolver.py PROGRAM [--case MODEL:ROWS:MODES]... [--repetitions N] [--folder F] [--json FILE]
 
-PROGRAM is the built eigensolver_benchmark. Both solve each case in turn, each time in a new process.
-Ours runs solveModes for the band that holds MODES modes (zero modes included). SciPy runs
-scipy.sparse.linalg.eigsh(K, k, M, sigma=-(2 pi 20 Hz)^2) with defaults. The minima of processor time,
-wall time and memory count. Memory is the peak minus the amount before the process read the matrices.
-Fails if an eigenvalue differs by more than 1e-6.
+PROGRAM is the built eigensolver_benchmark. Both solve each case in turn, each time in a new
+process. Ours runs solveModes for the band that holds MODES modes (zero modes included). SciPy runs
+scipy.sparse.linalg.eigsh(K, k, M, sigma=-(2 pi 20 Hz)^2) with defaults. The minima of processor
+time, wall time and memory count. Memory is the peak minus the amount before the process read the
+matrices. Fails if an eigenvalue differs by more than 1e-6.
 """
 import argparse
 import json

@@ -1,4 +1,4 @@
-"""Runs the program `idiophone` that the environment names, and reads what it writes."""
+"""Runs the program in the environment variable IDIOPHONE, and reads its output."""
 import array
 import cmath
 import json
@@ -17,7 +17,7 @@ OBJECTS = pathlib.Path(__file__).resolve().parents[2] / "Resources" / "Objects"
 
 def run(*arguments, timeout=120, environment=(), largest_file_bytes=None):
     def fill_disk():
-        import resource  # of POSIX
+        import resource  # POSIX only
         import signal
 
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
@@ -29,7 +29,7 @@ def run(*arguments, timeout=120, environment=(), largest_file_bytes=None):
 
 
 def most_memory_bytes(*arguments):
-    """What a run had of memory at most, and its exit code; of POSIX."""
+    """Returns the peak memory of a run in bytes and its exit code. POSIX only."""
     with subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
                           stderr=subprocess.DEVNULL) as process:
         _, status, usage = os.wait4(process.pid, 0)
@@ -38,13 +38,13 @@ def most_memory_bytes(*arguments):
 
 
 class ConsoleTest(unittest.TestCase):
-    """A directory of its own for each test, and the two ways in which the program may end."""
+    """Gives each test a directory of its own, and checks that the program succeeds or refuses."""
 
     def setUp(self):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
         self.folder = pathlib.Path(directory.name)
-        # Whoever runs the tests may have materials of their own.
+        # Hide the materials of the user who runs the tests.
         self.environment = {"XDG_CONFIG_HOME": str(self.folder / "settings")}
 
     def succeed(self, *arguments, timeout=120):
@@ -56,7 +56,7 @@ class ConsoleTest(unittest.TestCase):
         return json.loads(self.succeed(*arguments, "--json").stdout)
 
     def refuse(self, *arguments, naming, saying="", largest_file_bytes=None):
-        """Fails with one sentence, which names what is at fault, and leaves no files behind."""
+        """Checks that the program fails with one sentence naming the fault, and leaves no files."""
         before = set(self.folder.rglob("*"))
         result = run(*arguments, environment=self.environment,
                      largest_file_bytes=largest_file_bytes)
@@ -112,7 +112,7 @@ class Wave:
         return max(map(abs, self.left), default=0.0)
 
     def level_at(self, frequency, start=0, count=None):
-        """The amplitude of a frequency under a Hann window."""
+        """Returns the amplitude of a frequency under a Hann window."""
         samples = self.left[start:None if count is None else start + count]
         n = len(samples)
         turn = cmath.exp(-2j * math.pi * frequency / self.rate)
@@ -131,7 +131,7 @@ def variable_length(number):
 
 
 def midi_track(events):
-    """From (ticks, bytes); those of one time keep their order. Meta events bring their FF."""
+    """Makes a track from (ticks, bytes), sorted stably by time. Meta events include their FF."""
     body, now = b"", 0
     events = sorted(events, key=lambda event: event[0])
     for ticks, message in [*events, (events[-1][0] if events else 0, b"\xff\x2f\x00")]:
@@ -154,7 +154,7 @@ def tempo(ticks, microseconds_per_quarter):
 
 
 def mesh_text(path):
-    """The lists of vertices and faces of an OBJ file, faces from 0."""
+    """Returns the lists of vertices and faces of an OBJ file, with indices from 0."""
     vertices, faces = [], []
     for line in pathlib.Path(path).read_text().splitlines():
         word, *rest = line.split() or [""]
@@ -171,7 +171,7 @@ def obj_text(vertices, faces):
 
 
 def modal_parts(content):
-    """The header and the tensors' bytes of a .modal file."""
+    """Returns the header and the tensors' bytes of a .modal file."""
     size = struct.unpack_from("<Q", content)[0]
     return json.loads(content[8:8 + size]), content[8 + size:]
 
@@ -182,7 +182,7 @@ def modal_bytes(header, data):
 
 
 def many_modes(mode_count, **metadata):
-    """A small .modal file: a box whose modes all lie within some hundred Hz."""
+    """Makes a small .modal file: a box whose modes all lie within some hundred Hz."""
     source, _ = modal_parts((OBJECTS / "xylophone-108.modal").read_bytes())
     vertices = [0.1 * (corner >> axis & 1) for corner in range(8) for axis in range(3)]
     faces = [0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,

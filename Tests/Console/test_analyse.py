@@ -34,7 +34,7 @@ class Analyse(ConsoleTest):
                 self.assertGreater(lowest[5] / lowest[0] - 1, 1e-3)
                 self.assertLess(info["modes_after_compression"], info["mode_count"])
 
-    def test_an_object_may_be_heard_from_all_around(self):
+    def test_an_object_can_have_radiation_in_all_directions(self):
         sphere = self.mesh("icosphere", "--radius", 0.1, "--vertices", 162)
         options = ("--method", "two-layer", "--thickness", 0.002)
         _, front = self.analyse(sphere, *options)
@@ -42,7 +42,7 @@ class Analyse(ConsoleTest):
         self.assertEqual(front["radiation_directions"], 2)
         self.assertEqual(all_around["radiation_directions"], 28)
 
-    def test_flat_faces_under_the_published_method_are_warned_of(self):
+    def test_flat_faces_under_the_published_method_get_a_warning(self):
         box = self.mesh("box", "--vertices", 200)
         report, _ = self.analyse(box, "--method", "spring-mass")
         self.assertGreater(report["zero_modes"], 6)
@@ -51,7 +51,7 @@ class Analyse(ConsoleTest):
                             "spring-mass").stdout
         self.assertIn(f"{report['zero_modes']} zero modes", text)
 
-    def test_frequencies_go_with_the_root_of_stiffness_over_density(self):
+    def test_frequencies_scale_with_the_root_of_stiffness_over_density(self):
         bar = self.mesh("bar", "--vertices", 120)
         plain = {"poisson_ratio": 0.3, "fluid_damping_per_s": 0, "viscoelastic_damping_s": 0}
         frequencies = []
@@ -64,7 +64,7 @@ class Analyse(ConsoleTest):
             frequencies.append(info["modes"][0]["frequency_hz"])
         self.assertAlmostEqual(frequencies[1] / frequencies[0], 2, places=6)
 
-    def test_info_tells_decay_times_from_the_material(self):
+    def test_info_reports_decay_times_from_the_material(self):
         bar = self.mesh("bar", "--vertices", 120)
         _, info = self.analyse(bar, "--material", "glass", "--max-frequency", 8000)
         for mode in info["modes"]:
@@ -90,7 +90,7 @@ class Analyse(ConsoleTest):
         for a, b in zip(metres["modes"], scaled["modes"]):
             self.assertAlmostEqual(a["frequency_hz"] / b["frequency_hz"], 1, places=6)
 
-    def test_a_grain_of_foam_is_an_object_that_sounds(self):
+    def test_a_grain_of_foam_sounds(self):
         foam = self.write("foam.json", json.dumps({
             "name": "foam", "youngs_modulus_pa": 1e4, "density_kg_per_m3": 10,
             "poisson_ratio": 0.1, "fluid_damping_per_s": 5, "viscoelastic_damping_s": 1e-7,
@@ -105,7 +105,7 @@ class Analyse(ConsoleTest):
         self.assertTrue(all(map(math.isfinite, Wave(sound).left)))
         self.assertGreater(Wave(sound).peak(), 0)
 
-    def test_repair_is_reported_in_words(self):
+    def test_a_repair_is_reported_in_words(self):
         bar = self.mesh("bar", "--vertices", 120)
         vertices, faces = mesh_text(bar)
         soup = [vertices[corner] for face in faces for corner in face]
@@ -128,7 +128,7 @@ class Analyse(ConsoleTest):
             _, info = self.analyse(mesh, "--max-frequency", 4000)
             self.assertGreater(info["mode_count"], 3)
 
-    def test_a_mesh_file_that_is_cut_off_is_refused_or_doubted(self):
+    def test_a_truncated_mesh_file_is_refused_or_gets_a_warning(self):
         whole = self.mesh("icosphere", "--radius", 0.1, "--vertices", 162).read_bytes()
         in_a_line = self.write("line.obj", whole[:-4])
         self.refuse("analyse", in_a_line, "-o", self.folder / "out.modal", naming="line.obj",
@@ -141,7 +141,7 @@ class Analyse(ConsoleTest):
                                  "--max-frequency", 8000)
         self.assertNotIn("may be missing", report["notes"])
 
-    def test_a_thickness_that_cannot_be_or_does_nothing_is_told(self):
+    def test_an_impossible_or_useless_thickness_is_reported(self):
         bar = self.mesh("bar", "--vertices", 60)
         report, _ = self.analyse(bar, "--thickness", 3, "--max-frequency", 2000)
         self.assertIn("3000 mm is thicker than its mesh is wide", report["notes"])
@@ -152,7 +152,7 @@ class Analyse(ConsoleTest):
                       self.succeed("analyse", ball, *out, *options, "--thickness", 0.003).stderr)
         self.assertEqual(self.succeed("analyse", ball, *out, *options).stderr, "")
 
-    def test_file_names_may_have_blanks_and_umlauts(self):
+    def test_file_names_can_have_spaces_and_umlauts(self):
         mesh, modal = self.folder / "eine Glocke, größer.obj", self.folder / "Glöckchen 2.modal"
         self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
         self.succeed("analyse", mesh, "-o", modal)
@@ -166,7 +166,7 @@ class Analyse(ConsoleTest):
         self.assertEqual(self.analyse(ply)[1]["modes"], self.analyse(obj)[1]["modes"])
 
     @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
-    def test_who_asks_it_to_end_gets_a_sentence_and_no_file(self):
+    def test_a_signal_ends_it_with_a_sentence_and_no_file(self):
         plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
         output = self.folder / "plate.modal"
         for wish in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
@@ -182,7 +182,7 @@ class Analyse(ConsoleTest):
                 self.assertEqual(list(self.folder.glob("plate.modal*")), [])
 
     @unittest.skipIf(sys.platform == "win32", "signals and terminals of POSIX")
-    def test_what_runs_without_a_terminal_outlives_one_that_is_closed(self):
+    def test_a_run_without_a_terminal_ignores_a_closed_one(self):
         plate = self.mesh("plate", "--length", 0.5, "--width", 0.4, "--vertices", 8000)
         process = subprocess.Popen(["nohup", PROGRAM, "analyse", plate, "-o", self.folder / "p.modal"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -207,7 +207,7 @@ class Analyse(ConsoleTest):
         try:
             while part := os.read(terminal, 4096):
                 shown += part
-        except OSError:  # Linux ends a terminal so
+        except OSError:  # end of a terminal on Linux
             pass
         os.close(terminal)
         self.assertIn(b"bar.obj: 0 %", shown)

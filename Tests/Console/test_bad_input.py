@@ -18,27 +18,27 @@ class BadMeshes(ConsoleTest):
         path = self.write(name, content)
         self.refuse("analyse", path, "-o", self.folder / "out.modal", naming=name, saying=saying)
 
-    def test_empty_files(self):
+    def test_empty_meshes_are_refused(self):
         for ending in ("obj", "off", "ply", "stl"):
             self.refuse_mesh(f"empty.{ending}", b"", saying="empty")
 
-    def test_meshes_without_faces(self):
+    def test_meshes_without_faces_are_refused(self):
         self.refuse_mesh("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", saying="faces")
         self.refuse_mesh("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", saying="faces")
         self.refuse_mesh("points.stl", b"\0" * 80 + struct.pack("<I", 0), saying="faces")
 
-    def test_vertices_that_are_no_numbers(self):
+    def test_vertices_that_are_not_finite_are_refused(self):
         for value in ("nan", "inf", "1e999"):
             self.refuse_mesh("bad.obj", f"v {value} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         facet = struct.pack("<12fH", 0, 0, 1, float("nan"), 0, 0, 1, 0, 0, 0, 1, 0, 0)
         self.refuse_mesh("nan.stl", b"\0" * 80 + struct.pack("<I", 1) + facet)
 
-    def test_indices_out_of_range(self):
+    def test_indices_out_of_range_are_refused(self):
         for index in (4, 0, -4, 2 ** 31, 2 ** 64):
             self.refuse_mesh("bad.obj", f"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 {index}\n")
         self.refuse_mesh("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")
 
-    def test_files_that_promise_more_than_they_hold(self):
+    def test_files_shorter_than_their_header_says_are_refused(self):
         self.refuse_mesh("short.stl", b"\0" * 80 + struct.pack("<I", 2 ** 32 - 1) + b"\0" * 50)
         self.refuse_mesh("short.off", "OFF\n1000000000 1 0\n0 0 0\n")
         self.refuse_mesh("short.ply", "ply\nformat ascii 1.0\nelement vertex 2000000000\n"
@@ -46,7 +46,7 @@ class BadMeshes(ConsoleTest):
                                       "element face 1\nproperty list uchar int vertex_indices\n"
                                       "end_header\n0 0 0\n")
 
-    def test_a_mesh_in_one_point_and_faces_without_area(self):
+    def test_a_mesh_without_area_is_refused(self):
         self.refuse_mesh("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")
         self.refuse_mesh("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
 
@@ -56,7 +56,7 @@ class BadMeshes(ConsoleTest):
         corners = array.array("f", (random.random() for _ in range(9 * 1000))).tobytes()
         thousand = b"".join(b"\0" * 12 + corners[36 * i:36 * i + 36] + b"\0\0"
                             for i in range(1000))
-        # Each thousand somewhere else, so that nothing can be welded away.
+        # Each thousand lies elsewhere, so that nothing is welded.
         soup = bytearray(b"\0" * 80 + struct.pack("<I", count) + thousand * (count // 1000))
         for i in range(count):
             struct.pack_into("<f", soup, 84 + 50 * i + 12, i * 1e-6)
@@ -68,7 +68,7 @@ class BadMeshes(ConsoleTest):
             for size in (1, 84, 1000):
                 self.refuse_mesh(f"noise.{ending}", random.randbytes(size))
 
-    def test_names_that_are_no_mesh_files(self):
+    def test_missing_and_other_files_are_refused_as_meshes(self):
         out = ("-o", self.folder / "out.modal")
         self.refuse("analyse", self.folder / "missing.obj", *out, naming="missing.obj")
         self.refuse("analyse", self.folder, *out, naming=self.folder.name)
@@ -85,33 +85,33 @@ class BadObjects(ConsoleTest):
     def parts(self):
         return modal_parts(BAR.read_bytes())
 
-    def test_the_object_itself_is_sound(self):
+    def test_the_undamaged_object_is_accepted(self):
         path = self.write("good.modal", modal_bytes(*self.parts()))
         self.assertGreater(self.json("info", path)["mode_count"], 0)
 
-    def test_truncated_files(self):
+    def test_truncated_objects_are_refused(self):
         whole = BAR.read_bytes()
         for size in (0, 1, 7, 8, 100, len(whole) // 2, len(whole) - 1):
             self.refuse_object(whole[:size])
         self.refuse_object(whole + b"\0")
 
-    def test_a_header_of_enormous_length(self):
+    def test_an_enormous_header_is_refused(self):
         for length in (2 ** 60, 2 ** 64 - 1, 2 ** 63):
             self.refuse_object(struct.pack("<Q", length) + b"{}", saying="header")
 
-    def test_a_header_that_is_no_header(self):
+    def test_a_damaged_header_is_refused(self):
         for text in (b"", b"{", b"[]", b"null", b"[" * 100000, b"\xff\xfe" * 10,
                      b'{"__metadata__": 3}'):
             self.refuse_object(struct.pack("<Q", len(text)) + text)
 
-    def test_overlapping_tensors(self):
+    def test_overlapping_tensors_are_refused(self):
         header, data = self.parts()
         size = struct.calcsize("d") * header["eigenvalues"]["shape"][0]
         begin = header["vertices"]["data_offsets"][0]
         header["eigenvalues"]["data_offsets"] = [begin, begin + size]
         self.refuse_object(modal_bytes(header, data))
 
-    def test_eigenvalues_that_cannot_be(self):
+    def test_impossible_eigenvalues_are_refused(self):
         header, data = self.parts()
         begin, end = header["eigenvalues"]["data_offsets"]
         for value in (float("nan"), float("inf"), -1.0, 0.0):
@@ -120,10 +120,10 @@ class BadObjects(ConsoleTest):
             self.refuse_object(modal_bytes(header, data[:begin] + values.tobytes() + data[end:]),
                                saying="eigenvalue")
 
-    def test_shapes_that_cannot_be(self):
+    def test_impossible_shapes_are_refused(self):
         header, data = self.parts()
         begin, end = header["shapes"]["data_offsets"]
-        count = (end - begin) // 2  # of half precision
+        count = (end - begin) // 2  # half-precision values
         header["shapes"]["dtype"] = "F32"
         header["shapes"]["data_offsets"] = [begin, begin + 4 * count]
         for tensor in header.values():
@@ -138,13 +138,13 @@ class BadObjects(ConsoleTest):
             else:
                 self.refuse_object(content, saying="a mode shape is not between")
 
-    def test_counts_that_cannot_be(self):
+    def test_impossible_counts_are_refused(self):
         for shape in ([-1], [2 ** 63], [1.5], ["many"], [], [2 ** 32, 2 ** 32]):
             header, data = self.parts()
             header["eigenvalues"]["shape"] = shape
             self.refuse_object(modal_bytes(header, data))
 
-    def test_indices_of_vertices_that_do_not_exist(self):
+    def test_indices_of_missing_vertices_are_refused(self):
         header, data = self.parts()
         for name in ("faces", "shape_vertices"):
             begin, end = header[name]["data_offsets"]
@@ -152,12 +152,12 @@ class BadObjects(ConsoleTest):
                 self.refuse_object(modal_bytes(
                     header, data[:end - 4] + struct.pack("<i", index) + data[end:]))
 
-    def test_a_future_format(self):
+    def test_a_future_format_is_refused(self):
         header, data = self.parts()
         header["__metadata__"]["format_version"] = "99"
         self.refuse_object(modal_bytes(header, data), saying="99")
 
-    def test_one_damaged_byte_anywhere_is_no_crash(self):
+    def test_one_damaged_byte_anywhere_causes_no_crash(self):
         random.seed(3)
         whole = bytearray(BAR.read_bytes())
         header_size = struct.unpack_from("<Q", whole)[0]
@@ -170,7 +170,7 @@ class BadObjects(ConsoleTest):
             if result.returncode == 0:
                 json.loads(result.stdout)
 
-    def test_names_that_are_no_object_files(self):
+    def test_missing_and_other_files_are_refused_as_objects(self):
         for name in (self.folder / "missing.modal", self.folder):
             self.refuse("info", name, naming=name)
             self.refuse("strike", name, "-o", self.folder / "out.wav", naming=name)
@@ -191,26 +191,26 @@ class BadPresetsAndSongs(ConsoleTest):
         self.refuse("render", "--preset", path, "--midi", self.song, *self.out, naming=naming,
                     saying=saying)
 
-    def test_a_preset_of_a_future_version(self):
+    def test_a_preset_of_a_future_version_is_refused(self):
         self.refuse_preset(self.preset(version=99), saying="newer")
 
-    def test_presets_that_are_none(self):
+    def test_invalid_presets_are_refused(self):
         for content in ("", "{", "[]", "null", "{}", b"\xff" * 100, "[" * 100000,
                         self.preset(format="something"), self.preset(keyMap=3),
                         self.preset(name="")):
             self.refuse_preset(content)
 
-    def test_a_preset_without_its_object(self):
+    def test_a_preset_without_its_object_is_refused(self):
         key_map = {"kind": "zones", "lowestNote": 60, "highestNote": 72, "object": "gone.modal"}
         self.refuse_preset(self.preset(keyMap=key_map), saying="gone.modal")
         key_map["object"] = ""
         self.refuse_preset(self.preset(keyMap=key_map), saying="no object is named")
 
-    def test_presets_that_are_not_there(self):
+    def test_missing_presets_are_refused(self):
         for name in ("No Such Preset", self.folder):
             self.refuse("render", "--preset", name, "--midi", self.song, *self.out, naming=name)
 
-    def test_songs_that_are_none(self):
+    def test_invalid_songs_are_refused(self):
         whole = midi_file(note(0, 72) + note(480, 74))
         silent = midi_file([(0, b"\xff\x51\x03\x07\xa1\x20")])
         endless = midi_file(note(2 ** 27, 72), division=1)
@@ -223,16 +223,16 @@ class BadPresetsAndSongs(ConsoleTest):
         self.refuse("render", "--preset", "Steel Ring", "--midi", self.folder, *self.out,
                     naming=self.folder)
 
-    def test_a_song_full_of_tempi_is_read_at_once(self):
-        # Where each event went through all tempi before it, for some minutes.
+    def test_a_song_full_of_tempo_changes_is_read_fast(self):
+        # It took minutes when each event searched all tempi before it.
         body = b"\1\xff\x51\3\7\xa1\x20" * 100000 + b"\1\xb0\1\1" * 200000 + b"\0\xff\x2f\0"
         path = self.write("tempi.mid", midi_file()[:10] + struct.pack(">HH", 1, 480) + b"MTrk" +
                           struct.pack(">I", len(body)) + body)
         self.refuse("render", "--preset", "Steel Ring", "--midi", path, *self.out, naming=path,
                     saying="no notes")
 
-    def test_a_song_whose_notes_all_come_at_once_is_read_at_once(self):
-        # Where each beginning looked for its end through all that comes then, for some minutes.
+    def test_a_song_with_all_notes_at_one_time_is_read_fast(self):
+        # It took minutes when each note searched all events of that time for its end.
         count = 200000
         body = (b"\0\x90\x3c\x40" + b"\0\x3c\x40" * count + b"\0\x80\x3c\x40" + b"\0\x3c\x40" * count +
                 b"\0\xb0\1\1" + b"\0\1\1" * 3 * count + b"\0\x90\x3c\xc8\0\xff\x2f\0")
@@ -241,7 +241,7 @@ class BadPresetsAndSongs(ConsoleTest):
         self.refuse("render", "--preset", "Steel Ring", "--midi", path, *self.out, naming=path,
                     saying="damaged")
 
-    def test_random_songs_are_no_crash(self):
+    def test_random_songs_cause_no_crash(self):
         random.seed(4)
         for _ in range(60):
             noise = bytearray(midi_file(note(0, 72) + note(48, 74), note(9, 80)))
@@ -254,7 +254,7 @@ class BadPresetsAndSongs(ConsoleTest):
 
 class Recordings(ConsoleTest):
     @unittest.skipUnless(hasattr(os, "mkfifo"), "files of POSIX")
-    def test_what_has_no_length_is_not_read(self):
+    def test_files_without_a_length_are_refused(self):
         pipe = self.folder / "pipe.wav"
         os.mkfifo(pipe)
         endless = self.folder / "endless.wav"
@@ -266,7 +266,7 @@ class Recordings(ConsoleTest):
 
 
 class Terminals(ConsoleTest):
-    """A file's texts do not reach a terminal as commands."""
+    """Control sequences in a file's texts do not reach a terminal."""
 
     HOSTILE = "\x1b[31mred\x1b]0;title\x07\x7f\x9b2J\nü"
 
@@ -319,7 +319,7 @@ class Terminals(ConsoleTest):
 
 
 class SmallFilesThatAreLarge(ConsoleTest):
-    """No more modes than can be played, however few bytes ask for them."""
+    """Small files cannot ask for more modes than can be played."""
 
     def test_scenes(self):
         self.write("many.modal", many_modes(65536))
@@ -345,7 +345,7 @@ class BadArguments(ConsoleTest):
         self.song = self.write("song.mid", midi_file(note(0, 72)))
         self.out = ("-o", self.folder / "out.wav")
 
-    def test_outputs_that_cannot_be_written(self):
+    def test_outputs_that_cannot_be_written_are_refused(self):
         mesh = self.write("mesh.obj", obj_text([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
         nowhere = self.folder / "missing" / "out.obj"
         for output in (nowhere, self.folder):
@@ -356,7 +356,7 @@ class BadArguments(ConsoleTest):
         self.refuse("render", "--preset", "Steel Ring", "--midi", self.song, *self.out,
                     "--seconds", 0.1, "--stats", nowhere, naming=nowhere)
 
-    def test_numbers_out_of_range(self):
+    def test_numbers_out_of_range_are_refused(self):
         mesh = self.write("mesh.obj", obj_text([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
         analyse, strike = ("analyse", mesh, *self.out), ("strike", BAR, *self.out)
         render = ("render", "--preset", "Steel Ring", "--midi", self.song, *self.out)
@@ -377,7 +377,7 @@ class BadArguments(ConsoleTest):
             for value in values:
                 self.refuse(*command, option, value, naming=option)
 
-    def test_materials_that_are_none(self):
+    def test_invalid_materials_are_refused(self):
         good = {"youngs_modulus_pa": 1e10, "density_kg_per_m3": 800, "poisson_ratio": 0.3,
                 "fluid_damping_per_s": 5, "viscoelastic_damping_s": 1e-7}
         for content in ("", "{", "[]", json.dumps({**good, "density_kg_per_m3": -1}),
@@ -391,7 +391,7 @@ class BadArguments(ConsoleTest):
             self.refuse("strike", BAR, *self.out, "--material", path, naming=path)
         self.refuse("strike", BAR, *self.out, "--material", "Unobtainium", naming="Unobtainium")
 
-    def test_commands_that_are_none(self):
+    def test_invalid_commands_are_refused(self):
         self.refuse(naming="command")
         self.refuse("dance", naming="dance")
         self.refuse("render", "--preset", "Steel Ring", *self.out, naming="--midi")
@@ -404,7 +404,7 @@ class BadArguments(ConsoleTest):
 
 
 class WrittenFiles(ConsoleTest):
-    """No command writes over what the same command line names otherwise."""
+    """No command overwrites another file that its command line names."""
 
     def refuse_to_write_over(self, file, *command, option="-o"):
         before = file.read_bytes()
@@ -412,7 +412,7 @@ class WrittenFiles(ConsoleTest):
             self.refuse(*command, option, spelled, naming=spelled, saying="would write over what")
             self.assertEqual(file.read_bytes(), before)
 
-    def test_what_is_read(self):
+    def test_inputs_are_not_overwritten(self):
         mesh = self.write("bar.obj", "")
         self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
         self.refuse_to_write_over(mesh, "analyse", mesh)
@@ -430,7 +430,7 @@ class WrittenFiles(ConsoleTest):
         impulses = self.write("blows.jsonl", "{}")
         self.refuse_to_write_over(impulses, "render", "--impulses", impulses)
 
-    def test_what_is_written_too(self):
+    def test_other_outputs_are_not_overwritten(self):
         song = self.write("song.mid", midi_file(note(0, 60)))
         new = self.folder / "new"
         elsewhere = self.folder / "folder"
@@ -440,7 +440,7 @@ class WrittenFiles(ConsoleTest):
                         naming=new, saying="would write over what")
 
     @unittest.skipUnless(hasattr(os, "mkfifo"), "files of POSIX")
-    def test_a_wav_file_is_written_behind_a_link_and_to_no_device(self):
+    def test_a_wav_file_is_written_through_a_link_but_not_to_a_device(self):
         pipe, link, file = (self.folder / name for name in ("pipe", "link.wav", "file.wav"))
         os.mkfifo(pipe)
         self.refuse("strike", BAR, "-o", pipe, naming="pipe", saying="a device or a pipe")
@@ -453,7 +453,7 @@ class WrittenFiles(ConsoleTest):
             self.assertEqual(file.read_bytes()[:4], b"RIFF")
 
     @unittest.skipIf(sys.platform == "win32", "links need a right there")
-    def test_a_link_is_what_it_leads_to(self):
+    def test_a_link_counts_as_its_target(self):
         bar = self.write("bar.modal", BAR.read_bytes())
         link = self.folder / "link"
         link.symlink_to(bar)
@@ -462,9 +462,10 @@ class WrittenFiles(ConsoleTest):
         self.succeed("mesh", "icosphere", "--radius", 1e-4, "-o", grain)
         lost.symlink_to(self.folder / "nowhere" / "grain.modal")
         self.refuse("analyse", grain, "-o", self.folder / "grain.modal", naming=grain, saying="mode")
-        self.refuse("analyse", grain, "-o", lost, naming=lost, saying="written")  # and before that
+        # An output that cannot be written is found before the analysis fails.
+        self.refuse("analyse", grain, "-o", lost, naming=lost, saying="written")
 
-    def test_a_protected_file(self):
+    def test_a_protected_file_is_not_overwritten(self):
         mesh = self.write("mine.obj", "mine")
         mesh.chmod(0o444)
         self.refuse("mesh", "bar", "-o", mesh, naming=mesh, saying="written")
@@ -474,7 +475,7 @@ class WrittenFiles(ConsoleTest):
 
 @unittest.skipIf(sys.platform == "win32", "limits of POSIX")
 class FullDisks(ConsoleTest):
-    """There is room for all but the last bytes of what a command writes."""
+    """The disk is full just before the last bytes of an output."""
 
     def refuse_last_bytes(self, output, *command):
         output = self.folder / output

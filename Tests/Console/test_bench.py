@@ -6,7 +6,7 @@ SONG = OBJECTS.parent / "Songs" / "TheEntertainer.mid"
 
 
 class Bench(ConsoleTest):
-    """What is said of times is not judged here: they are the machine's."""
+    """Does not check times, because they depend on the machine."""
 
     def bench(self, *arguments):
         document = self.json("bench", *arguments)
@@ -18,7 +18,7 @@ class Bench(ConsoleTest):
             self.assertIn(goal["name"].split(":")[0], document["benchmarks"])
         return document
 
-    def test_truncation_ends_where_eq_14_says(self):
+    def test_truncation_ends_at_the_time_of_eq_14(self):
         document = self.bench("tau")
         self.assertEqual([goal["met"] for goal in document["goals"]], [True] * 3)
         fine, coarse = document["benchmarks"]["tau"]["runs"]
@@ -29,7 +29,7 @@ class Bench(ConsoleTest):
             seconds = sum(run["modes"]) * document["benchmarks"]["tau"]["cell_s"]
             self.assertAlmostEqual(seconds, run["mode_seconds"], places=6)
 
-    def test_a_budget_holds_the_modes_of_any_number_of_bodies(self):
+    def test_a_budget_limits_the_modes_of_any_number_of_bodies(self):
         document = self.bench("scale")
         self.assertEqual([goal["met"] for goal in document["goals"]], [True] * 3)
         few, some, many = document["benchmarks"]["scale"]["crowds"]
@@ -63,7 +63,7 @@ class Bench(ConsoleTest):
             self.assertLess(error, -110)
         self.assertTrue(document["build"]["simd_target"])
 
-    def test_the_worst_cell_is_held_against_the_mean_of_those_in_which_all_ring(self):
+    def test_the_worst_cell_is_compared_with_the_mean_of_cells_where_all_ring(self):
         document = self.bench("callback")
         figures = document["benchmarks"]["callback"]
         measured = {goal["name"]: goal["measured"] for goal in document["goals"]}
@@ -79,7 +79,7 @@ class Bench(ConsoleTest):
             self.assertGreater(scene["struck_s"], scene["mean_s"])
         self.assertLess(figures["silence_over_sound"], 1)
 
-    def test_force_is_held_against_free_cells_of_the_same_run(self):
+    def test_force_is_compared_with_free_cells_of_the_same_run(self):
         document = self.bench("force")
         figures = document["benchmarks"]["force"]
         self.assertEqual([size["modes"] for size in figures["sizes"]], [100, 500, 1000])
@@ -100,13 +100,13 @@ class Bench(ConsoleTest):
             self.assertAlmostEqual(source["over_free_500"],
                                    source["seconds"] / figures["sizes"][1]["free_s"])
 
-    def test_a_song_is_played_on_the_xylophone(self):
+    def test_the_song_benchmark_plays_the_xylophone(self):
         figures = self.bench("xylophone", "--song", SONG)["benchmarks"]["xylophone"]
         self.assertGreater(figures["strikes"], 100)
         self.assertGreater(figures["modes_mixed_most"], figures["modes_mixed_mean"])
         self.assertGreater(figures["share_of_core"], 0)
 
-    def test_the_text_and_the_file_say_the_same_goals(self):
+    def test_the_text_and_the_file_give_the_same_goals(self):
         text = self.succeed("bench", "tau").stdout
         path = self.folder / "tau.json"
         self.succeed("bench", "tau", "--json", "-o", path)

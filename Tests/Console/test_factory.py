@@ -2,7 +2,7 @@ from console import OBJECTS, ConsoleTest, modal_parts, run
 
 
 class Factory(ConsoleTest):
-    def test_an_object_made_anew_is_the_one_that_ships(self):
+    def test_a_rebuilt_object_equals_the_shipped_one(self):
         for name in ("xylophone-108", "ring"):
             text = self.succeed("factory", "-o", self.folder, "--only", name).stdout
             self.assertIn(name, text)
@@ -18,7 +18,7 @@ class Factory(ConsoleTest):
         header, _ = modal_parts((self.folder / "new" / "xylophone-108.modal").read_bytes())
         self.assertEqual(header["shapes"]["dtype"], "F16")
 
-    def test_the_same_bytes_come_out_each_time(self):
+    def test_each_build_gives_the_same_bytes(self):
         contents = []
         for folder in ("a", "b"):
             self.succeed("factory", "-o", self.folder / folder, "--only", "xylophone-108")
@@ -30,7 +30,7 @@ class Factory(ConsoleTest):
         self.assertNotEqual(result.returncode, 0)
         self.assertIn("trombone", result.stderr)
 
-    def test_nothing_is_replaced_unasked(self):
+    def test_existing_files_are_not_replaced_by_default(self):
         mine = self.write("xylophone-108.modal", "mine")
         options = "factory", "-o", self.folder, "--only", "xylophone-108"
         self.refuse(*options, naming=mine, saying="there already")

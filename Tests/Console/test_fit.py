@@ -6,14 +6,14 @@ import struct
 
 from console import OBJECTS, ConsoleTest, Wave
 
-BAR = OBJECTS / "stones-72.modal"  # no tube: modes that share one are closer than a fit can tell
+BAR = OBJECTS / "stones-72.modal"  # no tube: modes that share a tube are too close for a fit
 PLACES = ("0,0,0", "0.02,0.01,0", "0.035,0,0", "0.06,0.015,0", "0.09,0,0")
 # A hard, light mallet excites all modes.
 HARD = ("--set", "hardness=100000", "--set", "mallet_mass=1", "--set", "tau=0.001")
 
 
 def wav(channels, rate=48000, bits=32):
-    """A WAV file of 16- or 24-bit integers or 32-bit floats, full scale 1."""
+    """Writes a WAV file of 16- or 24-bit integers or 32-bit floats, full scale 1."""
     frames = [sample for frame in zip(*channels) for sample in frame]
     if bits == 32:
         data = array.array("f", frames).tobytes()
@@ -27,7 +27,7 @@ def wav(channels, rate=48000, bits=32):
 
 
 def partials(modes, rate=48000, seconds=0.6):
-    """Damped cosines of (frequency, decay, gain) after 50 ms of silence."""
+    """Returns damped cosines of (frequency, decay, gain) after 50 ms of silence."""
     return [0.0] * (rate // 20) + [
         sum(gain * math.exp(-decay * n / rate) * math.cos(2 * math.pi * hz * n / rate)
             for hz, decay, gain in modes) for n in range(int(rate * seconds))]
@@ -44,7 +44,7 @@ class Fit(ConsoleTest):
         return report, Wave(output)
 
     def recordings_of_the_bar(self):
-        """Strikes at other levels and onsets, with noise."""
+        """Makes strikes at different levels and onsets, with noise."""
         random.seed(4)
         arguments = []
         for number, place in enumerate(PLACES):
@@ -58,7 +58,7 @@ class Fit(ConsoleTest):
             arguments.append("{}@{},{},{}".format(path, *report["point_m"]))
         return arguments
 
-    def test_a_bar_struck_at_five_places_is_found_again(self):
+    def test_the_fit_of_five_strikes_on_a_bar_finds_its_modes(self):
         recordings = self.recordings_of_the_bar()
         fitted = self.folder / "fitted.modal"
         told = self.json("fit", *recordings, "-o", fitted)
@@ -78,7 +78,7 @@ class Fit(ConsoleTest):
                 self.assertAlmostEqual(stored["frequency_hz"], mode["frequency_hz"], places=6)
                 self.assertAlmostEqual(stored["t60_s"] / mode["t60_s"], 1, places=9)
         self.assertGreaterEqual(loud, 9)
-        # No mode that sounds loud where it was struck is missing.
+        # No mode that is loud at a struck point is missing.
         report, _ = self.strike(BAR, PLACES[3], "loud.wav", "--seconds", 0.1, *HARD)
         for mode in report["loudest_modes"]:
             if min(true, key=lambda m: abs(m["frequency_hz"] - mode["frequency_hz"]))[
@@ -104,7 +104,7 @@ class Fit(ConsoleTest):
             with self.subTest(place=place, levels=levels):
                 self.assertLess(max(levels) - min(levels), 1.8)
 
-    def test_any_wav_file_will_do(self):
+    def test_any_wav_format_can_be_fitted(self):
         modes = ((300, 9, 0.4), (811, 15, 0.3), (2200, 30, 0.2))
         for rate, bits, stereo in ((44100, 16, True), (48000, 24, False), (96000, 32, True)):
             samples = partials(modes, rate)
@@ -117,7 +117,7 @@ class Fit(ConsoleTest):
                     self.assertLess(abs(cents(mode["frequency_hz"], hz)), 0.5)
                     self.assertAlmostEqual(mode["t60_s"] * decay / math.log(1000), 1, delta=0.02)
 
-    def test_radii_make_a_disc_and_people_are_told_what_was_assumed(self):
+    def test_radii_make_a_disc_and_assumptions_are_reported(self):
         path = self.write("r.wav", wav([partials(((300, 9, 0.4), (811, 15, 0.3)))]))
         output = self.folder / "wok.modal"
         text = self.succeed("fit", f"{path}@0.05", f"{path}@0.1", "-o", output).stdout
@@ -133,7 +133,7 @@ class Fit(ConsoleTest):
         self.assertEqual(glass["material"]["name"], "Glass")
         self.assertEqual(glass["mass_kg"], 2)
 
-    def test_another_material_keeps_how_much_longer_a_mode_rings_than_its_material(self):
+    def test_another_material_keeps_the_decay_of_a_mode_relative_to_its_material(self):
         path = self.write("r.wav", wav([partials(((300, 9, 0.4), (811, 15, 0.3)))]))
         output = self.folder / "r.modal"
         self.succeed("fit", f"{path}@0.05", "-o", output, "--material", "Steel")
@@ -175,7 +175,7 @@ class Fit(ConsoleTest):
         self.refuse("fit", f"{self.folder / 'missing.wav'}@0", "-o", output,
                     naming="missing.wav", saying="cannot be opened")
 
-    def test_clipping_is_said(self):
+    def test_clipping_is_reported(self):
         loud = [max(-0.5, min(0.5, x)) for x in partials(((300, 9, 2.0),))]
         path = self.write("loud.wav", wav([loud]))
         text = self.succeed("fit", f"{path}@0", "-o", self.folder / "out.modal").stdout

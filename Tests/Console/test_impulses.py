@@ -8,7 +8,7 @@ from console import OBJECTS, ConsoleTest, Wave, most_memory_bytes, run
 
 
 TAU = 0.001
-# Each of the plate's modes may miss up to τ, in 65536ths of full scale, of either sound.
+# In either sound each of the plate's modes may be off by τ, in 65536ths of full scale.
 PLATE_MODES = json.loads(run("info", OBJECTS / "plate.modal", "--json").stdout)["mode_count"]
 TRUNCATED = 2 * PLATE_MODES * TAU / 65536
 
@@ -47,14 +47,14 @@ class Impulses(ConsoleTest):
             self.assertAlmostEqual(double, 2 * single, delta=1.5 * TRUNCATED)
         self.assertGreater(waves[1].peak(), 500 * TRUNCATED)
 
-    def test_impulses_along_a_thin_plate_are_not_heard_across_it(self):
+    def test_impulses_along_a_thin_plate_are_100_times_fainter_than_across(self):
         across, along = (Wave(self.render(self.lines(self.hit(impulse=i)), "--seconds", 0.2)[1])
                          for i in ((0, 0, -0.001), (0.001, 0, 0)))
         self.assertGreater(across.peak(), 100 * along.peak())
 
-    def test_bodies_of_one_object_ring_on_their_own(self):
-        # 5 ms apart a second impulse on the same body meets a ringing state, which adds up linearly:
-        # one body and two sound alike, but their modes are counted for each.
+    def test_bodies_of_one_object_ring_independently(self):
+        # After 5 ms a second impulse meets a ringing body, and the two add linearly. One body and
+        # two sound alike, but the modes of each body are counted.
         def modes(*bodies):
             hits = [self.hit(0.005 * i, body=body) for i, body in enumerate(bodies)]
             report, output = self.render(self.lines(*hits), "--seconds", 0.1, "--set", f"tau={TAU}")
@@ -65,7 +65,7 @@ class Impulses(ConsoleTest):
             self.assertAlmostEqual(a, b, delta=TRUNCATED)
         self.assertGreater(one.peak(), 500 * TRUNCATED)
 
-    def test_an_impulse_sounds_as_the_page_of_the_format_says(self):
+    def test_an_impulse_sounds_as_the_format_page_says(self):
         plate = OBJECTS / "plate.modal"
         raw = plate.read_bytes()
         size, = struct.unpack_from("<Q", raw)
@@ -101,7 +101,7 @@ class Impulses(ConsoleTest):
             first = next(i for i, sample in enumerate(wave.left) if sample != 0)
             self.assertAlmostEqual(first, time * 48000, delta=2)
 
-    def test_a_vertex_is_the_same_as_its_point(self):
+    def test_a_vertex_equals_its_point(self):
         struck = self.json("strike", self.object_file("plate"), "-o", self.folder / "s.wav", "--at",
                            "0.02,0.01,0")
         hits = (self.hit(vertex=struck["vertex"]), self.hit(point=struck["point_m"]))
@@ -113,7 +113,7 @@ class Impulses(ConsoleTest):
         from console import OBJECTS
         return OBJECTS / f"{name}.modal"
 
-    def test_files_are_found_from_the_directory_of_the_list(self):
+    def test_file_names_are_relative_to_the_folder_of_the_list(self):
         (self.folder / "modèles").mkdir()
         (self.folder / "modèles" / "mine.modal").write_bytes(self.object_file("plate").read_bytes())
         mine, theirs = (self.render(self.lines(self.hit(object=name)), "--seconds", 0.1,
@@ -121,14 +121,14 @@ class Impulses(ConsoleTest):
                         for i, name in enumerate(("modèles/mine.modal", "plate")))
         self.assertEqual(mine, theirs)
 
-    def test_a_byte_order_mark_is_no_part_of_the_first_line(self):
+    def test_a_byte_order_mark_is_ignored(self):
         line = json.dumps(self.hit()) + "\n"
         plain = self.render(self.write("plain.jsonl", line), name="plain.wav")[1]
         for text in (line, "# a comment\n" + line):
             marked = self.render(self.write("marked.jsonl", "\ufeff" + text), name="marked.wav")[1]
             self.assertEqual(marked.read_bytes(), plain.read_bytes())
 
-    def test_no_object_of_the_list_is_written_over(self):
+    def test_no_object_of_the_list_is_overwritten(self):
         content = (OBJECTS / "plate.modal").read_bytes()
         object = self.write("plate.modal", content)
         list_ = self.lines(self.hit(object="./plate.modal"), self.hit(0.1))
@@ -151,12 +151,12 @@ class Impulses(ConsoleTest):
         own, same, damped = (self.render(file, "--seconds", 0.5, *figure, name=f"{i}.wav")[1]
                              for i, figure in enumerate(((), ("--set", "young=200"),
                                                          ("--set", "gamma=500"))))
-        # It is of steel, but for a viscoelastic damping of 0, which the parameter cannot have.
+        # Steel, but with a viscoelastic damping of 0, which the parameter cannot have.
         self.assertAlmostEqual(Wave(same).level_at(539, 12000) / Wave(own).level_at(539, 12000), 1,
                                places=3)
         self.assertLess(Wave(damped).level_at(539, 12000), 0.01 * Wave(own).level_at(539, 12000))
 
-    def test_a_figure_makes_no_bodies_of_several_materials_alike(self):
+    def test_a_figure_does_not_make_bodies_of_several_materials_alike(self):
         file = self.lines(self.hit(), self.hit(object="table"))
         said, sounds = [], []
         for settings in ((), ("--set", "gamma=500"),
@@ -172,13 +172,13 @@ class Impulses(ConsoleTest):
         self.assertEqual(sounds[0], sounds[1])
         self.assertNotEqual(sounds[2], sounds[3])
 
-    def test_more_than_64_contacts_at_a_time_are_warned_of(self):
+    def test_more_than_64_contacts_at_a_time_give_a_warning(self):
         file = self.lines(*(self.hit(contact_time=0.5) for _ in range(70)))
         output = self.folder / "out.wav"
         result = self.succeed("render", "--impulses", file, "-o", output)
         self.assertIn("6 impulses were left out", result.stderr)
 
-    def test_impulses_beyond_all_reason_are_warned_of(self):
+    def test_extreme_impulses_give_a_warning(self):
         hard = [self.hit(object="die", vertex=0, size=0.001, impulse=(-1e6, -1e6, -1e6))
                 for _ in range(3)]
         file = self.lines(*hard, self.hit(0.1))
@@ -207,7 +207,7 @@ class Impulses(ConsoleTest):
         }
         self.refuse_lines(bad)
 
-    def test_what_is_not_json_is_named(self):
+    def test_text_that_is_not_json_is_named(self):
         self.refuse_lines({
             "not JSON": "not JSON: 'not' in column 1",
             json.dumps({"time": float("nan")}): "not JSON: 'NaN' in column 10",
@@ -220,7 +220,7 @@ class Impulses(ConsoleTest):
             "[" * 70 + "]" * 70: "nested too deep",
         })
 
-    def test_the_first_20_bad_lines_are_told(self):
+    def test_the_first_20_bad_lines_are_reported(self):
         result = run("render", "--impulses", self.write("bad.jsonl", "[]\n" * 23), "-o",
                      self.folder / "out.wav")
         sentences = result.stderr.splitlines()
@@ -228,17 +228,17 @@ class Impulses(ConsoleTest):
         self.assertEqual(sentences[-1], "and 3 more bad lines.")
 
     @unittest.skipUnless(hasattr(os, "wait4"), "figures of POSIX")
-    def test_bad_lines_that_are_not_told_take_no_memory(self):
+    def test_unreported_bad_lines_take_no_memory(self):
         many = self.write("bad.jsonl", "x\n" * 5_000_000)
         few = self.write("few.jsonl", "x\n")
         output = ("-o", self.folder / "out.wav")
         most, code = most_memory_bytes("render", "--impulses", many, *output)
         usual, _ = most_memory_bytes("render", "--impulses", few, *output)
         self.assertEqual(code, 1)
-        self.assertLess(most - usual, 200e6)  # of 10 MB; 600 where each sentence was kept
+        self.assertLess(most - usual, 200e6)  # took 600 MB when all were kept
 
     @unittest.skipUnless(hasattr(os, "wait4"), "figures of POSIX")
-    def test_an_object_of_many_names_takes_the_memory_of_one(self):
+    def test_an_object_with_many_names_takes_the_memory_of_one(self):
         bowl = self.folder / "bowl.modal"
         bowl.write_bytes((OBJECTS / "glass-bowl.modal").read_bytes())
         names = ["".join("./" if bit == "0" else ".//" for bit in f"{k:07b}") + "bowl.modal" for k in range(128)]
@@ -251,7 +251,7 @@ class Impulses(ConsoleTest):
         self.assertLess(most(128) - most(1), 30e6)
 
     def refuse_lines(self, bad):
-        """`bad`: lines, and what is said of each."""
+        """Checks the sentence for each bad line; `bad` maps lines to sentences."""
         good = json.dumps(self.hit())
         file = self.write("bad.jsonl", "".join(f"{good}\n{line}\n" for line in bad))
         result = run("render", "--impulses", file, "-o", self.folder / "out.wav")
@@ -263,7 +263,7 @@ class Impulses(ConsoleTest):
             self.assertIn(fault, sentence)
         self.assertFalse((self.folder / "out.wav").exists())
 
-    def test_every_line_that_does_not_fit_its_object_gets_a_sentence_an_object_one(self):
+    def test_each_wrong_line_and_each_missing_object_gets_one_sentence(self):
         bad = {2: self.hit(0.4, vertex=10 ** 6), 3: self.hit(0.3, object="gone.modal"),
                4: self.hit(0.2, body="b", size=2), 5: self.hit(0.1, object="gone.modal"),
                6: self.hit(0.5, object="ring", vertex=10 ** 6)}
@@ -278,7 +278,7 @@ class Impulses(ConsoleTest):
         self.assertEqual(sentences, [])
         self.assertFalse((self.folder / "out.wav").exists())
 
-    def test_other_faults_are_refused_in_a_sentence(self):
+    def test_other_faults_get_one_sentence(self):
         output = ("-o", self.folder / "out.wav")
         empty = self.write("empty.jsonl", "# nothing\n")
         self.refuse("render", "--impulses", empty, *output, naming=empty, saying="no impulses")

@@ -16,7 +16,7 @@ class Lists(ConsoleTest):
         for file, text in pages(PROGRAM).items():
             self.assertEqual(file.read_text(encoding="utf-8"), text, "`./dev pages` makes it anew")
 
-    def test_each_preset_file_is_called_after_its_program_so_that_none_comes_between(self):
+    def test_each_preset_file_is_numbered_by_its_program(self):
         files = sorted((DOCS.parent / "Presets").iterdir())
         self.assertEqual([file.name[:3] for file in files],
                          [f"{number:02}-" for number in range(1, len(files) + 1)])
@@ -25,7 +25,7 @@ class Lists(ConsoleTest):
                          [preset["name"] for preset in programs])
         self.assertEqual([preset["program"] for preset in programs], list(range(len(files))))
 
-    def test_the_level_at_which_a_preset_is_as_loud_as_the_factorys_does_not_depend_on_its_own(self):
+    def test_the_matching_level_of_a_preset_does_not_depend_on_its_own_level(self):
         wok = next(p for p in self.json("presets") if p["name"] == "Wok")
         own = self.json("presets", "wok")
         self.assertLess(abs(own["matching_level_db"] - own["level_db"]), 1)
@@ -36,22 +36,22 @@ class Lists(ConsoleTest):
         said = self.succeed("presets", "wok").stdout
         self.assertIn(f" {own['matching_level_db']:.1f} dB;", said)
 
-    def test_the_level_of_a_preset_is_found_with_its_room(self):
+    def test_the_matching_level_of_a_preset_includes_its_room(self):
         wok = next(p for p in self.json("presets") if p["name"] == "Wok")
         dry = self.json("presets", "wok")["matching_level_db"]
         wok["parameters"]["room"] = 100
         roomy = self.json("presets", self.write("roomy.json", json.dumps(wok)))
         self.assertLess(roomy["matching_level_db"], dry - 0.5)
 
-    def test_presets_that_have_no_level_to_find_are_refused(self):
+    def test_presets_without_a_matching_level_are_refused(self):
         self.refuse("presets", "Thrown Shells", naming="Thrown Shells", saying="scene")
         wok = next(p for p in self.json("presets") if p["name"] == "Wok")
         wok["mutedModes"] = {"all": list(range(1000))}
-        wok["parameters"]["radiation"] = 0  # from afar the click of the whole body sounds
+        wok["parameters"]["radiation"] = 0  # otherwise the click of the whole body sounds
         self.refuse("presets", self.write("muted.json", json.dumps(wok)),
                     naming="muted.json", saying="silent")
 
-    def test_presets_are_told_with_all_that_a_preset_file_holds(self):
+    def test_presets_are_listed_with_all_members_of_a_preset_file(self):
         presets = self.json("presets")
         self.assertEqual(presets[0]["name"], "Rosewood Xylophone")
         self.assertEqual({p["keyMap"]["kind"] for p in presets}, {"bars", "zones", "scaled", "scene"})
@@ -61,7 +61,7 @@ class Lists(ConsoleTest):
             self.assertIn(preset["description"], " ".join(text.split()))
             self.assertEqual(preset["format"], "idiophone-preset")
 
-    def test_materials_are_told_with_figures_and_sources(self):
+    def test_materials_are_listed_with_figures_and_sources(self):
         materials = self.json("materials")
         text = self.succeed("materials").stdout
         steel = next(m for m in materials if m["name"] == "Steel")
@@ -79,10 +79,10 @@ class Lists(ConsoleTest):
         for listing in (("materials",), ("materials", "--sources"), ("parameters",), ("presets",),
                         ("scenes",)):
             lines = self.succeed(*listing).stdout.splitlines()
-            settings = str(self.folder)  # where materials of one's own go, however long
+            settings = str(self.folder)  # the folder of user materials; its path may be long
             self.assertLessEqual(max(len(line) for line in lines if settings not in line), 80)
 
-    def test_figures_of_materials_stand_under_their_heading(self):
+    def test_figures_of_materials_align_with_their_heading(self):
         lines = self.succeed("materials").stdout.splitlines()
         materials = self.json("materials")
         ends = [match.end() for match in re.finditer(r"\S+", lines[1])]
@@ -93,14 +93,14 @@ class Lists(ConsoleTest):
             self.assertAlmostEqual(shown[0] / material["density_kg_per_m3"], 1, delta=1e-4)
             self.assertAlmostEqual(shown[-4], material["viscoelastic_damping_s"] * 1e6, delta=1e-4)
 
-    def test_sources_are_told_where_they_are_asked_for(self):
+    def test_sources_are_listed_on_request(self):
         plain, sourced = (self.succeed("materials", *options).stdout
                           for options in ((), ("--sources",)))
         self.assertNotIn("handbook", plain)
         for material in self.json("materials"):
             self.assertEqual(self.words(material["source"]) - self.words(sourced), set())
 
-    def test_materials_are_told_with_decay_times_of_their_damping_law(self):
+    def test_materials_are_listed_with_decay_times_of_their_damping_law(self):
         for material in self.json("materials"):
             for hz in (440, 1000, 4000):
                 omega = 2 * math.pi * hz
@@ -109,7 +109,7 @@ class Lists(ConsoleTest):
                 self.assertAlmostEqual(
                     material["t60_s"][str(hz)] * damping / (2 * math.log(1000)), 1, places=9)
 
-    def test_a_material_told_as_json_is_read_back_and_checked(self):
+    def test_a_material_listed_as_json_is_read_back_and_checked(self):
         bronze = next(m for m in self.json("materials") if m["name"] == "Bell bronze")
         file = self.write("bronze.json", json.dumps(bronze))
         self.assertEqual(self.json("materials", file), bronze)
@@ -119,7 +119,7 @@ class Lists(ConsoleTest):
             self.assertIn(figure, text)
         self.assertEqual(self.words(bronze["source"]) - self.words(text), set())
 
-    def test_a_material_told_as_json_is_one_that_objects_can_be_made_of(self):
+    def test_a_material_listed_as_json_can_be_used_for_objects(self):
         told = self.write("told.json", self.succeed("materials", "bell bronze", "--json").stdout)
         report = self.json("strike", OBJECTS / "plate.modal", "--material", told, "-o", self.folder / "bar.wav")
         self.assertEqual(report["material"], "Bell bronze")
@@ -140,7 +140,7 @@ class Lists(ConsoleTest):
                                         "(line 1, column 2)\n")
         self.assertEqual(self.json("materials", "jade")["name"], "Jade")
 
-    def test_parameters_are_told_with_units_ranges_and_defaults(self):
+    def test_parameters_are_listed_with_units_ranges_and_defaults(self):
         parameters = self.json("parameters")
         text = self.succeed("parameters").stdout
         tau = next(p for p in parameters if p["id"] == "tau")

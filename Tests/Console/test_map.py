@@ -7,7 +7,7 @@ BAR = OBJECTS / "xylophone-72.modal"
 
 
 def read_ply(path):
-    """The vertices of a text PLY file, a dictionary each, and how many faces it promises."""
+    """Returns the vertices of a text PLY file as dictionaries, and the face count of its header."""
     lines = path.read_text().splitlines()
     names, faces, at_faces = [], 0, False
     for number, line in enumerate(lines):
@@ -55,18 +55,18 @@ class ToneMap(ConsoleTest):
         self.assertGreater(brightness(0.5516), 1.2 * brightness(0))
 
     @unittest.skipUnless(hasattr(os, "wait4"), "figures of POSIX")
-    def test_modes_that_are_all_near_take_no_memory_for_each_two(self):
+    def test_close_modes_take_no_memory_for_each_pair(self):
         crowd = self.write("crowd.modal", many_modes(12000))
         most, code = most_memory_bytes("map", crowd, "-o", self.folder / "crowd.ply")
         self.assertEqual(code, 0)
-        self.assertLess(most, 1e9)  # 72 million pairs of 24 bytes are more
+        self.assertLess(most, 1e9)  # 72 million pairs of 24 bytes would take more
 
-    def test_people_are_told_the_range(self):
+    def test_the_range_is_reported(self):
         text = self.succeed("map", BAR, "-o", self.folder / "bar.ply").stdout
         for word in ("bar.ply", "darkest", "brightest", "Hz", "vertex"):
             self.assertIn(word, text)
 
-    def test_what_cannot_be_done_gets_one_sentence(self):
+    def test_impossible_requests_get_one_sentence(self):
         self.refuse("map", self.folder / "no.modal", "-o", self.folder / "a.ply",
                     naming="no.modal", saying="cannot be opened")
         self.refuse("map", BAR, "-o", self.folder / "a.obj", naming="a.obj", saying=".ply")

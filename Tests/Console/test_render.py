@@ -16,7 +16,7 @@ class Render(ConsoleTest):
         return self.write(name, midi_file(*tracks, **how))
 
     def chords(self):
-        """Chords, a repeated note, a pedal and a bend, at times on no grid."""
+        """Returns chords, a repeated note, a pedal and a bend, at times off the grid."""
         events = [(0, bytes([0xB0, 64, 127]))]
         for i, ticks in enumerate((0, 131, 307, 310, 733, 1201)):
             events += note(ticks, 72 + 3 * i, 40 + 14 * i, 97) + note(ticks, 79 + 2 * i, 90, 97)
@@ -34,12 +34,12 @@ class Render(ConsoleTest):
                 with self.subTest(preset=preset, block_size=size):
                     self.assertEqual(output.read_bytes(), expected.read_bytes())
 
-    def test_a_room_rings_on_to_its_end_in_any_block_size(self):
+    def test_the_room_decays_fully_in_any_block_size(self):
         song = self.song([tempo(0, 500000)] + note(0, 84, 127))
         dry, _ = self.render(song)
         room = ("--set", "room=100", "--set", "room_decay=2")
         wet, expected = self.render(song, *room, name="480.wav")
-        # To -100 dB from where it is at the dry sound's end.
+        # The decay to -100 dB from the level at the dry sound's end.
         self.assertGreater(wet["seconds"], dry["seconds"] + 1)
         self.assertLess(wet["seconds"], dry["seconds"] + 2 * 100 / 60 + 0.5)
         for size in (7, 4096):
@@ -68,7 +68,7 @@ class Render(ConsoleTest):
         first, second = (self.render(song, name=f"{i}.wav")[1] for i in range(2))
         self.assertEqual(first.read_bytes(), second.read_bytes())
 
-    def test_a_note_sounds_from_its_sample_on_until_silence(self):
+    def test_a_note_sounds_from_its_sample_until_silence(self):
         song = self.song([tempo(0, 500000)] + note(337, 72, 127))
         for rate in (44100, 48000):
             _, output = self.render(song, "--sample-rate", rate)
@@ -92,7 +92,7 @@ class Render(ConsoleTest):
         loudest = max(map(abs, first))
         self.assertLess(max(abs(a - b) for a, b in zip(first, second)), 4e-3 * loudest)
 
-    def test_a_bad_tuning_is_one_sentence(self):
+    def test_a_bad_tuning_gets_one_sentence(self):
         song = self.song([tempo(0, 500000)] + note(0, 81, 100))
         bad = self.write("bad.scl", b"title\n3\n3/2\n")
         failed = run("render", "--preset", XYLOPHONE, "--midi", song, "-o",
@@ -100,7 +100,7 @@ class Render(ConsoleTest):
         self.assertNotEqual(failed.returncode, 0)
         self.assertIn("bad.scl ends before note 2 of its 3.", failed.stderr)
 
-    def test_radiation_parts_the_channels_and_no_width_joins_them(self):
+    def test_radiation_separates_the_channels_and_zero_width_joins_them(self):
         song = self.song([tempo(0, 500000)] + note(0, 72, 127))
 
         def channels(*settings):
@@ -129,7 +129,7 @@ class Render(ConsoleTest):
         self.assertGreater(short.peak(), 1e-4)
         self.assertAlmostEqual(len(long) - len(short), 1.5 * long.rate, delta=0.05 * long.rate)
 
-    def test_pressure_at_the_time_of_a_key_is_that_keys(self):
+    def test_pressure_at_the_time_of_a_key_applies_to_that_key(self):
         def level(*pressures):
             events = [(ticks, bytes([0xD0, 10])) for ticks in pressures]
             song = self.song(events + note(0, 60, 127, 960))
@@ -146,14 +146,14 @@ class Render(ConsoleTest):
         plain = self.song([tempo(0, 500000)] + fast, name="plain.mid")
         self.assert_same_sound(with_map, plain)
 
-    def test_a_tempo_without_its_bytes_is_none(self):
+    def test_a_tempo_without_its_bytes_is_ignored(self):
         notes = note(0, 72) + note(480, 84)
         plain = self.song(notes, name="plain.mid")
         text = (0, b"\xff\x01\x28" + b"\x01\x86\xa0" * 13 + b"x")
         for cut in (b"\xff\x51\x00", b"\xff\x51\x02\x01\x86"):
             self.assert_same_sound(self.song([text, (0, cut)] + notes), plain)
 
-    def test_chunks_that_are_no_tracks_are_nobodys(self):
+    def test_chunks_that_are_not_tracks_are_skipped(self):
         plain = self.song(note(0, 72), note(480, 76), name="plain.mid")
         song, foreign = plain.read_bytes(), b"XFIH\0\0\0\5words"
         first, second = song.index(b"MTrk"), song.rindex(b"MTrk")
@@ -166,7 +166,7 @@ class Render(ConsoleTest):
             self.refuse("render", "--preset", XYLOPHONE, "--midi", self.write("cut.mid", cut),
                         "-o", self.folder / "cut.wav", naming="cut.mid")
 
-    def test_a_file_that_is_rendered_again_keeps_its_permissions(self):
+    def test_a_file_rendered_again_keeps_its_permissions(self):
         output = self.render(self.song(note(0, 72)), "--seconds", 0.1)[1]
         output.chmod(0o640)
         self.render(self.song(note(0, 84)), "--seconds", 0.1)
@@ -175,7 +175,7 @@ class Render(ConsoleTest):
     def test_smpte_time_is_followed(self):
         beats = self.song([tempo(0, 500000)] + note(0, 72, length=48) + note(96, 84, length=48),
                           division=480)
-        # 25 frames of 40 ticks make 1000 ticks a second.
+        # 25 frames of 40 ticks are 1000 ticks a second.
         frames = self.song(note(0, 72, length=50) + note(100, 84, length=50), name="smpte.mid",
                            division=-25 * 256 + 40)
         self.assert_same_sound(beats, frames)
@@ -186,7 +186,7 @@ class Render(ConsoleTest):
         tracks = self.song([tempo(0, 500000)], one, other, name="tracks.mid")
         self.assert_same_sound(merged, tracks)
 
-    def test_what_comes_at_one_time_keeps_its_tracks_order(self):
+    def test_simultaneous_events_keep_the_order_of_their_track(self):
         def rings(*tracks):
             song = self.song([tempo(0, 500000)], *tracks)
             report, _ = self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
@@ -200,7 +200,7 @@ class Render(ConsoleTest):
         key = note(0, 72, length=480)
         self.assertLess(rings(key + pedal(127)), 0.8)
         self.assertGreater(rings(pedal(127) + key), 1)
-        # Those of other tracks come before notes.
+        # Messages of other tracks come before notes.
         self.assertGreater(rings(key, pedal(127)), 1)
 
     def test_a_key_struck_again_as_it_is_released_is_down(self):
@@ -209,14 +209,14 @@ class Render(ConsoleTest):
         self.assert_same_sound(self.song(repeated), self.song(upside_down, name="b.mid"),
                                preset="Singing Xylophone")
 
-    def test_every_key_struck_again_beside_another_one_is_down(self):
+    def test_keys_struck_again_beside_another_key_are_down(self):
         ends = note(0, 72, length=480) + note(0, 76, length=480)
         begins = note(480, 74, length=480) + note(480, 76, length=480)
         tidy = self.song(ends + begins)
         begins_first = self.song(ends[::2] + begins + ends[1::2], name="b.mid")
         self.assert_same_sound(tidy, begins_first, preset="Singing Xylophone")
 
-    def test_a_note_without_length_is_over(self):
+    def test_a_note_without_length_ends(self):
         for others in ([], note(0, 74, length=480), note(240, 76, length=0)):
             song = self.song([tempo(0, 500000)] + others[:1] + note(0, 76, length=0) + others[1:])
             report, _ = self.render(song, "--set", "let_ring=off", "--set", "release=0.05",
@@ -229,7 +229,7 @@ class Render(ConsoleTest):
                  for i, song in enumerate((one, other))]
         self.assertEqual(waves[0], waves[1])
 
-    def test_statistics_are_those_of_the_file(self):
+    def test_statistics_match_the_file(self):
         statistics = self.folder / "stats.json"
         report, output = self.render(self.song(self.chords()), "--stats", statistics)
         wave, stats = Wave(output), json.loads(statistics.read_text())
@@ -242,7 +242,7 @@ class Render(ConsoleTest):
         self.assertGreater(stats["modes_mixed_max"], stats["modes_mixed_mean"])
         self.assertGreater(stats["cpu_share"], 0)
 
-    def test_the_budget_bounds_the_modes_mixed(self):
+    def test_the_budget_limits_the_modes_mixed(self):
         song = self.song(sum((note(0, 72 + i, 127) for i in range(0, 36, 4)), []))
         report, _ = self.render(song, "--set", "budget=50", "--set", "tau=0.001")
         self.assertGreater(report["modes_mixed_max"], 25)
@@ -254,7 +254,7 @@ class Render(ConsoleTest):
                  for level in ("-20 dB", "-14")]
         self.assertAlmostEqual(peaks[1] / peaks[0], 10 ** 0.3, places=4)
 
-    def test_length_is_as_asked_whatever_plays(self):
+    def test_the_length_is_as_requested(self):
         song = self.song(note(0, 72) + note(4800, 74))
         for seconds in (0.25, 12):
             report, output = self.render(song, "--seconds", seconds)
@@ -262,13 +262,13 @@ class Render(ConsoleTest):
             self.assertEqual(report["strikes"], 1 if seconds < 1 else 2)
 
     def warnings(self, song, *options, preset=XYLOPHONE):
-        """What a render of half a second says on standard error, and its file."""
+        """Renders half a second; returns the text on standard error and the file."""
         output = self.folder / "warned.wav"
         stderr = self.succeed("render", "--preset", preset, "--midi", song, "-o", output,
                               "--seconds", 0.5, *options).stderr
         return stderr, output.read_bytes()
 
-    def test_a_figure_makes_its_material_custom_with_the_other_figures_of_what_was_chosen(self):
+    def test_a_figure_makes_the_material_custom_and_keeps_the_other_figures(self):
         song = self.song(note(0, 72, 127))
 
         def sound(*settings):
@@ -294,9 +294,9 @@ class Render(ConsoleTest):
                              for mass in ((), ["mallet_mass=25"], ["mallet_mass=250"]))
         loudest = max(map(abs, own))
         self.assertLess(max(abs(a - b) for a, b in zip(own, light)), 1e-4 * loudest)
-        self.assertGreater(max(map(abs, heavy)), 1.05 * loudest)  # the bar's own mass bounds it
+        self.assertGreater(max(map(abs, heavy)), 1.05 * loudest)  # limited by the bar's mass
 
-    def test_what_cannot_act_is_named_and_has_no_effect(self):
+    def test_parameters_without_effect_are_named(self):
         plate, dice = "Steel Plate", "Dice on Rosewood"
         strike = ("contact=Strike",)
         for preset, setting, elsewhere in (
@@ -342,11 +342,11 @@ class Render(ConsoleTest):
             self.assertEqual("--set release has no effect" in said, not acts, preset)
             self.assertEqual(heard != without, acts, preset)
 
-    def test_what_happens_anyway_is_not_warned_of(self):
+    def test_setting_a_default_gives_no_warning(self):
         song = self.song(note(0, 72))
         self.assertEqual(self.warnings(song, "--set", "motor_sync=Free")[0], "")
 
-    def test_a_scale_that_keys_cannot_follow_is_warned_of(self):
+    def test_a_scale_that_keys_cannot_follow_gives_a_warning(self):
         song = self.song(note(0, 72))
         scale = self.write("half.scl", b"Half\n2\n600.\n2/1\n")
         said, heard = self.warnings(song, "--scale", scale, preset="Steel Plate")
@@ -360,7 +360,7 @@ class Render(ConsoleTest):
         self.assertIn("2 of 4 notes are no key of 'Rosewood Xylophone', which plays 21 to 108", said)
         self.assertEqual(self.warnings(self.song(note(0, 21) + note(10, 108)))[0], "")
 
-    def test_notes_off_the_keyboard_are_warned_of(self):
+    def test_notes_off_the_keyboard_give_a_warning(self):
         song = self.song(note(0, 20) + note(480, 120))
         output = self.folder / "out.wav"
         result = run("render", "--preset", XYLOPHONE, "--midi", song, "-o", output)
@@ -370,7 +370,7 @@ class Render(ConsoleTest):
         self.assertIn("21 to 108", result.stderr)
         self.assertEqual(Wave(output).peak(), 0)
 
-    def test_a_preset_file_plays_as_the_preset_does(self):
+    def test_a_preset_file_plays_like_the_preset(self):
         preset = next(p for p in self.json("presets") if p["name"] == "Steel Plate")
         file = self.write("mine.json", json.dumps(preset))
         song = self.song(note(0, 60))
@@ -389,7 +389,7 @@ class Render(ConsoleTest):
                         for i, p in enumerate((file, "Steel Plate")))
         self.assertEqual(own, factory)
 
-    def test_unknown_parameters_of_a_preset_are_warned_of(self):
+    def test_unknown_parameters_of_a_preset_give_a_warning(self):
         preset = self.json("presets")[0]
         preset["parameters"]["from_the_future"] = 1
         file = self.write("mine.json", json.dumps(preset))

@@ -17,7 +17,7 @@ BALL = {
 
 
 def loudest(samples, band, rate=48000):
-    """Of the spectrum within a band in Hz, in dB, under a Hann window."""
+    """Returns the power of the spectrum within a band in Hz, in dB, under a Hann window."""
     count = len(samples)
     windowed = [x * (1 - math.cos(2 * math.pi * k / count)) for k, x in enumerate(samples)]
     levels = []
@@ -38,7 +38,7 @@ class Scenes(ConsoleTest):
         output = self.folder / name
         return self.json("scene", scene, "-o", output, *options), Wave(output)
 
-    def test_parameters_of_keys_are_said_to_have_no_effect(self):
+    def test_parameters_of_keys_are_reported_to_have_no_effect(self):
         out = ("-o", self.folder / "out.wav", "--seconds", 0.1)
         said = self.succeed("scene", self.scene(), *out, "--set", "mallet_mass=30", "--set",
                             "bend_range=4", "--set", "tau=1").stderr
@@ -46,14 +46,14 @@ class Scenes(ConsoleTest):
         self.assertIn("--set mallet_mass has", said)
         self.assertIn("--set bend_range has", said)
 
-    def test_they_are_said_so_where_no_body_is_heard_too(self):
+    def test_parameters_of_keys_are_also_reported_if_no_body_is_heard(self):
         silent = self.scene(kinds=[BALL["kinds"][1]], bodies=[BALL["bodies"][1]])
         said = self.succeed("scene", silent, "-o", self.folder / "out.wav", "--seconds", 0.1,
                             "--set", "bend_range=4", "--set", "gamma=5").stderr
         self.assertIn("--set bend_range has no effect", said)
         self.assertEqual(said.count("has no effect"), 1)
 
-    def test_a_figure_leaves_bodies_of_several_materials_as_they_are(self):
+    def test_a_figure_does_not_change_bodies_of_several_materials(self):
         sounds = []
         for settings, warned in (((), 0), (("gamma=50", "young=20"), 2),
                                  (("gamma=50", "material=Glass"), 0), (("material=Glass",), 0)):
@@ -73,9 +73,9 @@ class Scenes(ConsoleTest):
         for scene in scenes:
             self.assertIn(scene["description"], " ".join(text.split()))
 
-    def test_a_ball_falls_on_a_plate_and_is_heard_when_it_does(self):
+    def test_a_ball_that_falls_on_a_plate_sounds_at_the_impact(self):
         report, wave = self.perform(self.scene())
-        # From 20 cm above the plate, whose top is at 1.5 mm.
+        # It falls from 20 cm above the plate, whose top is at 1.5 mm.
         onset = next(i for i, x in enumerate(wave.left) if x != 0) / 48000
         self.assertAlmostEqual(onset, (2 * 0.2 / 9.81) ** 0.5, delta=0.003)
         self.assertGreaterEqual(report["impacts"], 4)
@@ -84,7 +84,7 @@ class Scenes(ConsoleTest):
         self.assertGreater(max(report["modes_mixed"]), 50)
         self.assertGreater(report["audio_frames_per_second"], 0)
 
-    def test_a_measured_sphere_sounds_as_the_sphere_does(self):
+    def test_a_measured_sphere_sounds_like_the_modelled_one(self):
         # The ball is left of the listener, who looks along y.
         scene = self.scene(listener={"at": [0.4, -0.2, 0.0], "towards": [0.4, 1, 0.0]})
         for rate in (48000, 44100):
@@ -101,7 +101,7 @@ class Scenes(ConsoleTest):
                       for side in measured.channels]
             self.assertGreater(onsets[1] - onsets[0], 0.0003 * rate)
 
-    def test_what_is_no_head_is_refused_with_a_sentence(self):
+    def test_a_file_that_is_no_head_gets_one_sentence(self):
         scene = self.scene()
         no_head = self.write("-text.sofa", "RIFF and so on")
         huge = self.folder / "huge.sofa"
@@ -115,15 +115,15 @@ class Scenes(ConsoleTest):
             self.refuse("scene", scene, "-o", self.folder / "none.wav", "--head", name,
                         naming=name, saying=sentence)
 
-    def test_the_same_scene_is_the_same_file(self):
+    def test_the_same_scene_gives_the_same_file(self):
         file = self.scene()
         self.assertEqual(self.perform(file)[1].left, self.perform(file, name="again.wav")[1].left)
 
-    def test_what_is_out_of_budget_is_counted(self):
+    def test_modes_beyond_the_budget_are_counted(self):
         report, _ = self.perform(self.scene(), "--set", "budget=16")
         self.assertGreater(max(report["modes_dropped"]), 0)
 
-    def test_impacts_are_written_as_impulses_that_render(self):
+    def test_impacts_are_written_as_a_list_of_impulses_that_renders(self):
         impulses = self.folder / "impacts.jsonl"
         scene = self.scene(kinds=[BALL["kinds"][0],
                                   {"name": "ball", "object": "die", "size": 0.9}])
@@ -134,11 +134,11 @@ class Scenes(ConsoleTest):
         played = self.json("render", "--impulses", impulses, "-o", self.folder / "impacts.wav")
         self.assertEqual(played["strikes"], report["impacts"])
 
-    def test_impulses_name_files_so_that_they_are_found(self):
+    def test_written_impulses_name_their_object_files(self):
         here, there = self.folder / "here", self.folder / "there"
         for folder in here, there:
             folder.mkdir()
-        # Another object by the name of a factory object.
+        # A different object with the name of a factory object.
         (here / "plate.modal").write_bytes((OBJECTS / "die.modal").read_bytes())
         kinds = [BALL["kinds"][0], {"name": "ball", "object": "plate.modal"}]
         scene = here / "scene.json"
@@ -150,24 +150,23 @@ class Scenes(ConsoleTest):
             self.assertEqual({line["object"] for line in lines}, {"plate", name})
             played = self.json("render", "--impulses", impulses, "-o", self.folder / "x.wav")
             self.assertEqual(played["strikes"], report["impacts"])
-        # They move together.
+        # The list and its objects move together.
         moved = here.rename(self.folder / "moved")
         self.succeed("render", "--impulses", moved / "impacts.jsonl", "-o", self.folder / "x.wav")
 
-    def test_the_cylinder_rolls_in_impulses_as_the_paper_tells(self):
+    def test_the_cylinder_rolls_in_impulses_as_in_the_paper(self):
         impulses = self.folder / "impacts.jsonl"
         self.perform("Cylinder off a table", "--impulses", impulses)
         on_table = [line["time"] for line in map(json.loads, impulses.read_text().splitlines())
                     if line["object"] == "long-table"]
-        # From the landing's end until it is at the edge; what follows within a millisecond is
-        # one setting down.
+        # From the end of the landing to the edge. Impulses within a millisecond are one impact.
         set_down = [time for before, time in zip(on_table, on_table[1:])
                     if 0.2 <= time < 1 and time - before > 0.001]
         steps = [later - time for time, later in zip(set_down, set_down[1:])]
         self.assertAlmostEqual(statistics.mean(steps), 0.017, delta=0.002)
         self.assertAlmostEqual(statistics.stdev(steps), 0.010, delta=0.003)
 
-    def test_a_landing_in_the_middle_and_one_at_the_edge_have_other_spectra(self):
+    def test_landings_in_the_middle_and_at_the_edge_have_different_spectra(self):
         scene = json.loads((OBJECTS.parent / "Scenes" / "03-cylinder-off-a-table.json").read_text())
         scene["bodies"][2].update(velocity=[0, 0, 0], spin=[0, 0, 0])
         levels = []
@@ -179,16 +178,16 @@ class Scenes(ConsoleTest):
             levels.append([loudest(left[onset:onset + 9600], band) for band in ((150, 225),
                                                                                 (400, 600))])
         (middle_low, middle_high), (edge_low, edge_high) = levels
-        # The modes that stand still in the middle sound at the edge; others do as they did.
+        # Modes with a node in the middle sound at the edge; other modes sound as before.
         self.assertGreater(edge_low - middle_low, 20)
         self.assertLess(abs(edge_high - middle_high), 6)
 
-    def test_songs_need_something_to_drop(self):
+    def test_a_song_needs_a_scene_that_drops_bodies(self):
         song = self.write("song.mid", "")
         self.refuse("scene", self.scene(), "--midi", song, "-o", self.folder / "x.wav",
                     naming="Ball on a plate", saying="nothing is dropped")
 
-    def test_what_falls_on_notes_alone_asks_for_them(self):
+    def test_a_scene_moved_only_by_notes_asks_for_a_song(self):
         notes = {"notes": {"kind": "ball"}}
         waits = {**notes, "bodies": BALL["bodies"][:1]}
         taps = {**waits, "hand": {"kind": "plate", "tool": "ball", "taps": [[0.01, 0, 0, 0, 1]]}}
@@ -197,19 +196,19 @@ class Scenes(ConsoleTest):
                                 "--seconds", 0.1).stderr
             self.assertEqual("--midi gives" in said, asks)
 
-    def test_bodies_without_end_in_one_place_are_refused(self):
+    def test_too_many_bodies_in_one_place_are_refused(self):
         crowd = [{"kind": "ball", "count": 10000}]
         self.refuse("scene", self.scene(bodies=crowd), "-o", self.folder / "x.wav",
                     naming="Ball on a plate", saying="too many bodies in one place")
 
-    def test_a_peak_beyond_full_scale_is_the_same_in_warning_and_report(self):
+    def test_warning_and_report_give_the_same_peak_beyond_full_scale(self):
         said = self.succeed("scene", self.scene(), "-o", self.folder / "x.wav",
                             "--seconds", 0.5, "--set", "level=24", "--set", "limiter=0")
         told, level = re.search(r"peak of (\S+) dBFS.*level=(\S+)", said.stderr).groups()
         self.assertIn(f"peak {told} dBFS", said.stdout)
         self.assertLessEqual(float(level), 24 - float(told) + 0.05)
 
-    def test_bad_scenes_get_a_sentence(self):
+    def test_bad_scenes_get_one_sentence(self):
         self.refuse("scene", "No such scene", "-o", self.folder / "x.wav",
                     naming="No such scene", saying="'Dice on a xylophone'")
         too_long = 300 * "x"

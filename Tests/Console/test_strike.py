@@ -14,12 +14,13 @@ class Strike(ConsoleTest):
         report = self.json("strike", obj, "-o", output, *options)
         return report, Wave(output)
 
-    def test_the_sound_is_made_of_the_objects_modes(self):
+    def test_the_sound_consists_of_the_objects_modes(self):
         report, wave = self.strike(BAR, "--at", "0,0,0", "--seconds", 0.5)
         modes = {round(m["frequency_hz"], 6) for m in self.json("info", BAR)["modes"]}
         loudest = report["loudest_modes"]
         self.assertEqual(loudest[0]["relative_db"], 0)
-        self.assertAlmostEqual(loudest[0]["frequency_hz"], 523.25, delta=1.2)  # one of two that bar and tube share
+        # One of the two modes that bar and tube share.
+        self.assertAlmostEqual(loudest[0]["frequency_hz"], 523.25, delta=1.2)
         for mode in loudest:
             self.assertIn(round(mode["frequency_hz"], 6), modes)
         fundamental = loudest[0]["frequency_hz"]
@@ -27,7 +28,7 @@ class Strike(ConsoleTest):
             self.assertGreater(wave.level_at(fundamental, 0, 12000),
                                20 * wave.level_at(fundamental * aside, 0, 12000))
 
-    def test_the_loudest_modes_are_as_loud_as_told(self):
+    def test_the_loudest_modes_have_the_reported_levels(self):
         report, wave = self.strike(PLATE, "--seconds", 1, "--set", "hardness=60")
         first, second = report["loudest_modes"][:2]
         told = second["relative_db"]
@@ -35,7 +36,7 @@ class Strike(ConsoleTest):
                                 wave.level_at(first["frequency_hz"], 0, 24000))
         self.assertAlmostEqual(heard, told, delta=1.5)
 
-    def test_a_point_is_the_same_as_the_vertex_there(self):
+    def test_a_point_equals_the_vertex_there(self):
         at_point, _ = self.strike(PLATE, "--at", "0.05,-0.02,0", name="point.wav")
         x, y, z = at_point["point_m"]
         self.assertLess(math.dist((x, y, z), (0.05, -0.02, 0)), 0.01)
@@ -43,7 +44,7 @@ class Strike(ConsoleTest):
         self.assertEqual((self.folder / "point.wav").read_bytes(),
                          (self.folder / "vertex.wav").read_bytes())
 
-    def test_velocity_makes_it_louder_and_brighter(self):
+    def test_velocity_makes_the_sound_louder_and_brighter(self):
         loudest, brightness = [], []
         for velocity in (20, 120):
             report, wave = self.strike(BAR, "--at", "0,0,0", "--velocity", velocity, "--seconds",
@@ -60,11 +61,11 @@ class Strike(ConsoleTest):
         own = self.json("info", PLATE)["material"]
         ratio = math.sqrt(6.2e10 / 2600 * own["density_kg_per_m3"] / own["youngs_modulus_pa"])
         self.assertEqual(glass["material"], "Glass")
-        # The lighter plate takes a shorter blow, so fainter modes come in another order.
+        # The contact on the lighter plate is shorter, so fainter modes come in another order.
         for before, after in list(zip(steel["loudest_modes"], glass["loudest_modes"]))[:3]:
             self.assertAlmostEqual(after["frequency_hz"] / before["frequency_hz"], ratio, places=3)
 
-    def test_files_beside_the_output_stay_whatever_they_are_called(self):
+    def test_files_beside_the_output_stay_under_any_name(self):
         theirs = [self.write(name + ending, "theirs") for name in ("sound.wav", "map.ply")
                   for ending in (".part", ".1.part")]
         before = set(self.folder.iterdir())
@@ -74,7 +75,7 @@ class Strike(ConsoleTest):
         self.assertEqual({path.read_text() for path in theirs}, {"theirs"})
         self.assertEqual(set(self.folder.iterdir()), before | {sound, ply})
 
-    def test_a_material_as_listed_can_be_given_as_a_file(self):
+    def test_a_listed_material_works_as_a_file(self):
         listed = next(m for m in self.json("materials") if m["name"] == "Glass")
         file = self.write("glass.json", json.dumps(listed))
         self.strike(BAR, "--material", file, name="file.wav")
@@ -82,7 +83,7 @@ class Strike(ConsoleTest):
         self.assertEqual((self.folder / "file.wav").read_bytes(),
                          (self.folder / "name.wav").read_bytes())
 
-    def test_a_material_that_nothing_can_be_of_is_refused_with_its_object(self):
+    def test_an_impossible_material_is_refused_with_its_object(self):
         vapour = self.write("vapour.json", json.dumps({
             "name": "vapour", "youngs_modulus_pa": 1e14, "density_kg_per_m3": 1e-3,
             "poisson_ratio": 0.3, "fluid_damping_per_s": 1, "viscoelastic_damping_s": 1e-8,
@@ -110,7 +111,7 @@ class Strike(ConsoleTest):
             for exact, whole in zip(waves[32].left, waves[bits].left):
                 self.assertLess(abs(exact - whole), 0.501 * step)
 
-    def test_rate_and_length_are_as_asked(self):
+    def test_rate_and_length_are_as_requested(self):
         for rate in (8000, 44100, 384000):
             report, wave = self.strike(BAR, "--sample-rate", rate, "--seconds", 0.25)
             self.assertEqual(wave.rate, rate)
@@ -118,24 +119,24 @@ class Strike(ConsoleTest):
             self.assertEqual(len(wave), rate // 4)
             self.assertEqual(report["samples"], len(wave))
 
-    def test_without_a_length_it_ends_with_the_last_sound(self):
+    def test_a_sound_without_a_given_length_ends_at_silence(self):
         _, wave = self.strike(BAR, "--set", "tau=1")
         self.assertNotEqual(wave.left[-1], 0)
         self.assertLess(len(wave), 5 * 48000)
 
-    def test_clipping_is_warned_of(self):
+    def test_clipping_gives_a_warning(self):
         result = self.succeed("strike", BAR, "-o", self.folder / "loud.wav", "--bit-depth", 16,
                               "--set", "level=24", "--set", "limiter=0",
                               "--set", "mallet_mass=500", "--velocity", 127)
         self.assertIn("clipped", result.stderr)
 
-    def test_the_limiter_keeps_a_loud_blow_below_full_scale(self):
+    def test_the_limiter_keeps_a_loud_strike_below_full_scale(self):
         result = self.succeed("strike", BAR, "-o", self.folder / "loud.wav", "--set", "level=24",
                               "--set", "mallet_mass=500", "--velocity", 127, "--seconds", 0.2)
         self.assertEqual(result.stderr, "")
         self.assertLess(Wave(self.folder / "loud.wav").peak(), 10 ** (-0.3 / 20))
 
-    def test_a_peak_beyond_full_scale_is_told_with_the_level_that_avoids_it(self):
+    def test_a_peak_beyond_full_scale_is_reported_with_the_level_that_avoids_it(self):
         loud = ("strike", BAR, "-o", self.folder / "loud.wav", "--set", "mallet_mass=500",
                 "--set", "limiter=0", "--velocity", 127, "--seconds", 0.2)
         said = self.succeed(*loud, "--set", "level=24").stderr
@@ -146,7 +147,7 @@ class Strike(ConsoleTest):
         self.assertLessEqual(Wave(self.folder / "loud.wav").peak(), 1)
         self.assertIn("dBFS", self.succeed(*loud, "--set", f"level={level + 0.2:.1f}").stderr)
 
-    def test_a_point_far_off_the_object_is_warned_of(self):
+    def test_a_point_far_from_the_object_gives_a_warning(self):
         def said(point):
             return self.succeed("strike", PLATE, "-o", self.folder / "a.wav", "--seconds", 0.05,
                                 "--at", point).stderr
@@ -156,7 +157,7 @@ class Strike(ConsoleTest):
         for near in ("0.05,0.02,0", "0.05,0.02,0.003", "0.151,0.1,0"):
             self.assertNotIn("--at", said(near))
 
-    def test_people_are_told_what_was_struck(self):
+    def test_the_report_names_object_point_and_loudest_modes(self):
         text = self.succeed("strike", PLATE, "-o", self.folder / "a.wav", "--vertex", 0).stdout
         for word in ("plate", "vertex 0", "dBFS", "loudest modes", "Hz"):
             self.assertIn(word, text)

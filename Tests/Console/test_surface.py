@@ -11,7 +11,7 @@ RATE = 44100
 
 
 def transform(values):
-    """The sum of values[k] e^(2 pi i k n / N), N a power of two."""
+    """Returns the sums of values[k] e^(2 pi i k n / N), N a power of two."""
     n = len(values)
     if n == 1:
         return values
@@ -21,7 +21,7 @@ def transform(values):
 
 
 def scrape(exponent, frequency, damping, count=1 << 16):
-    """Noise of power ~ f^exponent through a reson in direct form, peak 0.5."""
+    """Returns noise of power ~ f^exponent through a reson filter in direct form, peak 0.5."""
     random.seed(12)
     spectrum = [0j] * count
     for k in range(40, count // 2):
@@ -36,7 +36,7 @@ def scrape(exponent, frequency, damping, count=1 << 16):
 
 
 def riff(*chunks):
-    """A WAV file of (name, content) or (name, content, length promised)."""
+    """Writes a WAV file of chunks (name, content) or (name, content, length in the header)."""
     body = b"WAVE" + b"".join(name + struct.pack("<I", *(promised or [len(content)])) + content
                               for name, content, *promised in chunks)
     return b"RIFF" + struct.pack("<I", len(body)) + body
@@ -48,14 +48,14 @@ def wav_format(kind=3, channels=1, bits=32):
 
 
 def wav(samples, channels=1, frames_promised=None):
-    """A WAV file of 32-bit floats."""
+    """Writes a WAV file of 32-bit floats."""
     data = array.array("f", samples).tobytes()
     size = len(data) if frames_promised is None else 4 * channels * frames_promised
     return riff(wav_format(channels=channels), (b"data", data, size))
 
 
 class Surfaces(ConsoleTest):
-    def test_a_scrape_made_elsewhere_is_fitted_and_saved(self):
+    def test_the_fit_of_a_known_scrape_finds_its_figures_and_saves_them(self):
         recording = self.write("slate.wav", wav(scrape(-1.4, 900, 500)))
         saved = self.folder / "slate surface.json"
         told = self.json("surface", recording, "--speed", 0.4, "-o", saved)
@@ -80,7 +80,7 @@ class Surfaces(ConsoleTest):
         self.assertAlmostEqual(self.json("surface", recording)["reson_frequency_hz"], 2000,
                                delta=100)
 
-    def test_a_scrape_without_a_resonance_is_fitted_within_the_ranges_and_warned_of(self):
+    def test_a_scrape_without_a_resonance_is_fitted_within_the_ranges_with_a_warning(self):
         random.seed(7)
         noise = self.write("noise.wav", wav([random.gauss(0, 0.1) for _ in range(RATE)]))
         result = self.succeed("surface", noise, "--json")
@@ -109,7 +109,7 @@ class Surfaces(ConsoleTest):
                     saying="cannot be opened")
         self.refuse("surface", self.folder, naming=self.folder.name, saying="directory")
 
-    def test_what_else_a_recording_tells_changes_nothing(self):
+    def test_other_chunks_of_a_recording_change_nothing(self):
         sound = b"data", array.array("f", scrape(-1, 900, 500, 1 << 14)).tobytes()
         plain = self.write("a.wav", riff(wav_format(), sound))
         told = self.write("b.wav", riff(wav_format(), (b"LIST", b"INFOINAM\4\0\0\0rock"),
@@ -119,11 +119,11 @@ class Surfaces(ConsoleTest):
             each.pop("name")
         self.assertEqual(*figures)
 
-    def test_recordings_that_lie_about_their_parts_get_one_sentence(self):
+    def test_recordings_with_wrong_chunk_lengths_get_one_sentence(self):
         data = b"data", array.array("f", scrape(-1, 900, 500, 1 << 14)).tobytes()
         for name, content, saying in (
                 ("loops.wav", riff(wav_format(), data, (b"smpl", b"", 2 ** 32 - 1)), "header says"),
-                # A list of texts that JUCE read on for ever.
+                # A list of texts that made JUCE read without end.
                 ("list.wav", riff(wav_format(), data, (b"LIST", b"adtl", 1000)), "header says"),
                 ("bits.wav", riff(wav_format(1, bits=12), data), "12 bits")):
             path = self.write(name, content)

@@ -5,7 +5,7 @@ from console import ConsoleTest, midi_file, note, run
 
 
 def obj_mesh(path):
-    """Points and triangles, numbered from 0."""
+    """Returns points and triangles, with indices from 0."""
     points, faces = [], []
     for line in path.read_text().splitlines():
         kind, *rest = line.split()
@@ -22,19 +22,19 @@ class Tune(ConsoleTest):
         self.succeed("tune", "marimba", "-o", folder, *options)
         return folder
 
-    def test_two_bars_sound_at_their_pitches_and_play_as_a_preset(self):
+    def test_two_tuned_bars_have_their_pitches_and_play_as_a_preset(self):
         folder = self.tuned("--from", "60", "--to", "61", "--a4", "442")
         for key in (60, 61):
             wanted = 442 * 2 ** ((key - 69) / 12)
             modes = self.json("info", folder / f"marimba-{key}.modal")["modes"]
-            heard = (modes[0]["frequency_hz"] + modes[1]["frequency_hz"]) / 2  # bar and tube share both
+            heard = (modes[0]["frequency_hz"] + modes[1]["frequency_hz"]) / 2  # shared with the tube
             self.assertLess(abs(1200 * math.log2(heard / wanted)), 1)
         midi = self.write("note.mid", midi_file(note(0, 60)))
         told = self.json("render", "--preset", folder / "marimba.json", "--midi", midi,
                          "-o", self.folder / "note.wav", "--seconds", "1")
         self.assertGreater(told["peak_dbfs"], -60)
 
-    def test_the_keyboard_is_as_loud_as_the_factorys_wherever_its_folder_lies(self):
+    def test_the_keyboard_is_as_loud_as_the_factorys_in_any_folder(self):
         folder = self.tuned("--from", "60", "--to", "61")
         moved = self.folder / "elsewhere" / "Marimba of maple"
         moved.parent.mkdir()
@@ -47,7 +47,7 @@ class Tune(ConsoleTest):
         self.assertGreater(told["peak_dbfs"], -40)
         self.assertLess(told["peak_dbfs"], -6)
 
-    def test_nothing_is_replaced_unasked(self):
+    def test_existing_files_are_not_replaced_by_default(self):
         options = "--from", "84", "--to", "84"
         folder = self.folder / "bars"
         folder.mkdir()
@@ -64,7 +64,7 @@ class Tune(ConsoleTest):
         self.tuned(*options, "--replace")
         self.assertGreater(len(self.json("info", object)["modes"]), 1)
 
-    def test_the_measures_are_those_of_the_mesh_to_cut(self):
+    def test_the_table_gives_the_measures_of_the_mesh(self):
         folder = self.tuned("--from", "72", "--to", "72")
         with (folder / "marimba.csv").open() as file:
             bar, = csv.DictReader(file)
@@ -81,12 +81,12 @@ class Tune(ConsoleTest):
         self.assertTrue(all(count == 1 and edges.get((b, a)) == 1
                             for (a, b), count in edges.items()), "the surface is closed")
 
-    def test_meshes_alone_are_no_keyboard(self):
+    def test_meshes_only_writes_no_preset(self):
         folder = self.tuned("--from", "84", "--to", "84", "--meshes-only")
         self.assertEqual(sorted(path.name for path in folder.iterdir()),
                          ["marimba-84.obj", "marimba.csv"])
 
-    def test_a_table_stays_until_there_is_another(self):
+    def test_a_failed_run_keeps_the_old_table(self):
         options = "--from", "84", "--to", "84", "--meshes-only"
         table = self.tuned(*options) / "marimba.csv"
         measures = table.read_text()
@@ -106,7 +106,7 @@ class Tune(ConsoleTest):
                             ",".join(map(str, cents)))
         with (folder / "marimba.csv").open() as file:
             bar, = csv.DictReader(file)
-        # E lies 408 cents above a C that makes A, 906 above it, 440 Hz.
+        # C is tuned so that A, 906 cents above it, is 440 Hz. E lies 408 cents above C.
         wanted = 440 * 2 ** ((1200 + 408 - 906) / 1200)
         self.assertLess(abs(1200 * math.log2(float(bar["frequency_hz"]) / wanted)), 1)
 
@@ -118,7 +118,7 @@ class Tune(ConsoleTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn(f"{folder / 'marimba.json'}: ", result.stderr)
 
-    def test_what_cannot_be_tuned_gets_one_sentence(self):
+    def test_impossible_tunings_get_one_sentence(self):
         folder = self.folder / "bars"
         self.refuse("tune", "marimba", "-o", folder, "--from", "70", "--to", "60",
                     naming="--to", saying="lower than --from")

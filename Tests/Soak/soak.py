@@ -2,15 +2,15 @@
 """Runs long searches for faults: each fuzz target for SOAK_SECONDS (default: an hour), and a day of
 random music, or the same fraction of a day.
 
-build/soak keeps results between calls: log.tsv with a line for each run, the inputs that each target
-has found, and the inputs that failed. A run is cut into slices, so that a call that ends early loses
-minutes at most. The next call continues where this one stopped. When every program has had its time,
-it begins another round.
+build/soak keeps results between calls: log.tsv with a line for each run, the inputs that each
+target has found, and the inputs that failed. A run is cut into slices, so that a call that ends
+early loses minutes at most. The next call continues where this one stopped. When every program has
+had its time, it begins another round.
 
     soak.py [PROGRAM...]    all programs, or only those named ("music", "preset", "mesh_ply")
 
-A run of a fuzz target is one input; a run of the music is one hour of it. Seconds are processor time, so
-that other work on the machine does not count.
+A run of a fuzz target is one input; a run of the music is one hour of it. Seconds are processor
+time, so that other work on the machine does not count.
 """
 import datetime
 import os
@@ -44,7 +44,8 @@ class Total(typing.NamedTuple):
 
 
 class FuzzTarget:
-    """A libFuzzer program of Tests/Fuzz, built in the preset `fuzz`. Its rounds are counted in seconds.
+    """A libFuzzer program of Tests/Fuzz, built in the preset `fuzz`. Its rounds are counted in
+    seconds.
 
     One slice of three tries inputs of up to `longest` bytes, more than the readers of presets,
     materials, tunings and scenes allow. In the others libFuzzer chooses the length: at most 4096
@@ -71,15 +72,15 @@ class FuzzTarget:
         return seconds
 
     def run(self, seconds, before):
-        """Tries inputs after `before` seconds in earlier slices and calls, and returns a Run. Its finding
-        is the input that failed, or the output that says why nothing ran."""
+        """Tries inputs after `before` seconds in earlier slices and calls, and returns a Run. Its
+        finding is the input that failed, or the output that says why nothing ran."""
         grown, findings = KEPT / "corpus" / self.name, KEPT / "findings"
         for folder in (grown, findings):
             folder.mkdir(parents=True, exist_ok=True)
         dictionary = ROOT / f"Tests/Fuzz/dictionaries/{self.name}.dict"
         output = KEPT / f"{self.name}.txt"
         with output.open("wb") as file:
-            # A session of its own, so that only this script gets a signal to stop, and passes it on.
+            # Its own session, so that only this script gets a stop signal, and passes it on.
             process = subprocess.Popen(
                 [self.program, f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048",
                  "-print_final_stats=1", f"-artifact_prefix={findings}/{self.name}-",
