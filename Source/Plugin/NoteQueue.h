@@ -1,4 +1,4 @@
-// Notes from the on-screen keyboard to the audio thread.
+// Hands notes from the on-screen keyboard to the audio thread.
 #pragma once
 
 #include "Instrument/Player.h"

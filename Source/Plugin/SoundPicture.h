@@ -51,7 +51,7 @@ private:
     std::vector<bool> isOfOneKey;
     std::vector<std::int32_t> modesOfSlot;
 
-    // Of the slot shown.
+    // State of the slot shown.
     std::shared_ptr<const ModalObject> object;
     std::string key;                       ///< its key in mode sets
     std::vector<double> weights;           ///< [M] mean-square shapes

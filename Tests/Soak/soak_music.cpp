@@ -27,7 +27,7 @@ namespace {
 
 constexpr double hourSeconds = 3600;
 constexpr double farthestDb = 0.0001;
-constexpr double farthestTremolo = 0.1; // of a rolling noise, in ten seconds
+constexpr double farthestTremolo = 0.1; // a roll of ten seconds is noisy
 
 /// Returns resident memory, without pages that the allocator can give back.
 double residentMebibytes() {
