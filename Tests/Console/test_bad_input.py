@@ -50,7 +50,7 @@ class BadMeshes(ConsoleTest):
         self.refuse_mesh("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")
         self.refuse_mesh("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
 
-    def test_a_million_triangle_soup(self):
+    def test_a_million_loose_triangles_are_refused(self):
         random.seed(1)
         count = 10 ** 6
         corners = array.array("f", (random.random() for _ in range(9 * 1000))).tobytes()
@@ -62,7 +62,7 @@ class BadMeshes(ConsoleTest):
             struct.pack_into("<f", soup, 84 + 50 * i + 12, i * 1e-6)
         self.refuse_mesh("soup.stl", bytes(soup), saying="vertices")
 
-    def test_random_bytes(self):
+    def test_random_bytes_are_refused(self):
         random.seed(2)
         for ending in ("obj", "off", "ply", "stl"):
             for size in (1, 84, 1000):
@@ -281,7 +281,7 @@ class Terminals(ConsoleTest):
         self.assertIn(saying, said)
         return result
 
-    def test_objects(self):
+    def test_texts_of_objects_reach_no_terminal_as_commands(self):
         header, data = modal_parts(BAR.read_bytes())
         metadata = header["__metadata__"]
         for part, member in (("material", "name"), ("provenance", "source"),
@@ -293,7 +293,7 @@ class Terminals(ConsoleTest):
         told = self.check("info", path, "--json", saying="[31mred", code=0)
         self.assertEqual(json.loads(told.stdout)["name"], self.HOSTILE)
 
-    def test_presets(self):
+    def test_texts_of_presets_reach_no_terminal_as_commands(self):
         preset = self.json("presets")[0]
         preset["parameters"][self.HOSTILE] = 1
         out = ("-o", self.folder / "out.wav", "--seconds", 0.1)
@@ -308,7 +308,7 @@ class Terminals(ConsoleTest):
         self.refuse("render", "--preset", path, "--midi", song, *out, naming="hostile.json",
                     saying="keyMap.object is longer than 4096 bytes")
 
-    def test_scenes_and_what_is_typed(self):
+    def test_texts_of_scenes_and_arguments_reach_no_terminal_as_commands(self):
         scene = {"format": "idiophone-scene", "version": 1, "name": self.HOSTILE,
                  "kinds": [{"name": "ball", "object": "ring"}], "bodies": [{"kind": "ball"}]}
         song = self.write("song.mid", midi_file(note(0, 72)))
@@ -321,7 +321,7 @@ class Terminals(ConsoleTest):
 class SmallFilesThatAreLarge(ConsoleTest):
     """Small files cannot ask for more modes than can be played."""
 
-    def test_scenes(self):
+    def test_scenes_with_too_many_modes_are_refused(self):
         self.write("many.modal", many_modes(65536))
         scene = {"format": "idiophone-scene", "version": 1, "name": "Crowd",
                  "kinds": [{"name": "bar", "object": "many.modal"}], "seconds": 0.01,
@@ -330,7 +330,7 @@ class SmallFilesThatAreLarge(ConsoleTest):
                     self.folder / "out.wav", naming="Crowd",
                     saying="2162688 modes on all bodies together")
 
-    def test_impulses(self):
+    def test_impulses_on_bodies_with_too_many_modes_are_refused(self):
         self.write("many.modal", many_modes(65536))
         lines = "".join(json.dumps({"time": 0, "object": "many.modal", "body": body, "vertex": 0,
                                     "impulse": [0, 0, 0.001]}) + "\n" for body in range(33))
@@ -486,22 +486,22 @@ class FullDisks(ConsoleTest):
                         largest_file_bytes=len(written) - missing)
             self.assertEqual(output.read_bytes(), written, "what was there stays")
 
-    def test_sound(self):
+    def test_a_full_disk_leaves_the_old_sound(self):
         strike = ("strike", BAR, "--seconds", 0.1)
         for bits in (16, 24, 32):
             self.refuse_last_bytes("bar.wav", *strike, "--bit-depth", bits)
 
-    def test_objects(self):
+    def test_a_full_disk_leaves_the_old_object(self):
         mesh = self.folder / "bar.obj"
         self.succeed("mesh", "bar", "--vertices", 60, "-o", mesh)
         self.refuse_last_bytes("bar.modal", "analyse", mesh)
 
-    def test_meshes(self):
+    def test_a_full_disk_leaves_the_old_mesh(self):
         self.refuse_last_bytes("bar.obj", "mesh", "bar")
         self.refuse_last_bytes("map.ply", "map", BAR)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "no device that is always full")
-    def test_the_standard_output(self):
+    def test_a_full_standard_output_is_an_error(self):
         with open("/dev/full", "w") as full:
             result = subprocess.run([PROGRAM, "presets"], stdout=full, stderr=subprocess.PIPE,
                                     text=True)

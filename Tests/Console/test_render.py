@@ -342,7 +342,7 @@ class Render(ConsoleTest):
             self.assertEqual("--set release has no effect" in said, not acts, preset)
             self.assertEqual(heard != without, acts, preset)
 
-    def test_setting_a_default_gives_no_warning(self):
+    def test_a_free_motor_sync_gives_no_warning(self):
         song = self.song(note(0, 72))
         self.assertEqual(self.warnings(song, "--set", "motor_sync=Free")[0], "")
 
