@@ -18,7 +18,7 @@ BoxTree::BoxTree(const Mesh& mesh) {
         build(faces, boxes);
 }
 
-/// A node, and behind it all that is below it.
+/// Appends a node for these faces, then all nodes below it.
 void BoxTree::build(std::span<std::size_t> faces, std::span<const Eigen::AlignedBox3d> boxes) {
     Node node;
     Eigen::AlignedBox3d middles;
@@ -44,7 +44,7 @@ void BoxTree::build(std::span<std::size_t> faces, std::span<const Eigen::Aligned
 
 std::optional<BoxSearch> BoxTree::touchingFaces(const BoxSearch& most) const {
     BoxSearch done;
-    // In the tree's order, so that each looks at much the same as the one before.
+    // Takes leaves in tree order, so that consecutive searches visit much the same nodes.
     for (const auto& own : allNodes) {
         if (!own.isLeaf)
             continue;
@@ -56,7 +56,7 @@ std::optional<BoxSearch> BoxTree::touchingFaces(const BoxSearch& most) const {
                 next = node.after;
                 continue;
             }
-            // Each pair is met from both sides, and counted from one.
+            // The search meets each pair twice. Count it once.
             if (node.isLeaf && node.face > own.face && ++done.pairs > most.pairs)
                 return std::nullopt;
             ++next;

@@ -1,4 +1,5 @@
-// A tree of boxes around the faces of a mesh, and how near each other they tell that the faces are.
+// A tree of bounding boxes around the faces of a mesh. It counts faces that are close to each
+// other.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -11,33 +12,32 @@
 
 namespace idiophone {
 
-/// What it takes to look for each face's neighbours in the tree.
+/// The cost of a search for each face's neighbours in the tree.
 struct BoxSearch {
-    std::size_t pairs = 0; ///< of faces whose bounding boxes overlap or touch
-    std::size_t boxes = 0; ///< looked at; sound meshes have under a hundred a face
+    std::size_t pairs = 0; ///< pairs of faces whose bounding boxes overlap or touch
+    std::size_t boxes = 0; ///< visited boxes; good meshes need fewer than 100 per face
 };
 
-/// Halves the faces across the axis along which their middles lie farthest apart. The trees of
-/// libigl, CGAL, Eigen and Bullet go by the boxes' own lengths, by each axis in turn or by the mean
-/// of their middles, and so tell some faces apart late or not at all.
+/// Each node halves its faces along the axis on which the box centres spread most. libigl, CGAL,
+/// Eigen and Bullet split by box sizes, by alternating axes or by the mean of the centres. Such
+/// trees separate some faces late or never.
 class BoxTree {
 public:
-    /// What is below a node stands right behind it.
+    /// A node's descendants follow it directly.
     struct Node {
         Eigen::AlignedBox3d box;
-        std::size_t after = 0; ///< the first node that is not below this one
-        std::size_t face = 0;  ///< of a leaf
+        std::size_t after = 0; ///< index of the first node after this node's descendants
+        std::size_t face = 0;  ///< valid for leaves only
         bool isLeaf = false;
     };
 
-    /// Takes n log n for n faces. Indices are valid, coordinates finite.
+    /// Takes O(n log n) time for n faces. Indices must be valid, coordinates finite.
     explicit BoxTree(const Mesh& mesh);
 
-    /// The root is the first, and there is none of a mesh without faces.
+    /// The first node is the root. Empty if the mesh has no faces.
     std::span<const Node> nodes() const { return allNodes; }
 
-    /// Nothing where either number is more than that of `most`. Takes some 10 ns a box that is
-    /// looked at.
+    /// Returns nothing if a count exceeds its limit in `most`. Takes about 10 ns per visited box.
     std::optional<BoxSearch> touchingFaces(const BoxSearch& most) const;
 
 private:

@@ -1,5 +1,5 @@
-// Meshes as CGAL's halfedge structure and back, for Remesh and Decimation alone: it includes CGAL,
-// which takes its time to compile. Internal to Geometry.
+// Converts meshes to CGAL's halfedge structure and back. Only Remesh and Decimation include it,
+// because CGAL compiles slowly. Internal to Geometry.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -13,8 +13,8 @@ namespace idiophone {
 using SurfaceKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<SurfaceKernel::Point_3>;
 
-/// A surface about the origin with a bounding diagonal of 1, so that no tolerance of a library sees
-/// metres.
+/// A surface centred at the origin with a bounding diagonal of 1, so that library tolerances do not
+/// depend on the mesh's size.
 struct UnitSurface {
     Surface surface;
     Eigen::RowVector3d centreMetres = Eigen::RowVector3d::Zero();
@@ -23,11 +23,11 @@ struct UnitSurface {
     Eigen::RowVector3d unitPoint(Surface::Vertex_index vertex) const;
 };
 
-/// Of a mesh that repairMesh has cut into a manifold.
+/// Converts a mesh that repairMesh has cut into a manifold.
 UnitSurface unitSurfaceOf(const Mesh& sound);
 
-/// The mesh in metres of a surface, of which removed parts may be left: a manifold without
-/// degenerate faces. Fails, in one sentence, where nothing of it is left.
+/// Removes deleted elements from the surface and returns it as a mesh in metres: a manifold without
+/// degenerate faces. Fails with one sentence if no face is left.
 Result<Mesh> meshOf(UnitSurface& surface);
 
 } // namespace idiophone

@@ -20,7 +20,7 @@ constexpr std::string_view decimating = "Simplifying the mesh";
 
 namespace sms = CGAL::Surface_mesh_simplification;
 
-/// Stops at the budget, or when asked to.
+/// Stops at the budget or on cancellation.
 class BudgetReached {
 public:
     BudgetReached(std::size_t initialVertices, std::size_t budget, const WorkControl& control)
@@ -43,9 +43,9 @@ private:
 
 struct Stopped {};
 
-/// Of every edge that a collapse has moved CGAL goes through all edges round both of its ends,
-/// which for faces that all meet in one vertex is the cube of their number: counts those, and
-/// throws Stopped where there are too many, or when asked to stop.
+/// Limits CGAL's work. After a collapse, CGAL visits all edges around both ends of each moved edge.
+/// If n faces meet in one vertex, this takes O(n³). Throws Stopped if there are too many visits or
+/// on cancellation.
 template <class Placement>
 class LimitedPlacement {
 public:
@@ -68,19 +68,19 @@ private:
     const WorkControl& control_;
 };
 
-/// A scan has some 160 for each face; ten nanoseconds each.
+/// A scan needs about 160 per face. Each takes about 10 ns.
 std::int64_t neighboursAllowed(const UnitSurface& unit) {
     return 300'000'000 + 1000 * static_cast<std::int64_t>(unit.surface.number_of_faces());
 }
 
 using Policies = sms::GarlandHeckbert_probabilistic_plane_policies<Surface, SurfaceKernel>;
 
-/// Quadrics of planes that are a hair uncertain (Trettner & Kobbelt 2020): where the surface is
-/// flat every collapse costs nothing otherwise, and needles come of it, on which remeshing takes a
-/// hundred times as long. The hair moves edges and corners by far less than 1e-6 of the size.
+/// Probabilistic quadrics (Trettner & Kobbelt 2020). With plain quadrics, every collapse on a flat
+/// surface costs nothing and produces needles. Remeshing needles takes a hundred times as long. The
+/// variance moves edges and corners by far less than 1e-6 of the mesh's size.
 Policies policiesFor(Surface& surface) {
-    constexpr double variance = 1e-10; // of normals and, in sizes, of places
-    constexpr double border = 100;     // weight of the boundary, CGAL's own
+    constexpr double variance = 1e-10; // of normals and of positions (bounding diagonal 1)
+    constexpr double border = 100;     // CGAL's default weight of the boundary
     return {surface, border,
             CGAL::Constant_property_map<Surface::Face_index, std::pair<double, double>>(
                 {variance, variance})};
@@ -101,7 +101,8 @@ void collapseEdges(UnitSurface& unit, std::size_t budget, const WorkControl& con
     }
     if (unit.surface.number_of_vertices() <= budget || control.isCancelled())
         return;
-    // Crumpled scans: only a collapse that turns a face over gets any further.
+    // On crumpled scans, the normal filter blocks all collapses before the budget is reached. Retry
+    // without it.
     unit.surface.collect_garbage();
     const auto policies = policiesFor(unit.surface);
     sms::edge_collapse(

@@ -1,5 +1,5 @@
-// Brings a scan down to a budget of vertices with little loss of shape. The triangles follow the
-// curvature and are not equilateral: see Remesh for that.
+// Reduces a scan to a vertex budget with little loss of shape. Triangles follow the curvature and
+// are not equilateral; see Remesh for equilateral ones.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -9,14 +9,13 @@
 namespace idiophone {
 
 /// Collapses edges in the order of their quadric error (Garland & Heckbert 1997, by CGAL) until at
-/// most `vertexBudget` ≥ 4 vertices are left; a mesh within the budget is only repaired.
-/// The mesh is repaired first and cut where it is no manifold (MeshRepair). The result is a
-/// manifold, oriented, without degenerate faces, closed where it was closed; the order of vertices
-/// and faces is new.
-/// Fails, in one sentence, where repair does, when the topology (many components, holes, handles)
-/// needs more vertices than the budget, when thousands of faces meet in one vertex (which would
-/// take the cube of their number), or once cancelled. Never throws. Any thread; not for the audio
-/// thread.
+/// most `vertexBudget` ≥ 4 vertices are left. A mesh within the budget is only repaired. Repairs
+/// the mesh first and cuts it where it is not a manifold (MeshRepair).
+/// The result is an oriented manifold without degenerate faces. It is closed where the input was
+/// closed. Vertices and faces have a new order.
+/// Fails with one sentence if repair fails, if the topology (components, holes, handles) needs more
+/// vertices than the budget, if thousands of faces meet in one vertex (cubic time), or if
+/// cancelled. Never throws. Any thread except the audio thread.
 Result<Mesh> decimate(const Mesh& mesh, int vertexBudget, const WorkControl& control = {});
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Sets that are joined and never parted (union-find). Internal to Geometry.
+// Disjoint sets that can be joined (union-find). Internal to Geometry.
 #pragma once
 
 #include <numeric>
@@ -7,7 +7,8 @@
 
 namespace idiophone {
 
-/// Of 0 … count − 1, each in a set of its own at first. A set is named after its lowest member.
+/// The members are 0 … count − 1, at first each in its own set. The name of a set is its lowest
+/// member.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parents(count) {

@@ -13,7 +13,7 @@ namespace {
 
 struct HalfEdge : FaceSide {
     bool ascending = false;  ///< the face runs from low to high
-    double angleRadians = 0; ///< of the face about the edge, where that is asked for
+    double angleRadians = 0; ///< angle of the face around the edge; set by sortAboutEdge
 };
 
 std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh) {
@@ -45,13 +45,13 @@ void sortAboutEdge(const Mesh& mesh, std::span<HalfEdge> around) {
     });
 }
 
-/// The angle from one face on to the other, 0 to 2π.
+/// Returns the angle from one face to the other, 0 to 2π.
 double wedge(const HalfEdge& from, const HalfEdge& to) {
     const double angle = to.angleRadians - from.angleRadians;
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-/// 0 or 1: the place about the edge at which the first pair of neighbours begins.
+/// Returns where the first pair begins in `around`: 0 or 1.
 std::size_t firstPairOf(std::span<const HalfEdge> around) {
     const std::size_t n = around.size();
     bool alternate = true;
@@ -61,7 +61,7 @@ std::size_t firstPairOf(std::span<const HalfEdge> around) {
         alternate = alternate && around[i].ascending != next.ascending;
         wedges[i % 2] += wedge(around[i], next);
     }
-    // Behind an ascending face, looking along the edge, lies the inside: it ends a pair.
+    // Seen along the edge, the inside lies behind an ascending face, so that face ends a pair.
     if (alternate)
         return around[0].ascending ? 1 : 0;
     return wedges[1] < wedges[0] ? 1 : 0;
@@ -86,7 +86,7 @@ void pairStraightest(EdgePairing& pairing, std::vector<HalfEdge> around) {
 }
 
 void pairAbout(EdgePairing& pairing, const Mesh& mesh, std::span<HalfEdge> around) {
-    // Beyond a few dozen faces no order is meant, and the straightest pairs cost a cube of them.
+    // With more faces, no pairing is meaningful, and pairStraightest takes cubic time.
     constexpr std::size_t mostFaces = 64;
     const std::size_t n = around.size();
     sortAboutEdge(mesh, around);

@@ -1,5 +1,5 @@
-// Which face continues which across an edge. Where more than two faces meet, they are paired as the
-// solids or sheets that they bound would have it. Internal to Geometry.
+// Finds the face that continues each face across an edge. If more than two faces meet at an edge,
+// the pairs follow the solids or sheets that the faces bound. Internal to Geometry.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -10,23 +10,25 @@
 namespace idiophone {
 
 struct EdgePartner {
-    int face = -1;              ///< −1: none, the surface ends here
-    bool sameDirection = false; ///< both faces run along the edge the same way: one is turned over
+    int face = -1; ///< −1 if the surface ends here
+    bool sameDirection =
+        false; ///< both faces run along the edge in the same direction: one is turned over
 };
 
 struct EdgePairing {
-    /// [F][3] across the edge from corner k of the face to corner k+1. Partners name each other.
+    /// [F][3] partner across the edge from corner k to corner k+1. Partners refer to each other.
     std::vector<std::array<EdgePartner, 3>> partners;
     int boundaryEdges = 0;    ///< edges of one face
     int nonManifoldEdges = 0; ///< edges of more than two faces
 };
 
-/// Pairs the faces at every edge. An edge of two faces pairs them. Of an even number of faces that
-/// look in and out in turn about the edge, those are paired that have the inside between them (two
-/// cubes that share an edge come apart as two cubes, or as one when they are inside out); of
-/// another even number, neighbours about the edge, in the way with the sharper angles; of an odd
-/// number, the straightest pair first, and one stays alone.
-/// The faces are neither degenerate nor duplicate.
+/// Pairs the faces at every edge:
+/// - two faces: with each other;
+/// - an even number, facing alternately in and out: the two faces on either side of the inside, so
+///   that two cubes with a common edge come apart as two cubes (as one if they are inside out);
+/// - another even number: neighbours around the edge, in the arrangement with the sharper angles;
+/// - an odd number: the straightest pair first; one face stays alone.
+/// Faces must be neither degenerate nor duplicate.
 EdgePairing pairEdges(const Mesh& mesh);
 
 } // namespace idiophone

@@ -13,7 +13,8 @@ void emit(std::vector<Eigen::RowVector3i>& faces,
         faces.push_back(face);
         return;
     }
-    // A fan from the corner opposite the edge; its outermost triangles have the other two edges.
+    // Make a fan from the corner opposite the edge. The first and last triangles keep the other two
+    // edges and their insertions.
     const int next = (edge + 1) % 3, last = (edge + 2) % 3;
     int from = face(edge);
     for (std::size_t i = 0; i <= insertions[edge].size(); ++i) {

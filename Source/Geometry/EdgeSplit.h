@@ -9,11 +9,11 @@
 
 namespace idiophone {
 
-/// For a face the vertices to insert between its corner k and its corner k+1, in that order.
+/// The vertices to insert into one face, in order from its corner k to its corner k+1.
 using EdgeInsertions = std::array<std::vector<int>, 3>;
 
-/// Cuts each face named into triangles, one more for every vertex inserted; they take its place in
-/// the order of the faces. The vertices lie on those edges, inside them.
+/// Cuts each listed face into triangles, one more per inserted vertex. They replace it at its
+/// position in the face order. The inserted vertices must lie inside those edges.
 void splitFaces(Mesh& mesh, const std::unordered_map<int, EdgeInsertions>& insertionsOfFace);
 
 } // namespace idiophone

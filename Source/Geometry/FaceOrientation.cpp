@@ -11,14 +11,14 @@
 namespace idiophone {
 namespace {
 
-/// Faces that hang together through partners.
+/// Faces connected through partners.
 struct Patch {
     std::vector<int> faces;
     bool isClosed = true;
     Eigen::AlignedBox3d box;
 };
 
-using FaceFlags = std::vector<char>; ///< [F] true where the face is to be turned over
+using FaceFlags = std::vector<char>; ///< [F] true if the face must be turned over
 
 Patch collectPatch(const EdgePairing& pairing, int seed, FaceFlags& seen, FaceFlags& flip) {
     Patch patch{.faces = {seed}, .isClosed = true, .box = {}};
@@ -35,12 +35,12 @@ Patch collectPatch(const EdgePairing& pairing, int seed, FaceFlags& seen, FaceFl
     return patch;
 }
 
-/// Parts partners that cannot agree; returns at how many edges.
+/// Separates partners that cannot agree and returns the number of such edges.
 int partOneSidedEdges(Patch& patch, EdgePairing& pairing, const FaceFlags& flip) {
     int parted = 0;
     for (const int face : patch.faces)
         for (auto& partner : pairing.partners[face]) {
-            // Whether a pair agrees is the same seen from either side, so both sides part.
+            // The test is symmetric, so both partners drop each other.
             if (partner.face >= 0 &&
                 ((flip[face] != 0) != (flip[partner.face] != 0)) != partner.sameDirection) {
                 partner = {};
@@ -63,7 +63,7 @@ double volumeOf(const Mesh& mesh, const Patch& patch, const FaceFlags& flip) {
     return sum;
 }
 
-/// Outward where that means something; otherwise the side that most faces already show.
+/// A closed patch turns outward. An open one keeps the side that most of its faces show.
 void chooseSide(const Mesh& mesh, const Patch& patch, FaceFlags& flip) {
     const auto flips =
         std::ranges::count_if(patch.faces, [&](int face) { return flip[face] != 0; });
@@ -73,13 +73,13 @@ void chooseSide(const Mesh& mesh, const Patch& patch, FaceFlags& flip) {
             flip[face] = !flip[face];
 }
 
-/// Points of space inside or outside a closed patch.
+/// Tests whether points lie inside a closed patch.
 class Inside {
 public:
     Inside(const Mesh& mesh, const Patch& patch) : box_(patch.box), surface_(meshOf(mesh, patch)) {}
 
-    /// By the number of times that a ray in an unlikely direction passes through the patch; nothing
-    /// where that takes more boxes than are left (SurfaceQuery::passages).
+    /// Counts how often a ray in an arbitrary direction passes through the patch. Returns nothing
+    /// if `boxesLeft` runs out (SurfaceQuery::passages).
     std::optional<bool> contains(const Eigen::Vector3d& point, std::int64_t& boxesLeft) const {
         if (!box_.contains(point))
             return false;
@@ -87,7 +87,7 @@ public:
         const auto passages = surface_.passages(point, direction, boxesLeft);
         if (!passages)
             return std::nullopt;
-        // Passages as near each other as this are one, through an edge.
+        // Passages closer than this go through one edge and count once.
         const double stepMetres = 1e-10 * box_.diagonal().norm();
         double from = 0;
         bool isInside = false;
@@ -115,7 +115,7 @@ private:
     SurfaceQuery surface_;
 };
 
-/// By the majority of five of its faces, for patches that touch or cut each other.
+/// Takes the majority of five faces, because patches may touch or cut each other.
 std::optional<bool>
 liesInside(const Mesh& mesh, const Patch& patch, const Inside& other, std::int64_t& boxesLeft) {
     int inside = 0;
@@ -133,8 +133,8 @@ liesInside(const Mesh& mesh, const Patch& patch, const Inside& other, std::int64
     return inside >= 3;
 }
 
-/// Turns the closed patches that lie inside an odd number of others; returns how many. Nothing,
-/// and turns none, where that takes more than a second or two, or once cancelled.
+/// Turns the closed patches that lie inside an odd number of others and returns their number.
+/// Returns nothing and turns none if this takes more than a second or two, or if cancelled.
 std::optional<int> turnHollows(const Mesh& mesh,
                                std::vector<Patch> patches,
                                FaceFlags& flip,

@@ -10,17 +10,19 @@ namespace idiophone {
 
 struct OrientationReport {
     int flippedFaces = 0;
-    int hollows = 0;        ///< closed surfaces inside another, which look into the hollow
-    bool isTangled = false; ///< closed surfaces are inside each other in too many ways to find out
-    int oneSidedEdges = 0;  ///< where no turning makes neighbours agree, as on a Möbius strip
+    int hollows = 0; ///< closed surfaces inside another, turned towards the hollow
+    bool isTangled =
+        false; ///< the search for hollows took too long or was cancelled; none was turned
+    int oneSidedEdges = 0; ///< edges whose faces cannot agree, as on a Möbius strip
 };
 
-/// Turns faces so that they agree with their partners. A closed surface looks outward; one that
-/// lies inside an odd number of others looks inward, for it bounds a hollow (looked for among the
-/// 1,000 closed surfaces with the most faces, and none turned where that takes more than a second
-/// or two, or once cancelled). An open one keeps the side that most of its faces show. `pairing` is
-/// that of the mesh and stays so; at one-sided edges its pairs are parted, and no partners of the
-/// same direction are left.
+/// Turns faces so that they agree with their partners. A closed surface looks outward; inside an
+/// odd number of others it bounds a hollow and looks inward. An open surface keeps the side that
+/// most of its faces show.
+/// Searches for hollows among the 1,000 closed surfaces with the most faces. Turns none if the
+/// search takes more than a second or two, or if cancelled.
+/// `pairing` must belong to the mesh and is updated with it. Pairs at one-sided edges are
+/// separated; afterwards no partners run in the same direction.
 OrientationReport
 orientFaces(Mesh& mesh, EdgePairing& pairing, const std::atomic<bool>* cancelled = nullptr);
 

@@ -1,4 +1,5 @@
-// The sides of all faces, those along one edge together. Internal to Geometry.
+// Lists the sides of all faces, sorted so that sides along one edge are adjacent. Internal to
+// Geometry.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -8,7 +9,7 @@
 
 namespace idiophone {
 
-/// From this corner of the face to its next, between vertices `low` ≤ `high`.
+/// The side from this corner of the face to the next, between vertices `low` ≤ `high`.
 struct FaceSide {
     int low = 0, high = 0, face = 0, corner = 0;
 
@@ -16,7 +17,7 @@ struct FaceSide {
     bool isAlong(const FaceSide& other) const { return low == other.low && high == other.high; }
 };
 
-/// In ascending order of low, high, face and corner.
+/// Returns all sides in ascending order of low, high, face and corner.
 std::vector<FaceSide> sortedFaceSides(const Mesh& mesh);
 
 } // namespace idiophone

@@ -8,7 +8,7 @@ namespace idiophone {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double cornerCosine = 0.866; // of 30°
+constexpr double cornerCosine = 0.866; // cos 30°
 
 Eigen::Vector2d placeOf(const LathePoint& point) {
     return {point.radiusMetres, point.heightMetres};
@@ -26,7 +26,7 @@ bool isCorner(const std::vector<LathePoint>& section, std::size_t i) {
     return before.dot(after) < cornerCosine * before.norm() * after.norm();
 }
 
-/// The points of section[first … last] in even steps of about `step`, without the first one.
+/// Appends points along section[first … last] in even steps of about `step`, without the first one.
 void appendEvenly(const std::vector<LathePoint>& section,
                   std::size_t first,
                   std::size_t last,
@@ -59,7 +59,7 @@ std::vector<LathePoint> evenRows(const std::vector<LathePoint>& section, double 
     return rows;
 }
 
-/// Vertices on the circle: 1 at a pole, else 6, 12, or a multiple of 24.
+/// Returns the number of vertices on the circle: 1 at a pole, else 6, 12 or a multiple of 24.
 int countAround(double radiusMetres, double edgeMetres) {
     const double wanted = 2 * pi * radiusMetres / edgeMetres;
     if (radiusMetres == 0)
@@ -72,18 +72,18 @@ int countAround(double radiusMetres, double edgeMetres) {
 struct Circle {
     int firstVertex = 0;
     int count = 1;
-    double turn = 0; ///< of vertex 0, in radians
+    double turn = 0; ///< angle of vertex 0 in radians
 
     double angle(int k) const { return turn + 2 * pi * k / count; }
     int vertex(int k) const { return firstVertex + k % count; }
 };
 
-/// The band between two circles: walks both at once, always advancing on the one whose next segment
-/// lies further back.
+/// Fills the band between two circles. Walks both circles and advances on the one whose next
+/// segment lies further back.
 void stitch(const Circle& lower, const Circle& upper, std::vector<Eigen::RowVector3i>& faces) {
     const int lowerSteps = lower.count > 1 ? lower.count : 0;
     const int upperSteps = upper.count > 1 ? upper.count : 0;
-    constexpr double tie = 1e-9; // rounding must not decide, or the sectors would differ
+    constexpr double tie = 1e-9; // without it, rounding would decide and sectors would differ
     int i = 0, j = 0;
     while (i < lowerSteps || j < upperSteps) {
         const bool advanceLower =

@@ -12,7 +12,7 @@ constexpr LengthUnit metres{"metres", "m", 1}, millimetres{"millimetres", "mm", 
 constexpr std::array units{metres, LengthUnit{"centimetres", "cm", 1e-2}, millimetres,
                            LengthUnit{"inches", "in", 0.0254}, LengthUnit{"feet", "ft", 0.3048}};
 
-/// To three figures, or to whole units where it has more.
+/// Formats with three significant digits, or as an integer from 100 up.
 std::string figureOf(double length) {
     return length >= 100 && length < 1e9 ? numberText(std::round(length), 9)
                                          : numberText(length, 3);

@@ -17,7 +17,7 @@ int cornerOf(const Mesh& mesh, int face, int vertex) {
     return 3 * face + corner;
 }
 
-/// For each corner of a face (3·face + corner) the first corner of its fan.
+/// Returns for each corner (3·face + corner) the first corner of its fan.
 std::vector<int> fansOfCorners(const Mesh& mesh, const EdgePairing& pairing) {
     DisjointSets fans(static_cast<std::size_t>(mesh.faceCount()) * 3);
     for (int face = 0; face < mesh.faceCount(); ++face)
@@ -58,7 +58,7 @@ void separateFans(Mesh& mesh, const std::vector<int>& fans, std::vector<int>& co
         mesh.vertices.row(static_cast<Eigen::Index>(vertex)) = vertices.row(copyOf[vertex]);
 }
 
-/// A side of a face, and the number of the pair (or the single face) that it belongs to.
+/// A side of a face. `pair` is the lower face of the pair, or the face itself if it has no partner.
 struct Side {
     int low = 0, high = 0, pair = 0, face = 0, corner = 0;
     auto operator<=>(const Side&) const = default;
@@ -79,7 +79,8 @@ std::vector<Side> sortedSides(const Mesh& mesh, const EdgePairing& pairing) {
     return sides;
 }
 
-/// Pairs that run between the same two vertices: all but the first get a vertex in the middle.
+/// If several pairs run between the same two vertices, inserts a vertex in the middle of all but
+/// the first.
 void separatePairs(Mesh& mesh, const EdgePairing& pairing, std::vector<int>& copyOf) {
     std::unordered_map<int, EdgeInsertions> insertions;
     std::vector<Eigen::RowVector3d> middles;

@@ -1,4 +1,4 @@
-// Cuts a mesh apart until it is a manifold, which halfedge structures ask for. Internal to
+// Cuts a mesh apart until it is a manifold, because halfedge structures need one. Internal to
 // Geometry.
 #pragma once
 
@@ -9,11 +9,12 @@
 
 namespace idiophone {
 
-/// Gives every fan of faces that hang together through partners a vertex of its own, so that each
-/// edge has at most two faces and each vertex one fan. Copies stand where their vertex stands, at
-/// the end. Where two pairs of faces cannot be told apart by their vertices even then, an edge gets
-/// a vertex in its middle. The faces are oriented; a manifold stays as it is. Returns for each
-/// vertex of the result the vertex that it copies, or −1 for one in the middle of an edge.
+/// Gives every fan of faces connected through partners its own vertex. Each edge then has at most
+/// two faces and each vertex one fan. Copies are appended and stay in place. If two pairs still
+/// share both vertices, an edge gets a vertex in its middle. The faces must be oriented. A manifold
+/// stays unchanged.
+/// Returns for each vertex of the result the vertex that it copies, or −1 for the middle of an
+/// edge.
 std::vector<int> cutIntoManifold(Mesh& mesh, const EdgePairing& pairing);
 
 } // namespace idiophone

@@ -10,7 +10,7 @@
 namespace idiophone {
 namespace {
 
-/// The face's normal with the length of twice its area.
+/// Returns the face's normal, with twice the face's area as its length.
 Eigen::RowVector3d areaVector(const Mesh& mesh, Eigen::Index face) {
     const Eigen::RowVector3d a = mesh.vertices.row(mesh.faces(face, 0));
     const Eigen::RowVector3d b = mesh.vertices.row(mesh.faces(face, 1));
@@ -56,7 +56,7 @@ Eigen::MatrixXd vertexNormals(const Mesh& mesh) {
 std::vector<MeshEdge> uniqueEdges(const Mesh& mesh) {
     const Eigen::VectorXd areas = faceAreas(mesh);
     std::vector<MeshEdge> edges;
-    // Areas add up in the order of the faces: the same mesh, the same bits.
+    // Areas are summed in face order, so that the same mesh gives the same bits.
     for (const auto& side : sortedFaceSides(mesh)) {
         if (edges.empty() || edges.back().a != side.low || edges.back().b != side.high)
             edges.push_back({side.low, side.high, 0, 0});
@@ -94,7 +94,7 @@ double boundingDiagonalMetres(const Mesh& mesh) {
 double signedVolumeM3(const Mesh& mesh) {
     if (mesh.vertexCount() == 0)
         return 0;
-    // About a point of the mesh: far from the origin the terms would cancel.
+    // Measure from a point of the mesh: far from the origin the terms would cancel.
     const Eigen::RowVector3d origin = mesh.vertices.row(0);
     double sum = 0;
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
@@ -111,7 +111,7 @@ Components connectedComponents(const Mesh& mesh) {
                               std::vector<int>(static_cast<std::size_t>(mesh.vertexCount())),
                           .count = 0};
     for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
-        // The lowest vertex of a component has been numbered before its others.
+        // The lowest vertex of a component comes before its others, so it already has a number.
         const int lowest = sets.nameOf(vertex);
         components.componentOfVertex[vertex] =
             lowest == vertex ? components.count++ : components.componentOfVertex[lowest];

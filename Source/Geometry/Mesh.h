@@ -1,5 +1,5 @@
-// A triangle mesh and the measures that analysis and queries share. It promises nothing about
-// quality: meshes from files go through MeshRepair first.
+// A triangle mesh and the measures that analysis and queries share. It guarantees no quality:
+// meshes from files go through MeshRepair first.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,46 +15,47 @@ struct Mesh {
     Eigen::Index faceCount() const { return faces.rows(); }
 };
 
-/// An undirected edge a < b with what lies on its sides.
+/// An undirected edge a < b and its adjacent faces.
 struct MeshEdge {
     int a = 0;
     int b = 0;
-    int faceCount = 0;         ///< 1 on a boundary, 2 inside, more where the mesh is non-manifold
-    double adjacentAreaM2 = 0; ///< the summed area of those faces
+    int faceCount = 0;         ///< 1 on a boundary, 2 inside, more if non-manifold
+    double adjacentAreaM2 = 0; ///< total area of those faces
 };
 
-/// [F] areas in m².
+/// Returns the [F] face areas in m².
 Eigen::VectorXd faceAreas(const Mesh& mesh);
 
-/// [N] a third of the area of the faces at each vertex, in m²: a_i of Raghuvanshi & Lin 2006,
-/// eq. 1.
+/// Returns for each of N vertices a third of the area of its faces, in m²: a_i of Raghuvanshi & Lin
+/// 2006, eq. 1.
 Eigen::VectorXd vertexAreas(const Mesh& mesh);
 
-/// [N×3] unit area-weighted vertex normals; (0,0,1) where they are undefined.
+/// Returns the [N×3] unit area-weighted vertex normals; (0,0,1) where undefined.
 Eigen::MatrixXd vertexNormals(const Mesh& mesh);
 
-/// Every edge once, in ascending order of (a, b).
+/// Returns every edge once, in ascending order of (a, b).
 std::vector<MeshEdge> uniqueEdges(const Mesh& mesh);
 
-/// The mean length of the edges in metres; 0 for a mesh without faces.
+/// Returns the mean edge length in metres; 0 for a mesh without faces.
 double meanEdgeLengthMetres(const Mesh& mesh);
 
-/// True when every edge has exactly two faces.
+/// Returns true if there are edges and each has exactly two faces.
 bool isClosed(const std::vector<MeshEdge>& edges);
 
-/// 0, 1, … N − 1.
+/// Returns 0, 1, …, N − 1.
 std::vector<int> allVertices(const Mesh& mesh);
 
-/// The diagonal of the bounding box in metres; 0 for a mesh without vertices.
+/// Returns the diagonal of the bounding box in metres; 0 for a mesh without vertices.
 double boundingDiagonalMetres(const Mesh& mesh);
 
-/// The volume enclosed in m³, positive when the faces look outward; meaningful for a closed mesh.
+/// Returns the enclosed volume in m³, positive if faces look outward. Meaningful for closed meshes
+/// only.
 double signedVolumeM3(const Mesh& mesh);
 
-/// For each vertex the number of the connected component that it belongs to, counted from 0 in
-/// order of first vertex. A vertex of no face is a component of its own.
+/// The connected components, numbered from 0 in the order of their first vertices. A vertex without
+/// a face is a component of its own.
 struct Components {
-    std::vector<int> componentOfVertex; ///< [N]
+    std::vector<int> componentOfVertex; ///< [N] component number of each vertex
     int count = 0;
 };
 Components connectedComponents(const Mesh& mesh);

@@ -1,4 +1,4 @@
-// Meshes in the making.
+// Builds a mesh vertex by vertex and face by face.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -7,12 +7,12 @@
 
 namespace idiophone {
 
-/// Collects vertices and faces while their number is not known yet.
+/// Collects vertices and faces before their numbers are known.
 struct MeshBuilder {
     std::vector<Eigen::RowVector3d> vertices; ///< in metres
     std::vector<Eigen::RowVector3i> faces;
 
-    /// The number of the new vertex.
+    /// Adds a vertex and returns its index.
     int add(double x, double y, double z) {
         vertices.emplace_back(x, y, z);
         return static_cast<int>(vertices.size()) - 1;

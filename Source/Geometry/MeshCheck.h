@@ -1,5 +1,5 @@
-// What a mesh is fit for: closed or open, free of self-intersections, chunky or thin. Analysis
-// chooses between tetrahedra and shells by it. It judges, and changes nothing.
+// Judges a mesh: closed or open, self-intersecting or not, chunky or thin. Analysis uses it to
+// choose between tetrahedra and shells. It changes nothing.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -9,8 +9,8 @@
 
 namespace idiophone {
 
-/// 2 V / A: of a plate or a wall its thickness, of a ball 2/3 of its radius, of a long rod its
-/// radius; 0 of what has no area.
+/// Returns 2 V / A: the thickness of a plate or wall, 2/3 of the radius of a ball, the radius of a
+/// long rod. Returns 0 if there is no area.
 inline double wallThicknessMetres(double areaM2, double volumeM3) {
     return areaM2 > 0 ? 2 * volumeM3 / areaM2 : 0;
 }
@@ -19,29 +19,29 @@ struct MeshCheck {
     int boundaryEdges = 0;    ///< edges of one face
     int nonManifoldEdges = 0; ///< edges of more than two faces
     bool isClosed = false;    ///< every edge has exactly two faces
-    bool isOriented = false;  ///< closed, and the faces agree across every edge
-    /// See SelfIntersection.h; nothing where it could not be found out in bounded time.
+    bool isOriented = false;  ///< closed, and faces agree across every edge
+    /// see SelfIntersection.h; empty if the search took too long or was cancelled
     std::optional<bool> intersectsItself;
     double areaM2 = 0;
-    double volumeM3 = 0; ///< enclosed, hollows taken off; 0 where not closed and oriented
-    double meanThicknessMetres = 0; ///< see wallThicknessMetres; 0 where the volume is
-    /// √A / meanThickness: how many mean thicknesses the surface is wide. A ball has 5.3, a cube
-    /// 7.3, a ring of radius 10 times that of its section 20; infinite where there is no volume.
+    double volumeM3 = 0;            ///< enclosed, without hollows; 0 unless closed and oriented
+    double meanThicknessMetres = 0; ///< see wallThicknessMetres; 0 if the volume is 0
+    /// √A / meanThickness: the width of the surface in mean thicknesses. A ball has 5.3, a cube
+    /// 7.3, a torus whose radius is 10 times its section's radius 20. Infinite without a volume.
     double slenderness = 0;
 
-    /// A surface that encloses a volume which tetrahedra can fill.
+    /// Returns true if the surface encloses a volume that tetrahedra can fill.
     bool isSolid() const {
         return isClosed && isOriented && intersectsItself == false && volumeM3 > 0;
     }
-    /// Thin as a shell is, or no solid at all. Tetrahedra about as large as the wall is thick
-    /// number several times slenderness²: beyond `thinSlenderness` some ten thousand, while a plate
-    /// whose side is fifty times its thickness (slenderness 75), or thinner, bends as a shell does.
+    /// Returns true if the mesh is thin like a shell or has no volume. Tetrahedra as large as the
+    /// wall is thick number several times slenderness²: some ten thousand at `thinSlenderness`. A
+    /// plate whose side is at least fifty times its thickness (slenderness 75) bends like a shell.
     bool isThin() const { return !(slenderness <= thinSlenderness); }
     static constexpr double thinSlenderness = 70;
 };
 
-/// The mesh is as repairMesh leaves it: oriented, indices valid. `cancelled` ends the search for
-/// self-intersections, the only long part, without a verdict.
+/// Checks a mesh that repairMesh has oriented, with valid indices. `cancelled` ends the search for
+/// self-intersections, the only long part, without a result.
 MeshCheck checkMesh(const Mesh& mesh, const std::atomic<bool>* cancelled = nullptr);
 
 } // namespace idiophone

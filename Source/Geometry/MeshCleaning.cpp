@@ -12,7 +12,7 @@
 namespace idiophone {
 namespace {
 
-/// For each vertex the first that is in exactly the same place.
+/// Returns for each vertex the first vertex at exactly the same position.
 std::vector<int> firstInPlace(const Eigen::MatrixXd& vertices) {
     std::vector<std::pair<std::array<double, 3>, int>> places;
     places.reserve(static_cast<std::size_t>(vertices.rows()));
@@ -49,7 +49,7 @@ void keepRows(Eigen::MatrixXi& faces, const std::vector<char>& keep) {
 } // namespace
 
 std::vector<int> weldVertices(Mesh& mesh, double toleranceMetres) {
-    // CGAL's tree degenerates into a list where many points are in one place.
+    // CGAL's tree degenerates into a list if many points coincide.
     const auto first = firstInPlace(mesh.vertices);
     VertexTree tree;
     for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex)
@@ -59,7 +59,7 @@ std::vector<int> weldVertices(Mesh& mesh, double toleranceMetres) {
     std::vector<int> newNumber(mesh.vertexCount(), -1);
     std::vector<NumberedPoint> near;
     int count = 0;
-    // By distances and not by cells of a grid, whose borders part vertices however near they are.
+    // Compares distances, because the cell borders of a grid would separate close vertices.
     for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
         if (first[vertex] != vertex)
             newNumber[vertex] = newNumber[first[vertex]];

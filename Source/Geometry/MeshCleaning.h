@@ -1,5 +1,5 @@
-// The first steps of repair: vertices and faces that should not be there. MeshRepair puts the steps
-// in order and reports them. Indices are valid, coordinates finite.
+// The first steps of repair: merge or drop superfluous vertices and faces. MeshRepair puts the
+// steps in order and reports them. Indices must be valid, coordinates finite.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -8,21 +8,23 @@
 
 namespace idiophone {
 
-/// Makes vertices one that are within the tolerance of the first of them, which stays where it is.
-/// Those that are left are farther apart than that. Returns for each old vertex its new number.
+/// Merges vertices within the tolerance of an earlier vertex, which stays in place. The remaining
+/// ones are farther apart than the tolerance. Returns the new index of each old vertex.
 std::vector<int> weldVertices(Mesh& mesh, double toleranceMetres);
 
-/// Drops faces with two corners in one vertex or no area (the height at most 1e-10 of the longest
-/// side). Returns how many.
+/// Drops faces with two corners in one vertex or without area (height at most 1e-10 of the longest
+/// side). Returns their number.
 int dropDegenerateFaces(Mesh& mesh);
 
-/// Of faces with the same three vertices, in any order, the first stays. Returns how many went.
+/// Keeps the first of all faces with the same three vertices, in any order. Returns the number of
+/// dropped faces.
 int dropDuplicateFaces(Mesh& mesh);
 
-/// Keeps the connected component with the greatest area. Returns how many others had faces.
+/// Keeps the connected component with the largest area. Returns the number of dropped components
+/// that had faces.
 int keepLargestComponent(Mesh& mesh);
 
-/// Drops vertices of no face; returns for each old vertex its new number or −1.
+/// Drops vertices without a face. Returns the new index of each old vertex, or −1.
 std::vector<int> dropUnreferencedVertices(Mesh& mesh);
 
 } // namespace idiophone

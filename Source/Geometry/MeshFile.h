@@ -1,6 +1,6 @@
-// What the readers of the mesh formats share: the polygons that they collect and a scanner of text.
-// Internal to Geometry. The formats are parsed here and not by libigl, whose readers leave the
-// program or overrun buffers on malformed files (docs/decisions).
+// Shared by the readers of the mesh formats: a polygon collector and a text scanner. Internal to
+// Geometry. We do not use libigl's readers: on malformed files they exit the program or overrun
+// buffers (docs/decisions).
 #pragma once
 
 #include "Object/NumberText.h"
@@ -14,7 +14,7 @@
 
 namespace idiophone {
 
-/// Vertices and triangles as a file gives them; indices are not checked yet.
+/// Vertices and triangles from a file. Indices are not checked yet.
 struct RawMesh {
     std::vector<double> coordinates;     ///< [N,3]
     std::vector<std::int64_t> triangles; ///< [F,3]
@@ -23,16 +23,17 @@ struct RawMesh {
     void addPolygon(const std::vector<std::int64_t>& corners);
 };
 
-/// Words of a text, without copies. '#' begins a comment that ends with its line.
+/// Reads a text word by word without copies. '#' starts a comment that ends with its line.
 class TextScanner {
 public:
     explicit TextScanner(std::string_view text) : rest_(text) {}
 
-    /// The next word on this or a later line; empty at the end of the text.
+    /// Returns the next word on this or a later line; empty at the end of the text.
     std::string_view nextWord();
     std::optional<double> nextNumber();
     std::optional<std::int64_t> nextInteger();
-    /// The rest of the current line without its end and comment; nothing at the end of the text.
+    /// Returns the rest of the current line without line end and comment; nothing at the end of the
+    /// text.
     std::optional<std::string_view> nextLine();
     std::size_t bytesLeft() const { return rest_.size(); }
 
@@ -40,7 +41,7 @@ private:
     std::string_view rest_;
 };
 
-/// One reader a format. The errors say the fault only; readMesh adds the file.
+/// One reader per format. Errors name the fault only; readMesh adds the file.
 Result<RawMesh> readObj(std::string_view bytes);
 Result<RawMesh> readOff(std::string_view bytes);
 Result<RawMesh> readPly(std::string_view bytes);

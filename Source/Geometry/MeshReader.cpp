@@ -23,7 +23,7 @@ std::string numbered(const char* thing, std::int64_t number) {
     return thing + std::string(" ") + std::to_string(number);
 }
 
-/// The vertex of a corner such as "7", "7/1/2" or "-1" (the last so far), counted from 0.
+/// Returns the 0-based vertex of a corner such as "7", "7/1/2" or "-1" (the latest vertex).
 std::optional<std::int64_t> objCorner(std::string_view word, std::int64_t verticesSoFar) {
     const auto index = parseInteger(word.substr(0, word.find('/')));
     if (!index || *index == 0)
@@ -31,8 +31,8 @@ std::optional<std::int64_t> objCorner(std::string_view word, std::int64_t vertic
     return *index > 0 ? *index - 1 : verticesSoFar + *index;
 }
 
-/// Whether the corners of a face name the same things ("7", "7/1", "7//2", "7/1/2"), as the format
-/// asks, and are three at least.
+/// Returns true if there are at least three corners and all have the same parts ("7", "7/1", "7//2"
+/// or "7/1/2"), as the format requires.
 bool isWholeFace(std::span<const std::string_view> corners) {
     const auto lacks = [&](std::string_view corner) {
         return corner.ends_with('/') ||
@@ -71,7 +71,7 @@ Result<RawMesh> readTextStl(std::string_view bytes) {
     TextScanner words(bytes);
     std::vector<std::int64_t> corners;
     bool ended = false;
-    words.nextLine(); // "solid" and a name of any words
+    words.nextLine(); // "solid" and a name of any number of words
     for (auto word = words.nextWord(); !word.empty(); word = words.nextWord()) {
         if (word == "vertex") {
             corners.push_back(mesh.vertexCount());
@@ -113,11 +113,11 @@ Result<RawMesh> readRawMesh(const std::filesystem::path& file) {
     return failure("its extension is none of .obj, .off, .ply and .stl");
 }
 
-/// The first fault of the mesh as a whole; empty when there is none.
+/// Returns the first fault of the whole mesh; empty if there is none.
 std::string faultOf(const RawMesh& raw, double metresPerUnit) {
     if (raw.triangles.empty())
         return "it has no faces";
-    // Corners of faces and coordinates are counted in int.
+    // Face corners and coordinates are counted in int.
     if (raw.coordinates.size() > std::numeric_limits<int>::max())
         return "it has too many vertices";
     if (raw.triangles.size() > std::numeric_limits<int>::max())
@@ -158,7 +158,8 @@ Result<RawMesh> readObj(std::string_view bytes) {
             cornerWords.clear();
             for (auto word = words.nextWord(); !word.empty(); word = words.nextWord())
                 cornerWords.push_back(word);
-            // Files may end without a line's end, and odd faces within are passed over.
+            // A file may end without a newline, and malformed faces inside it are skipped. Only an
+            // incomplete last line means that the file is truncated.
             if (lines.bytesLeft() == 0 && !bytes.ends_with('\n') && !isWholeFace(cornerWords))
                 return failure("it is truncated: " + numbered("line", number) +
                                ", its last, is half a face");
@@ -184,7 +185,7 @@ Result<RawMesh> readOff(std::string_view bytes) {
                edges = words.nextInteger();
     if (!vertices || !faces || !edges || *vertices < 0 || *faces < 0)
         return failure("its header is not three counts");
-    // Three numbers and their separators take six bytes at least.
+    // Three numbers and their separators take at least six bytes.
     const auto most = static_cast<std::int64_t>(words.bytesLeft() / 6 + 1);
     if (*vertices > most || *faces > most)
         return failure("its header promises " + std::to_string(*vertices) + " vertices and " +
@@ -200,7 +201,7 @@ Result<RawMesh> readOff(std::string_view bytes) {
                                std::to_string(*vertices + *faces) + " vertices and faces");
             content = *line;
         }
-        // What follows on a line (normals, colours) is none of ours.
+        // Ignore the rest of the line (normals, colours).
         TextScanner numbers(content);
         if (row < *vertices) {
             for (int axis = 0; axis < 3; ++axis) {
@@ -229,7 +230,7 @@ Result<RawMesh> readOff(std::string_view bytes) {
 Result<RawMesh> readStl(std::string_view bytes) {
     const std::uint64_t count = bytes.size() >= 84 ? littleEndianCount(bytes.data() + 80) : 0;
     const std::uint64_t expected = 84 + count * 50;
-    // Binary files may begin with "solid" as well: only the size tells.
+    // Binary files may begin with "solid" too: only the size is reliable.
     if (bytes.size() >= 84 && bytes.size() == expected)
         return readBinaryStl(bytes, static_cast<std::uint32_t>(count));
     if (bytes.starts_with("solid"))

@@ -50,14 +50,14 @@ void dropUnusable(RepairedMesh& repaired) {
 }
 
 void joinTJunctions(RepairedMesh& repaired, double weldTolerance, const WorkControl& control) {
-    // An edge may run through vertices that only the rounds before, and the faces that they drop,
-    // put on the boundary. A mesh that keeps at it is a tangle and stays as it is.
+    // Earlier rounds, and the faces they drop, may put new vertices onto the boundary. A mesh that
+    // never settles is a tangle and stays as it is.
     constexpr int mostRounds = 100;
     const auto most = 1000 + 2 * repaired.mesh.faceCount();
     for (int round = 0;
          round < mostRounds && repaired.report.joinedVertices <= most && !control.isCancelled();
          ++round) {
-        // The tolerance is a share of what is left, as another repair would take it.
+        // Compute the tolerance from the remaining mesh, as a second repair would.
         const double toleranceMetres = 10 * weldTolerance * boundingDiagonalMetres(repaired.mesh);
         const int joined = splitTJunctions(repaired.mesh, toleranceMetres);
         if (joined == 0)
@@ -89,7 +89,7 @@ void orientAndCut(Mesh& mesh, const RepairSettings& settings, RepairReport& repo
 } // namespace
 
 bool RepairReport::mayBeCutOff() const {
-    constexpr int strayVertices = 8; // a pivot, or the corners of a box around the object
+    constexpr int strayVertices = 8; // for example a pivot, or a box's corners around the object
     return boundaryEdges > 0 &&
            unreferencedVertices - 3 * (degenerateFaces + duplicateFaces) > strayVertices;
 }

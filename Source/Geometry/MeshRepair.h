@@ -1,6 +1,6 @@
-// Makes a mesh from a file fit for analysis: welds, drops what is degenerate, joins T-junctions,
-// orients, and says in plain words what it did. It does not remesh, and does not close holes: open
-// meshes are fine.
+// Prepares a mesh from a file for analysis: welds vertices, drops degenerate faces, joins
+// T-junctions, orients, and reports what it did. It does not remesh or close holes; open meshes are
+// allowed.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -14,55 +14,58 @@ namespace idiophone {
 
 struct RepairSettings {
     double weldTolerance =
-        1e-7; ///< vertices this near are one, as a share of the bounding diagonal
-    bool largestComponentOnly = false; ///< keep the component with the greatest area alone
-    /// Cut the mesh apart where more than two faces meet at an edge, where several fans of faces
-    /// meet at a vertex, and where a one-sided surface closes, as remeshing needs it. What was held
-    /// together there alone comes apart, so analysis leaves this off.
+        1e-7; ///< vertices closer than this become one; fraction of the bounding diagonal
+    bool largestComponentOnly = false; ///< keep only the component with the largest area
+    /// Cut the mesh where more than two faces meet at an edge, where several fans meet at a vertex,
+    /// and where a one-sided surface closes, because remeshing needs a manifold. Parts connected
+    /// only there separate, so analysis leaves this off.
     bool cutIntoManifold = false;
-    const std::atomic<bool>* cancelled = nullptr; ///< as WorkControl's
+    const std::atomic<bool>* cancelled = nullptr; ///< see WorkControl
 };
 
-/// What repair found and did; counts of what the mesh holds now come after what was done.
+/// Repair's actions, then counts for the resulting mesh.
 struct RepairReport {
     int weldedVertices = 0;
     int degenerateFaces = 0;      ///< dropped: two corners in one vertex, or no area
     int duplicateFaces = 0;       ///< dropped: the same three vertices as another face
-    int joinedVertices = 0;       ///< put into an edge of another face on which they lay
-    int unreferencedVertices = 0; ///< dropped: no face (left) names them
-    int flippedFaces = 0;         ///< turned to agree with their neighbours, or outward
-    int cutVertices = 0;          ///< added so that the mesh became a manifold
+    int joinedVertices = 0;       ///< inserted into the edge of another face on which they lay
+    int unreferencedVertices = 0; ///< dropped: no remaining face uses them
+    int flippedFaces = 0;         ///< turned over to agree with neighbours or to look outward
+    int cutVertices = 0;          ///< added to make the mesh a manifold
     int droppedComponents = 0;
     int components = 0;
-    int hollows = 0;          ///< closed surfaces inside another, which bound a hollow in it
-    bool isTangled = false;   ///< which closed surface is inside which takes too long to find out
+    int hollows = 0;          ///< closed surfaces inside another, which bound hollows
+    bool isTangled = false;   ///< the search for hollows took too long
     int boundaryEdges = 0;    ///< 0 when closed
     int nonManifoldEdges = 0; ///< edges of more than two faces
-    int oneSidedEdges = 0;    ///< where no turning made neighbours agree
+    int oneSidedEdges = 0;    ///< edges whose faces cannot agree on a side
 
-    /// The mesh is open and has more vertices without a face than stray there, or than lost theirs
-    /// to repair: the end of its faces may be missing.
+    /// Returns true if the end of the mesh may be missing: it is open, and it had more faceless
+    /// vertices than stray ones or those of dropped faces explain.
     bool mayBeCutOff() const;
-    /// Sentences for people, such as "Welded 36 vertices. Open: 40 boundary edges."; may be empty.
+    /// Returns sentences for the user, such as "Welded 36 vertices. Open: 40 boundary edges."; may
+    /// be empty.
     std::string text() const;
 };
 
 struct RepairedMesh {
     Mesh mesh;
     RepairReport report;
-    std::vector<int> vertexOfInput; ///< for each input vertex its vertex in `mesh`, or −1
+    std::vector<int> vertexOfInput; ///< vertex of `mesh` for each input vertex, or −1
 };
 
-/// Vertices and faces keep their order, so that a sound mesh comes out as it went in. In the result
-/// no face is degenerate or a duplicate, and every vertex has a face. Faces agree across every edge
-/// of exactly two faces (but for one-sided ones), and closed surfaces look outward, those inside
-/// another into the hollow. A vertex on the edge of a single face, nearer than ten times the weld
-/// tolerance (of the diagonal of what has faces), is put into that edge; not in soups of more than
-/// 200,000 such edges. With `cutIntoManifold` every edge has one or two faces, which run along it
-/// in opposite directions, and the faces at every vertex form one fan. Fails, in one sentence, when
-/// indices or values are invalid, no face is left, or the mesh is larger than 10⁹ m or smaller than
-/// 10⁻⁹ m, or as WorkControl says once cancelled. n log n for n faces; hollows are looked for a
-/// second or two, and none is turned where that does not suffice.
+/// Repairs a mesh. Vertices and faces keep their order, so that a good mesh stays unchanged. In the
+/// result, no face is degenerate or a duplicate, and every vertex has a face. Faces agree across
+/// every edge of exactly two faces, except one-sided ones. Closed surfaces look outward; those
+/// inside another look into the hollow.
+/// A vertex near the edge of a single face is inserted into that edge (skipped if there are more
+/// than 200,000 such edges). "Near" is ten weld tolerances, as fractions of the remaining mesh's
+/// diagonal.
+/// With `cutIntoManifold`, every edge has one or two faces, which run along it in opposite
+/// directions, and the faces at every vertex form one fan.
+/// Fails with one sentence if indices or values are invalid, no face is left, the mesh is larger
+/// than 10⁹ m or smaller than 10⁻⁹ m, or if cancelled (WorkControl). Takes O(n log n) time for n
+/// faces. The search for hollows stops after a second or two and then turns none.
 Result<RepairedMesh> repairMesh(const Mesh& mesh, const RepairSettings& settings = {});
 
 } // namespace idiophone

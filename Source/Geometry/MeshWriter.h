@@ -1,4 +1,4 @@
-// Writes triangle meshes as OBJ or PLY, for people and other programs.
+// Writes triangle meshes as OBJ or PLY.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -12,18 +12,18 @@
 
 namespace idiophone {
 
-/// Writes the mesh in metres; the extension (.obj or .ply, the latter as text) says the format.
-/// Numbers are written so that reading gives the same doubles back.
+/// Writes the mesh in metres. The extension selects the format: .obj, or .ply (as text). Reading
+/// the file returns the same doubles.
 Result<void> writeMesh(const Mesh& mesh, const std::filesystem::path& file);
 
-/// A figure at every vertex, and the colour that shows it.
+/// A value at every vertex and the colour that shows it.
 struct VertexFigures {
-    std::string name;           ///< of the PLY property: letters, digits and _
+    std::string name;           ///< name of the PLY property: letters, digits and _
     std::vector<double> values; ///< [N]
     std::vector<std::array<std::uint8_t, 3>> colours; ///< [N] red, green, blue
 };
 
-/// The same with vertex colours and a scalar property, as PLY only.
+/// Writes the mesh with vertex colours and a scalar property, as PLY only.
 Result<void> writeColouredMesh(const Mesh& mesh,
                                const VertexFigures& figures,
                                const std::filesystem::path& file);

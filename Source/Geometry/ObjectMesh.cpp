@@ -15,8 +15,8 @@ namespace {
 using Coordinates = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Corners = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// The corners at these vertices have the mean of all faces around, or where that turns too far
-/// from their own face, the normal of that.
+/// Sets the corner normals at these vertices to the mean over all faces around. If that turns too
+/// far from the corner's own face, uses the face's normal.
 void smoothCrowded(const Mesh& mesh,
                    const Eigen::MatrixXd& faceNormals,
                    std::span<const std::size_t> vertices,
@@ -61,7 +61,8 @@ void setMesh(ModalObject& object, const Mesh& mesh) {
 }
 
 Eigen::MatrixXd cornerNormals(const Mesh& mesh, double creaseDegrees) {
-    // Each corner looks at every face around it, which is quadratic where many meet in one vertex.
+    // per_corner_normals compares each corner with every face around it: quadratic if many faces
+    // meet in one vertex.
     constexpr std::size_t mostFacesAround = 64;
     std::vector<std::vector<int>> around, cornersAround;
     igl::vertex_triangle_adjacency(mesh.vertices, mesh.faces, around, cornersAround);

@@ -21,8 +21,8 @@ int sheetVertexCount(const SheetGrid& grid) {
     return evenRows * (grid.segmentsAlong + 1) + longRows * (grid.segmentsAlong + 2);
 }
 
-/// The strip of triangles between two rows of vertices: walks both at once, always advancing on the
-/// row whose next segment lies further back, which keeps the strip mirror-symmetric.
+/// Fills the strip between two rows of vertices. Walks both rows and advances on the one whose next
+/// segment lies further back, which keeps the strip mirror-symmetric.
 void stitch(MeshBuilder& builder,
             const std::vector<int>& lower,
             const std::vector<int>& upper,
@@ -50,7 +50,7 @@ SheetGrid sheetGrid(double lengthMetres, double widthMetres, int targetVertices)
     int leastMiss = -1;
     for (int rows = 2; rows <= 2000; rows += 2) {
         const double spacing = 2 / std::sqrt(3.0) * widthMetres / rows;
-        // The middle row has a vertex at x = 0 when its parity fits the number of segments.
+        // The middle row has a vertex at x = 0 if its parity fits the number of segments.
         const bool odd = rows % 4 == 2;
         int segments = 2 * static_cast<int>(std::lround((lengthMetres / spacing - odd) / 2)) + odd;
         segments = std::max(segments, odd ? 3 : 2);
@@ -167,7 +167,7 @@ Mesh icosphereMesh(double radiusMetres, int level) {
             builder.add(s, t, 0);
             builder.add(t, 0, s);
         }
-    // The faces are the triples of vertices at the icosahedron's edge length, 2.
+    // Faces are the triples of vertices that are 2 apart, the icosahedron's edge length.
     const auto near = [&](int a, int b) {
         return (builder.vertices[a] - builder.vertices[b]).norm() < 2.1;
     };
@@ -259,7 +259,7 @@ Mesh hoopMesh(double radiusMetres, double heightMetres, int around, int rows) {
 }
 
 Mesh tubeMesh(double outerRadiusMetres, double innerRadiusMetres, double lengthMetres, int around) {
-    // The circles of the section, in the order in which the wall goes round it.
+    // The circles of the section, in order around the wall.
     const std::array<std::pair<double, double>, 4> section{
         {{outerRadiusMetres, -lengthMetres / 2},
          {outerRadiusMetres, lengthMetres / 2},

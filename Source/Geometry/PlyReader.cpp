@@ -16,7 +16,7 @@ enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 
 struct Property {
     std::string_view name;
     Scalar type = Scalar::float32;
-    std::optional<Scalar> countType; ///< present in a list
+    std::optional<Scalar> countType; ///< set for lists only
 };
 
 struct Element {
@@ -50,7 +50,7 @@ std::size_t sizeOf(Scalar type) {
     return sizes[static_cast<std::size_t>(type)];
 }
 
-/// Values one after the other, from text or from bytes; nothing at the end of the file.
+/// Reads values in sequence, from text or bytes; nothing at the end of the file.
 class Values {
 public:
     Values(std::string_view body, Encoding encoding)
@@ -92,7 +92,7 @@ public:
         return encoding_ == Encoding::text ? text_.bytesLeft() : bytes_.size();
     }
 
-    /// The fewest bytes that a value can take.
+    /// Returns the minimum number of bytes of a value.
     std::size_t leastSize(Scalar type) const {
         return encoding_ == Encoding::text ? 1 : sizeOf(type);
     }
@@ -178,7 +178,8 @@ bool isPlausible(const Element& element, const Values& values) {
            static_cast<std::uint64_t>(element.count) <= values.bytesLeft() / leastRow + 1;
 }
 
-/// Reads one row of an element into the mesh, as far as it concerns it; false at the end of file.
+/// Reads one row of an element. Adds vertices and faces to the mesh and skips the rest. Returns
+/// false at the end of the file.
 bool readRow(const Element& element, Values& values, RawMesh& mesh) {
     const bool isVertex = element.name == "vertex", isFace = element.name == "face";
     std::array<double, 3> position{};
@@ -195,7 +196,7 @@ bool readRow(const Element& element, Values& values, RawMesh& mesh) {
         }
         const bool wanted =
             isFace && (property.name == "vertex_indices" || property.name == "vertex_index");
-        // Not a cast of an unchecked double: a hostile count may be negative, huge or not a number.
+        // Check before the cast: a hostile count may be negative, huge or NaN.
         if (!(*first >= 0 && *first <= static_cast<double>(values.bytesLeft())))
             return false;
         for (auto left = static_cast<std::int64_t>(*first); left > 0; --left) {

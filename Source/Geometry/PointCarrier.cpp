@@ -20,12 +20,12 @@ using Eigen::Vector3d;
 constexpr double smallDiscMetres = 0.01;
 constexpr int spokes = 24;
 constexpr double stripShare = 0.1;
-// Of their extent along it: nearer to a line than that are its points.
+// Points count as a line if their extent across it is at most this fraction of that along it.
 constexpr double lineShare = 1e-3;
-// Of its square: what is no triangle.
+// Triangles smaller than this fraction of the squared extent are dropped as slivers.
 constexpr double sliverShare = 1e-9;
 
-/// Where points lie: about their mean, along axes of falling extent, the third up.
+/// The principal axes of a set of points around its mean, in order of decreasing extent.
 struct Frame {
     Vector3d mean;
     Eigen::Matrix3d axes;
@@ -46,13 +46,13 @@ struct Frame {
     bool isLine() const { return extents(1) <= lineShare * extents(0); }
 };
 
-/// Upwards, or forwards for what stands upright.
+/// Returns the unit normal of a line that points up, or along +x if the line is upright.
 Vector3d normalOfLine(const Vector3d& along) {
     const Vector3d up = std::abs(along.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitX();
     return (up - along * along.dot(up)).normalized();
 }
 
-/// One row of weights for each vertex, in which a single point counts.
+/// Returns one row of weights per vertex: 1 for its point, 0 for the others.
 MatrixXd chosen(const std::vector<std::size_t>& pointOfVertex, std::size_t points) {
     MatrixXd weights =
         MatrixXd::Zero(static_cast<Index>(pointOfVertex.size()), static_cast<Index>(points));
@@ -97,7 +97,7 @@ PointCarrier triangulation(std::span<const Vector3d> points, const Frame& frame)
     using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
     using Structure = CGAL::Triangulation_data_structure_2<Vertex>;
     Eigen::Matrix3d axes = frame.axes;
-    // The surface looks upwards, to x where it stands upright.
+    // Face upward, or towards +x if the surface is upright.
     if (Vector3d(1e-3, 1e-6, 1).dot(axes.col(2)) < 0)
         axes.col(2) *= -1;
     axes.col(1) = axes.col(2).cross(axes.col(0));
@@ -115,7 +115,7 @@ PointCarrier triangulation(std::span<const Vector3d> points, const Frame& frame)
     Eigen::MatrixXi faces(static_cast<Index>(delaunay.number_of_faces()), 3);
     Index count = 0;
     for (auto face = delaunay.finite_faces_begin(); face != delaunay.finite_faces_end(); ++face) {
-        // Points along an edge of the outline are in line but for rounding.
+        // Points on one edge of the outline are collinear except for rounding.
         if (delaunay.triangle(face).area() > sliverShare * frame.extents(0) * frame.extents(0))
             faces.row(count++) << face->vertex(0)->info(), face->vertex(1)->info(),
                 face->vertex(2)->info();

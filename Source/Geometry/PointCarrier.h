@@ -1,5 +1,5 @@
-// A surface that carries what is known at a few points only: through the points, or a mesh that
-// they lie on, with how much each point counts at each vertex.
+// A surface for values that are known at a few points only: a mesh through the points or a mesh
+// that contains them, and the weight of each point at each vertex.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -11,22 +11,23 @@ namespace idiophone {
 
 struct PointCarrier {
     Mesh mesh;
-    Eigen::MatrixXd weights; ///< [N, points] ≥ 0, each row's sum 1
+    Eigen::MatrixXd weights; ///< [N, points] ≥ 0, each row sums to 1
 };
 
-/// Points as a surface has them: those of one line get a strip a tenth as wide to either side, a
-/// single one a disc of 1 cm, others their Delaunay triangulation in the plane that fits them best.
-/// Every point is a vertex, at which it alone counts. At least one point, no two in one place.
+/// Builds a surface through the points. A single point becomes a disc of 1 cm radius. Points on a
+/// line become a strip that extends to either side by a tenth of its length. Other points get their
+/// Delaunay triangulation in the best-fit plane. Every point is a vertex with weight 1. Needs at
+/// least one point, and no two at the same position.
 PointCarrier carrierThrough(std::span<const Eigen::Vector3d> points);
 
-/// For what is the same all around the z axis: a flat disc of rings of vertices at those radii in
-/// metres, ascending, ≥ 0. The innermost counts at the centre.
+/// For values that depend only on the distance from the z axis: a flat disc with rings of vertices
+/// at these radii in metres, ascending, ≥ 0. The centre has the innermost radius's value.
 PointCarrier discOfRadii(std::span<const double> radiiMetres);
 
-/// The mesh as it is; each point counts by the inverse square of its distance (Shepard 1968).
+/// Keeps the mesh. Weights are the inverse squares of the distances to the points (Shepard 1968).
 PointCarrier carriedBy(Mesh mesh, std::span<const Eigen::Vector3d> points);
 
-/// The same for what only depends on the distance from the z axis, linear between the radii.
+/// The same for values that depend only on the distance from the z axis: linear between the radii.
 PointCarrier carriedBy(Mesh mesh, std::span<const double> radiiMetres);
 
 } // namespace idiophone

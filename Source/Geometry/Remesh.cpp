@@ -31,8 +31,8 @@ struct Cancelled {};
 struct LostInArithmetic {};
 struct TooLong {};
 
-/// Counted in questions that CGAL asks of an edge, not in time, so that the same mesh ends the same
-/// way.
+/// Limits how often CGAL may query edges. It counts queries rather than time, so that the same mesh
+/// always gives the same result.
 class Patience {
 public:
     Patience(const WorkControl& control, std::int64_t questions)
@@ -50,7 +50,7 @@ private:
     std::int64_t left_;
 };
 
-/// Which edges are sharp, for CGAL to ask: the only place where its loops can be left.
+/// The property map of sharp edges. CGAL's loops can be left only by throwing from its queries.
 struct SharpEdges {
     using key_type = Edge;
     using value_type = bool;
@@ -70,7 +70,7 @@ struct SharpEdges {
     Patience* patience = nullptr;
 };
 
-/// What must stay: edges, corners, and the patches of faces between those edges.
+/// The features to preserve: edges, corners, and the patches of faces between those edges.
 struct Features {
     Surface::Property_map<Edge, bool> isSharp;
     Surface::Property_map<Vertex, bool> isCorner;
@@ -84,7 +84,7 @@ bool turnsSharply(const UnitSurface& unit, Vertex vertex, Vertex a, Vertex b, do
     return in.dot(out) < cosine * in.norm() * out.norm();
 }
 
-/// A corner is where sharp edges or boundaries end, meet, or turn sharply.
+/// Returns true if sharp edges or boundaries end, meet or turn sharply at the vertex.
 bool isCorner(const UnitSurface& unit, const Features& features, Vertex vertex, double cosine) {
     std::vector<Vertex> ends;
     for (const auto h : unit.surface.halfedges_around_target(unit.surface.halfedge(vertex))) {
@@ -111,7 +111,7 @@ Features findFeatures(UnitSurface& unit, double sharpAngleDegrees) {
     return features;
 }
 
-/// For each patch the faces that it begins with, to find nearest points on.
+/// Returns the original faces of each patch, for nearest-point queries.
 std::vector<SurfaceQuery> patchesOf(const UnitSurface& unit, const Features& features) {
     std::vector<std::vector<Face>> facesOf(features.patchCount);
     for (const auto face : unit.surface.faces())
@@ -133,7 +133,7 @@ std::vector<SurfaceQuery> patchesOf(const UnitSurface& unit, const Features& fea
     return result;
 }
 
-/// Brings a vertex that smoothing has moved back onto the surface given.
+/// Projects a smoothed vertex back onto the original surface.
 class Projection {
 public:
     Projection(const UnitSurface& unit,
@@ -160,13 +160,14 @@ private:
     const WorkControl& control_;
 };
 
-/// A scan of 500,000 triangles takes 1.6 million, a tube of triangles as long as itself 3 million;
-/// ten seconds each. Needles would take hours.
+/// A scan of 500,000 triangles takes 1.6 million queries. A tube whose triangles are as long as the
+/// tube takes 3 million. Both take ten seconds; needles would take hours.
 std::int64_t questionsAllowed(const UnitSurface& unit) {
     return 4'000'000 + 20 * static_cast<std::int64_t>(unit.surface.number_of_faces());
 }
 
-/// Some steps go through all faces round a vertex for each of them, and ask nothing meanwhile.
+/// Returns true if too many faces meet in single vertices. Some of CGAL's steps take quadratic time
+/// there, without any query that could stop them.
 bool isCrowded(const Mesh& mesh) {
     Eigen::VectorXd degrees = Eigen::VectorXd::Zero(mesh.vertexCount());
     for (const int vertex : mesh.faces.reshaped())
@@ -196,11 +197,11 @@ void remeshUnit(UnitSurface& unit,
     control.report(1, "Remeshing");
 }
 
-/// Vertices for each that remeshing leaves: enough that decimation moves the surface by far less
+/// Decimation keeps this many vertices per remeshed vertex, so that it moves the surface far less
 /// than remeshing does.
 constexpr double verticesKept = 8;
 
-/// Nothing where the mesh is not dense enough for it to pay, or its topology does not allow it.
+/// Returns nothing if the mesh is not dense enough to benefit, or if decimation fails.
 std::optional<Mesh>
 decimatedFor(double edgeLengthMetres, const Mesh& mesh, const WorkControl& control) {
     const double areaPerVertexM2 = std::sqrt(3.0) / 2 * edgeLengthMetres * edgeLengthMetres;
@@ -211,7 +212,7 @@ decimatedFor(double edgeLengthMetres, const Mesh& mesh, const WorkControl& contr
         decimate(mesh, std::max(1000, static_cast<int>(wanted)), control.quiet());
     if (!decimated)
         return {};
-    // Collapsing may bring vertices together.
+    // Collapses may bring vertices together.
     auto repaired =
         repairMesh(*decimated, {.cutIntoManifold = true, .cancelled = control.cancelled});
     if (!repaired)

@@ -30,7 +30,7 @@ public:
     }
 
     bool intersect(int f, int g) const {
-        std::array<int, 3> inF{}, inG{}; // corners that both have come first
+        std::array<int, 3> inF{}, inG{}; // shared corners come first
         int shared = 0;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
@@ -57,7 +57,7 @@ private:
     Kernel::Segment_3 oppositeSide(int face, int corner) const {
         return {point(face, (corner + 1) % 3), point(face, (corner + 2) % 3)};
     }
-    /// Of two triangles on the edge ab: in one plane and on the same side of it.
+    /// Returns true if two triangles on the edge ab lie in one plane and on the same side of it.
     static bool areFolded(const Point& a, const Point& b, const Point& p, const Point& q) {
         return CGAL::coplanar(a, b, p, q) &&
                CGAL::coplanar_orientation(a, b, p, q) == CGAL::POSITIVE;
@@ -71,7 +71,7 @@ private:
 
 std::optional<bool> intersectsItself(const Mesh& mesh, const std::atomic<bool>* cancelled) {
     constexpr std::int64_t mostPairs = 50'000'000;
-    constexpr std::ptrdiff_t fewBoxes = 2000; // below this CGAL's own advice is to test all pairs
+    constexpr std::ptrdiff_t fewBoxes = 2000; // CGAL recommends testing all pairs below this
     const FaceTest test(mesh);
     std::vector<Box> boxes;
     boxes.reserve(static_cast<std::size_t>(mesh.faceCount()));

@@ -1,4 +1,4 @@
-// Whether a surface passes through or touches itself. It finds out, and repairs nothing.
+// Detects whether a surface passes through or touches itself. It repairs nothing.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -8,11 +8,12 @@
 
 namespace idiophone {
 
-/// True when two faces share a point that is not a vertex or an edge of both, or lie folded onto
-/// each other; surfaces that merely touch count. Decided by exact predicates on the coordinates as
-/// they are. Nothing where fifty million pairs of faces would have to be looked at (slivers
-/// whose bounding boxes all overlap), so that the time stays bounded, or once cancelled: take
-/// it for yes. Indices are valid, coordinates finite; a face without area counts as intersecting.
+/// Returns true if two faces share a point that is not a common vertex or edge, or if one is folded
+/// onto the other. Touching surfaces and faces without area count. Uses exact predicates on the
+/// coordinates.
+/// Returns nothing if cancelled or after fifty million pairs of faces (slivers whose bounding boxes
+/// all overlap), so that the time is bounded; treat it as yes. Indices must be valid, coordinates
+/// finite.
 std::optional<bool> intersectsItself(const Mesh& mesh,
                                      const std::atomic<bool>* cancelled = nullptr);
 

@@ -18,16 +18,16 @@ namespace {
 
 using Triple = std::array<std::int32_t, 3>;
 
-// Delaunay triangles of evenly spread points have circumradii of less than their spacing.
+// The circumradius of Delaunay triangles of evenly spread points is less than their spacing.
 constexpr double largestReach = 1.5; // spacings
 
-/// Which row each vertex of the object belongs to, −1 where no way along edges leads to one.
+/// The row of each vertex; −1 if no row can be reached along edges.
 struct Cells {
     std::vector<std::int32_t> rowOfVertex;
-    std::vector<double> distanceMetres; ///< of each vertex to that row's
+    std::vector<double> distanceMetres; ///< distance of each vertex to its row's vertex
 };
 
-/// Cells grow from their rows along edges, the nearest vertex first, so that each is connected.
+/// Grows cells from the rows along edges, nearest vertex first, so that each cell is connected.
 Cells voronoiCells(const Mesh& mesh, const Mesh& shapes, const ModalObject& object) {
     std::vector<std::vector<int>> neighbours;
     if (mesh.faceCount() > 0)
@@ -59,10 +59,10 @@ Cells voronoiCells(const Mesh& mesh, const Mesh& shapes, const ModalObject& obje
 
 struct CellFace {
     Triple rows;
-    double reachMetres; ///< of the three rows' vertices to the face they meet in
+    double reachMetres; ///< maximum distance of the face's corners to their rows' vertices
 };
 
-/// The object's faces by the cells of their corners.
+/// Returns the object's faces with the rows of their corners.
 std::vector<CellFace> cellFaces(const Mesh& mesh, const Cells& cells) {
     std::vector<CellFace> faces;
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face) {
@@ -77,8 +77,8 @@ std::vector<CellFace> cellFaces(const Mesh& mesh, const Cells& cells) {
     return faces;
 }
 
-/// Of each row to those whose cells are next to its own: the median, which neither rows in long
-/// lines nor cells that reach far around the object move much.
+/// Returns each row's median distance to the rows of adjacent cells. Long lines of rows and cells
+/// that reach far around the object hardly change the median.
 std::vector<double> spacings(const std::vector<CellFace>& faces, const Mesh& shapes) {
     std::set<std::pair<std::int32_t, std::int32_t>> adjacent;
     for (const auto& [rows, reach] : faces)
@@ -99,7 +99,8 @@ std::vector<double> spacings(const std::vector<CellFace>& faces, const Mesh& sha
     return spacing;
 }
 
-/// Whether a face between three rows looks to the side on which they are. `normals` [V,3].
+/// Returns true if a face between three rows looks to the outside of the surface there. `normals`
+/// [V,3].
 bool facesOut(const Triple& rows, const Mesh& shapes, const Eigen::MatrixXd& normals) {
     const Eigen::RowVector3d a = shapes.vertices.row(rows[0]), b = shapes.vertices.row(rows[1]),
                              c = shapes.vertices.row(rows[2]);
@@ -108,7 +109,7 @@ bool facesOut(const Triple& rows, const Mesh& shapes, const Eigen::MatrixXd& nor
     return (b - a).cross(c - a).dot(outward) > 0;
 }
 
-/// Where three cells meet, within reach, each meeting once.
+/// Returns the triples of rows whose cells meet within reach, each once.
 std::vector<Triple>
 meetings(const std::vector<CellFace>& faces, const Mesh& shapes, const Eigen::MatrixXd& normals) {
     const auto spacing = spacings(faces, shapes);

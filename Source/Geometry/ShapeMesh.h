@@ -1,5 +1,5 @@
-// The part of a modal object's surface on which its shapes are known: a mesh between the vertices
-// that carry them, so that shapes are linear over its faces. SurfaceQuery finds places on it.
+// The part of a modal object's surface where its shapes are known: a mesh between the vertices with
+// shapes. Shapes are linear over its faces. SurfaceQuery finds positions on it.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -7,13 +7,13 @@
 
 namespace idiophone {
 
-/// Vertex i is the vertex of row i of `ModalObject::shapeVertices`, of which there is at least one.
-/// Where every vertex carries shapes these are the object's own faces. Where only some do, each
-/// vertex of the object counts as its nearest one that does, and the faces between three of those
-/// are what remains: the Delaunay triangulation on the surface, dual to its Voronoi cells. What
-/// lies farther from the shapes than these are from one another stays open, and so does what would
-/// lie flat against them from behind, as the underside of a bar with shapes on top. A row of no
-/// face gets one of no area, so that every row can be found and the mesh has a face.
+/// Builds the mesh. Vertex i is the vertex of row i of `ModalObject::shapeVertices` (at least one).
+/// If every vertex has shapes, the faces are the object's own. Otherwise each vertex of the object
+/// belongs to its nearest vertex with shapes. Faces remain where three such cells meet: the
+/// Delaunay triangulation on the surface, dual to its Voronoi cells.
+/// Regions farther from the shapes than the shapes' spacing stay open. So do faces against the back
+/// of others, such as the underside of a bar with shapes on top. A row without a face gets a face
+/// without area, so that every row can be found and the mesh has a face.
 Mesh shapeMesh(const ModalObject& object);
 
 } // namespace idiophone

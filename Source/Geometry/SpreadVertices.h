@@ -1,4 +1,4 @@
-// A few places out of many, spread as evenly as can be.
+// Selects a few positions out of many, spread as evenly as possible.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -10,13 +10,13 @@
 
 namespace idiophone {
 
-/// `count` of the places 0 … places − 1, each the farthest from those before (Gonzalez 1985),
-/// beginning with the first; ascending. Fewer where there are not as many apart.
-/// `squaredDistance(i, j)` is a Scalar.
+/// Selects `count` of the positions 0 … places − 1: the first, then always the one farthest from
+/// those selected (Gonzalez 1985). Returns them in ascending order, or fewer if there are not
+/// enough distinct ones. `squaredDistance(i, j)` returns a Scalar.
 template <class Scalar, class SquaredDistance>
 std::vector<std::size_t>
 spreadPlaces(std::size_t places, std::size_t count, const SquaredDistance& squaredDistance) {
-    // A hair of preference for the earlier keeps rounding from choosing among equals.
+    // Prefer earlier positions slightly, so that rounding does not choose among equals.
     constexpr auto hair = static_cast<Scalar>(1 + 1e-9);
     std::vector<std::size_t> chosen;
     std::vector<Scalar> nearest(places, std::numeric_limits<Scalar>::infinity());
@@ -35,7 +35,7 @@ spreadPlaces(std::size_t places, std::size_t count, const SquaredDistance& squar
     return chosen;
 }
 
-/// `count` of these vertices, spread so; ascending.
+/// Selects `count` of the candidate vertices in the same way; ascending.
 std::vector<int>
 spreadVertices(const Mesh& mesh, const std::vector<int>& candidates, std::size_t count);
 

@@ -9,8 +9,8 @@
 namespace idiophone {
 namespace {
 
-/// What libigl takes for granted, and writes beyond its matrices without: no edge is run along
-/// twice in one direction, so that its faces are two at most, and agree.
+/// Returns true if no edge is used twice in one direction, so that it has at most two faces and
+/// they agree. libigl assumes this and otherwise writes out of bounds.
 bool facesAgree(const Eigen::MatrixXi& faces) {
     std::vector<std::pair<int, int>> edges;
     for (const auto& face : faces.rowwise())
@@ -26,7 +26,7 @@ bool facesAgree(const Eigen::MatrixXi& faces) {
 Mesh subdivided(const Mesh& mesh, int times) {
     if (mesh.faceCount() == 0 || !facesAgree(mesh.faces))
         return mesh;
-    Mesh used; // libigl reads beyond its lists where a vertex has no face
+    Mesh used; // libigl reads out of bounds if a vertex has no face
     Eigen::VectorXi newNumbers;
     igl::remove_unreferenced(mesh.vertices, mesh.faces, used.vertices, used.faces, newNumbers);
     Mesh fine;

@@ -1,14 +1,14 @@
-// Meshes made smooth: what rolls over a coarse mesh would feel its edges.
+// Smooths meshes, because a body that rolls over a coarse mesh would feel its edges.
 #pragma once
 
 #include "Geometry/Mesh.h"
 
 namespace idiophone {
 
-/// The mesh subdivided so many times after Loop (1987), by libigl: every face becomes four each
-/// time, on the way to a surface whose tangents turn without a step. Vertices without a face are
-/// left out. A mesh in which more than two faces meet in an edge, or two that run along it in the
-/// same direction, as on a Möbius strip, or a face has a corner twice, stays as it is.
+/// Subdivides the mesh `times` times after Loop (1987), by libigl: every face becomes four, towards
+/// a surface with continuous tangents. Drops vertices without a face. Returns the mesh unchanged if
+/// more than two faces meet in an edge, if two faces run along an edge in the same direction
+/// (Möbius strip), or if a face has a corner twice.
 Mesh subdivided(const Mesh& mesh, int times);
 
 } // namespace idiophone

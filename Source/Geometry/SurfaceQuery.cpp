@@ -29,7 +29,7 @@ struct Triangle {
         return length > 0 ? Eigen::Vector3d(n / length) : Eigen::Vector3d::UnitZ();
     }
 
-    /// Of a point of the triangle.
+    /// Returns the barycentric weights of a point on the triangle.
     Eigen::Vector3d barycentric(const Eigen::Vector3d& point) const {
         const Eigen::Vector3d w = point - a, n = u.cross(v);
         const double n2 = n.squaredNorm();
@@ -45,14 +45,14 @@ struct Triangle {
         return weights / weights.sum();
     }
 
-    /// Where the ray meets the triangle, in lengths of `direction` (Möller & Trumbore 1997).
+    /// Returns the distance along the ray in lengths of `direction` (Möller & Trumbore 1997).
     std::optional<double> hit(const Eigen::Vector3d& origin,
                               const Eigen::Vector3d& direction) const {
         const Eigen::Vector3d p = direction.cross(v);
         const double determinant = u.dot(p);
         if (std::abs(determinant) <= 1e-14 * u.norm() * v.norm() * direction.norm())
             return std::nullopt;
-        // A hair's width of slack, so that a ray along a shared edge hits one of the two faces.
+        // A little slack, so that a ray along a shared edge hits one of the two faces.
         constexpr double slack = 1e-12;
         const Eigen::Vector3d w = origin - a, q = w.cross(u);
         const double s = w.dot(p) / determinant, t = direction.dot(q) / determinant;
@@ -63,7 +63,7 @@ struct Triangle {
     }
 };
 
-/// The distance at which the ray enters the box, in lengths of the direction, or infinity.
+/// Returns the distance at which the ray enters the box, in lengths of the direction, or infinity.
 double entry(const Eigen::AlignedBox3d& box,
              const Eigen::Vector3d& origin,
              const Eigen::Vector3d& direction) {
@@ -79,7 +79,7 @@ double entry(const Eigen::AlignedBox3d& box,
         near = std::max(near, std::min(t0, t1));
         far = std::min(far, std::max(t0, t1));
     }
-    const double slack = 1e-12 * std::abs(far); // flat boxes: rounding must not empty them
+    const double slack = 1e-12 * std::abs(far); // rounding must not make flat boxes empty
     return near <= far + slack ? near : std::numeric_limits<double>::infinity();
 }
 
@@ -106,7 +106,7 @@ SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point) const {
     return nearestPoint(point, boxesLeft);
 }
 
-// libigl's own search, in its order and with its measure of a triangle, but that it can be ended.
+// The same search as libigl's, with its order and its triangle distance, but with a box limit.
 SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
                                         std::int64_t& boxesLeft) const {
     using Node = igl::AABB<Eigen::MatrixXd, 3>;
@@ -140,7 +140,7 @@ SurfacePoint SurfaceQuery::nearestPoint(const Eigen::Vector3d& point,
                 self(self, *half);
     };
     search(search, *tree_);
-    if (bestFace < 0) { // as no distance was less than infinite, or no box was left
+    if (bestFace < 0) { // no distance was finite, or no box was left
         auto some = surfacePoint(mesh_, 0, mesh_.vertices.row(mesh_.faces(0, 0)).transpose());
         some.distanceMetres = std::numeric_limits<double>::infinity();
         return some;
@@ -156,8 +156,8 @@ bool SurfaceQuery::visitAlong(const Eigen::Vector3d& origin,
                               const double& reach,
                               std::int64_t& boxesLeft,
                               const Visit& visit) const {
-    // libigl's own ray test works in float and takes triangles under 1e-6 m² for parallel to every
-    // ray: its tree, our test.
+    // libigl's ray test works in float and treats triangles under 1e-6 m² as parallel to every ray.
+    // Use its tree with our own test.
     const igl::AABB<Eigen::MatrixXd, 3>* root = tree_.get();
     std::vector pending{root};
     while (!pending.empty()) {

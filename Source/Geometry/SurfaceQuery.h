@@ -1,5 +1,5 @@
-// Where a ray or a point meets a surface: picking, strikes at a place, contact. Built once for a
-// mesh; every query is const and may run on several threads at once.
+// Finds where a ray or a point meets a surface: for picking, strikes and contact. Built once per
+// mesh; queries are const and may run on several threads at once.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -13,21 +13,21 @@ namespace idiophone {
 
 struct SurfacePoint {
     int face = -1;
-    Eigen::Vector3d barycentric; ///< weights of the face's three corners, ≥ 0, their sum 1
+    Eigen::Vector3d barycentric; ///< weights of the face's three corners, ≥ 0, sum 1
     Eigen::Vector3d pointMetres;
-    Eigen::Vector3d normal;    ///< the face's unit normal, by its orientation
-    double distanceMetres = 0; ///< from the query's point or the ray's origin
+    Eigen::Vector3d normal;    ///< unit normal of the face, by its orientation
+    double distanceMetres = 0; ///< from the query point or the ray's origin
 };
 
-/// A question looks at boxes round ever fewer faces. Of most surfaces some hundred will do; where
-/// faces are heaped on each other all of them might have to be looked at. So each one is taken from
-/// `boxesLeft`, or from a number of its own for each question; once there are none left, the answer
-/// is the best of the faces looked at: for a point, of none, some point infinitely far away.
+/// Nearest-point and ray queries on a mesh. On most surfaces a query visits about a hundred boxes;
+/// where many faces overlap it could visit all. Each visited box is therefore deducted from
+/// `boxesLeft`, or from a fixed limit per query. When no box is left, the result is the best of the
+/// visited faces.
 class SurfaceQuery {
 public:
     static constexpr std::int64_t boxesForPoint = 20'000, boxesForRay = 200'000;
 
-    /// The mesh has a face, and its indices are valid (as MeshReader and MeshRepair see to).
+    /// The mesh must have a face and valid indices (MeshReader and MeshRepair ensure this).
     explicit SurfaceQuery(Mesh mesh);
     ~SurfaceQuery();
     SurfaceQuery(SurfaceQuery&&) noexcept;
@@ -35,34 +35,35 @@ public:
 
     const Mesh& mesh() const { return mesh_; }
 
-    /// Of a point that is not finite, or too far away to measure from, some point of the surface,
-    /// infinitely far away.
+    /// Returns the nearest point of the surface. If the point is not finite, is too far away to
+    /// measure, or no face was visited, returns some point of the surface at infinite distance.
     SurfacePoint nearestPoint(const Eigen::Vector3d& point) const;
     SurfacePoint nearestPoint(const Eigen::Vector3d& point, std::int64_t& boxesLeft) const;
 
-    /// The first face along the ray, from either side; nothing when it misses. The direction need
-    /// not have unit length, only not be zero.
+    /// Returns the first face along the ray, from either side; nothing if the ray misses. The
+    /// direction must not be zero; any length is allowed.
     std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& origin,
                                          const Eigen::Vector3d& direction) const;
     std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& origin,
                                          const Eigen::Vector3d& direction,
                                          std::int64_t& boxesLeft) const;
 
-    /// How far along the ray it passes through faces, in lengths of the direction and ascending;
-    /// along an edge through those on both sides. Nothing where the boxes do not suffice.
+    /// Returns the distances at which the ray passes through faces, ascending, in lengths of the
+    /// direction. A ray through an edge passes through both faces. Returns nothing if the boxes run
+    /// out.
     std::optional<std::vector<double>> passages(const Eigen::Vector3d& origin,
                                                 const Eigen::Vector3d& direction,
                                                 std::int64_t& boxesLeft) const;
 
-    /// Linear in the number of vertices.
+    /// Takes time linear in the number of vertices.
     int nearestVertex(const Eigen::Vector3d& point) const;
 
 private:
     struct Tree;
 
-    /// Calls `visit(face, distance)` for faces that the ray meets, distances in lengths of the
-    /// direction, but for those in boxes that it enters no sooner than at `reach`, which may change
-    /// meanwhile. Whether the boxes sufficed.
+    /// Calls `visit(face, distance)` for faces that the ray meets, with distances in lengths of the
+    /// direction. Skips boxes that the ray enters at `reach` or later; `visit` may reduce `reach`.
+    /// Returns false if the boxes ran out.
     template <typename Visit>
     bool visitAlong(const Eigen::Vector3d& origin,
                     const Eigen::Vector3d& direction,

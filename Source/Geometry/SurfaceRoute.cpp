@@ -14,9 +14,9 @@ struct Neighbour {
     int vertex;
     double metres;
 };
-using Graph = std::vector<std::vector<Neighbour>>; // of each vertex
+using Graph = std::vector<std::vector<Neighbour>>; // neighbours of each vertex
 
-/// Of the faces whose normals have at least that component along `facing`.
+/// Returns the edges of faces whose unit normal has at least the component `least` along `facing`.
 Graph edgesFacing(const Mesh& mesh, const Eigen::Vector3d& facing, double least) {
     Graph graph(static_cast<std::size_t>(mesh.vertexCount()));
     for (const auto& face : mesh.faces.rowwise()) {
@@ -47,7 +47,7 @@ int nearestOf(const Graph& graph, const Mesh& mesh, const Eigen::Vector3d& point
     return nearest;
 }
 
-/// Dijkstra's, from the last vertex to the first; empty where there is none.
+/// Dijkstra's algorithm. Returns the path from `to` back to `from`; empty if there is none.
 std::vector<int> shortestPath(const Graph& graph, int from, int to) {
     std::vector<double> metres(graph.size(), std::numeric_limits<double>::infinity());
     std::vector<int> previous(graph.size(), -1);
@@ -76,7 +76,7 @@ std::vector<int> shortestPath(const Graph& graph, int from, int to) {
     return path;
 }
 
-/// Every point between its neighbours, a few times over; the ends stay.
+/// Averages every point with its neighbours a few times. The ends stay in place.
 void roundOff(std::vector<Eigen::Vector3d>& way) {
     constexpr int passes = 8;
     for (int pass = 0; pass < passes; ++pass) {

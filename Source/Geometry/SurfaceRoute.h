@@ -1,4 +1,4 @@
-// A way over a surface from one place to another.
+// Finds a path over a surface from one place to another.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -7,10 +7,10 @@
 
 namespace idiophone {
 
-/// Along the edges of faces that face within 60° of a unit vector, or of all where these do not
-/// join, from the vertex of such faces nearest to one point to that nearest to another: the
-/// shortest such way, with its corners rounded off. Empty where nothing joins them. The mesh has a
-/// face, and its indices are valid.
+/// Returns the shortest path along edges between the vertices nearest to `from` and `to`, with
+/// rounded corners. Uses only faces within 60° of the unit vector `facing`; if these do not
+/// connect, all faces. Empty if nothing connects the vertices. The mesh must have a face and valid
+/// indices.
 std::vector<Eigen::Vector3d> surfaceRoute(const Mesh& mesh,
                                           const Eigen::Vector3d& from,
                                           const Eigen::Vector3d& to,

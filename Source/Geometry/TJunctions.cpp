@@ -13,7 +13,7 @@
 namespace idiophone {
 namespace {
 
-/// Those along which no other face has a side.
+/// Returns the sides along which no other face has a side.
 std::vector<FaceSide> boundaryEdgesOf(const Mesh& mesh) {
     const auto sides = sortedFaceSides(mesh);
     std::vector<FaceSide> result;
@@ -26,7 +26,7 @@ std::vector<FaceSide> boundaryEdgesOf(const Mesh& mesh) {
     return result;
 }
 
-/// The points within a distance of a segment, as CGAL's tree asks for them.
+/// A query region for CGAL's tree: the points within a distance of a segment.
 class Tube {
 public:
     using D = VertexTreeTraits::Dimension;
@@ -54,7 +54,7 @@ public:
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
-        // Rounding must not lose a box that the segment grazes: `contains` decides.
+        // Rounding must not exclude a box that the segment grazes: `contains` decides.
         return enter <= leave + 1e-9;
     }
     bool outer_range_contains(const CGAL::Kd_tree_rectangle<double, D>&) const { return false; }
@@ -75,7 +75,7 @@ void plantBoundaryVertices(VertexTree& tree, const Mesh& mesh, const std::vector
     tree.build();
 }
 
-/// The vertices on the edge, from its beginning to its end.
+/// Returns the vertices on the edge, from its start to its end.
 std::vector<int>
 verticesOn(const Mesh& mesh, const VertexTree& tree, const FaceSide& edge, double toleranceMetres) {
     const int a = mesh.faces(edge.face, edge.corner),
@@ -87,7 +87,7 @@ verticesOn(const Mesh& mesh, const VertexTree& tree, const FaceSide& edge, doubl
         return {};
     std::vector<NumberedPoint> found;
     tree.search(std::back_inserter(found), Tube(from, to, toleranceMetres));
-    std::vector<std::pair<double, int>> inside; // the place along the edge in metres, the vertex
+    std::vector<std::pair<double, int>> inside; // position along the edge in metres, vertex
     for (const auto& [point, vertex] : found) {
         const double along =
             (Eigen::Vector3d(point.x(), point.y(), point.z()) - from).dot((to - from) / length);
@@ -99,7 +99,8 @@ verticesOn(const Mesh& mesh, const VertexTree& tree, const FaceSide& edge, doubl
     std::vector<int> result;
     double last = 0;
     for (const auto& [along, vertex] : inside)
-        if (along - last > toleranceMetres) { // not two that the edge could not tell apart
+        if (along - last >
+            toleranceMetres) { // skip vertices too close to each other along the edge
             result.push_back(vertex);
             last = along;
         }

@@ -1,19 +1,20 @@
-// Joins faces along an edge that only one of them has a vertex on. Internal to Geometry.
+// Joins faces along an edge on which only one side has a vertex. Internal to Geometry.
 #pragma once
 
 #include "Geometry/Mesh.h"
 
 namespace idiophone {
 
-/// A mesh with more edges of a single face than this is a soup of triangles.
+/// A mesh with more edges of a single face than this is treated as a soup of triangles.
 inline constexpr int mostOpenEdges = 200'000;
 
-/// Splits every edge of a single face at the boundary vertices that lie on it, nearer than the
-/// tolerance (and farther than that from its ends), so that the faces on its other side can join.
-/// The edge then runs through those vertices, which stay where they are. Returns the number of
-/// vertices put in. A mesh with more of them than twice its boundary edges is a tangle and keeps
-/// the rest; one with more than `mostOpenEdges` edges of a single face is left as it is. Degenerate
-/// and duplicate faces have been dropped before, and may appear.
+/// Splits every edge of a single face at the boundary vertices on it, so that the faces on its
+/// other side can join. A vertex is on the edge if it is closer than the tolerance, and farther
+/// than that from its ends. The edge then runs through the vertices, which stay in place. Returns
+/// the number of insertions.
+/// Stops when insertions exceed twice the boundary edges (plus 1,000): such a mesh is a tangle.
+/// Does nothing if more than `mostOpenEdges` edges have a single face. Drop degenerate and
+/// duplicate faces before and after: new ones may appear.
 int splitTJunctions(Mesh& mesh, double toleranceMetres);
 
 } // namespace idiophone

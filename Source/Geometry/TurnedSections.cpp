@@ -7,12 +7,13 @@
 namespace idiophone {
 namespace {
 
-constexpr int steps = 40; // of a curve: finer than any mesh of it
+constexpr int steps = 40; // per curve: finer than any mesh of it
 constexpr double quarterTurn = std::numbers::pi / 2;
 
-/// Chosen with the measures of the factory's handbell, whose (3,0) is to be a twelfth above (2,0).
+/// Chosen together with the factory handbell's measures, so that its (3,0) mode lies a twelfth
+/// above (2,0).
 constexpr double flareExponent = 2;
-constexpr double lipShare = 0.25; // of the height
+constexpr double lipShare = 0.25; // fraction of the height
 
 } // namespace
 

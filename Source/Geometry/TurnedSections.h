@@ -1,24 +1,24 @@
-// The half sections of the factory's bells and bowls, for latheMesh: from the pole at the bottom or
-// the lip, up. docs/instruments.md says whose measures they are.
+// The half sections of the factory's bells and bowls for latheMesh, upward from the pole at the
+// bottom or from the lip. docs/instruments.md names the sources of the measures.
 #pragma once
 
 #include "Geometry/LatheMesh.h"
 
 namespace idiophone {
 
-/// Mouth down: from the lip over a flaring side and a round shoulder to the crown.
+/// A bell, mouth down: from the lip over a flaring side and a round shoulder to the crown.
 struct BellMeasures {
     double lipRadiusMetres = 0;
     double heightMetres = 0;
-    double shoulderRadiusMetres = 0; ///< of the side where the shoulder begins
-    double shoulderCurveMetres = 0;  ///< how round the shoulder is; less than its radius
-    double lipThicknessMetres = 0;   ///< thins to that of the side over a quarter of the height
+    double shoulderRadiusMetres = 0; ///< radius of the side where the shoulder begins
+    double shoulderCurveMetres = 0; ///< radius of the shoulder's curve; less than `shoulderRadiusMetres`
+    double lipThicknessMetres = 0;   ///< thins to the side's thickness over a quarter of the height
     double sideThicknessMetres = 0;
     double crownThicknessMetres = 0;
 };
 std::vector<LathePoint> bellSection(const BellMeasures& bell);
 
-/// A flat foot, then a quarter of an ellipse up to the rim.
+/// A bowl: a flat foot, then a quarter of an ellipse up to the rim.
 struct BowlMeasures {
     double rimRadiusMetres = 0;
     double heightMetres = 0;
@@ -28,7 +28,7 @@ struct BowlMeasures {
 };
 std::vector<LathePoint> bowlSection(const BowlMeasures& bowl);
 
-/// A part of a sphere, mouth up.
+/// A spherical cap, mouth up.
 std::vector<LathePoint>
 capSection(double rimRadiusMetres, double depthMetres, double thicknessMetres);
 
@@ -37,10 +37,10 @@ struct CaseMeasures {
     double baseRadiusMetres = 0;
     double mouthRadiusMetres = 0;
     double heightMetres = 0;
-    double mouthHeightMetres = 0; ///< of the cylindrical part
-    double cornerMetres = 0;      ///< how round the corner between base and wall is
+    double mouthHeightMetres = 0; ///< height of the cylindrical part
+    double cornerMetres = 0;      ///< radius of the corner between base and wall
     double baseThicknessMetres = 0;
-    double wallThicknessMetres = 0; ///< above the corner; thins evenly to the mouth's
+    double wallThicknessMetres = 0; ///< just above the corner; thins evenly towards the mouth
     double mouthThicknessMetres = 0;
 };
 std::vector<LathePoint> caseSection(const CaseMeasures& measures);
