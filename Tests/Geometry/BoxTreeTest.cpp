@@ -16,7 +16,7 @@ namespace {
 
 constexpr BoxSearch plenty{.pairs = 5'000'000, .boxes = 200'000'000};
 
-/// Its faces in no order.
+/// Puts the faces in random order.
 Mesh shuffled(const Mesh& mesh) {
     std::vector<int> order(static_cast<std::size_t>(mesh.faceCount()));
     std::iota(order.begin(), order.end(), 0);
@@ -24,7 +24,7 @@ Mesh shuffled(const Mesh& mesh) {
     return {mesh.vertices, mesh.faces(order, Eigen::all)};
 }
 
-/// Corrugated, each fold as long as the sheet.
+/// A corrugated sheet. Each fold is as long as the sheet.
 Mesh washboard(int strips, double pitchMetres) {
     Mesh mesh{Eigen::MatrixXd(2 * (strips + 1), 3), Eigen::MatrixXi(2 * strips, 3)};
     for (int fold = 0; fold <= strips; ++fold)
@@ -38,7 +38,7 @@ Mesh washboard(int strips, double pitchMetres) {
     return mesh;
 }
 
-/// Beside each other, a hair's width apart, all as wide and as high as they are long.
+/// Thin triangles side by side, 2e-5 apart, each 1 wide and 1 high.
 Mesh slivers(int count) {
     Mesh mesh{Eigen::MatrixXd(3 * count, 3), Eigen::MatrixXi(count, 3)};
     for (int sliver = 0; sliver < count; ++sliver) {
@@ -49,7 +49,7 @@ Mesh slivers(int count) {
     return mesh;
 }
 
-/// Round about the origin, at distances and of sizes from a millionth of a millionth to one.
+/// Faces around the origin, with distances and sizes from 1e-12 to 1.
 Mesh unevenFaces(int count) {
     Mesh mesh{Eigen::MatrixXd(3 * count, 3), Eigen::MatrixXi(count, 3)};
     std::mt19937 random(1);
@@ -67,7 +67,7 @@ Mesh unevenFaces(int count) {
 
 } // namespace
 
-TEST_CASE("Faces in one place touch each other, and those beside each other their neighbours") {
+TEST_CASE("Coincident faces all touch each other, and faces in a row touch their neighbours only") {
     Mesh same{Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Eigen::MatrixXi(10, 3)};
     same.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
     const auto pairs = [](const Mesh& mesh, std::size_t most) {
@@ -86,7 +86,8 @@ TEST_CASE("Faces in one place touch each other, and those beside each other thei
     CHECK(pairs({row.vertices, Eigen::MatrixXi(0, 3)}, 0) == 0);
 }
 
-TEST_CASE("A sound mesh has some ten neighbours a face, and a heap is known for one soon") {
+TEST_CASE(
+    "A good mesh has some ten neighbours per face, and a search of coincident faces ends early") {
     const auto ball = icosphereMesh(1, 6); // of 81920 faces
     const auto faces = static_cast<std::size_t>(ball.faceCount());
     const auto touching = BoxTree(ball).touchingFaces(plenty);
@@ -99,9 +100,9 @@ TEST_CASE("A sound mesh has some ten neighbours a face, and a heap is known for 
     CHECK_FALSE(BoxTree(heap).touchingFaces(plenty));
 }
 
-TEST_CASE("Long faces beside each other are told apart by no more boxes than round ones") {
+TEST_CASE("Long thin faces side by side need no more boxes than round ones") {
     constexpr int faces = 100'000;
-    // Also where they are longer than all of them are wide.
+    // At the smaller pitch each face is longer than the whole sheet is wide.
     for (const double pitchMetres : {1e-4, 1e-6})
         for (const auto& mesh :
              {washboard(faces / 2, pitchMetres), shuffled(washboard(faces / 2, pitchMetres))}) {
@@ -118,7 +119,7 @@ TEST_CASE("Long faces beside each other are told apart by no more boxes than rou
     }
 }
 
-TEST_CASE("Faces of very different sizes are told apart by no more boxes than others") {
+TEST_CASE("Faces of very different sizes need no more boxes than equal ones") {
     constexpr int faces = 100'000;
     const auto touching = BoxTree(unevenFaces(faces)).touchingFaces(plenty);
     REQUIRE(touching);
@@ -126,7 +127,7 @@ TEST_CASE("Faces of very different sizes are told apart by no more boxes than ot
     CHECK(touching->boxes < 100 * faces);
 }
 
-TEST_CASE("A search through too many boxes is given up, whatever it finds") {
+TEST_CASE("A search that needs too many boxes fails, even without any pair") {
     const auto mesh = slivers(1000);
     const auto boxes = BoxTree(mesh).touchingFaces(plenty).value().boxes;
     CHECK(BoxTree(mesh).touchingFaces({.pairs = 0, .boxes = boxes}));

@@ -17,7 +17,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// A ball with the noise of a scan on it.
+/// A ball with the noise of a scan.
 Mesh scan(int level, double noiseMetres) {
     auto mesh = icosphereMesh(0.1, level);
     std::mt19937 random(7);
@@ -28,7 +28,7 @@ Mesh scan(int level, double noiseMetres) {
 
 } // namespace
 
-TEST_CASE("A scan comes down to its budget within a thousandth of its size") {
+TEST_CASE("A scan is decimated to its budget within a thousandth of its size") {
     const auto ball = scan(6, 2e-5);
     const auto decimated = decimate(ball, 1000);
     REQUIRE(decimated);
@@ -43,14 +43,14 @@ TEST_CASE("A scan comes down to its budget within a thousandth of its size") {
     CHECK(greatest < 1e-3);
 }
 
-TEST_CASE("A finely divided box comes down to its eight corners") {
+TEST_CASE("A finely divided box is decimated to its eight corners") {
     const auto decimated = decimate(boxMesh({0.3, 0.2, 0.1}, {30, 20, 10}), 8);
     REQUIRE(decimated);
     CHECK(decimated->vertexCount() == 8);
     CHECK(signedVolumeM3(*decimated) == Approx(0.006).epsilon(1e-6));
 }
 
-TEST_CASE("An open sheet keeps its outline") {
+TEST_CASE("An open sheet keeps its area when decimated") {
     const auto decimated = decimate(gridPlateMesh(0.4, 0.1, 80, 20), 60);
     REQUIRE(decimated);
     CHECK(isOrientedManifold(*decimated));
@@ -65,7 +65,7 @@ TEST_CASE("A mesh within its budget stays as it is") {
     CHECK((same->vertices - ball.vertices).cwiseAbs().maxCoeff() < 1e-15);
 }
 
-TEST_CASE("A budget that the topology cannot meet is refused with the number it needs") {
+TEST_CASE("A budget below the needs of the topology fails and names the required number") {
     std::mt19937 random(9);
     Mesh triangles{Eigen::MatrixXd::Random(300, 3), Eigen::MatrixXi(100, 3)};
     for (int i = 0; i < 300; ++i)
@@ -77,13 +77,13 @@ TEST_CASE("A budget that the topology cannot meet is refused with the number it 
     CHECK_THAT(decimate({}, 100).error().message, ContainsSubstring("no faces"));
 }
 
-TEST_CASE("Faces that meet in one vertex are as many as can be decimated in seconds") {
+TEST_CASE("Decimation fails if too many faces meet in one vertex") {
     CHECK(decimate(fanMesh(500), 400));
     CHECK_THAT(decimate(fanMesh(2000), 400).error().message,
                ContainsSubstring("too many of its faces meet in one vertex"));
 }
 
-TEST_CASE("A decimation tells its progress and can be cancelled") {
+TEST_CASE("A decimation reports its progress and can be cancelled") {
     const auto ball = scan(5, 0);
     std::vector<double> told;
     std::atomic<bool> cancelled = false;

@@ -6,7 +6,7 @@
 
 using namespace idiophone;
 
-TEST_CASE("The search for hollows is given up once it is cancelled, and turns nothing") {
+TEST_CASE("A cancelled search for hollows turns nothing") {
     const Mesh outer = icosphereMesh(1, 2), inner = icosphereMesh(0.5, 2);
     const auto vertices = outer.vertexCount(), faces = outer.faceCount();
     Mesh both{Eigen::MatrixXd(2 * vertices, 3), Eigen::MatrixXi(2 * faces, 3)};

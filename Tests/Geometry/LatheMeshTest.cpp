@@ -48,14 +48,14 @@ std::vector<LathePoint> halfCircle(double radiusMetres) {
 
 } // namespace
 
-TEST_CASE("A turned half circle is a closed sphere of the right area and volume, seen outside") {
+TEST_CASE("A turned half circle is a closed sphere with the right area and volume") {
     const auto sphere = latheMesh(halfCircle(0.1), 0.008).mesh;
     CHECK(isClosed(uniqueEdges(sphere)));
     CHECK_THAT(faceAreas(sphere).sum(), WithinRel(4 * pi * 0.01, 0.01));
     CHECK_THAT(signedVolumeM3(sphere), WithinRel(4.0 / 3 * pi * 0.001, 0.01));
 }
 
-TEST_CASE("No triangle of a turned bowl has an angle under 30 degrees, also at the pole") {
+TEST_CASE("No triangle of a turned bowl has an angle under 30 degrees, even at the pole") {
     const double edge = GENERATE(0.005, 0.008, 0.013);
     const auto bowl = latheMesh(bowlSection({.rimRadiusMetres = 0.083,
                                              .heightMetres = 0.073,
@@ -68,7 +68,7 @@ TEST_CASE("No triangle of a turned bowl has an angle under 30 degrees, also at t
     CHECK(connectedComponents(bowl.mesh).count == 1);
 }
 
-TEST_CASE("A turned surface repeats twelve times around its axis") {
+TEST_CASE("A turned surface has twelve-fold symmetry") {
     const auto cap = latheMesh(capSection(0.178, 0.1, 0.002), 0.013).mesh;
     const double angle = pi / 6;
     for (const auto& vertex : cap.vertices.rowwise()) {
@@ -81,7 +81,7 @@ TEST_CASE("A turned surface repeats twelve times around its axis") {
     }
 }
 
-TEST_CASE("A bell is open at its lip only, whose wall is as thick as it is asked to be") {
+TEST_CASE("A bell is open only at its lip and has the requested wall thickness") {
     const BellMeasures measures{.lipRadiusMetres = 0.07,
                                 .heightMetres = 0.09,
                                 .shoulderRadiusMetres = 0.045,
@@ -102,7 +102,7 @@ TEST_CASE("A bell is open at its lip only, whose wall is as thick as it is asked
             REQUIRE(std::abs(bell.thicknessMetres(v) - 0.0035) < 1e-12);
 }
 
-TEST_CASE("A case keeps its height and radii, and its base lies flat") {
+TEST_CASE("A case has the requested height and radii and a flat base") {
     const auto mesh = latheMesh(caseSection({.baseRadiusMetres = 0.049,
                                              .mouthRadiusMetres = 0.045,
                                              .heightMetres = 0.292,
@@ -124,7 +124,7 @@ TEST_CASE("A case keeps its height and radii, and its base lies flat") {
     CHECK_THAT(mesh.vertices.col(2).maxCoeff(), WithinRel(0.292, 1e-12));
 }
 
-TEST_CASE("Spread vertices keep their distance and leave no gap") {
+TEST_CASE("Spread vertices are evenly spaced and leave no gap") {
     const auto mesh = latheMesh(halfCircle(0.1), 0.006).mesh;
     std::vector<int> northern;
     for (int v = 0; v < mesh.vertexCount(); ++v)
@@ -145,7 +145,7 @@ TEST_CASE("Spread vertices keep their distance and leave no gap") {
         }
         farthest = std::max(farthest, nearest);
     }
-    // Each was the farthest from those before when it was chosen, and all others are nearer.
+    // Each vertex was the farthest from those chosen before it, and all others are nearer.
     CHECK(farthest <= closest * (1 + 1e-9));
     CHECK(spreadVertices(mesh, northern, 1u << 20) == northern);
     CHECK(spreadVertices(mesh, {}, 5).empty());

@@ -14,28 +14,28 @@ UnitGuess guessOfBox(double x, double y, double z) {
 }
 } // namespace
 
-TEST_CASE("A bar of 350 x 50 x 20 is in millimetres, and it is said aloud") {
+TEST_CASE("A bar of 350 x 50 x 20 is taken as millimetres, and the sentence says so") {
     const auto guess = guessOfBox(350, 50, 20);
     CHECK(guess.unit.metresPerUnit == 0.001);
     CHECK(guess.isSure);
     CHECK(guess.sentence == "The mesh measures 350 x 50 x 20, which looks like millimetres.");
 }
 
-TEST_CASE("A bar of 0.35 x 0.05 x 0.02 is in metres") {
+TEST_CASE("A bar of 0.35 x 0.05 x 0.02 is taken as metres") {
     const auto guess = guessOfBox(0.35, 0.05, 0.02);
     CHECK(guess.unit.metresPerUnit == 1);
     CHECK(guess.isSure);
     CHECK(guess.sentence == "The mesh measures 0.35 x 0.05 x 0.02, which looks like metres.");
 }
 
-TEST_CASE("The border between metres and millimetres lies at 20 units") {
+TEST_CASE("The limit between metres and millimetres is 20 units") {
     CHECK(guessOfBox(20, 1, 1).unit.symbol == "m");
     CHECK(guessOfBox(1, 20.001, 1).unit.symbol == "mm");
     CHECK(guessOfBox(1, 1, 1234.4).sentence ==
           "The mesh measures 1 x 1 x 1234, which looks like millimetres.");
 }
 
-TEST_CASE("Sizes that fit nothing are taken with a doubt that is said aloud") {
+TEST_CASE("Sizes that fit no instrument are reported as unsure") {
     for (const double size : {1e-5, 0.0049, 20001.0, 1e12}) {
         const auto guess = guessOfBox(size, size / 2, size / 2);
         CHECK_FALSE(guess.isSure);
@@ -45,7 +45,7 @@ TEST_CASE("Sizes that fit nothing are taken with a doubt that is said aloud") {
     CHECK_FALSE(guessLengthUnit({}).isSure);
 }
 
-TEST_CASE("Units go by symbol and by name") {
+TEST_CASE("Units are found by symbol and by name") {
     CHECK(lengthUnitNamed("mm")->metresPerUnit == 0.001);
     CHECK(lengthUnitNamed("centimetres")->metresPerUnit == 0.01);
     CHECK(lengthUnitNamed("in")->metresPerUnit == 0.0254);
@@ -54,7 +54,7 @@ TEST_CASE("Units go by symbol and by name") {
     CHECK_FALSE(lengthUnitNamed(""));
 }
 
-TEST_CASE("Lengths are told in millimetres, never in powers of ten of them") {
+TEST_CASE("Lengths are written in millimetres without exponents") {
     CHECK(millimetresText(0.0125) == "12.5 mm");
     CHECK(millimetresText(0.00512345) == "5.12 mm");
     CHECK(millimetresText(3) == "3000 mm");

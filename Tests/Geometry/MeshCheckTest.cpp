@@ -45,7 +45,7 @@ TEST_CASE("A hollow ball is thin although each of its surfaces alone is chunky")
     CHECK(check.meanThicknessMetres == Approx(0.002).epsilon(0.01));
 }
 
-TEST_CASE("Open sheets and hemispheres are no solids") {
+TEST_CASE("Open sheets and hemispheres are not solids") {
     for (const auto& mesh :
          {sheetMesh(0.4, 0.05, 300), openHemisphere(0.1, 10), hoopMesh(0.1, 0.02, 40, 4)}) {
         const auto check = checkMesh(mesh);
@@ -57,7 +57,7 @@ TEST_CASE("Open sheets and hemispheres are no solids") {
     }
 }
 
-TEST_CASE("Volume, area and mean thickness are those of the closed form") {
+TEST_CASE("Volume, area and mean thickness match their closed forms") {
     const auto ball = checkMesh(icosphereMesh(0.1, 5));
     CHECK(ball.volumeM3 == Approx(4 * std::numbers::pi / 3 * 1e-3).epsilon(0.002));
     CHECK(ball.areaM2 == Approx(4 * std::numbers::pi * 1e-2).epsilon(0.002));
@@ -68,7 +68,7 @@ TEST_CASE("Volume, area and mean thickness are those of the closed form") {
     CHECK(box.areaM2 == Approx(22));
 }
 
-TEST_CASE("The judgement does not depend on the size or the place") {
+TEST_CASE("The check does not depend on size or position") {
     for (const double scale : {1e-4, 1.0, 1e4}) {
         auto mesh = bowl(0.1, 0.002, 12);
         mesh.vertices *= scale;
@@ -79,7 +79,7 @@ TEST_CASE("The judgement does not depend on the size or the place") {
     }
 }
 
-TEST_CASE("Faces that disagree and edges of many faces are no solid") {
+TEST_CASE("Meshes with inconsistent faces or edges of many faces are not solids") {
     auto mesh = icosphereMesh(1, 2);
     std::swap(mesh.faces(5, 0), mesh.faces(5, 1));
     CHECK(checkMesh(mesh).isClosed);
@@ -90,7 +90,7 @@ TEST_CASE("Faces that disagree and edges of many faces are no solid") {
 }
 
 TEST_CASE(
-    "The wall of a plate, a hollow sphere and a cube is its thickness, its wall and a third") {
+    "Mean thickness is the wall of a plate and of a hollow sphere, and a third of a cube's side") {
     CHECK_THAT(checkMesh(extrudedMesh(sheetMesh(1, 1, 100), 0.01)).meanThicknessMetres,
                WithinRel(0.01, 0.03));
     CHECK_THAT(checkMesh(hollowSphereMesh(1, 0.02, 3)).meanThicknessMetres, WithinRel(0.02, 0.02));

@@ -36,7 +36,7 @@ Mesh turnedAtRandom(Mesh mesh, std::mt19937& random) {
     return mesh;
 }
 
-/// Coordinates on a coarse lattice: coincident points, overlapping and collinear faces.
+/// Rounds coordinates to a coarse lattice: points coincide, faces overlap or become collinear.
 Mesh snapped(Mesh mesh, double step) {
     mesh.vertices = (mesh.vertices / step).array().round().matrix() * step;
     return mesh;
@@ -126,7 +126,7 @@ bool hasDegenerateFace(const Mesh& mesh) {
     return !(worstAspect(mesh) < 2e10);
 }
 
-/// A result or one sentence.
+/// Checks that the error is one sentence.
 void checkSentence(const Error& error) {
     CHECK(error.message.size() > 10);
     CHECK(error.message.back() == '.');
@@ -175,7 +175,7 @@ void tryEverything(const Mesh& mesh) {
     }
 }
 
-/// Every fourth mesh from `first` on, so that each test stays short.
+/// Tries every fourth mesh from `first` on, so that each test stays short.
 void tryEveryFourth(std::size_t first) {
     const auto all = cases();
     REQUIRE(all.size() > 380);
@@ -190,15 +190,15 @@ void tryEveryFourth(std::size_t first) {
 
 } // namespace
 
-TEST_CASE("Strange meshes end in a sound result or in one sentence: first quarter") {
+TEST_CASE("Strange meshes give a good result or a one-sentence error: first quarter") {
     tryEveryFourth(0);
 }
-TEST_CASE("Strange meshes end in a sound result or in one sentence: second quarter") {
+TEST_CASE("Strange meshes give a good result or a one-sentence error: second quarter") {
     tryEveryFourth(1);
 }
-TEST_CASE("Strange meshes end in a sound result or in one sentence: third quarter") {
+TEST_CASE("Strange meshes give a good result or a one-sentence error: third quarter") {
     tryEveryFourth(2);
 }
-TEST_CASE("Strange meshes end in a sound result or in one sentence: last quarter") {
+TEST_CASE("Strange meshes give a good result or a one-sentence error: last quarter") {
     tryEveryFourth(3);
 }

@@ -71,7 +71,7 @@ const std::string triangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 } // namespace
 
-TEST_CASE("A mesh written as OBJ or PLY reads back bit for bit") {
+TEST_CASE("A mesh written as OBJ or PLY is read back bit for bit") {
     const auto sphere = icosphereMesh(0.1234567, 2);
     for (const char* name : {"round.obj", "round.ply"}) {
         const auto path = test::testFolder() / name;
@@ -85,7 +85,7 @@ TEST_CASE("A mesh written as OBJ or PLY reads back bit for bit") {
     CHECK_FALSE(writeMesh(sphere, "/no/such/folder/sphere.obj"));
 }
 
-TEST_CASE("Binary STL, text STL, binary PLY and OFF hold the same triangles") {
+TEST_CASE("Binary STL, text STL, binary PLY and OFF give the same triangles") {
     const auto box = boxMesh({1, 2, 3}, {1, 1, 1});
     std::string off = "OFF\n# a comment\n8 12 0\n", stl = "solid a box\n";
     for (const auto& v : box.vertices.rowwise())
@@ -116,7 +116,7 @@ TEST_CASE("Binary STL, text STL, binary PLY and OFF hold the same triangles") {
     }
 }
 
-TEST_CASE("Big-endian PLY with other elements and properties reads") {
+TEST_CASE("A big-endian PLY with other elements and properties is read") {
     std::string bytes = "ply\r\nformat binary_big_endian 1.0\r\ncomment x\r\nelement camera 2\r\n"
                         "property list uchar short knobs\r\nelement vertex 3\r\nproperty double "
                         "z\r\nproperty short x\r\nproperty short y\r\nelement face 1\r\n"
@@ -133,7 +133,7 @@ TEST_CASE("Big-endian PLY with other elements and properties reads") {
     CHECK(read->faces.row(0) == Eigen::RowVector3i(0, 1, 2));
 }
 
-TEST_CASE("Polygons are cut into triangles, OBJ's negative indices and slashes understood") {
+TEST_CASE("Polygons become triangles, and OBJ's negative indices and slashes are read") {
     const auto read = readMesh(fileOf("quad.obj", "o thing\nv 0 0 0 # comment\nv 1 0 0\nv 1 1 0\n"
                                                   "v 0 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n"
                                                   "f -4//2 -3//2 -2//2\n"));
@@ -149,7 +149,7 @@ TEST_CASE("The unit scales the mesh to metres") {
     CHECK_FALSE(readMesh(path, std::numeric_limits<double>::quiet_NaN()));
 }
 
-TEST_CASE("Each fault of a mesh file has one sentence that names the file") {
+TEST_CASE("Each fault of a mesh file gives one sentence with the file's name") {
     const auto [name, bytes, fault] = GENERATE(table<std::string, std::string, std::string>({
         {"empty.obj", "", "is empty"},
         {"empty.ply", "", "is empty"},
@@ -197,7 +197,7 @@ TEST_CASE("Each fault of a mesh file has one sentence that names the file") {
     CHECK(error.find('\n') == std::string::npos);
 }
 
-TEST_CASE("A file that is missing, or a folder, is one sentence") {
+TEST_CASE("A missing file or a folder gives a one-sentence error") {
     CHECK_THAT(readMesh("/no/such/bar.obj").error().message,
                ContainsSubstring("\"/no/such/bar.obj\""));
     CHECK_FALSE(readMesh(test::testFolder()));
@@ -205,7 +205,7 @@ TEST_CASE("A file that is missing, or a folder, is one sentence") {
     CHECK_FALSE(readMesh(test::testFolder() / "folder.obj"));
 }
 
-TEST_CASE("A binary file cut anywhere is refused, never read as something else") {
+TEST_CASE("A truncated binary file is refused") {
     const auto sphere = icosphereMesh(1, 0);
     const auto stl = binaryStl(sphere), ply = binaryPly(sphere);
     for (std::size_t size = 0; size < stl.size(); size += 37)
@@ -215,9 +215,7 @@ TEST_CASE("A binary file cut anywhere is refused, never read as something else")
     CHECK_THAT(errorOf("cut.stl", stl.substr(0, 500)), ContainsSubstring("truncated"));
 }
 
-TEST_CASE(
-    "An OBJ file cut within its last face is refused, and one that lacks a line's end alone is "
-    "read") {
+TEST_CASE("An OBJ file cut inside its last face is refused; a missing final newline is allowed") {
     const std::string before = triangleObj + "v 1 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
     for (const char* rest :
          {"f", "f 2/1", "f 2/1 3", "f 2/1 3/1 4", "f 2/1 3/1 4/", "f 2/1 3/1 # x"}) {
@@ -231,7 +229,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Files with random bytes changed never crash the reader") {
+TEST_CASE("Files with random changed bytes never crash the reader") {
     const auto sphere = icosphereMesh(1, 0);
     const auto obj = test::testFolder() / "fuzz-source.obj";
     REQUIRE(writeMesh(sphere, obj));
@@ -253,7 +251,7 @@ TEST_CASE("Files with random bytes changed never crash the reader") {
         }
 }
 
-TEST_CASE("A soup of a million triangles is read whole") {
+TEST_CASE("A soup of a million triangles is read completely") {
     std::mt19937 random(2);
     std::string bytes(80, ' ');
     append(bytes, std::uint32_t{1000000});

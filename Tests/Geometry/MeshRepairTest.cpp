@@ -26,7 +26,7 @@ bool changedAnything(const RepairReport& report) {
 
 } // namespace
 
-TEST_CASE("A sound mesh comes out of repair as it went in") {
+TEST_CASE("Repair leaves a good mesh unchanged") {
     for (const auto& mesh : {icosphereMesh(0.1, 3), sheetMesh(0.4, 0.05, 500)}) {
         const auto repaired = repairMesh(mesh);
         REQUIRE(repaired);
@@ -36,7 +36,7 @@ TEST_CASE("A sound mesh comes out of repair as it went in") {
     }
 }
 
-TEST_CASE("A soup of triangles is welded into the closed surface that it depicts") {
+TEST_CASE("A soup of triangles is welded into the closed surface it shows") {
     const auto sphere = icosphereMesh(0.1, 3);
     auto soup = soupOf(sphere);
     std::mt19937 random(3);
@@ -52,12 +52,13 @@ TEST_CASE("A soup of triangles is welded into the closed surface that it depicts
         REQUIRE((vertex >= 0 && vertex < sphere.vertexCount()));
 }
 
-TEST_CASE("Vertices nearer than the weld tolerance become one wherever they lie") {
+TEST_CASE("Vertices within the weld tolerance become one at any position") {
     const auto sphere = icosphereMesh(0.1, 3);
     auto soup = soupOf(sphere);
     const double toleranceMetres = 1e-7 * boundingDiagonalMetres(sphere);
     std::mt19937 random(6);
-    for (double& coordinate : soup.vertices.reshaped()) // no two farther apart than 0.87 of it
+    for (double& coordinate :
+         soup.vertices.reshaped()) // none farther apart than 0.87 of the tolerance
         coordinate += 0.25 * toleranceMetres * (static_cast<double>(random() % 2001) / 1000 - 1);
     const auto repaired = repairMesh(soup);
     REQUIRE(repaired);
@@ -83,7 +84,7 @@ TEST_CASE("A fan of half a million separate triangles is welded at its hub") {
     CHECK(repaired->report.boundaryEdges == triangles + 2);
 }
 
-TEST_CASE("Vertices farther apart than the weld tolerance stay two") {
+TEST_CASE("Vertices farther apart than the weld tolerance stay separate") {
     Mesh mesh{Eigen::MatrixXd(4, 3), Eigen::MatrixXi(2, 3)};
     mesh.vertices << 0, 0, 0, 3, 4, 0, 3, 0, 0, 3, 0, 5.1e-7;
     mesh.faces << 0, 1, 2, 1, 0, 3;
@@ -92,7 +93,7 @@ TEST_CASE("Vertices farther apart than the weld tolerance stay two") {
     CHECK(repairMesh(mesh)->report.weldedVertices == 1);
 }
 
-TEST_CASE("A second repair finds nothing where the first dropped what reached farthest") {
+TEST_CASE("A second repair changes nothing, even if the first dropped the farthest vertices") {
     Mesh mesh;
     SECTION("two vertices nearly in one, as corners of a face") {
         mesh.vertices.resize(6, 3);
@@ -120,14 +121,15 @@ TEST_CASE("A second repair finds nothing where the first dropped what reached fa
     CHECK_FALSE(changedAnything(again->report));
 }
 
-TEST_CASE("An open mesh of which many vertices have no face may lack its end, and says so") {
+TEST_CASE("An open mesh with many faceless vertices is reported as possibly cut off") {
     const auto whole = icosphereMesh(1, 2);
     const auto textOf = [](const Mesh& mesh) { return repairMesh(mesh)->report.text(); };
     const std::string said = "the end of the mesh may be missing";
     CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() * 3 / 4)}),
                ContainsSubstring(said));
     CHECK_THAT(textOf(whole), !ContainsSubstring(said));
-    // Holes without loose vertices, strays beside a sheet, and closed parts of a longer list.
+    // Also not for holes without loose vertices, stray vertices beside a sheet, or extra vertices
+    // in the list of a closed mesh.
     CHECK_THAT(textOf({whole.vertices, whole.faces.topRows(whole.faceCount() - 2)}),
                !ContainsSubstring(said));
     const auto sheet = sheetMesh(1, 1, 40);
@@ -158,7 +160,7 @@ TEST_CASE("Degenerate and duplicate faces and unreferenced vertices are dropped 
     CHECK(repaired->vertexOfInput[vertices] == -1);
 }
 
-TEST_CASE("Faces turned at random are oriented outward again") {
+TEST_CASE("Randomly turned faces are oriented outward again") {
     auto mesh = icosphereMesh(1, 3);
     std::mt19937 random(4);
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
@@ -172,7 +174,7 @@ TEST_CASE("Faces turned at random are oriented outward again") {
         REQUIRE(normals.row(v).dot(repaired->mesh.vertices.row(v)) > 0.99);
 }
 
-TEST_CASE("An inside-out box is turned, an open sheet keeps its side") {
+TEST_CASE("An inside-out box is turned over, and an open sheet keeps its side") {
     auto box = boxMesh({1, 1, 1}, {2, 2, 2});
     box.faces.col(0).swap(box.faces.col(1));
     CHECK(signedVolumeM3(repairMesh(box)->mesh) > 0.99);
@@ -184,7 +186,7 @@ TEST_CASE("An inside-out box is turned, an open sheet keeps its side") {
     CHECK(vertexNormals(repaired->mesh).col(2).maxCoeff() < -0.99);
 }
 
-TEST_CASE("Components are counted, and the largest can be kept alone") {
+TEST_CASE("Components are counted, and optionally only the largest is kept") {
     auto small = icosphereMesh(0.1, 1);
     small.vertices.col(0).array() += 3;
     const auto both = joined(small, icosphereMesh(1, 2));
@@ -197,7 +199,7 @@ TEST_CASE("Components are counted, and the largest can be kept alone") {
     CHECK(largest->mesh.vertexCount() == 162);
 }
 
-TEST_CASE("Open and non-manifold meshes work and are reported") {
+TEST_CASE("Open and non-manifold meshes are repaired and reported") {
     Mesh fan{Eigen::MatrixXd(5, 3), Eigen::MatrixXi(3, 3)}; // three faces on one edge
     fan.vertices << 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, -1, 0, 0;
     fan.faces << 0, 1, 2, 0, 1, 3, 0, 1, 4;
@@ -207,7 +209,7 @@ TEST_CASE("Open and non-manifold meshes work and are reported") {
     CHECK(repaired->report.boundaryEdges == 6);
 }
 
-TEST_CASE("A cube with a finer side is closed at its T-junctions") {
+TEST_CASE("A cube with one finer side is closed at its T-junctions") {
     const int segments = GENERATE(1, 3);
     const auto cube = tJunctionCube(segments);
     const auto repaired = repairMesh(cube);
@@ -219,7 +221,7 @@ TEST_CASE("A cube with a finer side is closed at its T-junctions") {
     CHECK_THAT(repaired->report.text(), ContainsSubstring("Joined"));
 }
 
-TEST_CASE("A vertex near an edge is joined within ten weld tolerances and left beyond") {
+TEST_CASE("A vertex is joined to an edge within ten weld tolerances, and not beyond") {
     Mesh mesh{Eigen::MatrixXd(6, 3), Eigen::MatrixXi(3, 3)};
     mesh.vertices << 0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.4, 0, 0, 0.2, -1, 0, 0.8, -1, 0;
     mesh.faces << 0, 1, 2, 0, 4, 3, 1, 3, 5;
@@ -231,7 +233,7 @@ TEST_CASE("A vertex near an edge is joined within ten weld tolerances and left b
     CHECK(repairMesh(mesh)->report.joinedVertices == 0);
 }
 
-TEST_CASE("T-junctions are joined until there are none, however many rounds that takes") {
+TEST_CASE("T-junctions are joined until none is left, even over many rounds") {
     Mesh mesh{Eigen::MatrixXd(16, 3), Eigen::MatrixXi(23, 3)};
     mesh.vertices << 13, 15, 3, 13, 8, 6, 5, 0, 0, 0, 8, 14.25, 0, 0, 8, 0, 0, 4, 1e-7, 0, 1e-7, 0,
         0, 8, 0, 8, 0, 0, 0, 9, 0, 0, 0, 13, 0, 0, 0, 0, 0, 0, 0, 6, 0, 0, 11.5, 11, 0, 0;
@@ -257,7 +259,7 @@ TEST_CASE("A cap, a face with its apex on its longest side, is replaced without 
     CHECK(repaired->report.boundaryEdges == 4);
 }
 
-TEST_CASE("Two cubes that share an edge look outward, and are cut into two closed cubes") {
+TEST_CASE("Two cubes that share an edge look outward and are cut into closed cubes") {
     const auto cube = boxMesh({1, 1, 1}, {2, 2, 2});
     for (const auto& both : {joined(cube, moved(cube, {1, 1, 0})),
                              joined(insideOut(cube), moved(insideOut(cube), {1, 1, 0})),
@@ -279,7 +281,7 @@ TEST_CASE("Two cubes that share an edge look outward, and are cut into two close
     CHECK(apart->report.cutVertices == 3);
 }
 
-TEST_CASE("Two cubes that share a vertex are cut into two") {
+TEST_CASE("Two cubes that share a vertex are cut apart") {
     const auto cube = boxMesh({1, 1, 1}, {1, 1, 1});
     const auto both = joined(cube, moved(cube, {1, 1, 1}));
     CHECK(repairMesh(both)->report.components == 1);
@@ -289,7 +291,7 @@ TEST_CASE("Two cubes that share a vertex are cut into two") {
     CHECK(isOrientedManifold(cut->mesh));
 }
 
-TEST_CASE("A sphere in a sphere bounds a hollow, and one in that is solid again") {
+TEST_CASE("A sphere inside a sphere bounds a hollow, and a third inside that is solid again") {
     const auto outer = icosphereMesh(1, 3), middle = icosphereMesh(0.5, 2),
                inner = icosphereMesh(0.25, 2);
     const auto hollow = repairMesh(joined(middle, outer));
@@ -304,8 +306,8 @@ TEST_CASE("A sphere in a sphere bounds a hollow, and one in that is solid again"
     CHECK(repairMesh(joined(outer, moved(outer, {3, 0, 0})))->report.hollows == 0);
 }
 
-TEST_CASE("Closed surfaces too tangled to tell which is inside which all look outward") {
-    // Pleated blankets, each over the middles of all that are narrower.
+TEST_CASE("Closed surfaces too tangled to find hollows all look outward") {
+    // Pleated blankets, each around the centres of all narrower ones.
     constexpr int pleats = 100, blankets = 300;
     const auto blanket = [&](int number) {
         Mesh mesh = boxMesh({1, 1 - 1e-4 * number, 0.02}, {pleats, 1, 1});
@@ -330,14 +332,14 @@ TEST_CASE("Closed surfaces too tangled to tell which is inside which all look ou
     CHECK_THAT(repaired->report.text(), ContainsSubstring("Too tangled to find out"));
 }
 
-TEST_CASE("A repair that is cancelled says so") {
+TEST_CASE("A cancelled repair reports the cancellation") {
     const std::atomic<bool> cancelled = true;
     const auto repaired = repairMesh(icosphereMesh(1, 2), {.cancelled = &cancelled});
     REQUIRE_FALSE(repaired);
     CHECK(isCancellation(repaired.error()));
 }
 
-TEST_CASE("One-sided surfaces are reported, and cut at a seam across") {
+TEST_CASE("One-sided surfaces are reported, and cut across at a seam") {
     const auto strip = repairMesh(moebiusStrip(40, 4));
     REQUIRE(strip);
     CHECK(strip->report.oneSidedEdges > 0);
@@ -352,7 +354,7 @@ TEST_CASE("One-sided surfaces are reported, and cut at a seam across") {
     }
 }
 
-TEST_CASE("A book comes apart into its pages, two of them staying together as a sheet") {
+TEST_CASE("A book is cut into sheets of two pages, and an odd page stays alone") {
     const int pages = GENERATE(3, 5, 6, 101);
     const auto cut = repairMesh(book(pages), {.cutIntoManifold = true});
     REQUIRE(cut);
@@ -361,7 +363,7 @@ TEST_CASE("A book comes apart into its pages, two of them staying together as a 
     CHECK(cut->report.components == (pages + 1) / 2);
 }
 
-TEST_CASE("Meshes that cannot be repaired are refused with a sentence") {
+TEST_CASE("Meshes that cannot be repaired give an error with the reason") {
     auto mesh = icosphereMesh(1, 0);
     const auto errorOf = [](const Mesh& m) { return repairMesh(m).error().message; };
     CHECK_THAT(errorOf({mesh.vertices, Eigen::MatrixXi(0, 3)}), ContainsSubstring("no faces"));
@@ -381,7 +383,7 @@ TEST_CASE("Meshes that cannot be repaired are refused with a sentence") {
     CHECK_THAT(errorOf({mesh.vertices * 1e-11, mesh.faces}), ContainsSubstring("unit"));
 }
 
-TEST_CASE("A soup of a million separate triangles is repaired and stays apart") {
+TEST_CASE("A soup of a million separate triangles is repaired and stays separate") {
     Mesh soup{Eigen::MatrixXd(3000000, 3), Eigen::MatrixXi(1000000, 3)};
     std::mt19937 random(5);
     for (double& coordinate : soup.vertices.reshaped())

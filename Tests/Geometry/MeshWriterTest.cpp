@@ -22,7 +22,7 @@ std::filesystem::path scratch(const char* name) {
 
 } // namespace
 
-TEST_CASE("A mesh with colours and a figure is read back as the mesh, to the last bit") {
+TEST_CASE("A mesh with colours and values is read back bit for bit") {
     const Mesh mesh = gridPlateMesh(0.3, 0.1, 3, 2);
     VertexFigures figures{.name = "brightness_hz", .values = {}, .colours = {}};
     for (Eigen::Index i = 0; i < mesh.vertexCount(); ++i) {
@@ -43,7 +43,7 @@ TEST_CASE("A mesh with colours and a figure is read back as the mesh, to the las
     std::filesystem::remove(file);
 }
 
-TEST_CASE("Colours go into PLY files only, and a file that cannot be written is named") {
+TEST_CASE("Colours are written to PLY files only, and errors name the file") {
     const Mesh mesh = gridPlateMesh(0.3, 0.1, 1, 1);
     const VertexFigures figures{
         .name = "x", .values = std::vector<double>(4), .colours = std::vector(4, viridis(0))};
@@ -56,7 +56,7 @@ TEST_CASE("Colours go into PLY files only, and a file that cannot be written is 
           std::string::npos);
 }
 
-TEST_CASE("Extensions are told in any case") {
+TEST_CASE("File extensions are recognised in any case") {
     const Mesh mesh = gridPlateMesh(0.3, 0.1, 1, 1);
     for (const char* name : {"out.PLY", "out.Obj"}) {
         const auto file = scratch(name);
@@ -71,7 +71,7 @@ TEST_CASE("Extensions are told in any case") {
     CHECK(writeColouredMesh(mesh, figures, scratch("map.Ply")));
 }
 
-TEST_CASE("Viridis goes from violet over green to yellow, ever lighter") {
+TEST_CASE("Viridis goes from violet over green to yellow with increasing lightness") {
     using Colour = std::array<std::uint8_t, 3>;
     CHECK(viridis(0) == Colour{68, 1, 84});
     CHECK(viridis(-3) == viridis(0));

@@ -23,7 +23,7 @@ TEST_CASE("The corners of a box have the normals of its sides") {
     }
 }
 
-TEST_CASE("A ball's corners look outward as the ball does") {
+TEST_CASE("The corner normals of a ball point outward") {
     const auto ball = icosphereMesh(2, 4);
     const auto normals = cornerNormals(ball);
     for (Eigen::Index corner = 0; corner < normals.rows(); ++corner) {
@@ -32,7 +32,7 @@ TEST_CASE("A ball's corners look outward as the ball does") {
     }
 }
 
-TEST_CASE("Many faces around a vertex cost no more than many elsewhere") {
+TEST_CASE("Corner normals are fast and right for 200,000 faces around one vertex") {
     constexpr int sides = 200'000;
     const double height = GENERATE(0.1, 3.0);
     Mesh cone{Eigen::MatrixXd(sides + 1, 3), Eigen::MatrixXi(sides, 3)};
@@ -43,7 +43,7 @@ TEST_CASE("Many faces around a vertex cost no more than many elsewhere") {
         cone.faces.row(side) << sides, side, (side + 1) % sides;
     }
     const auto normals = cornerNormals(cone);
-    // A flat one is smooth at its tip, a steep one is not.
+    // A flat cone is smooth at its tip, a steep one is not.
     CHECK((normals(0, 2) > 0.9999) == (height < 1));
     CHECK(normals.rowwise().norm().minCoeff() > 0.999);
     for (const int side : {0, 77, sides / 2}) {
@@ -56,7 +56,7 @@ TEST_CASE("Many faces around a vertex cost no more than many elsewhere") {
     }
 }
 
-TEST_CASE("A face that is there many times has its normal") {
+TEST_CASE("A face that occurs many times keeps its own normal") {
     Mesh mesh{Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Eigen::MatrixXi(200'000, 3)};
     mesh.faces.rowwise() = Eigen::RowVector3i(0, 1, 2);
     mesh.faces.row(5) << 0, 2, 1;
@@ -65,7 +65,7 @@ TEST_CASE("A face that is there many times has its normal") {
     CHECK(normals(15, 2) == -1);
 }
 
-TEST_CASE("A face without area has no normal") {
+TEST_CASE("A face without area has finite corner normals") {
     const Mesh mesh{Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}},
                     Eigen::MatrixXi{{0, 1, 2}, {0, 1, 3}}};
     const auto normals = cornerNormals(mesh);

@@ -20,7 +20,7 @@ bool hasVertexAt(const Mesh& mesh, const Eigen::RowVector3d& point) {
 } // namespace
 
 TEST_CASE(
-    "A sheet has about the vertices asked for, a middle, corners and both mirror symmetries") {
+    "A sheet has about the requested vertex count, a middle, corners and two mirror symmetries") {
     const int target = GENERATE(150, 600, 1000, 3000);
     const double length = GENERATE(0.39, 0.14), width = 0.04;
     const auto sheet = sheetMesh(length, width, target);
@@ -53,13 +53,13 @@ TEST_CASE("The triangles of a sheet are near-equilateral away from its ends") {
     }
 }
 
-TEST_CASE("A sheet and a disc look along +z") {
+TEST_CASE("Sheets and discs look along +z") {
     for (const auto& mesh :
          {sheetMesh(0.3, 0.03, 300), discMesh(0.1, 6), gridPlateMesh(1, 1, 4, 3)})
         CHECK(vertexNormals(mesh).col(2).minCoeff() > 0.999);
 }
 
-TEST_CASE("Boxes and plates have the vertices that the zero-mode table counts on") {
+TEST_CASE("Boxes and plates have the vertex counts of the zero-mode table") {
     CHECK(boxMesh({0.4, 0.05, 0.02}, {20, 4, 2}).vertexCount() == 258);
     CHECK(boxMesh({0.4, 0.05, 0.02}, {40, 6, 3}).vertexCount() == 758);
     CHECK(gridPlateMesh(0.4, 0.05, 20, 4).vertexCount() == 105);
@@ -67,7 +67,7 @@ TEST_CASE("Boxes and plates have the vertices that the zero-mode table counts on
     CHECK(icosphereMesh(1, 4).vertexCount() == 2562);
 }
 
-TEST_CASE("Closed generated meshes are closed and look outward, with the volume of their solid") {
+TEST_CASE("Closed generated meshes are closed, look outward and have the right volume") {
     const double pi = std::numbers::pi;
     const auto sphere = icosphereMesh(0.5, 4);
     CHECK(isClosed(uniqueEdges(sphere)));
@@ -78,7 +78,7 @@ TEST_CASE("Closed generated meshes are closed and look outward, with the volume 
     CHECK(signedVolumeM3(boxMesh({1, 2, 3}, {2, 3, 4})) > 0);
 }
 
-TEST_CASE("A hoop is open at both rims only and looks outward") {
+TEST_CASE("A hoop is open only at its rims and looks outward") {
     const auto hoop = hoopMesh(0.1, 0.02, 60, 3);
     int boundary = 0;
     for (const auto& edge : uniqueEdges(hoop))
@@ -89,7 +89,7 @@ TEST_CASE("A hoop is open at both rims only and looks outward") {
         REQUIRE(normals.row(v).dot(hoop.vertices.row(v)) > 0);
 }
 
-TEST_CASE("Extruded sheets, discs and rings are closed, look outward and have their volume") {
+TEST_CASE("Extruded sheets, discs and rings are closed, look outward and have the right volume") {
     const double pi = std::numbers::pi;
     const int layers = GENERATE(1, 2, 5);
     const auto plate = extrudedMesh(sheetMesh(0.4, 0.05, SheetGrid{20, 4}), 0.02, layers);
@@ -104,7 +104,7 @@ TEST_CASE("Extruded sheets, discs and rings are closed, look outward and have th
     CHECK_THAT(signedVolumeM3(ring), WithinRel(pi * (0.0121 - 0.0081) * 0.02, 0.005));
 }
 
-TEST_CASE("A hollow sphere is two closed surfaces around the volume of its wall") {
+TEST_CASE("A hollow sphere has two closed surfaces and the volume of its wall") {
     const auto sphere = hollowSphereMesh(0.1, 0.004, 4);
     CHECK(isClosed(uniqueEdges(sphere)));
     CHECK(connectedComponents(sphere).count == 2);

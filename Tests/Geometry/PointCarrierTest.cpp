@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Every point is a vertex at which it alone counts, the weights are weights, and all faces have an
-/// area and look to `up`.
+/// Checks that every point is a vertex with weight 1, that each row of weights sums to 1, and that
+/// all faces have an area and look to `up`.
 void check(const PointCarrier& carrier, const std::vector<Vector3d>& points, const Vector3d& up) {
     REQUIRE(carrier.weights.rows() == carrier.mesh.vertexCount());
     REQUIRE(carrier.weights.cols() == static_cast<Eigen::Index>(points.size()));
@@ -38,14 +38,14 @@ void check(const PointCarrier& carrier, const std::vector<Vector3d>& points, con
 
 } // namespace
 
-TEST_CASE("A single point gets a disc of 1 cm") {
+TEST_CASE("A single point becomes a disc of 1 cm radius") {
     const std::vector<Vector3d> points{{0.1, 0.2, 0.3}};
     const auto carrier = carrierThrough(points);
     check(carrier, points, Vector3d::UnitZ());
     CHECK(boundingDiagonalMetres(carrier.mesh) == Approx(0.02 * std::sqrt(2.0)));
 }
 
-TEST_CASE("Points of a line get a strip, in any order and direction") {
+TEST_CASE("Points on a line become a strip, in any order and direction") {
     const std::vector<Vector3d> flat{{0.2, 0, 0}, {-0.1, 0, 0}, {0.05, 0, 0}};
     const auto carrier = carrierThrough(flat);
     check(carrier, flat, Vector3d::UnitZ());
@@ -64,7 +64,7 @@ TEST_CASE("Scattered points are triangulated without gap or overlap") {
     check(carrierThrough(tilted), tilted, Vector3d::UnitZ());
 }
 
-TEST_CASE("Radii become rings of a closed disc") {
+TEST_CASE("Radii become the rings of a closed disc") {
     for (const auto& radii : {std::vector<double>{0, 0.05, 0.1}, {0.02, 0.03}, {0.0}, {0.07}}) {
         const auto carrier = discOfRadii(radii);
         std::vector<Vector3d> points;
@@ -74,7 +74,8 @@ TEST_CASE("Radii become rings of a closed disc") {
     }
 }
 
-TEST_CASE("On a mesh a point alone counts where it is, and all of equal distance count alike") {
+TEST_CASE(
+    "On a mesh a point has full weight at its position, and equal distances give equal weights") {
     Mesh mesh;
     mesh.vertices.resize(4, 3);
     mesh.vertices << 0, 0, 0, 1, 0, 0, 0.5, 0, 0, 0.5, 2, 0;

@@ -19,7 +19,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// The share of edges between 4/5 and 4/3 of a length, widened by a tenth.
+/// Returns the share of edges between 4/5 and 4/3 of a length, plus or minus a tenth.
 double shareOfEdgesNear(const Mesh& mesh, double lengthMetres) {
     const auto edges = uniqueEdges(mesh);
     const auto isNear = [&](const MeshEdge& edge) {
@@ -60,7 +60,7 @@ TEST_CASE("A ball is remeshed to near-equilateral triangles on its surface") {
     CHECK(signedVolumeM3(*fine) == Approx(signedVolumeM3(ball)).epsilon(0.002));
 }
 
-TEST_CASE("A bar of twelve triangles keeps its edges, corners and volume") {
+TEST_CASE("A bar of twelve triangles keeps its corners and volume") {
     const Eigen::Vector3d size(0.35, 0.05, 0.02);
     const auto remeshed = remesh(boxMesh(size, {1, 1, 1}), {.edgeLengthMetres = 0.008});
     REQUIRE(remeshed);
@@ -73,7 +73,7 @@ TEST_CASE("A bar of twelve triangles keeps its edges, corners and volume") {
                                       size.z() / 2 * ((corner & 4) != 0 ? 1 : -1)}));
 }
 
-TEST_CASE("A finely divided plate is coarsened within its own outline") {
+TEST_CASE("A finely divided plate is coarsened and keeps its volume") {
     const auto plate = boxMesh({0.3, 0.2, 0.003}, {150, 100, 2});
     const auto remeshed = remesh(plate, {.edgeLengthMetres = 0.01});
     REQUIRE(remeshed);
@@ -95,8 +95,7 @@ TEST_CASE("An open sheet keeps its boundary and its corners") {
             CHECK(hasVertexAt(*remeshed, {x, y, 0}));
 }
 
-TEST_CASE(
-    "The inner and the outer wall of a bowl stay apart when edges are longer than it is thick") {
+TEST_CASE("The walls of a bowl stay apart if the edge length exceeds the wall thickness") {
     const auto thin = bowl(0.1, 0.002, 30);
     const auto remeshed = remesh(thin, {.edgeLengthMetres = 0.006});
     REQUIRE(remeshed);
@@ -105,7 +104,7 @@ TEST_CASE(
     CHECK(signedVolumeM3(*remeshed) == Approx(signedVolumeM3(thin)).epsilon(0.02));
 }
 
-TEST_CASE("Size and place do not change a remeshing but for rounding") {
+TEST_CASE("Size and position do not change a remeshing except for rounding") {
     const auto bar = boxMesh({0.35, 0.05, 0.02}, {7, 3, 2});
     const auto reference = remesh(bar, {.edgeLengthMetres = 0.01});
     for (const double scale : {1e-4, 1e4}) {
@@ -120,7 +119,7 @@ TEST_CASE("Size and place do not change a remeshing but for rounding") {
     }
 }
 
-TEST_CASE("Surfaces that are no manifold are cut apart and remeshed") {
+TEST_CASE("Surfaces that are not manifolds are cut apart and remeshed") {
     const auto cube = boxMesh({1, 1, 1}, {1, 1, 1});
     for (const auto& mesh : {joined(cube, moved(cube, {1, 1, 0})), moebiusStrip(30, 2), book(5),
                              kleinBottle(24, 16)}) {
@@ -131,7 +130,7 @@ TEST_CASE("Surfaces that are no manifold are cut apart and remeshed") {
     }
 }
 
-TEST_CASE("Settings out of range and sizes out of reason are refused with a sentence") {
+TEST_CASE("Settings out of range and excessive sizes give an error with the reason") {
     const auto ball = icosphereMesh(0.1, 2);
     const auto errorOf = [&](const RemeshSettings& settings) {
         return remesh(ball, settings).error().message;
@@ -150,7 +149,7 @@ TEST_CASE("Settings out of range and sizes out of reason are refused with a sent
                ContainsSubstring("no faces"));
 }
 
-TEST_CASE("A remeshing tells its progress and can be cancelled between and within passes") {
+TEST_CASE("A remeshing reports its progress and can be cancelled") {
     const auto ball = icosphereMesh(0.1, 3);
     std::vector<double> told;
     std::atomic<bool> cancelled = false;
@@ -166,11 +165,11 @@ TEST_CASE("A remeshing tells its progress and can be cancelled between and withi
     CHECK(stopped.error().message == cancelledMessage);
 }
 
-TEST_CASE("A dense noisy scan comes out as a closed body of its volume, with triangles as wanted") {
+TEST_CASE("A dense noisy scan becomes a closed body with its volume and the target edge length") {
     auto scan = icosphereMesh(1, 6);
     const double volumeM3 = checkMesh(scan).volumeM3;
     std::mt19937 random(1);
-    std::normal_distribution<double> noiseMetres(0, 0.004); // of edges of 20 mm
+    std::normal_distribution<double> noiseMetres(0, 0.004); // edges are 20 mm long
     for (Eigen::Index v = 0; v < scan.vertexCount(); ++v)
         scan.vertices.row(v) *= 1 + noiseMetres(random);
     const auto covered = remesh(scan, {.edgeLengthMetres = 0.2});
@@ -181,7 +180,7 @@ TEST_CASE("A dense noisy scan comes out as a closed body of its volume, with tri
     CHECK(std::abs(meanEdgeLengthMetres(*covered) / 0.2 - 1) < 0.15);
 }
 
-TEST_CASE("Faces that meet in one vertex are as many as can be remeshed in seconds") {
+TEST_CASE("Remeshing fails if too many faces meet in one vertex") {
     CHECK(remesh(fanMesh(1000), {.edgeLengthMetres = 0.05}));
     CHECK_THAT(remesh(fanMesh(30'000), {.edgeLengthMetres = 0.05}).error().message,
                ContainsSubstring("too many of its faces meet in one vertex"));

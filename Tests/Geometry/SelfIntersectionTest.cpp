@@ -8,7 +8,7 @@
 using namespace idiophone;
 using namespace idiophone::test;
 
-TEST_CASE("Sound surfaces, flat ones and finely divided ones among them, do not intersect") {
+TEST_CASE("Good surfaces do not intersect themselves, even flat or finely divided ones") {
     for (const auto& mesh :
          {icosphereMesh(0.1, 4), boxMesh({1, 1, 1}, {5, 5, 5}), torusMesh(0.1, 0.01, 40, 8),
           sheetMesh(1, 0.1, 400), bowl(0.1, 0.002, 12), moebiusStrip(40, 4), book(7),
@@ -16,7 +16,7 @@ TEST_CASE("Sound surfaces, flat ones and finely divided ones among them, do not 
         CHECK(intersectsItself(mesh) == false);
 }
 
-TEST_CASE("Surfaces that cross, touch, or fold onto themselves intersect") {
+TEST_CASE("Surfaces that cross, touch or fold onto themselves intersect") {
     const auto ball = icosphereMesh(1, 3);
     CHECK(intersectsItself(joined(ball, moved(ball, {0.5, 0, 0}))) == true);
     const auto cube = boxMesh({1, 1, 1}, {2, 2, 2});
@@ -30,7 +30,7 @@ TEST_CASE("Surfaces that cross, touch, or fold onto themselves intersect") {
     CHECK(intersectsItself(folded) == false);
 }
 
-TEST_CASE("Two faces that share a vertex intersect only where one passes through the other") {
+TEST_CASE("Two faces with a common vertex intersect only if one passes through the other") {
     Mesh mesh{Eigen::MatrixXd(5, 3), Eigen::MatrixXi(2, 3)};
     mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0.5, 0.2, 1, 0.5, 0.2, -1;
     mesh.faces << 0, 1, 2, 0, 3, 4;
@@ -39,14 +39,14 @@ TEST_CASE("Two faces that share a vertex intersect only where one passes through
     CHECK(intersectsItself(mesh) == false);
 }
 
-TEST_CASE("A ball of 327,680 triangles is judged, and a dent through it is found") {
+TEST_CASE("A ball of 327,680 triangles is checked, and a dent through it is found") {
     auto ball = icosphereMesh(1, 7);
     CHECK(intersectsItself(ball) == false);
     ball.vertices.row(100) *= -1.2;
     CHECK(intersectsItself(ball) == true);
 }
 
-TEST_CASE("Slivers whose boxes all overlap end without a verdict in bounded time") {
+TEST_CASE("Slivers with overlapping boxes give no result, in bounded time") {
     constexpr int count = 40000; // 800 million pairs of boxes
     Mesh slivers{Eigen::MatrixXd(3 * count, 3), Eigen::MatrixXi(count, 3)};
     for (int i = 0; i < count; ++i) {
@@ -61,7 +61,7 @@ TEST_CASE("Slivers whose boxes all overlap end without a verdict in bounded time
     CHECK(intersectsItself(slivers) == std::nullopt);
 }
 
-TEST_CASE("The search can be cancelled") {
+TEST_CASE("The search for intersections can be cancelled") {
     const std::atomic<bool> cancelled = true;
     CHECK(intersectsItself(icosphereMesh(1, 6), &cancelled) == std::nullopt);
 }

@@ -18,7 +18,7 @@ using Catch::Approx;
 
 namespace {
 
-/// With shapes at the vertices that `isChosen` takes.
+/// Returns an object with shapes at the vertices that `isChosen` accepts.
 template <class Choice>
 ModalObject objectOf(const Mesh& mesh, Choice isChosen) {
     auto object = test::syntheticObject({100});
@@ -48,7 +48,7 @@ bool isPoint(const Mesh& mesh, Eigen::Index face) {
 
 } // namespace
 
-TEST_CASE("Where every vertex carries shapes the mesh between them is the object's own") {
+TEST_CASE("If every vertex has shapes, the shape mesh is the object's own mesh") {
     const auto mesh = torusMesh(1, 0.4, 24, 10);
     const auto shapes = shapeMesh(objectOf(mesh, [](auto) { return true; }));
     REQUIRE(shapes.vertexCount() == mesh.vertexCount());
@@ -66,7 +66,7 @@ TEST_CASE("Where every vertex carries shapes the mesh between them is the object
     CHECK(sorted(shapes) == sorted(mesh));
 }
 
-TEST_CASE("Shapes at scattered vertices of a sheet are joined all over it, no face turned over") {
+TEST_CASE("Scattered shapes on a sheet are connected all over it, with no face turned over") {
     const auto mesh = sheetMesh(0.3, 0.2, 2000);
     const unsigned every = GENERATE(2u, 5u, 20u);
     std::mt19937 random(every);
@@ -89,17 +89,17 @@ TEST_CASE("Shapes at scattered vertices of a sheet are joined all over it, no fa
     CHECK(upward == Approx(area(shapes)).epsilon(1e-3));
 }
 
-TEST_CASE("Shapes on one side of something solid leave its other side open") {
+TEST_CASE("Shapes on one side of a solid leave its other side open") {
     const auto mesh = icosphereMesh(1, 4);
     const auto isUp = [&](Eigen::Index vertex) { return mesh.vertices(vertex, 2) > 0.5; };
     const auto shapes = shapeMesh(objectOf(mesh, isUp));
     CHECK(area(shapes) > 0.9 * std::numbers::pi);
-    CHECK(area(shapes) < 1.1 * std::numbers::pi); // of a cap of height 0.5
+    CHECK(area(shapes) < 1.1 * std::numbers::pi); // area of a cap of height 0.5
     const auto below = SurfaceQuery(shapes).nearestPoint({0.1, 0, -2});
     CHECK(below.pointMetres.z() == Approx(0.5).margin(0.1));
 }
 
-TEST_CASE("The underside of a bar does not lie against the shapes on its top") {
+TEST_CASE("The underside of a bar adds no faces against the shapes on its top") {
     const Eigen::Vector3d size(0.35, 0.035, 0.018);
     const auto mesh = boxMesh(size, {16, 2, 1});
     const double top = mesh.vertices.col(2).maxCoeff();
@@ -118,7 +118,7 @@ TEST_CASE("The underside of a bar does not lie against the shapes on its top") {
     }
 }
 
-TEST_CASE("Vertices that no face joins are found as points") {
+TEST_CASE("Vertices without a common face are found as points") {
     const auto mesh = sheetMesh(1, 0.2, 400);
     const std::array lone{0, static_cast<int>(mesh.vertexCount()) - 1};
     const auto shapes = shapeMesh(
@@ -136,7 +136,7 @@ TEST_CASE("Vertices that no face joins are found as points") {
     }
 }
 
-TEST_CASE("An object without faces is struck at its vertices") {
+TEST_CASE("An object without faces can be struck at its vertices") {
     auto object = test::syntheticObject({100});
     object.faces.clear();
     const auto shapes = shapeMesh(object);
@@ -144,7 +144,7 @@ TEST_CASE("An object without faces is struck at its vertices") {
     CHECK(SurfaceQuery(shapes).nearestPoint({0.9, 0.2, 0}).pointMetres.x() == Approx(1));
 }
 
-TEST_CASE("A mesh of a hundred thousand faces keeps its surface whichever vertices carry shapes") {
+TEST_CASE("A mesh of 100,000 faces keeps its surface whichever vertices have shapes") {
     const auto mesh = torusMesh(1, 0.3, 500, 100);
     REQUIRE(mesh.faceCount() == 100000);
     const Eigen::Index every = GENERATE(1, 7);

@@ -5,24 +5,25 @@
 
 using namespace idiophone;
 
-TEST_CASE("Each subdivision makes four faces of one, and a coarse sphere rounder") {
+TEST_CASE("Each subdivision makes four faces of one and a coarse sphere rounder") {
     const Mesh coarse = icosphereMesh(1, 1);
     const Mesh fine = subdivided(coarse, 2);
     CHECK(fine.faceCount() == 16 * coarse.faceCount());
-    const auto roughness = [](const Mesh& mesh) { // the spread of the faces' distances
-        const Eigen::MatrixXd& v = mesh.vertices;
-        Eigen::VectorXd distance(mesh.faceCount());
-        for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-            distance[face] = (v.row(mesh.faces(face, 0)) + v.row(mesh.faces(face, 1)) +
-                              v.row(mesh.faces(face, 2)))
-                                 .norm() /
-                             3;
-        return (v.rowwise().norm().maxCoeff() - distance.minCoeff()) / distance.mean();
-    };
+    const auto roughness =
+        [](const Mesh& mesh) { // the spread of the faces' distances from the centre
+            const Eigen::MatrixXd& v = mesh.vertices;
+            Eigen::VectorXd distance(mesh.faceCount());
+            for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
+                distance[face] = (v.row(mesh.faces(face, 0)) + v.row(mesh.faces(face, 1)) +
+                                  v.row(mesh.faces(face, 2)))
+                                     .norm() /
+                                 3;
+            return (v.rowwise().norm().maxCoeff() - distance.minCoeff()) / distance.mean();
+        };
     CHECK(roughness(fine) < roughness(coarse) / 3);
 }
 
-TEST_CASE("Vertices without a face are left out of what is subdivided") {
+TEST_CASE("Subdivision drops vertices without a face") {
     Mesh mesh = icosphereMesh(1, 1);
     const Mesh whole = subdivided(mesh, 1);
     mesh.vertices.conservativeResize(mesh.vertexCount() + 5, 3);
@@ -30,9 +31,9 @@ TEST_CASE("Vertices without a face are left out of what is subdivided") {
     CHECK(subdivided(mesh, 1).vertices == whole.vertices);
 }
 
-TEST_CASE("Faces that disagree on a side, and such as have a corner twice, stay as they are") {
+TEST_CASE("Meshes with inconsistent faces or a repeated corner stay unchanged") {
     constexpr int around = 40;
-    Eigen::MatrixXi strip(2 * around, 3); // of Möbius, on vertices i and around + i
+    Eigen::MatrixXi strip(2 * around, 3); // a Möbius strip on vertices i and around + i
     for (int i = 0; i < around; ++i) {
         const int next = (i + 1) % around;
         const int near = next == 0 ? around : next, far = next == 0 ? 0 : around + next;
@@ -46,7 +47,7 @@ TEST_CASE("Faces that disagree on a side, and such as have a corner twice, stay 
     }
 }
 
-TEST_CASE("Fans that share a vertex are subdivided like others") {
+TEST_CASE("Fans with a common vertex are subdivided like other faces") {
     const Mesh mesh{
         Eigen::MatrixXd::Random(9, 3),
         Eigen::MatrixXi{{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 6, 7}, {0, 7, 8}, {0, 8, 6}}};
@@ -55,7 +56,7 @@ TEST_CASE("Fans that share a vertex are subdivided like others") {
     CHECK(fine.vertices.allFinite());
 }
 
-TEST_CASE("Faces that meet three in an edge stay as they are") {
+TEST_CASE("Meshes with three faces at an edge stay unchanged") {
     const Mesh mesh{.vertices = Eigen::MatrixXd::Random(5, 3),
                     .faces = (Eigen::MatrixXi(3, 3) << 0, 1, 2, 1, 0, 3, 0, 1, 4).finished()};
     CHECK(subdivided(mesh, 3).faces == mesh.faces);

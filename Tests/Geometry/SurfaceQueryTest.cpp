@@ -17,7 +17,7 @@ Eigen::Vector3d corner(const Mesh& mesh, Eigen::Index face, int k) {
     return mesh.vertices.row(mesh.faces(face, k));
 }
 
-/// The distance to a triangle by trying its inside, its edges and its corners.
+/// Returns the distance to a triangle by trying its inside, its edges and its corners.
 double distanceTo(const Mesh& mesh, Eigen::Index face, const Eigen::Vector3d& p) {
     double best = 1e300;
     const Eigen::Vector3d a = corner(mesh, face, 0), u = corner(mesh, face, 1) - a,
@@ -36,7 +36,8 @@ double distanceTo(const Mesh& mesh, Eigen::Index face, const Eigen::Vector3d& p)
     return best;
 }
 
-/// The distance along a ray to a triangle, or a negative number, by solving for the crossing.
+/// Returns the distance along a ray to a triangle by solving for the crossing; negative if it
+/// misses.
 double hitDistance(const Mesh& mesh,
                    Eigen::Index face,
                    const Eigen::Vector3d& origin,
@@ -49,7 +50,8 @@ double hitDistance(const Mesh& mesh,
     return inside ? x(2) * direction.norm() : -1;
 }
 
-/// Every face between three heaps of vertices in a sloping plane, so that all have nearly one box.
+/// Returns all faces between three clusters of vertices in a sloping plane. Their boxes nearly
+/// coincide.
 Mesh heapedFaces(int verticesOfHeap) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> spread(-0.001, 0.001);
@@ -70,7 +72,7 @@ Mesh heapedFaces(int verticesOfHeap) {
 
 } // namespace
 
-TEST_CASE("Nearest points and first hits agree with brute force, for any size of mesh") {
+TEST_CASE("Nearest points and first hits match brute force for any mesh size") {
     const double size = GENERATE(1e-3, 1.0, 100.0); // triangles from 1e-10 to 1 m²
     const SurfaceQuery query(torusMesh(size, 0.4 * size, 30, 14));
     const auto& mesh = query.mesh();
@@ -106,7 +108,7 @@ TEST_CASE("Nearest points and first hits agree with brute force, for any size of
     CHECK(hits > 50);
 }
 
-TEST_CASE("A ray down onto a flat sheet hits everywhere, edges and vertices included") {
+TEST_CASE("A ray down onto a flat sheet hits everywhere, also at edges and vertices") {
     const double length = 0.39, width = 0.04;
     const SurfaceQuery query(sheetMesh(length, width, 900));
     for (int i = 0; i <= 40; ++i)
@@ -126,13 +128,13 @@ TEST_CASE("A ray down onto a flat sheet hits everywhere, edges and vertices incl
     CHECK_FALSE(query.firstHit({1, 0, 0.3}, {0, 0, -1}));
 }
 
-TEST_CASE("A query can be moved and goes on working") {
+TEST_CASE("A query still works after a move") {
     SurfaceQuery first(icosphereMesh(1, 2));
     SurfaceQuery second = std::move(first);
     CHECK(second.firstHit({3, 0.1, 0.1}, {-1, 0, 0}));
 }
 
-TEST_CASE("A point that no distance can be measured from is infinitely far from some face") {
+TEST_CASE("A point too far away to measure gets some face at infinite distance") {
     const SurfaceQuery query(icosphereMesh(1, 1));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Eigen::Vector3d& point :
@@ -145,7 +147,7 @@ TEST_CASE("A point that no distance can be measured from is infinitely far from 
     }
 }
 
-TEST_CASE("A ray passes through all faces in its way, as far as it may look") {
+TEST_CASE("A ray passes through all faces in its path, within its box limit") {
     const SurfaceQuery query(icosphereMesh(1, 3));
     const Eigen::Vector3d from(0.013, 0.021, -3), up(0, 0, 2);
     std::int64_t boxes = 1000;
@@ -162,7 +164,7 @@ TEST_CASE("A ray passes through all faces in its way, as far as it may look") {
     CHECK_FALSE(query.passages(from, up, boxes));
 }
 
-TEST_CASE("Where faces are heaped on each other, a question ends with the best it has seen") {
+TEST_CASE("With heaped faces, a query ends with the best face found so far") {
     const SurfaceQuery query(heapedFaces(40));
     const Eigen::Vector3d above(0.3, 0.3, 5), down(0, 0, -1);
     constexpr std::int64_t plenty = 1'000'000;
@@ -170,7 +172,7 @@ TEST_CASE("Where faces are heaped on each other, a question ends with the best i
     const auto nearest = query.nearestPoint(above, forPoint);
     const auto hit = query.firstHit(above, down, forRay);
     REQUIRE(hit);
-    CHECK(plenty - forPoint > query.boxesForPoint); // the reason why there is an end
+    CHECK(plenty - forPoint > query.boxesForPoint); // more than the default limit
     CHECK(plenty - forRay > 50'000);
 
     const auto soon = query.nearestPoint(above);

@@ -21,7 +21,7 @@ double lengthOf(const std::vector<Eigen::Vector3d>& way) {
 
 } // namespace
 
-TEST_CASE("A way begins and ends at the vertices nearest to its points, and is nearly straight") {
+TEST_CASE("A route joins the vertices nearest to its points and is nearly straight") {
     const Mesh sheet = sheetMesh(0.4, 0.3, 400);
     const auto way = surfaceRoute(sheet, {-0.2, -0.15, 0}, {0.2, 0.15, 0}, up);
     REQUIRE(way.size() > 5);
@@ -30,7 +30,7 @@ TEST_CASE("A way begins and ends at the vertices nearest to its points, and is n
     CHECK(lengthOf(way) < 1.15 * 0.5);
 }
 
-TEST_CASE("A way round a ring is half its length and stays on the side that was asked for") {
+TEST_CASE("A route around a ring is half its length and stays on the requested side") {
     const Mesh ring = torusMesh(0.1, 0.01, 80, 16);
     const auto way = surfaceRoute(ring, {-0.1, 0, 0.01}, {0.1, 0, 0.01}, up);
     const double half = std::numbers::pi * 0.1;
@@ -40,8 +40,8 @@ TEST_CASE("A way round a ring is half its length and stays on the side that was 
         CHECK(place.z() > 0);
 }
 
-TEST_CASE("Where nothing that faces so joins two points the way takes what does") {
-    // Of a ring what faces along x lies outside at one end and inside at the other.
+TEST_CASE("If faces with the given direction do not connect two points, the route uses all faces") {
+    // The faces of a ring that look along x are outside at one end and inside at the other.
     const Mesh ring = torusMesh(0.1, 0.01, 80, 16);
     const auto way = surfaceRoute(ring, {0.11, 0, 0}, {-0.09, 0, 0}, Eigen::Vector3d(1, 0, 0));
     REQUIRE(!way.empty());
@@ -50,7 +50,7 @@ TEST_CASE("Where nothing that faces so joins two points the way takes what does"
     CHECK(lengthOf(way) > 0.25);
 }
 
-TEST_CASE("Between parts that do not touch there is no way") {
+TEST_CASE("There is no route between parts that do not touch") {
     const Mesh ball = icosphereMesh(0.05, 2);
     Mesh two;
     two.vertices.resize(2 * ball.vertexCount(), 3);

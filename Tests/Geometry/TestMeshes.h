@@ -1,4 +1,4 @@
-// Meshes that try the rooms' patience, and what a mesh has to be. For the tests of Geometry.
+// Difficult meshes and mesh checks for the tests of Geometry.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -33,7 +33,7 @@ inline Mesh insideOut(Mesh mesh) {
     return mesh;
 }
 
-/// Every face with vertices of its own, as STL files have them.
+/// Gives every face its own vertices, as in STL files.
 inline Mesh soupOf(const Mesh& mesh) {
     Mesh soup{Eigen::MatrixXd(3 * mesh.faceCount(), 3), mesh.faces};
     for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
@@ -44,8 +44,8 @@ inline Mesh soupOf(const Mesh& mesh) {
     return soup;
 }
 
-/// A cube of which one side alone is divided finer, as three coordinates of the others would not
-/// know: the box made of `segments` with a side of 2 × `segments`, every face on its own.
+/// A cube with T-junctions: `segments` per side, but 2 × `segments` on top. Every face has its own
+/// vertices.
 inline Mesh tJunctionCube(int segments) {
     const Mesh coarse = boxMesh({1, 1, 1}, Eigen::Vector3i::Constant(segments));
     const Mesh fine = boxMesh({1, 1, 1}, Eigen::Vector3i::Constant(2 * segments));
@@ -67,7 +67,7 @@ inline Mesh tJunctionCube(int segments) {
                          part(fine, [&](Eigen::Index f) { return onTop(fine, f); })));
 }
 
-/// A grid of quads closed by `vertexAt(i, j)`, which may name a vertex twice.
+/// A grid of quads. `vertexAt(i, j)` may return a vertex twice to close the grid.
 inline Mesh gridOf(int columns,
                    int rows,
                    int vertexCount,
@@ -116,7 +116,7 @@ inline Mesh kleinBottle(int around, int across) {
     });
 }
 
-/// Pages on one spine.
+/// Triangles ("pages") around one common edge.
 inline Mesh book(int pages) {
     Mesh mesh{Eigen::MatrixXd(pages + 2, 3), Eigen::MatrixXi(pages, 3)};
     mesh.vertices.row(0) << 0, 0, 0;
@@ -129,7 +129,7 @@ inline Mesh book(int pages) {
     return mesh;
 }
 
-/// A cone open below, all of whose faces meet at its tip.
+/// A cone, open below. All faces meet at its tip.
 inline Mesh fanMesh(int faces) {
     Mesh mesh{Eigen::MatrixXd(faces + 1, 3), Eigen::MatrixXi(faces, 3)};
     mesh.vertices.row(faces) << 0, 0, 0.3;
@@ -141,7 +141,7 @@ inline Mesh fanMesh(int faces) {
     return mesh;
 }
 
-/// Half a sphere, open at z = 0.
+/// A hemisphere, open at z = 0.
 inline Mesh openHemisphere(double radiusMetres, int rings) {
     Mesh mesh = discMesh(1, rings);
     for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v) {
@@ -179,7 +179,7 @@ inline Mesh randomSoup(std::mt19937& random, int vertices, int faces) {
     return mesh;
 }
 
-/// The longest side over the height of the worst face; infinite for a face without area.
+/// Returns the longest side over the height of the worst face; infinite for a face without area.
 inline double worstAspect(const Mesh& mesh) {
     double worst = 0;
     const auto areas = faceAreas(mesh);
@@ -193,8 +193,8 @@ inline double worstAspect(const Mesh& mesh) {
     return worst;
 }
 
-/// Every edge has one or two faces that run along it in opposite directions, and the faces at every
-/// vertex form one fan.
+/// Returns true if every edge has one or two faces that run along it in opposite directions, and
+/// the faces at every vertex form one fan.
 inline bool isOrientedManifold(const Mesh& mesh) {
     std::map<std::pair<int, int>, int> faceOfHalfEdge;
     for (int face = 0; face < mesh.faceCount(); ++face)
