@@ -33,8 +33,8 @@ void checkObject(const ModalObject& object, const AnalysisSettings& settings) {
     CHECK(object.bandHz <= settings.maxFrequencyHz);
 }
 
-/// Whether an object came of it. Each seed twice as likely with the method chosen by the mesh and
-/// with finite elements as with any other.
+/// Returns true if the analysis gives an object. The automatic method and finite elements are each
+/// used twice as often as any other method.
 bool makesAnObject(std::uint32_t seed) {
     const auto hostile = hostileMesh(seed);
     CAPTURE(seed, hostile.name);
@@ -70,7 +70,7 @@ bool makesAnObject(std::uint32_t seed) {
 
 } // namespace
 
-TEST_CASE("Hostile meshes end in a sound object or in one sentence") {
+TEST_CASE("Hostile meshes give a valid object or a one-sentence error") {
     int objects = 0;
     for (std::uint32_t seed = 0; seed < 60; ++seed)
         objects += makesAnObject(seed) ? 1 : 0;

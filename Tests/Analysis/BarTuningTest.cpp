@@ -32,7 +32,7 @@ BarSpecification smallBar(double secondRatio, double thirdRatio) {
 
 } // namespace
 
-TEST_CASE("A bar is tuned with its damping: 0.9 cents of it do not move the pitch that is heard") {
+TEST_CASE("Tuning corrects the audible pitch for damping, which shifts it by 0.9 cents") {
     auto bar = smallBar(0, 0);
     bar.targets.fundamentalHz = 1000;
     bar.material.damping.fluidPerSecond = 400;
@@ -48,7 +48,7 @@ TEST_CASE("A bar is tuned with its damping: 0.9 cents of it do not move the pitc
     CHECK(tuned->object.bandHz == 8000);
 }
 
-TEST_CASE("Partials of 1:3, 1:4 and 1:4:10 are met in the finite elements' own modes") {
+TEST_CASE("Partials of 1:3, 1:4 and 1:4:10 are reached in the finite-element modes") {
     struct Ratios {
         double second, third;
     };
@@ -64,8 +64,7 @@ TEST_CASE("Partials of 1:3, 1:4 and 1:4:10 are met in the finite elements' own m
     }
 }
 
-TEST_CASE(
-    "The object wears the bar's outline, whose top carries shapes; the mesh to cut is solid") {
+TEST_CASE("The object has the bar's outline with shapes on top, and the surface to cut is solid") {
     const auto tuned = tuneBar(smallBar(3, 0));
     REQUIRE(tuned);
     const auto& object = tuned->object;
@@ -79,7 +78,7 @@ TEST_CASE(
     CHECK_THAT(object.mass.massKg, WithinRel(check.volumeM3 * density, 1e-9));
 }
 
-TEST_CASE("Bars that cannot be tuned are refused with a sentence that names them") {
+TEST_CASE("Bars that cannot be tuned give an error that names them") {
     auto bar = smallBar(0, 0);
     bar.name = "odd";
     bar.targets.fundamentalHz = 30000;

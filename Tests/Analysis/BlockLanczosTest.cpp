@@ -27,7 +27,7 @@ DenseModes denseModes(const VibrationModel& model) {
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-/// A multiple of a diagonal: every eigenvalue is there `copies` times.
+/// A diagonal model in which every eigenvalue occurs `copies` times.
 VibrationModel copiedModel(int different, int copies) {
     VibrationModel model;
     Eigen::VectorXd values(different * copies);
@@ -40,7 +40,7 @@ VibrationModel copiedModel(int different, int copies) {
 
 } // namespace
 
-TEST_CASE("The modes nearest to a shift equal the dense solution's, M-orthonormal") {
+TEST_CASE("The modes nearest to a shift match the dense solution and are M-orthonormal") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.3, 100), referenceWood(), 0.008);
     const auto dense = denseModes(model);
     const WorkControl control;
@@ -63,7 +63,7 @@ TEST_CASE("The modes nearest to a shift equal the dense solution's, M-orthonorma
     CHECK((products - Vectors::Identity(wanted, wanted)).cwiseAbs().maxCoeff() < 1e-8);
 }
 
-TEST_CASE("Modes that were found before are not found again") {
+TEST_CASE("Known modes are not found again") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.3, 100), referenceWood(), 0.008);
     const auto dense = denseModes(model);
     const WorkControl control;
@@ -82,7 +82,8 @@ TEST_CASE("Modes that were found before are not found again") {
     CHECK(products.cwiseAbs().maxCoeff() < 1e-8);
 }
 
-TEST_CASE("Copies beyond a block's columns come when asked for again, and no others") {
+TEST_CASE(
+    "Multiple eigenvalues beyond the block size are found by repeated calls, without extra ones") {
     const auto model = copiedModel(40, 15);
     const WorkControl control;
     ShiftedFactor factor(model, control);
@@ -106,7 +107,7 @@ TEST_CASE("Copies beyond a block's columns come when asked for again, and no oth
               .values.size() == 0);
 }
 
-TEST_CASE("An exception of the step function comes through") {
+TEST_CASE("Exceptions from the step function propagate") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.3, 100), referenceWood(), 0.008);
     const WorkControl control;
     ShiftedFactor factor(model, control);

@@ -30,7 +30,7 @@ double decibels(Complex actual, Complex expected) {
     return 20 * std::log10(std::abs(actual / expected));
 }
 
-/// An octahedron whose edges are divided in n, on the unit sphere: it has all three mirrors.
+/// A unit sphere from an octahedron with edges divided by n. It has all three mirror symmetries.
 Mesh octasphere(int n) {
     std::map<std::array<int, 3>, int> numbers;
     std::vector<Eigen::RowVector3i> faces;
@@ -61,7 +61,7 @@ Mesh octasphere(int n) {
     return mesh;
 }
 
-/// [F×3]
+/// Returns the [F×3] unit normals.
 Eigen::MatrixXd faceNormals(const Mesh& mesh) {
     Eigen::MatrixXd normals(mesh.faceCount(), 3);
     const auto panels = boundaryPanels(mesh);
@@ -70,7 +70,7 @@ Eigen::MatrixXd faceNormals(const Mesh& mesh) {
     return normals;
 }
 
-/// The weights [D×M] of those motions.
+/// Returns the radiation weights [D×M] of these motions.
 Eigen::MatrixXcd weights(const BoundaryElements& elements,
                          double waveNumber,
                          const Eigen::MatrixXd& directions,
@@ -81,14 +81,15 @@ Eigen::MatrixXcd weights(const BoundaryElements& elements,
                              *pressures);
 }
 
-/// The weight on an axis of a surface that moves along it as a whole.
+/// Returns the weight on an axis of a surface that moves along it as a rigid body.
 Complex translationWeight(const ClosedSurface& surface, double waveNumber, int axis) {
     const BoundaryElements elements(surface.mesh, surfaceSymmetry(surface.mesh));
     const Eigen::RowVector3d direction = Eigen::RowVector3d::Unit(axis);
     return weights(elements, waveNumber, direction, faceNormals(surface.mesh).col(axis))(0, 0);
 }
 
-/// ∏ (2i + 1), i ≤ n, times j_n(x)/x^n: 1 at x = 0. By its series, or upward where that is stable.
+/// Returns ∏ (2i + 1), i ≤ n, times j_n(x)/x^n, which is 1 at x = 0. Uses the series for small x
+/// and upward recursion where that is stable.
 double scaledBessel(int n, double x) {
     if (x < n + 3.0) {
         double term = 1, sum = 1;
@@ -108,9 +109,10 @@ double scaledBessel(int n, double x) {
     return value * scale;
 }
 
-/// The weight of a free disc without thickness, radius 1, that moves along its axis at 1 m/s, at an
-/// angle to it. The pressure on its face is a sum of (1 − r²)^{m+1/2}, whose Hankel transforms are
-/// j_{m+1}(κ)/κ^{m+1}; ∂p/∂z on the disc is met in the mean over each of these (Galerkin).
+/// Returns the weight of a free disc without thickness, of radius 1, that moves along its axis at 1
+/// m/s, at an angle to the axis. The pressure on its face is a sum of (1 − r²)^{m+1/2} with Hankel
+/// transforms j_{m+1}(κ)/κ^{m+1}. The condition on ∂p/∂z on the disc is met in the mean over each
+/// term (Galerkin).
 Complex freeDisc(double k, double angle) {
     constexpr int terms = 7;
     constexpr double last = 600, step = 0.02;
@@ -135,14 +137,14 @@ Complex freeDisc(double k, double angle) {
     return j * k * std::cos(angle) * transform;
 }
 
-/// A bar of REFERENCE's figures: a box whose sections move up and down as the middle of the top.
+/// A reference bar: a box whose cross-sections move up and down like the middle of its top.
 struct BoxBar {
     Eigen::Vector3d sizeMetres;
-    double halfStep, archStep; ///< between the points of `upward`, up to the arch's edge
+    double halfStep, archStep; ///< spacing of the points of `upward`, up to the arch's edge
     double frequencyHz;
     std::array<double, 9> upward; ///< 1/√kg, from the middle to the end
     bool isOdd = false;
-    double expectedWeight; ///< 25° off the axis, across
+    double expectedWeight; ///< at 25° from the axis, across the bar
 };
 
 } // namespace
@@ -155,7 +157,7 @@ TEST_CASE("Pulsating and oscillating spheres are within 0.5 dB from ka 0.05 to 2
     velocities << Eigen::VectorXd::Ones(sphere.faceCount()), faceNormals(sphere).col(2);
     Eigen::MatrixXd directions(2, 3);
     directions << 0, 0, 1, 0.48, 0.64, 0.6;
-    // Those between are resonances of the space inside: j_0, j_1 and j_0 again vanish.
+    // π, 4.4934 and 2π are resonances of the interior: zeros of j_0 and j_1.
     for (const double ka : {0.05, 0.3, 1.0, pi, 4.4934, 2 * pi, 10.0, 20.0}) {
         const auto actual = weights(elements, ka, directions, velocities);
         const Complex pulsating = impedance * j * ka / (1.0 + j * ka) * std::exp(j * ka);
@@ -169,8 +171,8 @@ TEST_CASE("Pulsating and oscillating spheres are within 0.5 dB from ka 0.05 to 2
     }
 }
 
-TEST_CASE("A free disc is within 1 dB of theory, on the axis and beside it") {
-    // Lamb 1932, section 108: 8/3 ρ a³ of air moves with it.
+TEST_CASE("A free disc is within 1 dB of theory, on and off its axis") {
+    // Lamb 1932, section 108: an air mass of 8/3 ρ a³ moves with the disc.
     CHECK_THAT(decibels(freeDisc(0.05, 0), 2 / (3 * pi) * impedance * 0.05 * 0.05),
                WithinAbs(0, 0.05));
     const auto disc = closedSurface(discMesh(1, 14), 0.01);
@@ -188,7 +190,7 @@ TEST_CASE("A free disc is within 1 dB of theory, on the axis and beside it") {
     }
 }
 
-TEST_CASE("A cube of 0.1 m that moves to and fro radiates 0.73 Pa·m at 200 Hz and 14.9 at 1 kHz") {
+TEST_CASE("An oscillating cube of 0.1 m radiates 0.73 Pa·m at 200 Hz and 14.9 Pa·m at 1 kHz") {
     const auto cube =
         closedSurface(boxMesh(Eigen::Vector3d::Constant(0.1), Eigen::Vector3i::Constant(8)), 0);
     REQUIRE(cube);
@@ -199,7 +201,7 @@ TEST_CASE("A cube of 0.1 m that moves to and fro radiates 0.73 Pa·m at 200 Hz a
     CHECK_THAT(decibels(weightAt(1000), 14.9), WithinAbs(0, 1));
 }
 
-TEST_CASE("Two bars radiate within 1 dB of what other boundary elements found") {
+TEST_CASE("Two bars radiate within 1 dB of an independent boundary-element solution") {
     const Eigen::Vector3d xylophone(0.30823, 0.03702, 0.01833), marimba(0.23387, 0.05694, 0.02141);
     const BoxBar bars[] = {
         {xylophone,
@@ -256,10 +258,10 @@ TEST_CASE("Two bars radiate within 1 dB of what other boundary elements found") 
     }
 }
 
-TEST_CASE("A solution that uses symmetry is the one that does not") {
+TEST_CASE("A solution with symmetry equals the one without") {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
-    // Mirrors; turns with the mirror across; mirrors that leave faces in place.
+    // Mirrors; rotations with a mirror across; mirrors that map faces onto themselves.
     const auto hoop = closedSurface(hoopMesh(0.5, 0.2, 24, 2), 0.02);
     REQUIRE(hoop);
     for (const Mesh& mesh : {octasphere(5), hoop->mesh, icosphereMesh(1, 2)}) {
@@ -276,8 +278,8 @@ TEST_CASE("A solution that uses symmetry is the one that does not") {
     }
 }
 
-TEST_CASE("The power that leaves the surface arrives in the far field") {
-    // Even steps in both angles, with the area of each band of the sphere.
+TEST_CASE("The power radiated by the surface equals the power in the far field") {
+    // Even steps in both angles, weighted with the area of each band of the sphere.
     constexpr int bands = 60, around = 60;
     Eigen::MatrixXd directions(bands * around, 3);
     Eigen::VectorXd solidAngles(bands * around);
@@ -313,7 +315,7 @@ TEST_CASE("The power that leaves the surface arrives in the far field") {
     }
 }
 
-TEST_CASE("A thin sheet converges as its triangles become smaller than it is thick") {
+TEST_CASE("A thin sheet converges as its triangles become smaller than its thickness") {
     std::vector<double> weightsInPaM;
     for (const int vertices : {60, 240, 960}) {
         const auto sheet = closedSurface(sheetMesh(0.06, 0.04, vertices), 0.003);
@@ -326,7 +328,7 @@ TEST_CASE("A thin sheet converges as its triangles become smaller than it is thi
           std::abs(weightsInPaM[0] - weightsInPaM[1]));
 }
 
-TEST_CASE("Triangles may share unknowns at little cost to what is heard") {
+TEST_CASE("Triangles that share unknowns change the radiated sound by less than 0.5 dB") {
     const Mesh sphere = octasphere(12);
     const BoundaryElements elements(sphere, noSymmetry(sphere), 150);
     CHECK(elements.unknownCount() == 150);

@@ -14,14 +14,14 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// [3N×1] every vertex moves alike.
+/// Returns a [3N×1] shape in which every vertex moves alike.
 Eigen::MatrixXd translation(const Mesh& mesh, const Eigen::Vector3d& by) {
     return by.replicate(mesh.vertexCount(), 1);
 }
 
 } // namespace
 
-TEST_CASE("A sheet is closed by two faces and a rim and encloses its own volume") {
+TEST_CASE("A sheet is closed by two faces and a rim and encloses its volume") {
     const Mesh sheet = sheetMesh(0.3, 0.2, 200);
     const auto closed = closedSurface(sheet, 0.003);
     REQUIRE(closed);
@@ -33,7 +33,7 @@ TEST_CASE("A sheet is closed by two faces and a rim and encloses its own volume"
     CHECK_THAT(up.col(0).dot(faceAreas(closed->mesh)), WithinAbs(0, 1e-12));
 }
 
-TEST_CASE("A closed body stays as it is beside a sheet that is closed") {
+TEST_CASE("A closed body stays unchanged beside a sheet that gets closed") {
     const Mesh ball = icosphereMesh(0.1, 2), sheet = sheetMesh(0.3, 0.2, 100);
     Mesh both{Eigen::MatrixXd(ball.vertexCount() + sheet.vertexCount(), 3),
               Eigen::MatrixXi(ball.faceCount() + sheet.faceCount(), 3)};
@@ -46,12 +46,12 @@ TEST_CASE("A closed body stays as it is beside a sheet that is closed") {
                WithinRel(signedVolumeM3(ball) + 0.3 * 0.2 * 0.002, 1e-9));
 }
 
-TEST_CASE("A closed body needs no thickness and an open one does") {
+TEST_CASE("A closed body needs no thickness, but an open one does") {
     CHECK(closedSurface(icosphereMesh(0.1, 1), 0));
     CHECK_FALSE(closedSurface(sheetMesh(0.3, 0.2, 100), 0));
 }
 
-TEST_CASE("Faces without area are left out") {
+TEST_CASE("Faces without area are dropped") {
     Mesh ball = icosphereMesh(0.1, 1);
     ball.faces.conservativeResize(ball.faceCount() + 2, 3);
     ball.faces.bottomRows(2) << 0, 0, 1, 1, 0, 0;
@@ -60,7 +60,7 @@ TEST_CASE("Faces without area are left out") {
     CHECK(faceAreas(closed->mesh).minCoeff() > 0);
 }
 
-TEST_CASE("Split and remeshed surfaces keep their shape and how they move") {
+TEST_CASE("Split and remeshed surfaces keep their shape and their motion") {
     const Mesh ball = icosphereMesh(0.1, 3);
     const auto closed = closedSurface(ball, 0);
     REQUIRE(closed);
@@ -71,7 +71,7 @@ TEST_CASE("Split and remeshed surfaces keep their shape and how they move") {
     REQUIRE(coarser);
     CHECK(coarser->mesh.faceCount() < ball.faceCount() / 2);
     for (const auto* surface : {&finer, &*coarser}) {
-        // (1 + z) along x.
+        // The motion is (1 + z) along x.
         Eigen::MatrixXd shape = translation(ball, {1, 0, 0});
         for (Eigen::Index vertex = 0; vertex < ball.vertexCount(); ++vertex)
             shape(3 * vertex) += ball.vertices(vertex, 2);

@@ -15,9 +15,11 @@ namespace {
 
 constexpr double lengthMetres = 0.4, halfWidthMetres = 0.02, massKg = 0.5;
 constexpr int lines = 161, fundamental = 0, second = 1, twist = 2, sideways = 3;
-constexpr double node = 0.2241575; // of a uniform free bar's fundamental, over its length
+constexpr double node =
+    0.2241575; // node of a uniform free bar's fundamental, as a fraction of its length
 
-/// The free-free shape of Euler and Bernoulli at x over the length; its mean square is 1.
+/// Returns the free-free shape of Euler and Bernoulli at x (fraction of the length); its mean
+/// square is 1.
 double bendingShape(double wave, double x) {
     const double ratio = (std::cosh(wave) - std::cos(wave)) / (std::sinh(wave) - std::sin(wave));
     return std::cosh(wave * x) + std::cos(wave * x) -
@@ -30,7 +32,7 @@ double secondShape(double x) {
     return bendingShape(7.853204624, x);
 }
 
-/// A uniform bar: two bending modes, one that twists, one that moves sideways.
+/// A uniform bar with two bending modes, a torsional mode and a sideways mode.
 ModalObject bar() {
     auto object = test::syntheticObject({400, 1100, 1500, 1700});
     object.vertices.clear();
@@ -67,25 +69,26 @@ double square(double value) {
 
 } // namespace
 
-TEST_CASE("The cords lie at the nodes of a uniform bar's fundamental, 22.4 % from its ends") {
+TEST_CASE("Cords lie at the nodes of a uniform bar's fundamental, 22.4 % from its ends") {
     const auto places = cordPlacesMetres(bar());
     REQUIRE(places.size() == 2);
     CHECK_THAT(places[0], WithinAbs((node - 0.5) * lengthMetres, 1e-4 * lengthMetres));
     CHECK_THAT(places[1], WithinAbs((0.5 - node) * lengthMetres, 1e-4 * lengthMetres));
 }
 
-TEST_CASE("Cords at the nodes leave the fundamental alone and damp the others by half of R phi^2") {
+TEST_CASE("Each cord at a node adds R phi^2 / 2 to other modes' decay rates, nothing to the "
+          "fundamental") {
     const auto added = addedBy({.resistanceNsPerM = 3, .spreadOverLength = 0});
     CHECK_THAT(added[fundamental], WithinAbs(0, 1e-3));
-    // Both cords, so R φ² for a symmetric or antisymmetric mode.
+    // Each cord adds half of R φ². Both together give R φ² for a symmetric or antisymmetric mode.
     CHECK_THAT(added[second], WithinRel(3 * square(secondShape(node)) / massKg, 2e-3));
-    // Half of the width's weight is on the edges.
+    // The edges carry half of the weight across the width.
     CHECK_THAT(added[twist],
                WithinRel(3 * square(std::cos(3.14159265358979 * node)) / 2 / massKg, 2e-3));
     CHECK_THAT(added[sideways], WithinAbs(0, 1e-9));
 }
 
-TEST_CASE("Cords beside the nodes damp the fundamental by its mean square on both sides") {
+TEST_CASE("Cords beside the nodes damp the fundamental by the mean square of both sides") {
     const auto added = addedBy({.resistanceNsPerM = 3, .spreadOverLength = 0.05});
     const auto expected = [](double (*shape)(double)) {
         return 3 * (square(shape(node - 0.05)) + square(shape(node + 0.05))) / 2 / massKg;
@@ -94,7 +97,8 @@ TEST_CASE("Cords beside the nodes damp the fundamental by its mean square on bot
     CHECK_THAT(added[second], WithinRel(expected(secondShape), 5e-3));
 }
 
-TEST_CASE("Cords that lose like springs damp a mode by the power of its frequency") {
+TEST_CASE(
+    "Cords with a resistance exponent of -1 damp a mode in inverse proportion to its frequency") {
     const auto dashpot = addedBy({.resistanceNsPerM = 3});
     const auto spring = addedBy({.resistanceNsPerM = 3, .resistanceExponent = -1});
     const auto object = bar();
@@ -103,7 +107,7 @@ TEST_CASE("Cords that lose like springs damp a mode by the power of its frequenc
                    WithinRel(dashpot[mode] * 1000 / object.dampedFrequencyHz(mode), 1e-6));
 }
 
-TEST_CASE("Cord loss adds to decays that are there already") {
+TEST_CASE("Cord loss is added to existing decay rates") {
     auto object = bar();
     object.extraDecaysPerSecond = {1, 2, 3, 4};
     addCordLoss(object, {.resistanceNsPerM = 0});
@@ -113,7 +117,7 @@ TEST_CASE("Cord loss adds to decays that are there already") {
                WithinRel(2 + 3 * square(secondShape(node)) / massKg, 2e-3));
 }
 
-TEST_CASE("A body whose lowest bending mode has no two nodes keeps its decays") {
+TEST_CASE("A body whose lowest bending mode lacks two nodes keeps its decay rates") {
     auto object = test::syntheticObject({400});
     addCordLoss(object, {});
     CHECK(object.extraDecaysPerSecond.empty());

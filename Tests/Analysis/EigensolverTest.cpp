@@ -15,7 +15,7 @@ using namespace idiophone::test;
 
 namespace {
 
-/// Masses on a line of equal springs, one degree of freedom each: λ_j = 4 k/m sin²(π j/2n).
+/// A line of masses with equal springs, one degree of freedom each: λ_j = 4 k/m sin²(π j/2n).
 VibrationModel freeChain(int masses, double stiffness, double mass) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < masses; ++i) {
@@ -41,11 +41,11 @@ void checkInvariants(const VibrationModel& model, const Modes& modes) {
     const Eigen::MatrixXd image = model.stiffness.selfadjointView<Eigen::Lower>() * g;
     const Eigen::MatrixXd stiffness = g.transpose() * image;
     const Eigen::MatrixXd lambda = modes.eigenvalues.asDiagonal();
-    // Each element against the geometric mean of its row's and its column's eigenvalue.
+    // Compare each element with the geometric mean of its row's and column's eigenvalues.
     const Eigen::VectorXd scale = modes.eigenvalues.cwiseSqrt().cwiseInverse();
     CHECK((scale.asDiagonal() * (stiffness - lambda) * scale.asDiagonal()).cwiseAbs().maxCoeff() <
           1e-8);
-    // Residuals, so that the vectors are eigenvectors and not merely diagonalise within their span.
+    // Residuals: the vectors must be eigenvectors, not only diagonalise within their span.
     const Eigen::MatrixXd residual = model.mass.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() *
                                      (image - momentum * modes.eigenvalues.asDiagonal());
     for (Eigen::Index i = 0; i < g.cols(); ++i)
@@ -89,7 +89,7 @@ TEST_CASE("Mass and stiffness are diagonal in the modes within 1e-8 for every mo
     }
 }
 
-TEST_CASE("A sliced spectrum holds every mode once, equal to the dense solution") {
+TEST_CASE("A sliced spectrum has every mode once and matches the dense solution") {
     // 1926 degrees of freedom, some 700 modes in the band: several slices, many degenerate modes.
     const auto model =
         springMassModel(icosphereMesh(0.1, 3), referenceWood(), 0.005, SpringStiffness::vanGelder);
@@ -108,7 +108,7 @@ TEST_CASE("A sliced spectrum holds every mode once, equal to the dense solution"
     checkInvariants(model, *modes);
 }
 
-TEST_CASE("Hundreds of zero modes are set aside and none of the others is lost") {
+TEST_CASE("Hundreds of zero modes are separated without losing other modes") {
     const auto model = springMassModel(boxMesh({0.4, 0.05, 0.02}, {40, 6, 3}), referenceWood(),
                                        0.005, SpringStiffness::literal);
     const auto modes = solveModes(model, {.lowestHz = 20, .highestHz = 8000});
@@ -119,7 +119,7 @@ TEST_CASE("Hundreds of zero modes are set aside and none of the others is lost")
     checkInvariants(model, *modes);
 }
 
-TEST_CASE("Modes between zero and the band are counted and left out") {
+TEST_CASE("Modes between zero and the band are counted but not returned") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.05, 300), referenceWood(), 0.02);
     const auto all = solveModes(model, {.lowestHz = 20, .highestHz = 5000});
     const auto some = solveModes(model, {.lowestHz = 1000, .highestHz = 5000});
@@ -130,14 +130,14 @@ TEST_CASE("Modes between zero and the band are counted and left out") {
     CHECK(some->belowBand > 0);
 }
 
-TEST_CASE("More modes than the limit are refused with the number") {
+TEST_CASE("More modes than the limit give an error with the number") {
     const auto model = twoLayerShell(sheetMesh(0.4, 0.05, 300), referenceWood(), 0.02);
     const auto modes = solveModes(model, {.lowestHz = 20, .highestHz = 20000, .maximumModes = 10});
     REQUIRE_FALSE(modes);
     CHECK_THAT(modes.error().message, Catch::Matchers::ContainsSubstring("limit of 10"));
 }
 
-TEST_CASE("A solve stops at the next step once cancelled, and progress never falls") {
+TEST_CASE("A solve stops at the next step after cancellation, and progress never falls") {
     const auto model = twoLayerShell(sheetMesh(1, 1, 1500), referenceWood(), 0.01);
     for (const double cancelAt : {0.0, 0.01, 0.3, 0.6}) {
         CAPTURE(cancelAt);

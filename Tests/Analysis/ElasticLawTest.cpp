@@ -14,7 +14,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("The isotropic law is Lamé's") {
+TEST_CASE("The isotropic law is Lamé's law") {
     const double y = 20e9, nu = 0.3;
     const double lambda = y * nu / ((1 + nu) * (1 - 2 * nu)), mu = y / (2 * (1 + nu));
     Matrix6d lame = Matrix6d::Zero();
@@ -34,7 +34,7 @@ TEST_CASE("An isotropic law is the same along any grain") {
           1e-12 * straight->stiffnessPa.norm());
 }
 
-TEST_CASE("A wooden law gives back its constants along the axes it was given") {
+TEST_CASE("A wood's law returns its constants along its axes") {
     const auto law = elasticLaw(
         roundWood, {.grain = Eigen::Vector3d::UnitY(), .radial = Eigen::Vector3d::UnitX()});
     REQUIRE(law);
@@ -50,7 +50,7 @@ TEST_CASE("A wooden law gives back its constants along the axes it was given") {
     CHECK_THAT(-s(2, 1) / s(1, 1), WithinRel(0.4, 1e-12));
 }
 
-TEST_CASE("Young's modulus at an angle to the grain follows the transformation of the compliance") {
+TEST_CASE("Young's modulus at an angle to the grain follows the compliance transformation") {
     const double angle = 0.5, c = std::cos(angle), s = std::sin(angle);
     const auto law = elasticLaw(
         roundWood, {.grain = Eigen::Vector3d(c, s, 0), .radial = Eigen::Vector3d(-s, c, 0)});
@@ -70,7 +70,7 @@ TEST_CASE("The radial direction is made perpendicular to the grain") {
     CHECK((exact->stiffnessPa - leaning->stiffnessPa).norm() < 1e-12 * exact->stiffnessPa.norm());
 }
 
-TEST_CASE("Grain and radial direction that are zero, parallel or not numbers are refused") {
+TEST_CASE("Grain and radial directions that are zero, parallel or NaN are refused") {
     CHECK_FALSE(elasticLaw(roundWood, {.grain = {0, 0, 0}}));
     CHECK_FALSE(elasticLaw(roundWood, {.grain = {1, 0, 0}, .radial = Eigen::Vector3d(-2, 0, 0)}));
     CHECK_FALSE(elasticLaw(roundWood, {.grain = {NAN, 0, 1}}));
@@ -87,7 +87,8 @@ TEST_CASE("The slowest wave of an isotropic body is its shear wave") {
     CHECK_THAT(leastYoungsModulusPa(law), WithinRel(20e9, 1e-9));
 }
 
-TEST_CASE("The slowest wave of wood is rolling shear or slower, its least modulus across") {
+TEST_CASE(
+    "Wood's slowest wave is at most rolling shear, and its minimum modulus is across the grain") {
     const auto law = elasticLaw(roundWood);
     REQUIRE(law);
     const double rolling = std::sqrt(0.3e9 / 700);

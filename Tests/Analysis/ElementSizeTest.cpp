@@ -18,7 +18,8 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("The shortest wavelength is the thin plate's low down and a surface wave's high up") {
+TEST_CASE(
+    "The shortest wavelength is a thin plate's at low and a surface wave's at high frequencies") {
     const auto law = elasticLaw(referenceWood(0.3));
     const double h = 0.01;
     const double bending = std::sqrt(2 * std::numbers::pi * h / 10) * std::pow(20e9 / 12e3, 0.25);
@@ -28,7 +29,7 @@ TEST_CASE("The shortest wavelength is the thin plate's low down and a surface wa
                WithinRel(std::sqrt(5.0 / 6) * shear, 0.01));
 }
 
-TEST_CASE("Elements get no larger as the band grows or the wall thins") {
+TEST_CASE("Elements never grow when the band grows or the wall thins") {
     const auto law = elasticLaw(referenceWood(0.3));
     for (double wall = 1e-4; wall < 1; wall *= 1.5)
         for (double hz = 50; hz < 1e5; hz *= 1.5) {
@@ -39,8 +40,9 @@ TEST_CASE("Elements get no larger as the band grows or the wall thins") {
         }
 }
 
-TEST_CASE("A block in elements of the target edge has its modes within 1 % of a finer model's") {
-    // By counting: none of the finer model's modes below f lies above 1.01 f in the coarser.
+TEST_CASE("A block meshed at the target edge has its modes within 1 % of a finer model") {
+    // Counts modes: every mode of the finer model below f must lie below 1.01 f in the coarser
+    // model.
     const double maxHz = 4500;
     const auto law = elasticLaw(referenceWood(0.3));
     const Eigen::Vector3d size(1, 0.7, 0.5);
@@ -63,7 +65,7 @@ TEST_CASE("A block in elements of the target edge has its modes within 1 % of a 
     }
 }
 
-TEST_CASE("Elements of the target edge bring every mode of a plate's band within 1.5 %") {
+TEST_CASE("A plate meshed at the target edge has all modes of its band within 1.5 %") {
     const double thickness = 0.06;
     const auto law = elasticLaw(referenceWood(0.3));
     const double unit =

@@ -10,7 +10,7 @@ using namespace idiophone;
 
 namespace {
 
-/// Lower triangle with a diagonal and about `perColumn` random entries below each.
+/// Returns a lower triangle with a full diagonal and about `perColumn` random entries per column.
 Eigen::SparseMatrix<double> randomPlaces(int n, double perColumn, unsigned seed) {
     std::mt19937 generator(seed);
     std::vector<Eigen::Triplet<double>> entries;
@@ -25,7 +25,8 @@ Eigen::SparseMatrix<double> randomPlaces(int n, double perColumn, unsigned seed)
     return places;
 }
 
-/// Which later unknowns each meets once those before it are gone, by elimination itself.
+/// Returns for each unknown the later ones that it connects to after elimination of all before it.
+/// Eliminates explicitly.
 std::vector<std::set<int>> fill(const Eigen::SparseMatrix<double>& places,
                                 const std::vector<int>& place) {
     std::vector<std::set<int>> below(place.size());
@@ -42,7 +43,7 @@ std::vector<std::set<int>> fill(const Eigen::SparseMatrix<double>& places,
 
 } // namespace
 
-TEST_CASE("The elimination order holds every unknown once, and its inverse inverts it") {
+TEST_CASE("The elimination order has every unknown once, and its inverse is correct") {
     const auto places = randomPlaces(300, GENERATE(0.0, 0.8, 2.5), 2);
     const auto tree = eliminationTree(places, 3);
     REQUIRE(tree.original.size() == 300);
@@ -51,7 +52,7 @@ TEST_CASE("The elimination order holds every unknown once, and its inverse inver
         CHECK(tree.place[tree.original[i]] == i);
 }
 
-TEST_CASE("Supernodes hold all fill, and at most four fifths of what they hold is zeros") {
+TEST_CASE("Supernodes cover all fill, and at most four fifths of their entries are zeros") {
     const auto places = randomPlaces(400, GENERATE(0.5, 1.0, 1.6), GENERATE(1u, 2u));
     const int blockSize = GENERATE(1, 6);
     const auto tree = eliminationTree(places, blockSize);
@@ -73,7 +74,7 @@ TEST_CASE("Supernodes hold all fill, and at most four fifths of what they hold i
     CHECK(stored + 400 <= 5 * (filled + 400));
 }
 
-TEST_CASE("A supernode's parent comes after it, takes all it leaves and knows it as a child") {
+TEST_CASE("A supernode's parent comes after it, takes all its rows and lists it as a child") {
     const auto tree = eliminationTree(randomPlaces(400, 1.3, 4), 3);
     std::size_t children = 0, withParent = 0;
     for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
@@ -93,7 +94,7 @@ TEST_CASE("A supernode's parent comes after it, takes all it leaves and knows it
     CHECK(children == withParent);
 }
 
-TEST_CASE("A tree is eliminated with next to no fill") {
+TEST_CASE("A tree is eliminated with almost no fill") {
     const int n = 500;
     std::mt19937 generator(9);
     std::vector<Eigen::Triplet<double>> entries;

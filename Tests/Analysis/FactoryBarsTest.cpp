@@ -5,13 +5,12 @@
 
 using namespace idiophone;
 
-TEST_CASE("Notes are equal-tempered about A4 = 440 Hz") {
+TEST_CASE("Notes are equal-tempered with A4 = 440 Hz") {
     CHECK(noteFrequencyHz(69) == 440);
     CHECK_THAT(noteFrequencyHz(60), Catch::Matchers::WithinRel(261.6255653, 1e-9));
 }
 
-TEST_CASE(
-    "Every bar of every instrument has an arch that the beam can tune, and a name of its own") {
+TEST_CASE("Every bar of every instrument has a tunable arch and its own name") {
     for (const auto& instrument : barInstruments()) {
         CHECK(findBarInstrument(instrument.name) == &instrument);
         for (int note = instrument.lowestNote; note <= instrument.highestNote; ++note) {

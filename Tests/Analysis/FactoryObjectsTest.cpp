@@ -1,4 +1,4 @@
-// The bars that ship: every one as stored, and one an octave solved anew.
+// Tests of the stored factory bars: all of them as stored, and one per octave analysed anew.
 #include "Analysis/FactoryObjects.h"
 #include "Analysis/FactoryBars.h"
 #include "Object/ModalObjectFile.h"
@@ -31,7 +31,7 @@ ModalObject stored(const std::string& name) {
 
 } // namespace
 
-TEST_CASE("The factory makes just the objects that are stored, under 10 MB together") {
+TEST_CASE("The factory makes exactly the stored objects, under 10 MB in total") {
     std::set<std::string> made, found;
     for (const auto& name : factoryObjectNames())
         CHECK(made.insert(name + ".modal").second);
@@ -46,7 +46,7 @@ TEST_CASE("The factory makes just the objects that are stored, under 10 MB toget
 
 namespace {
 
-/// The ear hears the mean of two modes that bar and tube share, weighted by their powers.
+/// Returns the audible frequency: the mean of two modes shared by bar and tube, weighted by power.
 double heardHz(const ModalObject& bar, std::size_t mode) {
     double powers = 0, sum = 0;
     const double lambda = bar.eigenvalues[mode];
@@ -65,7 +65,7 @@ double heardHz(const ModalObject& bar, std::size_t mode) {
 
 } // namespace
 
-TEST_CASE("Every stored bar is in tune: the fundamental within 1 cent, tuned partials within 2") {
+TEST_CASE("Every stored bar is in tune: fundamental within 1 cent, tuned partials within 2") {
     for (const auto& instrument : barInstruments())
         for (int note = instrument.lowestNote; note <= instrument.highestNote; ++note) {
             const auto asked = instrument.barAt(note, noteFrequencyHz(note));
@@ -76,7 +76,8 @@ TEST_CASE("Every stored bar is in tune: the fundamental within 1 cent, tuned par
                 return cents(heardHz(bar, static_cast<std::size_t>(modes.at(partial))),
                              ratio * noteFrequencyHz(note));
             };
-            CHECK_THAT(missCents(0, 1), WithinAbs(0, 1)); // 0.5 by tuning, then the tube pulls
+            CHECK_THAT(missCents(0, 1),
+                       WithinAbs(0, 1)); // 0.5 cents from tuning; the tube adds to it
             if (asked.targets.secondRatio > 0)
                 CHECK_THAT(missCents(1, asked.targets.secondRatio), WithinAbs(0, 2));
             if (asked.targets.thirdRatio > 0)
@@ -84,13 +85,13 @@ TEST_CASE("Every stored bar is in tune: the fundamental within 1 cent, tuned par
         }
 }
 
-TEST_CASE("A marimba bar's partial away from its tube's decays by the loss factor of its wood") {
+TEST_CASE("A marimba bar's second partial decays by the loss factor of its wood") {
     {
         const auto* instrument = findBarInstrument("marimba");
         REQUIRE(instrument != nullptr);
         for (int note = instrument->lowestNote; note <= instrument->highestNote; ++note) {
             const auto bar = stored(instrument->barName(note));
-            // The second bending mode has a node over the tube's middle.
+            // The second bending mode has a node above the middle of the tube.
             const auto modes = verticalBendingModes(bar);
             if (modes.size() < 2)
                 continue;
@@ -102,7 +103,7 @@ TEST_CASE("A marimba bar's partial away from its tube's decays by the loss facto
     }
 }
 
-TEST_CASE("Cords damp a metal bar's overtones, and its fundamental less") {
+TEST_CASE("Cords damp a metal bar's overtones more than its fundamental") {
     for (const char* name : {"vibraphone-65", "glockenspiel-91"}) {
         const auto bar = stored(name);
         const auto modes = verticalBendingModes(bar);
@@ -119,10 +120,10 @@ TEST_CASE("Cords damp a metal bar's overtones, and its fundamental less") {
 
 namespace {
 
-/// What is heard of a bar's fundamental on the left after an impulse on its middle.
+/// A bar's fundamental on the left channel after an impulse on its middle.
 struct HeardFundamental {
-    double t60Seconds = 0; ///< from 5 to 25 dB below where it is loudest, times three
-    double levelDb = 0;    ///< of the first quarter of a second
+    double t60Seconds = 0; ///< three times the time from 5 to 25 dB below the maximum
+    double levelDb = 0;    ///< energy of the first quarter of a second
 };
 
 HeardFundamental heardFundamental(const ModalObject& bar) {
@@ -157,7 +158,7 @@ HeardFundamental heardFundamental(const ModalObject& bar) {
 
 } // namespace
 
-TEST_CASE("With its tube a marimba's A3 decays in about half the time and is 15 to 25 dB louder") {
+TEST_CASE("A tube makes a marimba's A3 decay clearly faster and 15 to 25 dB louder") {
     const auto* marimba = findBarInstrument("marimba");
     REQUIRE(marimba != nullptr);
     auto without = marimba->barAt(57, noteFrequencyHz(57));
@@ -167,7 +168,7 @@ TEST_CASE("With its tube a marimba's A3 decays in about half the time and is 15 
     const auto bare = heardFundamental(alone->object),
                tubed = heardFundamental(stored("marimba-57"));
     CAPTURE(bare.t60Seconds, tubed.t60Seconds, tubed.levelDb - bare.levelDb);
-    // Fletcher & Rossing 1998, section 19.5: some 3 s without and 1.5 s with the tube.
+    // Fletcher & Rossing 1998, section 19.5: about 3 s without and 1.5 s with the tube.
     CHECK(bare.t60Seconds > 2);
     CHECK(bare.t60Seconds < 4);
     CHECK(tubed.t60Seconds > 1);
@@ -176,7 +177,7 @@ TEST_CASE("With its tube a marimba's A3 decays in about half the time and is 15 
     CHECK(tubed.levelDb - bare.levelDb < 25);
 }
 
-TEST_CASE("One bar an octave of each instrument, solved anew, is the one that is stored") {
+TEST_CASE("One bar per octave of each instrument, analysed anew, equals the stored one") {
     for (const auto& instrument : barInstruments())
         for (int note = instrument.lowestNote; note <= instrument.highestNote; note += 12) {
             const auto anew = makeFactoryObject(instrument.barName(note));

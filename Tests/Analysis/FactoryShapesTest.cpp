@@ -22,8 +22,8 @@ double frequencyHz(const ModalObject& object, std::size_t mode) {
     return std::sqrt(object.eigenvalues[mode]) / (2 * pi);
 }
 
-/// How many times the wall at the mouth, which is the object's lowest or highest end, goes in and
-/// out around the axis in this mode; −1 where it is no wave around the axis.
+/// Returns the number of waves around the axis at the mouth in this mode; −1 if there is no such
+/// wave. The mouth is the object's lowest or highest end.
 int wavesAround(const ModalObject& object,
                 std::size_t mode,
                 double mouthHeightMetres,
@@ -54,7 +54,7 @@ int wavesAround(const ModalObject& object,
     return -1;
 }
 
-/// Modes 2k and 2k + 1 are one mode in two directions.
+/// Checks that modes 2k and 2k + 1 have the same frequency: one mode in two directions.
 void checkPairs(const ModalObject& object, std::size_t pairs) {
     for (std::size_t pair = 0; pair < pairs; ++pair)
         CHECK_THAT(frequencyHz(object, 2 * pair + 1),
@@ -78,7 +78,7 @@ ModalObject made(const std::string& name) {
     return std::move(*object);
 }
 
-/// Free plates of 1.5 to 1, ν = 0.3 (Ritz's method), in units of √(D/ρh)/2πa².
+/// Checks a free plate of 1.5 to 1, ν = 0.3, against Ritz's method, in units of √(D/ρh)/2πa².
 void checkPlate(const ModalObject& object, double lengthMetres, double tolerance) {
     const auto& material = object.material;
     const double nu = material.poissonRatio;
@@ -91,7 +91,8 @@ void checkPlate(const ModalObject& object, double lengthMetres, double tolerance
         CHECK_THAT(frequencyHz(object, mode), WithinRel(theory[mode] * unitHz, tolerance));
 }
 
-/// (2,0) of a thin cylinder that is free to bend: the ring of its section, stiffer by 1/(1 − ν²).
+/// Returns the frequency of (2,0) of a thin cylinder with free ends: that of its section's ring
+/// with a stiffness higher by 1/(1 − ν²).
 double cylinderHz(const Material& material, double radiusMetres, double thicknessMetres) {
     const double speed = std::sqrt(material.youngsModulusPa / material.densityKgPerM3 /
                                    (1 - material.poissonRatio * material.poissonRatio));
@@ -107,13 +108,13 @@ TEST_CASE("The steel plate has Kirchhoff's modes within 1 %") {
     checkFile(plate, 330000);
 }
 
-TEST_CASE("The wooden table top has Kirchhoff's modes within 2 % (theory ν 0.3, wood 0.25)") {
+TEST_CASE("The wooden table top has Kirchhoff's modes within 2 % (theory for ν = 0.3, wood 0.25)") {
     const auto table = made("table");
     checkPlate(table, 0.9, 0.02);
     checkFile(table, 220000);
 }
 
-TEST_CASE("The steel ring sounds Hoppe's ring first, a pair") {
+TEST_CASE("The lowest pair of the steel ring is Hoppe's ring mode") {
     const auto ring = made("ring");
     const double speed = std::sqrt(ring.material.youngsModulusPa / ring.material.densityKgPerM3);
     const double hoppeHz = 2.68328 / (2 * pi) * 0.004 / std::sqrt(12.0) * speed / (0.07 * 0.07);
@@ -122,7 +123,7 @@ TEST_CASE("The steel ring sounds Hoppe's ring first, a pair") {
     checkFile(ring, 160000);
 }
 
-TEST_CASE("The handbell sounds C5, its second partial a twelfth above, each a pair") {
+TEST_CASE("The handbell sounds C5 with its second partial a twelfth above, each a pair") {
     const auto bell = made("handbell");
     CHECK(std::abs(cents(frequencyHz(bell, 0), 523.2511)) < 3);
     CHECK(std::abs(cents(frequencyHz(bell, 2), 3 * frequencyHz(bell, 0))) < 3);
@@ -133,9 +134,9 @@ TEST_CASE("The handbell sounds C5, its second partial a twelfth above, each a pa
     checkFile(bell, 170000);
 }
 
-TEST_CASE("The glass bowl's first five pairs are a wine glass's within 7 %") {
+TEST_CASE("The glass bowl's first five pairs match a wine glass's within 7 %") {
     const auto bowl = made("glass-bowl");
-    // Published ratios of a wine glass. (0,1) lies between the third and the fifth pair.
+    // Published ratios of a wine glass. (0,1) lies between the third and fifth pair.
     const double ratios[] = {1, 2.32, 4.25, 6.63, 9.38};
     for (const double ratio : ratios) {
         int near = 0;
@@ -150,7 +151,7 @@ TEST_CASE("The glass bowl's first five pairs are a wine glass's within 7 %") {
     checkFile(bowl, 130000);
 }
 
-TEST_CASE("The wok's rim waves two, three and four times around, pair by pair") {
+TEST_CASE("The wok's lowest pairs have two, three and four waves around the rim") {
     const auto wok = made("wok");
     CHECK(wavesAround(wok, 0, 0.1) == 2);
     CHECK(wavesAround(wok, 2, 0.1) == 3);
@@ -160,14 +161,15 @@ TEST_CASE("The wok's rim waves two, three and four times around, pair by pair") 
     checkFile(wok, 260000);
 }
 
-TEST_CASE("The shell case sounds between cylinders as thick as its mouth and as its wall") {
+TEST_CASE(
+    "The shell case's lowest mode lies between cylinders as thick as its mouth and as its wall") {
     const auto shellCase = made("shell-case");
     CHECK(frequencyHz(shellCase, 0) > cylinderHz(shellCase.material, 0.045, 0.0013));
     CHECK(frequencyHz(shellCase, 0) < cylinderHz(shellCase.material, 0.045, 0.002));
     CHECK(wavesAround(shellCase, 0, 0.292, 0.028) == 2);
     CHECK(wavesAround(shellCase, 2, 0.292, 0.028) == 3);
     checkPairs(shellCase, 4);
-    checkFile(shellCase, 450000); // heard from all around
+    checkFile(shellCase, 450000); // has radiation all around
 }
 
 TEST_CASE("A tubular bell's fourth bending mode, a pair, is an octave above its note") {
@@ -179,7 +181,7 @@ TEST_CASE("A tubular bell's fourth bending mode, a pair, is an octave above its 
     checkFile(bell, 100000);
 }
 
-TEST_CASE("Every shape has one name, and other names are refused") {
+TEST_CASE("Every shape has a unique name, and unknown names give an error") {
     const auto names = factoryShapeNames();
     CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
     CHECK(std::ranges::count(names, "tubular-bell-60") == 1);

@@ -24,7 +24,7 @@ ModalObject plate() {
 
 } // namespace
 
-TEST_CASE("Fewer shapes are some of those there were, in half precision, over the whole surface") {
+TEST_CASE("Fewer shapes are a subset in half precision, spread over the whole surface") {
     const auto whole = plate();
     const auto fewer = withFewerShapes(whole, 30);
     REQUIRE(fewer.shapeVertexCount() == 30);
@@ -41,7 +41,7 @@ TEST_CASE("Fewer shapes are some of those there were, in half precision, over th
         for (std::size_t i = 0; i < after.size(); ++i)
             CHECK(after[i] == halfToFloat(floatToHalf(before[i])));
     }
-    // 30 places on 0.02 m² are about 26 mm apart: no vertex is much farther from the nearest.
+    // 30 positions on 0.02 m² are about 26 mm apart: every vertex has one nearby.
     for (std::size_t v = 0; v < whole.vertexCount(); ++v) {
         const auto row = nearestShapeRow(
             fewer, {whole.vertices[3 * v], whole.vertices[3 * v + 1], whole.vertices[3 * v + 2]});
@@ -50,7 +50,7 @@ TEST_CASE("Fewer shapes are some of those there were, in half precision, over th
     }
 }
 
-TEST_CASE("Where there are few enough all shapes stay, and rounding twice is rounding once") {
+TEST_CASE("All shapes stay if there are few enough, and rounding twice equals rounding once") {
     const auto whole = plate();
     const auto rounded = withFewerShapes(whole, 100000);
     CHECK(rounded.shapeVertices == whole.shapeVertices);

@@ -49,7 +49,7 @@ TEST_CASE("The onset is found within half a millisecond under noise at -60 dB") 
     }
 }
 
-TEST_CASE("Of three strikes the strongest is taken, up to the next") {
+TEST_CASE("The strongest of three strikes is used, up to the next one") {
     std::vector<float> samples(144000);
     strike(samples, 10000, 0.3);
     strike(samples, 60000, 0.8);
@@ -62,7 +62,7 @@ TEST_CASE("Of three strikes the strongest is taken, up to the next") {
     CHECK(decay->others);
 }
 
-TEST_CASE("A given contact time says where the free decay begins") {
+TEST_CASE("A given contact time sets the start of the free decay") {
     std::vector<float> samples(48000);
     strike(samples, 1000, 0.8);
     const auto decay = findFreeDecay(samples, rate, 0.003);
@@ -70,7 +70,7 @@ TEST_CASE("A given contact time says where the free decay begins") {
     CHECK(decay->begin == decay->onset + 144);
 }
 
-TEST_CASE("A strike cut off at full scale is called clipped") {
+TEST_CASE("A strike clipped at full scale is detected") {
     std::vector<float> samples(48000);
     strike(samples, 1000, 3);
     for (float& sample : samples)
@@ -80,7 +80,7 @@ TEST_CASE("A strike cut off at full scale is called clipped") {
     CHECK(decay->clipped);
 }
 
-TEST_CASE("A clipped strike that was made quieter since is called clipped as well") {
+TEST_CASE("A clipped strike that was attenuated later is detected") {
     std::vector<float> samples(48000);
     strike(samples, 1000, 3);
     for (float& sample : samples)
@@ -90,7 +90,7 @@ TEST_CASE("A clipped strike that was made quieter since is called clipped as wel
     CHECK(decay->clipped);
 }
 
-TEST_CASE("The flat tops that steps of 16 bits make of a quiet low tone are not called clipped") {
+TEST_CASE("Flat tops from 16-bit quantisation of a quiet low tone do not count as clipping") {
     for (const double level : {0.002, 0.02, 0.2}) {
         std::vector<float> samples(48000);
         for (std::size_t i = 1000; i < samples.size(); ++i) {

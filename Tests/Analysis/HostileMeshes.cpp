@@ -20,13 +20,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Numbers that are the same with every standard library, as its distributions are not.
+/// Random numbers that are the same with every standard library, unlike its distributions.
 class Dice {
 public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}
     double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }
     double between(double low, double high) { return low + (high - low) * uniform(); }
-    /// Ten to a power between these.
+    /// Returns ten to a random power between these.
     double decades(double low, double high) { return std::pow(10.0, between(low, high)); }
     int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
     int from(int low, int high) { return low + below(high - low + 1); }
@@ -61,7 +61,7 @@ Mesh meshOf(const std::vector<Eigen::RowVector3d>& points,
     return mesh;
 }
 
-/// A closed body of about a tenth of a metre.
+/// A closed body of about 0.1 m.
 Mesh plainBody(Dice& dice) {
     switch (dice.below(6)) {
     case 0:
@@ -93,8 +93,8 @@ Mesh soup(Dice& dice) {
     return scaled(mesh, 0.2);
 }
 
-/// A polygon with a prism over it, each of its sides cut along a diagonal that twists inwards:
-/// Schönhardt's polyhedron for three sides, which no tetrahedra fill without more points.
+/// A prism whose sides are cut along diagonals that twist inwards. With three sides it is
+/// Schönhardt's polyhedron, which tetrahedra cannot fill without extra points.
 Mesh twistedPrism(Dice& dice) {
     const int sides = dice.from(3, 24);
     const double twist = dice.oneIn(3) ? pi / sides * dice.uniform() : pi / 2 / sides,
@@ -118,7 +118,7 @@ Mesh twistedPrism(Dice& dice) {
     return meshOf(points, faces);
 }
 
-/// Cubes of a lattice, filled by chance: tunnels, hollows, edges of four faces, cospherical points.
+/// Randomly filled cubes of a lattice: tunnels, hollows, edges of four faces, cospherical points.
 Mesh voxels(Dice& dice) {
     const int n = dice.from(2, 4);
     const double share = dice.between(0.2, 0.9);
@@ -159,7 +159,7 @@ Mesh voxels(Dice& dice) {
     return meshOf(points, faces);
 }
 
-/// A face of a ball cut into three, one of those again, and so on towards a corner.
+/// A ball with one face cut into three, one of those again, and so on towards a corner.
 Mesh graded(Dice& dice) {
     Mesh mesh = icosphereMesh(0.1, dice.from(0, 1));
     const int rounds = dice.from(5, 40);
@@ -180,7 +180,7 @@ Mesh graded(Dice& dice) {
     return mesh;
 }
 
-/// Two bodies nearly or just touching, one in the other, or the same one twice.
+/// Two bodies that almost touch, touch, lie one in the other, or coincide.
 Mesh twoBodies(Dice& dice) {
     const Mesh first = plainBody(dice);
     const double gap = (dice.oneIn(4) ? 0 : 1) * dice.decades(-14, -3);
@@ -203,7 +203,7 @@ Mesh twoBodies(Dice& dice) {
     }
 }
 
-/// A ball with radii drawn at random: embedded however wild.
+/// A ball with random radii; it never intersects itself.
 Mesh star(Dice& dice) {
     Mesh mesh = icosphereMesh(1, dice.from(0, 2));
     const double wildness = dice.between(0, 3);
@@ -221,7 +221,7 @@ Mesh spiked(Dice& dice) {
     return mesh;
 }
 
-/// Slabs side by side that a common back holds together: slots as narrow as a number can tell.
+/// Slabs side by side on a common back, with slots down to the limit of double precision.
 Mesh comb(Dice& dice) {
     const int teeth = dice.from(2, 6);
     const double slot = dice.decades(-13, -2), tooth = 0.02, depth = 0.1, back = 0.02;
@@ -233,7 +233,7 @@ Mesh comb(Dice& dice) {
         outline.insert(outline.end(), {{left, depth}, {left + tooth, depth}});
     }
     outline.emplace_back((teeth - 1) * (tooth + slot) + tooth, 0);
-    // Flat below, so that the polygon is a fan of strips from its lower side.
+    // The outline is flat below, so its polygon is a fan of strips from the lower side.
     const int n = static_cast<int>(outline.size());
     std::vector<Eigen::RowVector3d> points;
     for (const double z : {0.0, 0.02})
@@ -268,7 +268,7 @@ Mesh comb(Dice& dice) {
     return meshOf(points, faces);
 }
 
-/// A knife's edge: a prism over a triangle with an angle down to nothing.
+/// A knife's edge: a triangular prism whose angle goes down to zero.
 Mesh wedge(Dice& dice) {
     Mesh mesh = boxMesh({0.2, 0.1, 0.05}, {dice.from(1, 6), dice.from(1, 3), 1});
     const double edge = (dice.oneIn(3) ? 0 : 1) * dice.decades(-12, -2);
@@ -277,7 +277,7 @@ Mesh wedge(Dice& dice) {
     return mesh;
 }
 
-/// Vertices of a body made one by chance.
+/// A body with random vertices merged.
 Mesh pinched(Dice& dice) {
     Mesh mesh = plainBody(dice);
     const auto count = static_cast<int>(mesh.vertexCount());
@@ -289,7 +289,7 @@ Mesh pinched(Dice& dice) {
     return mesh;
 }
 
-/// Bodies about one vertex that they share.
+/// Bodies around one common vertex.
 Mesh bunch(Dice& dice) {
     const Mesh body = plainBody(dice);
     const int members = dice.from(2, 5);
@@ -310,7 +310,7 @@ Mesh smallBottle(Dice& dice) {
     return scaled(kleinBottle(around, across), 0.05);
 }
 
-/// Sheets folded to and fro, on top of one another where the folds are flat.
+/// A sheet folded back and forth; its layers coincide if the folds are flat.
 Mesh folded(Dice& dice) {
     Mesh mesh = sheetMesh(0.2, 0.1, dice.from(10, 120));
     const double width = dice.between(0.01, 0.06), lift = dice.decades(-14, -2);
@@ -374,7 +374,7 @@ Mesh withHoles(Mesh mesh, Dice& dice) {
     return mesh;
 }
 
-/// What happens to meshes on their way.
+/// Applies a random kind of damage and adds it to the name.
 void spoil(HostileMesh& result, Dice& dice) {
     Mesh& mesh = result.mesh;
     const auto note = [&](const char* what) { result.name += std::string(", ") + what; };

@@ -1,5 +1,4 @@
-// Meshes as nobody should make them and somebody will: for tests that no mesh can take the program
-// down. The same seed gives the same mesh.
+// Hostile meshes for tests that no mesh can crash the program. The same seed gives the same mesh.
 #pragma once
 
 #include "Geometry/Mesh.h"
@@ -10,11 +9,11 @@
 namespace idiophone::test {
 
 struct HostileMesh {
-    std::string name; ///< what it is and what was done to it
-    Mesh mesh;        ///< some decimetres large, but for those whose size is the matter
+    std::string name; ///< its family and the damage done to it
+    Mesh mesh;        ///< a few decimetres, unless its size is the damage
 };
 
-/// Families and spoilings are drawn by the seed. Indices are valid; coordinates may be anything.
+/// Draws a family and the damage from the seed. Indices are valid; coordinates may be anything.
 HostileMesh hostileMesh(std::uint32_t seed);
 
 } // namespace idiophone::test

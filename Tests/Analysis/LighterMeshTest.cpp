@@ -12,7 +12,7 @@ using namespace idiophone::test;
 
 namespace {
 
-/// Every vertex of the hoop carries shapes.
+/// A hoop with shapes at every vertex.
 ModalObject fineHoop() {
     return analyse(hoopMesh(0.1, 0.06, 48, 8), {.name = "hoop",
                                                 .source = "",
@@ -25,7 +25,7 @@ ModalObject fineHoop() {
 
 } // namespace
 
-TEST_CASE("On a lighter mesh vertices keep their places and their shapes") {
+TEST_CASE("On a lighter mesh the chosen vertices keep their positions and shapes") {
     const auto fine = fineHoop();
     const auto lighter = hoopMesh(0.1, 0.06, 24, 4);
     const auto object = withLighterMesh(fine, lighter, {0, 7, 50});
@@ -45,7 +45,7 @@ TEST_CASE("On a lighter mesh vertices keep their places and their shapes") {
     }
 }
 
-TEST_CASE("A mesh that is not lighter, or wants shapes that there are not, is refused") {
+TEST_CASE("A mesh that is not lighter, or needs missing shapes, is refused") {
     auto object = fineHoop();
     CHECK_FALSE(withLighterMesh(object, hoopMesh(0.1, 0.06, 96, 16), {0}));
     object.shapeVertices = {5};

@@ -1,4 +1,4 @@
-// Shells made thicker and thinner without a new analysis, against a new analysis.
+// Compares shells of live thickness with a new analysis at that thickness.
 #include "Analysis/ModalAnalysis.h"
 #include "Geometry/LatheMesh.h"
 #include "Geometry/ParametricMesh.h"
@@ -26,7 +26,7 @@ ModalObject shell(const Mesh& mesh, double thicknessMetres, double maxFrequencyH
     return std::move(*object);
 }
 
-/// The largest error in cents of the lowest modes' frequencies at that thickness.
+/// Returns the largest error of the lowest modes at this thickness ratio, in cents.
 double errorCents(const Mesh& mesh, double thicknessMetres, double maxHz, double ratio, int modes) {
     const auto own = shell(mesh, thicknessMetres, maxHz);
     const auto anew = shell(mesh, ratio * thicknessMetres, 1.2 * maxHz * std::max(1.0, ratio));
@@ -42,7 +42,7 @@ double errorCents(const Mesh& mesh, double thicknessMetres, double maxHz, double
     return worst;
 }
 
-/// A bowl of 0.1 m, half a sphere.
+/// A hemispherical bowl of 0.1 m radius.
 Mesh bowl() {
     std::vector<LathePoint> section;
     for (int k = 0; k <= 24; ++k) {
@@ -57,20 +57,19 @@ Mesh bowl() {
 
 } // namespace
 
-TEST_CASE(
-    "A plate half to twice as thick has its ten lowest modes within 20 cents of a new analysis") {
+TEST_CASE("A plate of half to twice its thickness has its ten lowest modes within 20 cents") {
     for (const double ratio : {0.5, 0.8, 1.25, 2.0})
         CHECK(errorCents(sheetMesh(0.3, 0.2, 400), 0.003, 3000, ratio, 10) < 20);
 }
 
-TEST_CASE("A hoop half to twice as thick has its ten lowest modes within 80 cents of a new "
-          "analysis, within 25 near its own") {
+TEST_CASE(
+    "A hoop of half to twice its thickness has its ten lowest modes within 80 cents, 25 nearby") {
     for (const double ratio : {0.5, 0.8, 1.25, 2.0})
         CHECK(errorCents(hoopMesh(0.1, 0.03, 90, 4), 0.002, 2500, ratio, 10) <
               (ratio == 0.5 || ratio == 2 ? 80 : 25));
 }
 
-TEST_CASE("A bowl three quarters to four thirds as thick is within 50 cents of a new analysis") {
+TEST_CASE("A bowl of 3/4 to 4/3 of its thickness has its ten lowest modes within 50 cents") {
     for (const double ratio : {0.75, 1.3333})
         CHECK(errorCents(bowl(), 0.002, 6000, ratio, 10) < 50);
 }

@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// Diagonally dominant, tridiagonal.
+/// A diagonally dominant, tridiagonal mass matrix.
 Eigen::SparseMatrix<double> chainMass(Index n) {
     Eigen::SparseMatrix<double> lower(n, n);
     for (Index i = 0; i < n; ++i) {
@@ -26,7 +26,7 @@ Eigen::SparseMatrix<double> chainMass(Index n) {
 
 } // namespace
 
-TEST_CASE("The kernel for this processor multiplies as Eigen does, for every remainder") {
+TEST_CASE("The kernel for this processor multiplies like Eigen for every remainder") {
     for (const Index rows : {1, 3, 4, 9, 18})
         for (const Index columns : {1, 3, 4, 5, 8, 13, 29})
             for (const Index inner : {0, 1, 7, 33}) {
@@ -50,14 +50,15 @@ TEST_CASE("The kernel for this processor multiplies as Eigen does, for every rem
             }
 }
 
-TEST_CASE("A symmetric matrix given by its lower triangle multiplies as the whole one") {
+TEST_CASE("A symmetric matrix given by its lower triangle multiplies like the full one") {
     const auto lower = chainMass(100);
     const Vectors x = fixedRandomBlock(100, GENERATE(1, 4, 6, 8, 11), 1);
     const MatrixXd whole = MatrixXd(lower).selfadjointView<Eigen::Lower>();
     CHECK((symmetricTimes(lower, x) - whole * x).cwiseAbs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE("Orthonormal columns and their triangle give back the vectors, also near-parallel ones") {
+TEST_CASE(
+    "Orthonormal columns times their triangle give the vectors back, even near-parallel ones") {
     const auto mass = chainMass(300);
     const MassSpace space(mass);
     Vectors block = fixedRandomBlock(300, 8, 4);
@@ -85,7 +86,7 @@ TEST_CASE("Dependent, zero and infinite columns have no orthonormal basis") {
     }
 }
 
-TEST_CASE("What is projected out of vectors is gone, in one block or several") {
+TEST_CASE("Projection removes the basis from vectors, in one block or several") {
     const auto mass = chainMass(300);
     const MassSpace space(mass);
     Vectors basis = fixedRandomBlock(300, 12, 4), image;

@@ -27,7 +27,7 @@ ModalObject built(std::span<const StruckPlace> places, MeasuredObjectSettings se
     return *object;
 }
 
-/// (φ · n)² at the vertex nearest to a point: what a strike there sounds like.
+/// Returns (φ · n)² at the vertex nearest to a point: the gain of a strike there.
 double gain(const ModalObject& object, std::size_t mode, const std::array<double, 3>& point) {
     const auto row = nearestShapeRow(object, point);
     const auto normals = vertexNormals(object);
@@ -53,7 +53,7 @@ void checkGains(const ModalObject& object,
 
 } // namespace
 
-TEST_CASE("A measured object has the frequencies and decays that were measured") {
+TEST_CASE("A measured object has the measured frequencies and decay rates") {
     const auto object = built(std::vector<StruckPlace>{0.0, 0.05, 0.1});
     for (std::size_t i = 0; i < 2; ++i) {
         const auto& mode = threeStrikes.modes[i];
@@ -65,7 +65,7 @@ TEST_CASE("A measured object has the frequencies and decays that were measured")
     CHECK(object.method == "measured");
 }
 
-TEST_CASE("Struck where it was recorded, a measured object has the gains recorded there") {
+TEST_CASE("A measured object has the recorded gains at the recorded strike positions") {
     const std::vector<std::array<double, 3>> line{{-0.1, 0, 0}, {0, 0, 0}, {0.1, 0, 0}};
     const std::vector<std::array<double, 3>> triangle{{0, 0, 0}, {0.2, 0, 0.01}, {0.1, 0.1, 0}};
     for (const auto& points : {line, triangle}) {
@@ -83,7 +83,7 @@ TEST_CASE("Struck where it was recorded, a measured object has the gains recorde
     }
 }
 
-TEST_CASE("On a mesh gains by radius are linear between the radii and held beyond") {
+TEST_CASE("On a mesh, gains by radius are linear between the radii and constant beyond") {
     MeasuredObjectSettings settings;
     settings.mesh = discOfRadii(std::vector<double>{0.01, 0.03, 0.05, 0.075, 0.1, 0.2}).mesh;
     const auto object = built(std::vector<StruckPlace>{0.02, 0.05, 0.1}, settings);
@@ -94,18 +94,18 @@ TEST_CASE("On a mesh gains by radius are linear between the radii and held beyon
     CHECK(gain(object, 0, {0, 0.2, 0}) < 1e-6 * unit);
 }
 
-TEST_CASE("Strikes at one place count by the mean of their energies") {
+TEST_CASE("Strikes at one position count by the mean of their energies") {
     const std::array<double, 3> a{0, 0, 0}, b{0.1, 0, 0};
     const auto object = built(std::vector<StruckPlace>{a, a, b});
     const double unit = gain(object, 1, b) / 0.1;
     CHECK(gain(object, 0, a) == Approx(unit * std::sqrt((0.16 + 0.01) / 2)).epsilon(1e-4));
 }
 
-TEST_CASE("The fitted law has the two figures of a material that damps by them alone") {
+TEST_CASE("The fitted damping law recovers its two parameters") {
     for (const auto& [gamma, eta] : {std::pair{5.0, 1e-7}, {0.0, 3e-7}, {40.0, 0.0}}) {
         std::vector<MeasuredMode> modes;
         for (const double hz : {200.0, 900.0, 3100.0, 8000.0}) {
-            // With the undamped frequency: λ = ω² + α².
+            // Uses the undamped frequency: λ = ω² + α².
             const double omega = 2 * std::numbers::pi * hz;
             double alpha = 0;
             for (int round = 0; round < 50; ++round)
@@ -118,7 +118,8 @@ TEST_CASE("The fitted law has the two figures of a material that damps by them a
     }
 }
 
-TEST_CASE("A closed mesh of a known material weighs what it holds, and gains follow") {
+TEST_CASE(
+    "A closed mesh of a known material has its volume's mass, and gains scale with the mass") {
     MeasuredObjectSettings settings;
     settings.mesh = icosphereMesh(0.05, 2);
     settings.material = *findMaterial("Glass");
@@ -134,7 +135,7 @@ TEST_CASE("A closed mesh of a known material weighs what it holds, and gains fol
     CHECK(known.material == *settings.material);
 }
 
-TEST_CASE("What cannot be one object is refused in a sentence") {
+TEST_CASE("Inputs that cannot make one object give a one-sentence error") {
     const auto refused = [](std::vector<StruckPlace> places, const MeasuredObjectSettings& settings,
                             const char* sentence) {
         const auto object = measuredObject(threeStrikes, places, settings);
@@ -151,7 +152,7 @@ TEST_CASE("What cannot be one object is refused in a sentence") {
     refused({0.1, 0.2, 0.3}, empty, "no faces");
 }
 
-TEST_CASE("A measured object of no modes, of no places or of too few is refused in a sentence") {
+TEST_CASE("Missing modes, missing places and too few places give a one-sentence error") {
     const std::vector<StruckPlace> three{0.0, 0.05, 0.1};
     const auto sentence = [](const RecordingFit& fit, std::span<const StruckPlace> places) {
         const auto object = measuredObject(fit, places, {});

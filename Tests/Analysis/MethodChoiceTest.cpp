@@ -41,7 +41,7 @@ Mesh twoCrossedBoxes() {
 
 } // namespace
 
-TEST_CASE("Closed and chunky meshes are taken as solids, thin or open ones as shells") {
+TEST_CASE("Closed chunky meshes are analysed as solids, thin or open ones as shells") {
     CHECK(choiceFor(boxMesh({0.35, 0.05, 0.02}, {14, 2, 1})).method == AnalysisMethod::tetrahedra);
     CHECK(choiceFor(icosphereMesh(0.1, 2)).method == AnalysisMethod::tetrahedra);
     CHECK(choiceFor(torusMesh(0.1, 0.01, 40, 10)).method == AnalysisMethod::tetrahedra);
@@ -57,7 +57,7 @@ TEST_CASE("Closed and chunky meshes are taken as solids, thin or open ones as sh
     CHECK_THAT(crossed.reason, ContainsSubstring("passes through itself"));
 }
 
-TEST_CASE("An analysis without a method says which it took and why") {
+TEST_CASE("An analysis without a given method reports its choice and the reason") {
     const auto solid = analyse(boxMesh({0.35, 0.05, 0.02}, {14, 2, 1}), settingsOf(6000));
     REQUIRE(solid);
     CHECK(solid->method == "fem");
@@ -70,7 +70,7 @@ TEST_CASE("An analysis without a method says which it took and why") {
     CHECK_THAT(shell->provenance.notes, ContainsSubstring("is open"));
 }
 
-TEST_CASE("A solid bar dropped as a coarse box is in tune with Timoshenko within 1 %") {
+TEST_CASE("A solid bar read as a coarse box matches Timoshenko within 1 %") {
     // 0.4 x 0.05 x 0.02 m, Y 20 GPa, nu 0.25: 569.6 1545.4 2963.4 Hz.
     const auto object = analyse(boxMesh({0.4, 0.05, 0.02}, {1, 1, 1}), settingsOf(4000));
     REQUIRE(object);
@@ -91,7 +91,7 @@ TEST_CASE("A solid bar dropped as a coarse box is in tune with Timoshenko within
     CHECK(object->provenance.zeroModes == 6);
 }
 
-TEST_CASE("Finite elements asked for where there is no body are refused in a sentence") {
+TEST_CASE("Finite elements for a mesh without a body give a one-sentence error") {
     AnalysisSettings settings = settingsOf(6000);
     settings.method = AnalysisMethod::tetrahedra;
     CHECK_THAT(analyse(sheetMesh(0.3, 0.05, 200), settings).error().message,
@@ -100,7 +100,7 @@ TEST_CASE("Finite elements asked for where there is no body are refused in a sen
                ContainsSubstring("passes through itself"));
 }
 
-TEST_CASE("A band beyond what elements of an affordable size follow ends earlier and says so") {
+TEST_CASE("A band beyond the element budget ends earlier and says so") {
     Material soft = referenceWood();
     soft.youngsModulusPa = 1e7; // rubber: waves of a few millimetres
     AnalysisSettings settings = settingsOf(44000);
@@ -113,7 +113,7 @@ TEST_CASE("A band beyond what elements of an affordable size follow ends earlier
     CHECK_THAT(object->provenance.notes, ContainsSubstring("The band ends at"));
 }
 
-TEST_CASE("Vertices chosen to carry shapes are found again on a remeshed surface") {
+TEST_CASE("Vertices chosen for shapes are found again on a remeshed surface") {
     const Mesh mesh = boxMesh({0.35, 0.05, 0.02}, {1, 1, 1});
     AnalysisSettings settings = settingsOf(6000);
     settings.shapeVertices = {0, 7};

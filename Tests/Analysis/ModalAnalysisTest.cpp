@@ -39,7 +39,7 @@ std::string errorOf(const Mesh& mesh, const AnalysisSettings& settings) {
 
 } // namespace
 
-TEST_CASE("An analysed object is complete and says where it comes from") {
+TEST_CASE("An analysed object is complete and names its origin") {
     const auto mesh = sheetMesh(0.4, 0.05, 600);
     const auto object = analyse(mesh, barSettings());
     REQUIRE(object);
@@ -56,7 +56,7 @@ TEST_CASE("An analysed object is complete and says where it comes from") {
     CHECK(object->provenance.analysedVertices == mesh.vertexCount());
     CHECK(object->provenance.analysisSeconds > 0);
     CHECK_THAT(object->provenance.software, ContainsSubstring("Idiophone"));
-    // A cuboid's mass and moments: the two layers have a solid plate's inertia.
+    // The mass and moments of a cuboid: two layers have a solid plate's inertia.
     const double mass = 0.4 * 0.05 * 0.02 * 1000;
     CHECK_THAT(object->mass.massKg, WithinRel(mass, 1e-12));
     for (const double coordinate : object->mass.centreMetres)
@@ -66,14 +66,13 @@ TEST_CASE("An analysed object is complete and says where it comes from") {
 }
 
 TEST_CASE("Striking at i and listening at j equals striking at j and listening at i") {
-    // The displacement at j for a static force at i, Σ φ_i φ_j/λ, is symmetric for the vectors
-    // kept, and each mode's shape is its share of K's inverse: compare with a second, independent
-    // basis.
+    // The displacement at j for a static force at i, Σ φ_i φ_j/λ, is symmetric for the kept modes.
+    // Compare with a second, independent basis.
     const auto mesh = icosphereMesh(0.1, 2);
     auto settings = barSettings();
     settings.thicknessMetres = 0.003;
     const auto object = analyse(mesh, settings);
-    // The same body, its vertices numbered backwards.
+    // The same body with reversed vertex order.
     Mesh reversed{mesh.vertices.colwise().reverse(),
                   static_cast<int>(mesh.vertexCount()) - 1 - mesh.faces.array()};
     const auto other = analyse(reversed, settings);
@@ -93,7 +92,7 @@ TEST_CASE("Striking at i and listening at j equals striking at j and listening a
     for (std::size_t i = 0; i < 20; ++i)
         scale = std::max(scale, std::abs(response(*object, i, i)));
     for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{3, 90}, {17, 140}, {0, 161}}) {
-        // Force along x at i heard along z at j, in one basis; the swapped path in the other.
+        // Force along x at i, listening along z at j in one basis; the swapped path in the other.
         double swapped = 0;
         const auto at = other->shapesAt(last - j), to = other->shapesAt(last - i);
         for (std::size_t mode = 0; mode < other->modeCount(); ++mode)
@@ -103,7 +102,7 @@ TEST_CASE("Striking at i and listening at j equals striking at j and listening a
     }
 }
 
-TEST_CASE("Eigenvalues scale exactly with Y/rho and with the inverse square of the size") {
+TEST_CASE("Eigenvalues scale exactly with Y/rho and the inverse square of the size") {
     const auto mesh = sheetMesh(0.4, 0.05, 300);
     const auto settings = barSettings();
     const auto object = analyse(mesh, settings);
@@ -128,7 +127,7 @@ TEST_CASE("Eigenvalues scale exactly with Y/rho and with the inverse square of t
     for (std::size_t i = 0; i < object->modeCount(); ++i) {
         CHECK_THAT(stiffer->eigenvalues[i], WithinRel(16 * object->eigenvalues[i], 1e-9));
         CHECK_THAT(half->eigenvalues[i], WithinRel(4 * object->eigenvalues[i], 1e-9));
-        // Gains go with 1/√mass: a quarter and an eighth of it.
+        // Gains scale with 1/√mass: the masses are a quarter and an eighth.
         CHECK_THAT(std::abs(stiffer->shapesAt(5)[3 * i + 2]),
                    WithinAbs(2 * std::abs(object->shapesAt(5)[3 * i + 2]), 1e-4));
     }
@@ -145,7 +144,7 @@ TEST_CASE("The same input gives the same object bit for bit") {
     }
 }
 
-TEST_CASE("The literal model of a box warns of its zero modes; the two-layer model has six") {
+TEST_CASE("The literal model of a box warns of zero modes; the two-layer model has only six") {
     const auto mesh = boxMesh({0.4, 0.05, 0.02}, {20, 4, 2});
     auto settings = barSettings();
     settings.thicknessMetres = 0.005;
@@ -164,7 +163,7 @@ TEST_CASE("The literal model of a box warns of its zero modes; the two-layer mod
 TEST_CASE("Open, non-manifold and separate meshes are analysed") {
     const auto sheet = sheetMesh(0.2, 0.1, 150);
     Mesh crossed{Eigen::MatrixXd(2 * sheet.vertexCount(), 3),
-                 Eigen::MatrixXi(2 * sheet.faceCount(), 3)}; // two sheets through one another
+                 Eigen::MatrixXi(2 * sheet.faceCount(), 3)}; // two sheets that cross
     crossed.vertices << sheet.vertices, sheet.vertices.col(0), sheet.vertices.col(2),
         sheet.vertices.col(1);
     crossed.faces << sheet.faces, sheet.faces.array() + static_cast<int>(sheet.vertexCount());
@@ -186,7 +185,7 @@ TEST_CASE("Open, non-manifold and separate meshes are analysed") {
     CHECK(one->provenance.zeroModes == 6);
 }
 
-TEST_CASE("A shell that is thicker than its mesh is wide is doubted") {
+TEST_CASE("A shell thicker than its mesh is wide gets a warning") {
     auto settings = barSettings();
     auto sheet = sheetMesh(0.4, 0.05, 100);
     if (GENERATE(false, true)) {
@@ -204,7 +203,7 @@ TEST_CASE("A shell that is thicker than its mesh is wide is doubted") {
         CHECK_THAT(notesAt(plausibleMetres), !ContainsSubstring("thicker than"));
 }
 
-TEST_CASE("Chosen vertices alone carry shapes, the same as when all do") {
+TEST_CASE("If vertices are chosen, only they have shapes, equal to those of a full analysis") {
     const auto mesh = sheetMesh(0.4, 0.05, 300);
     auto settings = barSettings();
     const auto all = analyse(mesh, settings);
@@ -216,12 +215,12 @@ TEST_CASE("Chosen vertices alone carry shapes, the same as when all do") {
     for (std::size_t row = 0; row < 3; ++row)
         CHECK(std::ranges::equal(some->shapesAt(row), all->shapesAt(static_cast<std::size_t>(
                                                           some->shapeVertices[row]))));
-    CHECK(some->radiation == all->radiation); // of the whole surface all the same
+    CHECK(some->radiation == all->radiation); // radiation still covers the whole surface
     settings.shapeVertices = {-1};
     CHECK_THAT(errorOf(mesh, settings), ContainsSubstring("does not exist"));
 }
 
-TEST_CASE("What cannot be analysed is refused with one sentence") {
+TEST_CASE("Inputs that cannot be analysed give a one-sentence error") {
     const auto mesh = icosphereMesh(0.1, 2);
     const auto settings = barSettings();
     const auto with = [&](auto change) {
@@ -246,7 +245,7 @@ TEST_CASE("What cannot be analysed is refused with one sentence") {
     CHECK_THAT(errorOf(gridPlateMesh(1, 1, 200, 200), springs), ContainsSubstring("at most 40000"));
 }
 
-TEST_CASE("A million-triangle soup is refused before it is analysed") {
+TEST_CASE("A soup of a million triangles is refused before the analysis") {
     Mesh soup{Eigen::MatrixXd(3000000, 3), Eigen::MatrixXi(1000000, 3)};
     std::mt19937 random(5);
     for (double& coordinate : soup.vertices.reshaped())
@@ -264,7 +263,7 @@ TEST_CASE("A set flag cancels the analysis") {
     CHECK(object.error().message == cancelledMessage);
 }
 
-TEST_CASE("Methods have names that find them again") {
+TEST_CASE("Methods are found by their names") {
     for (const auto method :
          {AnalysisMethod::twoLayer, AnalysisMethod::springMass, AnalysisMethod::vanGelder})
         CHECK(findMethod(methodName(method)) == method);
