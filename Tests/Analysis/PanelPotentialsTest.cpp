@@ -27,7 +27,7 @@ Eigen::Vector3d normalOf(const Eigen::Matrix3d& c) {
 
 } // namespace
 
-TEST_CASE("The closed forms are what sums over many small triangles come to") {
+TEST_CASE("The closed forms equal sums over many small triangles") {
     const auto triangle = corners();
     const auto normal = normalOf(triangle);
     const double area =
@@ -61,7 +61,7 @@ TEST_CASE("The closed forms are what sums over many small triangles come to") {
     }
 }
 
-TEST_CASE("Even layers on a closed surface are -1 inside, 0 outside, and have no field") {
+TEST_CASE("Uniform layers on a closed surface give -1 inside, 0 outside, and no field") {
     const auto panels = boundaryPanels(boxMesh({1, 2, 3}, {2, 3, 4}));
     for (const bool isInside : {true, false}) {
         const Eigen::Vector3d point(0.1, isInside ? 0.2 : 1.3, -0.3);
@@ -77,7 +77,7 @@ TEST_CASE("Even layers on a closed surface are -1 inside, 0 outside, and have no
     }
 }
 
-TEST_CASE("In its own plane a triangle's double layer is nothing and its field a finite part") {
+TEST_CASE("In its own plane a triangle's double layer is zero and its field a finite part") {
     const auto triangle = corners();
     const auto normal = normalOf(triangle);
     const Eigen::Vector3d centroid = triangle.rowwise().mean();
@@ -85,7 +85,7 @@ TEST_CASE("In its own plane a triangle's double layer is nothing and its field a
     CHECK(at.doubleLayer == 0);
     CHECK_THAT(at.singleLayerGradient.dot(normal), WithinAbs(0, 1e-12));
     CHECK(at.doubleLayerGradient.dot(normal) < 0);
-    // It is the limit from either side.
+    // The value is the limit from either side.
     for (const double side : {-1e-5, 1e-5}) {
         const auto beside = panelPotentials(triangle, normal, centroid + side * normal);
         CHECK_THAT(beside.doubleLayerGradient.dot(normal),

@@ -1,5 +1,5 @@
-// Previews: near enough to be played until the analysis proper is done, of few elements whatever
-// the mesh.
+// Tests of previews: accurate enough to play until the full analysis is done, with few elements for
+// any mesh.
 #include "Analysis/PreviewAnalysis.h"
 
 #include "Geometry/ParametricMesh.h"
@@ -30,7 +30,7 @@ double hertz(const ModalObject& object, std::size_t mode) {
 
 } // namespace
 
-TEST_CASE("A preview's lowest modes are within 3 % of those of the whole analysis") {
+TEST_CASE("A preview's lowest modes are within 3 % of the full analysis") {
     for (const Mesh& mesh : {sheetMesh(0.3, 0.2, 3000), hoopMesh(0.1, 0.03, 200, 12),
                              extrudedMesh(sheetMesh(0.3, 0.04, 600), 0.02, 4)}) {
         const auto preview = analysePreview(mesh, settings());
@@ -47,7 +47,7 @@ TEST_CASE("A preview's lowest modes are within 3 % of those of the whole analysi
     }
 }
 
-TEST_CASE("A preview of 20,000 triangles has few vertices, and so few elements") {
+TEST_CASE("A preview of 20,000 triangles has few vertices and few elements") {
     const Mesh fine[] = {icosphereMesh(0.1, 5), sheetMesh(0.4, 0.3, 10000),
                          sheetMesh(0.4, 0.05, 10000), torusMesh(0.1, 0.01, 426, 20)};
     for (const auto& mesh : fine) {
@@ -60,7 +60,7 @@ TEST_CASE("A preview of 20,000 triangles has few vertices, and so few elements")
     }
 }
 
-TEST_CASE("A preview follows the method asked for, and springs of any kind by the two layers") {
+TEST_CASE("A preview uses the requested method, and two layers for all spring methods") {
     const Mesh ball = icosphereMesh(0.1, 2);
     const auto methodOf = [&](AnalysisMethod method) {
         const auto preview = analysePreview(ball, settings(method));
@@ -75,7 +75,7 @@ TEST_CASE("A preview follows the method asked for, and springs of any kind by th
     CHECK_FALSE(open);
 }
 
-TEST_CASE("A preview that is cancelled, or of no mesh, is one sentence") {
+TEST_CASE("A cancelled preview or an empty mesh gives a one-sentence error") {
     const std::atomic<bool> cancelled{true};
     const auto stopped = analysePreview(icosphereMesh(0.1, 4), settings(),
                                         {.progress = {}, .cancelled = &cancelled});

@@ -41,7 +41,7 @@ double product(const Eigen::SparseMatrix<double>& lower,
 
 } // namespace
 
-TEST_CASE("Rigid motion of a block of tetrahedra stores no energy") {
+TEST_CASE("A rigid motion of a block of tetrahedra stores no energy") {
     const auto mesh = block();
     const auto model = quadraticTetrahedra(mesh, elasticLaw(referenceWood(0.3)), 1000);
     const double scale = model.stiffness.coeffs().abs().maxCoeff();
@@ -71,7 +71,7 @@ TEST_CASE("Mass, first and second moments of a block are exact") {
     CHECK_THAT(product(model.mass, turn, turn), WithinRel(mass * (0.09 + 0.04) / 12, 1e-12));
 }
 
-TEST_CASE("Uniform strain stores half of strain times stress, for wood at an angle") {
+TEST_CASE("Uniform strain stores half of strain times stress, also for wood at an angle") {
     const auto mesh = block();
     const auto law = elasticLaw(roundWood, {.grain = {3, 1, 0.5}});
     REQUIRE(law);
@@ -100,8 +100,8 @@ TEST_CASE("Pure bending, a quadratic displacement, stores exactly E κ²/2 times
                WithinRel(20e9 * curvature * curvature * 0.3 * 0.2 * std::pow(0.1, 3) / 12, 1e-11));
 }
 
-TEST_CASE("The element's mass shares integrate products of its shape functions exactly") {
-    // Points of a cubic grid of a tetrahedron, by Stroud's conical product of Gauss's rule.
+TEST_CASE("The element's mass shares are exact integrals of products of its shape functions") {
+    // Integration points in a tetrahedron: Stroud's conical product of Gauss's rule.
     constexpr std::array gauss{0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
                                0.9305681557970263};
     constexpr std::array weight{0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
@@ -124,7 +124,7 @@ TEST_CASE("The element's mass shares integrate products of its shape functions e
     CHECK((integral - elementMassShares()).cwiseAbs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE("An element's stiffness is the same in whatever order its corners come") {
+TEST_CASE("An element's stiffness does not depend on the order of its corners") {
     Eigen::Matrix<double, 4, 3> corners;
     corners << 0, 0, 0, 1, 0.1, 0, 0.2, 0.9, 0.1, 0.3, 0.2, 1.1;
     const auto law = elasticLaw(referenceWood(0.3));
@@ -139,7 +139,7 @@ TEST_CASE("An element's stiffness is the same in whatever order its corners come
     CHECK(a(6) > 1e-6 * a.maxCoeff());
 }
 
-TEST_CASE("A bar of wood turned in space with its grain keeps its frequencies within 1e-8") {
+TEST_CASE("A wooden bar rotated with its grain keeps its frequencies within 1e-8") {
     const OrthotropicElasticity& wood = roundWood;
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
@@ -160,7 +160,7 @@ TEST_CASE("A bar of wood turned in space with its grain keeps its frequencies wi
     CHECK((before->eigenvalues.array() / after->eigenvalues.array() - 1).abs().maxCoeff() < 2e-8);
 }
 
-TEST_CASE("Frequencies of a body scale with √(E/ρ) and inversely with its size") {
+TEST_CASE("Frequencies scale with √(E/ρ) and inversely with size") {
     const auto at = [](double size, double youngs, double density) {
         auto mesh =
             meshOf(boxMesh(size * Eigen::Vector3d(0.3, 0.05, 0.03), {8, 2, 1}), 0.04 * size);

@@ -28,7 +28,7 @@ namespace {
 
 constexpr double soundSpeed = 343;
 
-/// A body that owns what it is made of, to be turned and shifted.
+/// A body that owns its data, so that tests can turn and shift it.
 struct Body {
     Mesh mesh;
     Eigen::MatrixXd shapes; ///< [3N×M]
@@ -65,8 +65,8 @@ double decibels(double ratio) {
     return 20 * std::log10(std::abs(ratio));
 }
 
-/// A solid sphere with one mode whose frequency at ratio 1 makes ka = 1, and whose surface moves
-/// along the normal or, `isRigid`, along z.
+/// A solid sphere with one mode, whose frequency at ratio 1 gives ka = 1. `motion` gives the
+/// surface's motion from its normal.
 constexpr double radiusMetres = 0.01;
 
 Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>& motion) {
@@ -79,15 +79,16 @@ Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>&
     return body;
 }
 
-/// From below the audible band's end at 20 Hz (ka = 0.0037) to the upper one at 22 kHz (4.03).
+/// From below the audible band's lower end at 20 Hz (ka = 0.0037) to near its upper end at 22 kHz
+/// (4.03).
 const std::vector<double> sphereRatios{0.004, 0.02, 0.1, 0.5, 1, 1.5, 1.9, 2.5, 3.9};
 const std::vector<Eigen::Vector3d> alongZ{Eigen::Vector3d::UnitZ()};
 
-/// ρ0 c of the air.
+/// ρ0 c of air.
 constexpr double impedance = 1.204 * soundSpeed;
 
-/// Of a sphere whose velocity is U P_l(cos θ), in the direction of the axis, over U; h_l of the
-/// second kind. Morse & Ingard 1968, section 7.1.
+/// Returns the exact weight on the axis of a sphere with velocity U P_l(cos θ), divided by U; h_l
+/// is of the second kind. Morse & Ingard 1968, section 7.1.
 Complex exactSphere(int l, double ka) {
     const Complex j(0, 1), wave = std::exp(-j * ka);
     std::array<Complex, 4> h{j * wave / ka, {}, {}, {}}; // h_0 = j e^{−jx}/x
@@ -100,7 +101,7 @@ Complex exactSphere(int l, double ka) {
     return -j * impedance / slope * std::pow(j, l + 1) * radiusMetres / ka;
 }
 
-/// Σ_i w_i φ_i(v) over the modes of one pole: what a strike is heard as.
+/// Returns Σ_i w_i φ_i(v) over the modes of one pole: the sound of a strike.
 Eigen::MatrixXcd residues(const Body& body, const RadiationTable& table) {
     const auto rows =
         static_cast<Eigen::Index>(table.directions.size() * table.frequencyRatios.size());
@@ -124,10 +125,10 @@ Eigen::MatrixXcd residues(const Body& body, const RadiationTable& table) {
 
 struct TurnedBody {
     Body body;
-    Eigen::Index turned = 0; ///< modes that share a pole
+    Eigen::Index turned = 0; ///< number of modes that share a pole
 };
 
-/// The same body with a random orthogonal basis for each set of equal poles.
+/// Returns the body with a random orthogonal basis for each set of equal poles.
 TurnedBody withTurnedBases(const Body& body) {
     TurnedBody result{body};
     std::mt19937 random(3);
@@ -153,7 +154,7 @@ void checkSameResidues(const Body& body, const Body& other) {
     CHECK((other.shapes - body.shapes).cwiseAbs().maxCoeff() > 0.1);
 }
 
-/// Over the surface, of the displacement along an axis.
+/// Returns the mean square over the surface of the displacement along an axis.
 double meanSquare(const Body& body, int mode, Eigen::Index axis) {
     const Eigen::VectorXd areas = vertexAreas(body.mesh);
     double sum = 0;
@@ -162,8 +163,8 @@ double meanSquare(const Body& body, int mode, Eigen::Index axis) {
     return sum / areas.sum();
 }
 
-/// The modes of a flat sheet that move it up and down alike on both long edges: no twist, nothing
-/// sideways.
+/// Returns the modes of a flat sheet that move both long edges up and down together: no twist, no
+/// sideways motion.
 std::vector<int> bendingModes(const Body& sheet) {
     std::vector<int> modes;
     for (int mode = 0; mode < sheet.eigenvalues.size(); ++mode) {
@@ -183,7 +184,7 @@ std::vector<int> bendingModes(const Body& sheet) {
 
 } // namespace
 
-TEST_CASE("Spheres that breathe, move to and fro or grow oblate radiate as theory has it") {
+TEST_CASE("Pulsating, oscillating and oblate spheres radiate as in theory") {
     const auto method = GENERATE(RadiationMethod::quick, RadiationMethod::exact);
     for (const int l : {0, 1, 2}) {
         auto body = sphere([l](const Eigen::Vector3d& n) -> Eigen::Vector3d {
@@ -196,14 +197,14 @@ TEST_CASE("Spheres that breathe, move to and fro or grow oblate radiate as theor
             const double ka = sphereRatios[ratio];
             const auto expected = exactSphere(l, ka), actual = weight(table, 0, ratio, 0);
             INFO("l " << l << ", ka " << ka);
-            // Between half octaves the weights are interpolated.
+            // Weights between half octaves are interpolated.
             CHECK(std::abs(decibels(std::abs(actual / expected))) < (ka == 1 ? 0.5 : 0.8));
             CHECK(std::abs(std::arg(actual / expected)) < (ka == 1 ? 0.03 : 0.15));
         }
     }
 }
 
-TEST_CASE("Beyond the audible band a wave is as long as at its ends") {
+TEST_CASE("Weights beyond the audible band equal those at its ends") {
     const auto body = sphere([](const Eigen::Vector3d& n) { return n; });
     const double highest = 2 * std::numbers::pi * 22000 / soundSpeed * radiusMetres;
     const double lowest = highest * 20 / 22000;
@@ -214,7 +215,7 @@ TEST_CASE("Beyond the audible band a wave is as long as at its ends") {
     CHECK(at(3) == at(4));
 }
 
-TEST_CASE("Listening from elsewhere than the centre only delays") {
+TEST_CASE("Listening from outside the centre only adds a delay") {
     const std::vector<double> ratios{1};
     auto body = sphere([](const Eigen::Vector3d& n) -> Eigen::Vector3d {
         return (1 + n.x() + 2 * n.z() * n.z() * n.z() + n.x() * n.y()) * n;
@@ -233,8 +234,8 @@ TEST_CASE("Listening from elsewhere than the centre only delays") {
         }
 }
 
-TEST_CASE(
-    "All around, no direction is further away than 30 degrees, and the first two are the pair") {
+TEST_CASE("Some direction lies within 30 degrees of any listener, and the first two are the stereo "
+          "pair") {
     const auto directions = directionsAllAround();
     CHECK(directions[0] == stereoDirections()[0]);
     CHECK(directions[1] == stereoDirections()[1]);
@@ -249,7 +250,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("What moves to and fro is silent from the side, all around it") {
+TEST_CASE("An oscillating sphere is silent all around its equator") {
     const auto body = sphere([](const auto& normal) { return normal.z() * normal; });
     const auto table = body.radiation({directionsAllAround(), {0.5}});
     const std::array<float, 3> above{0, 0, 2}, below{0, 0, -1}, beside{5, 0, 0};
@@ -260,7 +261,7 @@ TEST_CASE("What moves to and fro is silent from the side, all around it") {
     CHECK(at(beside) < 2e-3 * at(above));
 }
 
-TEST_CASE("A bar's fundamental is audible though its two faces displace no volume between them") {
+TEST_CASE("A bar's fundamental is audible although its two faces together displace no volume") {
     const auto bar = analysed(sheetMesh(0.385, 0.04, 929), 0.02, 3000);
     const auto bending = bendingModes(bar);
     REQUIRE(bending.size() >= 2);
@@ -271,7 +272,7 @@ TEST_CASE("A bar's fundamental is audible though its two faces displace no volum
     for (std::size_t direction = 0; direction < 2; ++direction) {
         const auto first = weight(table, direction, asAnalysed, bending[0]),
                    second = weight(table, direction, asAnalysed, bending[1]);
-        // Of a piston in a wall of the bar's face, ωρ0/2π times its area and velocity.
+        // A piston of the bar's face in an infinite wall: ωρ0/2π times area and velocity.
         const double piston =
             std::sqrt(bar.eigenvalues(bending[0])) * 1.204 / (2 * std::numbers::pi) * 0.0154 * rms;
         CHECK(decibels(std::abs(first) / piston) > -40);
@@ -280,7 +281,7 @@ TEST_CASE("A bar's fundamental is audible though its two faces displace no volum
     }
 }
 
-TEST_CASE("The sum of both channels keeps every mode of a mirror-symmetric bar below 3 kHz") {
+TEST_CASE("The sum of both channels keeps every mode below 3 kHz of a mirror-symmetric bar") {
     const auto bar = analysed(sheetMesh(0.3, 0.04, 400), 0.02, 12000);
     const auto table = bar.radiation();
     const auto found = std::ranges::find(table.frequencyRatios, 1.0);
@@ -298,7 +299,7 @@ TEST_CASE("The sum of both channels keeps every mode of a mirror-symmetric bar b
     CHECK(heard >= 3);
 }
 
-TEST_CASE("A strike is heard the same whatever the signs of the shapes") {
+TEST_CASE("A strike sounds the same for any signs of the shapes") {
     auto body = analysed(sheetMesh(0.3, 0.1, 300), 0.01, 8000);
     const auto before = residues(body, body.radiation());
     for (Eigen::Index mode = 0; mode < body.eigenvalues.size(); mode += 2)
@@ -308,10 +309,10 @@ TEST_CASE("A strike is heard the same whatever the signs of the shapes") {
     CHECK(before.cwiseAbs().maxCoeff() > 1e-2);
 }
 
-TEST_CASE("A strike is heard the same whatever the basis of equal poles") {
+TEST_CASE("A strike sounds the same for any basis of equal poles") {
     const auto mesh = GENERATE(hoopMesh(0.07, 0.015, 48, 4), icosphereMesh(0.05, 2));
     auto body = analysed(mesh, 0.004, 30000);
-    // Twins that the mesh and the solver leave a rounding apart are made one.
+    // Makes pairs equal that mesh and solver leave a rounding error apart.
     for (Eigen::Index mode = 1; mode < body.eigenvalues.size(); ++mode)
         if (body.eigenvalues(mode) < body.eigenvalues(mode - 1) * (1 + 1e-7))
             body.eigenvalues(mode) = body.eigenvalues(mode - 1);
@@ -319,8 +320,8 @@ TEST_CASE("A strike is heard the same whatever the basis of equal poles") {
     checkSameResidues(body, withTurnedBases(body).body);
 }
 
-TEST_CASE("So it is where members of one pole are heard in quadrature") {
-    // Modes even and odd along a sheet have imaginary and real weights: put three to a pole.
+TEST_CASE("A strike sounds the same for any basis of equal poles with weights in quadrature") {
+    // Even and odd modes along a sheet have imaginary and real weights. Put three on one pole.
     auto body = analysed(sheetMesh(0.3, 0.1, 300), 0.01, 8000);
     body.centreMetres = {0.02, 0.01, 0.03};
     for (Eigen::Index mode = 0; mode < body.eigenvalues.size(); ++mode)
@@ -328,7 +329,7 @@ TEST_CASE("So it is where members of one pole are heard in quadrature") {
     checkSameResidues(body, withTurnedBases(body).body);
 }
 
-TEST_CASE("Radiation that makes no sense is refused with one sentence") {
+TEST_CASE("Invalid radiation input gives a one-sentence error") {
     auto body = sphere([](const Eigen::Vector3d& n) { return n; });
     const auto errorOf = [](const Body& b, const RadiationSettings& settings = {}) {
         const auto radiation = radiationOf({b.mesh, b.shapes, b.eigenvalues}, settings);
@@ -353,7 +354,7 @@ TEST_CASE("Radiation does not depend on the number of threads") {
     CHECK(one == three);
 }
 
-TEST_CASE("Radiation reports its progress and stops when it is cancelled") {
+TEST_CASE("Radiation reports its progress and stops when cancelled") {
     const auto plate = analysed(sheetMesh(0.3, 0.2, 150), 0.005, 3000);
     std::atomic<bool> cancelled = false;
     double last = 0;
@@ -376,7 +377,7 @@ TEST_CASE("Radiation reports its progress and stops when it is cancelled") {
     CHECK(isCancellation(stopped.error()));
 }
 
-TEST_CASE("The pressure near a sphere is that of theory") {
+TEST_CASE("The pressure near a sphere matches theory") {
     const auto body = sphere([](const Eigen::Vector3d& n) { return n; });
     RadiationSettings settings{.directions = alongZ, .frequencyRatios = {1}};
     for (const double radii : {1.01, 1.2, 3.0})
@@ -392,7 +393,7 @@ TEST_CASE("The pressure near a sphere is that of theory") {
     }
 }
 
-TEST_CASE("The quick radiation of a plate's modes is within 4 dB of the exact one") {
+TEST_CASE("The quick radiation of a plate's modes is within 4 dB of the exact method") {
     const auto plate = analysed(sheetMesh(0.3, 0.2, 600), 0.003, 6000);
     const auto modes = plate.eigenvalues.size();
     REQUIRE(modes > 20);
@@ -412,7 +413,7 @@ TEST_CASE("The quick radiation of a plate's modes is within 4 dB of the exact on
     CHECK(std::sqrt(squares / static_cast<double>(modes)) < 4);
 }
 
-TEST_CASE("A mesh that is folded flat still has finite radiation") {
+TEST_CASE("A mesh folded flat still has finite radiation") {
     auto body = sphere([](const Eigen::Vector3d& n) { return n; });
     body.mesh.vertices.col(2).setZero();
     for (const auto& weight : body.radiation().weights)

@@ -23,14 +23,15 @@ struct Partial {
 struct Scene {
     std::vector<Partial> partials;
     double seconds = 1.5;
-    double noise = 0; ///< rms of the peak
+    double noise = 0; ///< rms as a fraction of the peak
     std::mt19937 random{7};
 
     double uniform(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     }
 
-    /// Silence, then all partials at once, each by its gain and at any phase; peak 0.5.
+    /// Returns silence, then all partials at once, with the given gains and random phases; peak
+    /// 0.5.
     std::vector<float> strike(const std::vector<double>& gains, double rateHz, double quiet = 0.1) {
         const auto start = static_cast<std::size_t>(quiet * rateHz);
         std::vector<double> sum(start + static_cast<std::size_t>(seconds * rateHz));
@@ -64,7 +65,7 @@ double cents(double a, double b) {
     return 1200 * std::log2(a / b);
 }
 
-/// Each partial was found within these, and nothing else.
+/// Checks that each partial is found within these tolerances, and no others.
 void checkFound(const RecordingFit& fit,
                 const std::vector<Partial>& partials,
                 double centsOff,
@@ -103,8 +104,8 @@ TEST_CASE("Damped partials from 100 Hz to 15 kHz are found within 0.1 cents and 
     checkFound(*fit, scene.partials, 0.1, 0.01);
 }
 
-TEST_CASE("Doublets 3 Hz apart that ring for a second come apart under noise at -60 dB, within 0.1 "
-          "cents and 1 % of decay") {
+TEST_CASE(
+    "Doublets 3 Hz apart are separated within 0.1 cents and 1 % of decay under -60 dB noise") {
     Scene scene{.partials = wokDoublets(), .seconds = 1.2, .noise = 1e-3};
     std::vector<std::vector<float>> samples;
     for (int strike = 0; strike < 3; ++strike)
@@ -119,8 +120,7 @@ TEST_CASE("Doublets 3 Hz apart that ring for a second come apart under noise at 
         CHECK(level < -25);
 }
 
-TEST_CASE("A partial 50 dB below the strongest is found within 2 cents and 10 % under noise at -60 "
-          "dB") {
+TEST_CASE("A partial at -50 dB is found within 2 cents and 10 % under -60 dB noise") {
     Scene scene{.partials = {{300, 6}, {870, 9}, {2100, 20}}, .noise = 1e-3};
     std::vector<std::vector<float>> samples;
     for (int strike = 0; strike < 3; ++strike)
@@ -133,7 +133,7 @@ TEST_CASE("A partial 50 dB below the strongest is found within 2 cents and 10 % 
     checkFound(*fit, scene.partials, 2, 0.1);
 }
 
-TEST_CASE("Recordings of 44.1, 48 and 96 kHz share their modes, and gains are those of each") {
+TEST_CASE("Recordings at 44.1, 48 and 96 kHz share their modes and keep their own gains") {
     Scene scene{.partials = {{250, 5}, {690, 11}, {1800, 30}, {4400, 90}}};
     const std::vector<std::vector<double>> gains{
         {1, 0.5, 0.2, 0.1}, {0, 1, 0.5, 0.3}, {0.3, 0, 0, 1}};
@@ -159,7 +159,7 @@ TEST_CASE("Recordings of 44.1, 48 and 96 kHz share their modes, and gains are th
     }
 }
 
-TEST_CASE("The strongest modes are kept where there are more than asked for") {
+TEST_CASE("The strongest modes are kept if there are more than requested") {
     Scene scene{.partials = {{200, 5}, {500, 5}, {900, 5}, {1500, 5}}};
     const auto samples = scene.strike({0.1, 1, 0.05, 0.8}, 48000);
     const auto fit =
@@ -169,8 +169,8 @@ TEST_CASE("The strongest modes are kept where there are more than asked for") {
     checkFound(*fit, {{500, 5}, {1500, 5}}, 0.1, 0.01);
 }
 
-TEST_CASE("What the length of a contact took from high modes is given back") {
-    // Modes of equal gain struck by a raised cosine of 1 ms, convolved in 1000 steps.
+TEST_CASE("The fit restores high modes that the contact time attenuated") {
+    // Modes of equal gain excited by a raised cosine of 1 ms, convolved in 1000 steps.
     constexpr double rate = 48000, contact = 1e-3;
     const std::vector<Partial> partials{{200, 8}, {600, 8}, {1100, 8}};
     std::vector<float> samples(static_cast<std::size_t>(rate), 0.0f);
@@ -193,7 +193,7 @@ TEST_CASE("What the length of a contact took from high modes is given back") {
         CHECK(std::abs(mode.amplitudes[0] / fit->modes[0].amplitudes[0] - 1) < 0.02);
 }
 
-TEST_CASE("A recording that nothing can be fitted to is named with what it lacks") {
+TEST_CASE("A recording that cannot be fitted gives an error with its name and the reason") {
     const auto refused = [](const std::vector<float>& samples, const char* sentence) {
         INFO(sentence);
         const auto fit = fitRecordings(std::vector<StrikeRecording>{{"bad.wav", samples, 48000}});
@@ -217,6 +217,6 @@ TEST_CASE("A recording that nothing can be fitted to is named with what it lacks
     refused(hiss, "nothing in it rings");
 }
 
-TEST_CASE("No recordings are refused") {
+TEST_CASE("An empty list of recordings is refused") {
     CHECK_FALSE(fitRecordings({}));
 }

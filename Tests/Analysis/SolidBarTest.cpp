@@ -33,7 +33,7 @@ double signedVolume(const Mesh& mesh) {
 } // namespace
 
 TEST_CASE("A solid bar's elements and its closed surface enclose the bar's volume") {
-    // With straight flanks the grid is exact: the mean height times the plan.
+    // With straight flanks the grid is exact: mean height times base area.
     const double mean = 0.6 * (0.012 + 0.02) / 2 + 0.4 * (0.02 + 0.018) / 2;
     for (const BarGrid grid : {BarGrid{8, 2, 1}, BarGrid{20, 4, 3}}) {
         const SolidBar solid = solidBar(bar, grid);
@@ -51,7 +51,7 @@ TEST_CASE("A solid bar's elements and its closed surface enclose the bar's volum
     }
 }
 
-TEST_CASE("A solid bar is its own mirror image in x and in y") {
+TEST_CASE("A solid bar is mirror-symmetric in x and y") {
     const SolidBar solid = solidBar(bar, {12, 4, 2});
     const auto& nodes = solid.elements.nodes;
     const auto key = [](const Eigen::Vector3d& at) {
@@ -82,7 +82,7 @@ TEST_CASE("A solid bar is its own mirror image in x and in y") {
     }
 }
 
-TEST_CASE("The edges of the arch are lines of the grid, and mid-edge nodes lie in the middle") {
+TEST_CASE("The edges of the arch lie on grid lines, and mid-edge nodes lie in the middle") {
     const SolidBar solid = solidBar(bar, {16, 2, 1});
     const auto& nodes = solid.elements.nodes;
     CHECK((nodes.col(0).array() - 0.09).abs().minCoeff() < 1e-12);
@@ -95,7 +95,7 @@ TEST_CASE("The edges of the arch are lines of the grid, and mid-edge nodes lie i
         }
 }
 
-TEST_CASE("The outline is closed, looks outward, and has the top's vertices first") {
+TEST_CASE("The outline is closed, looks outward and lists the top's vertices first") {
     const SolidBar solid = solidBar(bar, {16, 4, 2});
     const BarOutline& outline = solid.outline;
     CHECK(isClosed(uniqueEdges(outline.mesh)));

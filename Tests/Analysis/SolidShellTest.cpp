@@ -15,7 +15,7 @@ using namespace idiophone;
 using namespace idiophone::test;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("The wall about a sheet is a solid of the sheet's area times its thickness") {
+TEST_CASE("The wall of a sheet is a solid with the sheet's area times its thickness") {
     const auto sheet = sheetMesh(0.3, 0.2, 300);
     const auto body =
         solidShell(sheet, Eigen::VectorXd::Constant(sheet.vertexCount(), 0.004), referenceWood());
@@ -25,7 +25,7 @@ TEST_CASE("The wall about a sheet is a solid of the sheet's area times its thick
     CHECK(body.pointsMetres.rows() * 3 == body.model.mass.rows());
 }
 
-TEST_CASE("The wall follows a thickness that varies") {
+TEST_CASE("The wall follows a varying thickness") {
     const auto disc = discMesh(0.1, 12);
     // A flat double cone, 2 mm in the middle and 1 mm at the rim: its volume is exact.
     const Eigen::VectorXd thickness = 0.002 - 0.001 * disc.vertices.rowwise().norm().array() / 0.1;
@@ -34,7 +34,7 @@ TEST_CASE("The wall follows a thickness that varies") {
     CHECK_THAT(signedVolumeM3(body.surface), WithinRel(cone, 0.01));
 }
 
-TEST_CASE("A turned disc has Kirchhoff's modes within 1 %, in pairs that agree within 0.01 %") {
+TEST_CASE("A turned disc has Kirchhoff's modes within 1 %, in pairs equal within 0.01 %") {
     constexpr double radius = 0.1, thickness = 0.002;
     const auto disc = latheMesh({{0, 0, thickness}, {radius, 0, thickness}}, 0.009);
     const auto material = referenceWood(0.3);

@@ -1,4 +1,4 @@
-// Bodies solved for their modes, and modes found by their shape: for comparing with theory.
+// Solves bodies for their modes and finds modes by shape, for comparison with theory.
 #pragma once
 
 #include "Analysis/Eigensolver.h"
@@ -11,7 +11,7 @@
 
 namespace idiophone::test {
 
-/// Three rows of the model's matrices at each point.
+/// A body and its modes. Each point has three rows in the model's matrices.
 struct SolvedBody {
     VibrationModel model;
     Eigen::MatrixXd points; ///< [n/3 × 3] in metres
@@ -21,8 +21,8 @@ struct SolvedBody {
 using PointTest = std::function<bool(const Eigen::Vector3d& point)>;
 using Field = std::function<Eigen::Vector3d(const Eigen::Vector3d& point)>;
 
-/// Quadratic tetrahedra within a closed surface whose triangles are kept. Points for which
-/// `clamped` holds do not move.
+/// Solves quadratic tetrahedra inside a closed surface and keeps its triangles. Points with
+/// `clamped` true do not move.
 SolvedBody solvedSolid(const Mesh& closedSurface,
                        const ElasticLaw& law,
                        double densityKgPerM3,
@@ -36,14 +36,14 @@ SolvedBody solvedShell(const Mesh& mesh,
                        const FrequencyBand& band,
                        const PointTest& clamped = {});
 
-/// All frequencies in the band, ascending.
+/// Returns all frequencies in the band, ascending.
 std::vector<double> frequenciesHz(const SolvedBody& body);
 
-/// The frequency of the mode that is most like a displacement field. The likeness, the modal
-/// assurance criterion with the mass as its product, must be 0.8 or more.
+/// Returns the frequency of the mode most similar to a displacement field. The similarity (modal
+/// assurance criterion with the mass as inner product) must be at least 0.8.
 double frequencyLikeHz(const SolvedBody& body, const Field& field);
 
-/// The frequencies of the modes with less than a tenth of their kinetic energy along z.
+/// Returns the frequencies of modes with less than a tenth of their kinetic energy along z.
 std::vector<double> inPlaneFrequenciesHz(const SolvedBody& body);
 
 } // namespace idiophone::test

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double thickness = 0.005;
 
-/// Lower root W of the thin spherical membrane's W⁴ − (1+3ν+l(l+1))W² + (l−1)(l+2)(1−ν²) = 0, as a
-/// frequency for the membrane stiffness E t.
+/// Returns the frequency of a thin spherical membrane of stiffness E t from the lower root W of W⁴
+/// − (1+3ν+l(l+1))W² + (l−1)(l+2)(1−ν²) = 0.
 double membraneFrequencyHz(int l, double radius, double stiffness, double massPerArea) {
     const double nu = 1.0 / 3, b = 1 + 3 * nu + l * (l + 1), c = (l - 1) * (l + 2) * (1 - nu * nu);
     const double w2 = (b - std::sqrt(b * b - 4 * c)) / 2;
@@ -36,7 +36,7 @@ Eigen::Index zeroModesOf(const Mesh& mesh, SpringStiffness stiffness) {
 
 } // namespace
 
-TEST_CASE("The zero modes of box surfaces and flat plates follow the coplanar-vertex law exactly") {
+TEST_CASE("Zero modes of box surfaces and flat plates follow the coplanar-vertex law exactly") {
     const auto stiffness = GENERATE(SpringStiffness::literal, SpringStiffness::vanGelder);
     CHECK(zeroModesOf(boxMesh({0.4, 0.05, 0.02}, {20, 4, 2}), stiffness) == 164);
     CHECK(zeroModesOf(boxMesh({0.4, 0.05, 0.02}, {40, 6, 3}), stiffness) == 572);
@@ -49,7 +49,7 @@ TEST_CASE("An icosphere has six zero modes") {
         CHECK(zeroModesOf(icosphereMesh(0.1, level), SpringStiffness::literal) == 6);
 }
 
-TEST_CASE("The five l = 2 modes of an icosphere are equal within 1e-6 and within 3 % of theory") {
+TEST_CASE("An icosphere's five l = 2 modes are equal within 1e-6 and within 3 % of theory") {
     const double radius = 0.1;
     const auto material = referenceWood();
     const auto stiffness = GENERATE(SpringStiffness::literal, SpringStiffness::vanGelder);
@@ -70,7 +70,7 @@ TEST_CASE("The five l = 2 modes of an icosphere are equal within 1e-6 and within
     CHECK_THAT(f(0), WithinRel(theory, 0.03));
 }
 
-TEST_CASE("An icosphere's l = 4 modes are within 10 % of the membrane theory") {
+TEST_CASE("An icosphere's l = 4 modes are within 10 % of membrane theory") {
     const auto material = referenceWood();
     const double theory = membraneFrequencyHz(4, 0.1, material.youngsModulusPa * thickness,
                                               material.densityKgPerM3 * thickness);
@@ -84,7 +84,7 @@ TEST_CASE("An icosphere's l = 4 modes are within 10 % of the membrane theory") {
         CHECK_THAT(f(mode), WithinRel(theory, 0.10));
 }
 
-TEST_CASE("The masses add up to density times thickness times area") {
+TEST_CASE("The masses sum to density times thickness times area") {
     const auto mesh = boxMesh({0.4, 0.05, 0.02}, {20, 4, 2});
     const auto model = springMassModel(mesh, referenceWood(), thickness, SpringStiffness::literal);
     CHECK_THAT(model.mass.sum() / 3, WithinRel(1000 * thickness * faceAreas(mesh).sum(), 1e-12));

@@ -1,4 +1,4 @@
-// Where an object is struck decides which of its modes sound: from mesh to sound.
+// Tests from mesh to sound: the strike position decides which modes sound.
 #include "Analysis/ModalAnalysis.h"
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/SurfaceQuery.h"
@@ -40,7 +40,7 @@ struct Struck {
         return strike;
     }
 
-    /// φ_z of a mode, linear between vertices.
+    /// Returns φ_z of a mode, linear between vertices.
     double shape(std::size_t mode, double x, double y) const {
         const StrikePoint point = at(x, y);
         double sum = 0;
@@ -55,7 +55,8 @@ struct Struck {
         return std::sqrt(object->eigenvalues[mode]) / (2 * std::numbers::pi);
     }
 
-    /// A short blow at a point, heard from afar so that only the struck point changes.
+    /// Returns the sound of a short strike at a point. It is radiated sound only, so that only the
+    /// struck point changes.
     std::vector<float> sound(double x, double y) const {
         Synthesiser synthesiser({{object, 1}}, sampleRateHz);
         SynthesisSettings settings;
@@ -79,7 +80,7 @@ struct Struck {
     }
 };
 
-/// The amplitude near a frequency under a Hann window.
+/// Returns the level near a frequency under a Hann window.
 double levelDb(const std::vector<float>& sound, double hz) {
     std::complex<double> sum = 0;
     for (std::size_t k = 0; k < sound.size(); ++k) {
@@ -93,7 +94,7 @@ double levelDb(const std::vector<float>& sound, double hz) {
 
 } // namespace
 
-TEST_CASE("Struck at its node, between vertices, a mode is 60 dB below its antinode") {
+TEST_CASE("A mode struck at its node, between vertices, is 60 dB below its antinode") {
     const Struck bar(sheetMesh(0.36, 0.04, 500), {.name = "bar",
                                                   .source = "test",
                                                   .material = referenceWood(),
@@ -113,8 +114,8 @@ TEST_CASE("Struck at its node, between vertices, a mode is 60 dB below its antin
     CHECK(levelDb(node, hz) < levelDb(antinode, hz) - 60);
 }
 
-TEST_CASE("A table struck at an edge or a corner sounds with more modes than in the middle (CG&A, "
-          "Fig. 5)") {
+TEST_CASE(
+    "A table struck at an edge or corner sounds more modes than in the middle (CG&A, Fig. 5)") {
     const Struck table(sheetMesh(1.2, 0.8, 600), {.name = "table",
                                                   .source = "test",
                                                   .material = referenceWood(),

@@ -15,8 +15,8 @@ namespace {
 
 const std::function<bool()> never = [] { return false; };
 
-/// A lattice of `across` × `across` vertices, each with a block of `blockSize` unknowns that meets
-/// those of the neighbours (diagonals too) by random numbers; `diagonal` is added to the diagonal.
+/// A lattice of `across` × `across` vertices with `blockSize` unknowns each. Neighbours, also
+/// diagonal ones, couple by random numbers. `diagonal` is added to the diagonal.
 Eigen::SparseMatrix<double> lattice(int across, int blockSize, double diagonal) {
     const Index n = Index{across} * across * blockSize;
     const Vectors random = fixedRandomBlock(n, 9 * blockSize, 3);
@@ -46,8 +46,8 @@ MatrixXd dense(const Eigen::SparseMatrix<double>& lower) {
 
 } // namespace
 
-TEST_CASE("Solutions of an indefinite matrix equal dense ones for every size of block and any "
-          "number of right-hand sides") {
+TEST_CASE(
+    "Solutions of an indefinite matrix match dense ones for all block sizes and right-hand sides") {
     const int blockSize = GENERATE(1, 2, 3, 4, 5, 6);
     const Index columns = GENERATE(1, 3, 4, 6, 8, 21);
     CAPTURE(blockSize, columns);
@@ -61,7 +61,7 @@ TEST_CASE("Solutions of an indefinite matrix equal dense ones for every size of 
     CHECK((MatrixXd(x) - expected).norm() < 1e-8 * expected.norm());
 }
 
-TEST_CASE("Negative pivots are as many as negative eigenvalues at every shift") {
+TEST_CASE("The number of negative pivots equals that of negative eigenvalues at every shift") {
     const int blockSize = GENERATE(1, 3, 6);
     const auto lower = lattice(9, blockSize, 0);
     const Eigen::VectorXd values =
@@ -78,7 +78,7 @@ TEST_CASE("Negative pivots are as many as negative eigenvalues at every shift") 
     }
 }
 
-TEST_CASE("A matrix that falls apart, and one whose vertices do not meet, are solved") {
+TEST_CASE("Matrices with separate parts, and diagonal ones, are solved") {
     // Two unconnected lattices, and a diagonal.
     const auto one = lattice(5, 3, 20);
     const Index n = one.rows();
@@ -101,7 +101,7 @@ TEST_CASE("A matrix that falls apart, and one whose vertices do not meet, are so
     CHECK(SupernodalLdlt(diagonal, 3).entries() == 4 * 9 / 2.0);
 }
 
-TEST_CASE("A pivot that is exactly zero is reported, and the next matrix is factorised as ever") {
+TEST_CASE("An exact zero pivot is reported, and the next matrix is factorised as usual") {
     Eigen::SparseMatrix<double> zeros = lattice(6, 3, 10);
     const Eigen::SparseMatrix<double> regular = zeros;
     zeros *= 0;
@@ -113,7 +113,7 @@ TEST_CASE("A pivot that is exactly zero is reported, and the next matrix is fact
     CHECK((dense(regular) * x).isApproxToConstant(1, 1e-10));
 }
 
-TEST_CASE("A factorisation stops when told to, at any time, and can be done again") {
+TEST_CASE("A factorisation can be stopped at any time and repeated") {
     const auto lower = lattice(20, 3, 0.5);
     SupernodalLdlt factor(lower, 3);
     int asked = 0;

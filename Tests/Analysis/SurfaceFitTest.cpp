@@ -44,7 +44,8 @@ std::string faultOf(const std::vector<float>& samples) {
 
 } // namespace
 
-TEST_CASE("A scrape is fitted back: β within 0.1, reson frequency 5 %, damping 20 %") {
+TEST_CASE(
+    "A scrape's fit recovers β within 0.1, reson frequency within 5 % and damping within 20 %") {
     const double exponent = GENERATE(-1.66, -1.22, -0.6);
     const auto [frequencyHz, damping] =
         GENERATE(std::pair{500.0, 1000.0}, std::pair{300.0, 200.0}, std::pair{2500.0, 600.0},
@@ -56,13 +57,13 @@ TEST_CASE("A scrape is fitted back: β within 0.1, reson frequency 5 %, damping 
     checkFit(scrapeOf(surface, 1, 6), surface, 1);
 }
 
-TEST_CASE("A slower scrape, cut off in the middle of the band, is fitted back at its own speed") {
+TEST_CASE("A slower scrape, cut off in mid-band, is fitted at its own speed") {
     const Surface surface{
         .spectrumExponent = -1.4, .resonFrequencyHz = 2000, .resonDampingPerSecond = 800};
     checkFit(scrapeOf(surface, 0.5, 6), surface, 0.5);
 }
 
-TEST_CASE("A scrape of one second, in steps of 16 bits, on a constant offset, is fitted back") {
+TEST_CASE("A scrape of one second in 16 bits with a constant offset is fitted") {
     const Surface surface{
         .spectrumExponent = -1.4, .resonFrequencyHz = 1000, .resonDampingPerSecond = 700};
     auto samples = scrapeOf(surface, 1, 1);
@@ -71,7 +72,7 @@ TEST_CASE("A scrape of one second, in steps of 16 bits, on a constant offset, is
     checkFit(samples, surface, 1);
 }
 
-TEST_CASE("The fit does not depend on the recording's level") {
+TEST_CASE("The surface fit does not depend on the recording's level") {
     const Surface surface{.resonFrequencyHz = 1000, .resonDampingPerSecond = 700};
     auto samples = scrapeOf(surface, 1, 2);
     const auto loud = fitSurface(samples, rateHz);
@@ -83,7 +84,7 @@ TEST_CASE("The fit does not depend on the recording's level") {
     CHECK_THAT(quiet->resonFrequencyHz, WithinRel(loud->resonFrequencyHz, 1e-3));
 }
 
-TEST_CASE("What is no scrape is refused with what it lacks") {
+TEST_CASE("A recording without a scrape gives an error with the reason") {
     const auto second = static_cast<std::size_t>(rateHz);
     CHECK(faultOf({}).find("shorter") != std::string::npos);
     CHECK(faultOf(std::vector<float>(second / 5, 0.1f)).find("shorter") != std::string::npos);
@@ -94,7 +95,7 @@ TEST_CASE("What is no scrape is refused with what it lacks") {
     CHECK(faultOf(broken).find("not numbers") != std::string::npos);
 }
 
-TEST_CASE("Noise of any file length is fitted without a fault or refused") {
+TEST_CASE("Noise of any length is fitted without failure or refused") {
     std::mt19937 random(3);
     for (const std::size_t length : {12000u, 12001u, 20011u, 65537u}) {
         std::vector<float> noise(length);

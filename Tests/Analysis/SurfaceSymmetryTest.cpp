@@ -9,7 +9,8 @@
 using namespace idiophone;
 
 TEST_CASE("The symmetry of generated meshes is found") {
-    CHECK(surfaceSymmetry(sheetMesh(0.3, 0.2, 200)).order() == 8); // flat: across is a mirror too
+    CHECK(surfaceSymmetry(sheetMesh(0.3, 0.2, 200)).order() ==
+          8); // flat: the mirror across the sheet counts too
     CHECK(surfaceSymmetry(hoopMesh(0.1, 0.05, 24, 2)).order() == 48);
     const auto cup = latheMesh({{0.05, 0, 0.002}, {0.08, 0.1, 0.002}}, 0.01);
     CHECK(surfaceSymmetry(cup.mesh).order() >= 12);
@@ -21,14 +22,14 @@ TEST_CASE("A mesh with one vertex out of place has no symmetry") {
     CHECK(surfaceSymmetry(mesh).order() == 1);
 }
 
-TEST_CASE("A mesh that is shifted and of another size has the same symmetry") {
+TEST_CASE("A mesh keeps its symmetry when shifted and scaled") {
     Mesh mesh = hoopMesh(0.1, 0.05, 24, 2);
     mesh.vertices = 37 * mesh.vertices;
     mesh.vertices.rowwise() += Eigen::RowVector3d(1, -2, 3);
     CHECK(surfaceSymmetry(mesh).order() == 48);
 }
 
-TEST_CASE("Characters are orthogonal and multiply as the elements do") {
+TEST_CASE("Characters are orthogonal and multiply like the elements") {
     const Mesh mesh = hoopMesh(0.1, 0.05, 12, 2);
     const auto symmetry = surfaceSymmetry(mesh);
     const auto order = symmetry.order();
@@ -51,7 +52,7 @@ TEST_CASE("Characters are orthogonal and multiply as the elements do") {
         }
 }
 
-TEST_CASE("Orbits hold every face once, at the element that leads to it") {
+TEST_CASE("Orbits contain every face once, with the element that leads to it") {
     const Mesh mesh = icosphereMesh(1, 1);
     const auto symmetry = surfaceSymmetry(mesh);
     const auto orbits = orbitsOf(symmetry, mesh);

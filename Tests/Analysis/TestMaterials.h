@@ -1,4 +1,4 @@
-// Materials with round numbers, for closed forms.
+// Materials with round numbers for comparison with closed forms.
 #pragma once
 
 #include "Object/Material.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone::test {
 
-/// A soft wood in round numbers.
+/// A soft wood with round numbers.
 inline Material referenceWood(double poissonRatio = 0.25) {
     Material material;
     material.name = "Reference wood";
@@ -20,7 +20,7 @@ inline Material referenceWood(double poissonRatio = 0.25) {
     return material;
 }
 
-/// Round figures of the order of a hardwood's, those of no species.
+/// Round numbers like those of a hardwood, but of no species.
 inline constexpr OrthotropicElasticity roundWood{.youngsModulusLPa = 16e9,
                                                  .youngsModulusRPa = 2e9,
                                                  .youngsModulusTPa = 1e9,

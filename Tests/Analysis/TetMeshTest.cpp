@@ -28,7 +28,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// The number of element faces (three corners) that belong to one element only.
+/// Returns the number of element faces (three corners) that belong to one element only.
 int outerFaces(const TetMesh& mesh) {
     std::map<std::array<int, 3>, int> uses;
     for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t)
@@ -46,8 +46,8 @@ int outerFaces(const TetMesh& mesh) {
 
 } // namespace
 
-TEST_CASE(
-    "Vertices of the surface keep their numbers and places, whether it may be divided or not") {
+TEST_CASE("Surface vertices keep their indices and positions, whether or not the surface may be "
+          "divided") {
     const bool keep = GENERATE(true, false);
     const auto surface = icosphereMesh(0.1, 2);
     const auto mesh = tetrahedralise(surface, {.targetEdgeMetres = 0.03, .keepSurface = keep});
@@ -56,7 +56,7 @@ TEST_CASE(
     CHECK(mesh->nodes.topRows(surface.vertexCount()) == surface.vertices);
 }
 
-TEST_CASE("Elements are turned the same way, fill the body, and their nodes lie mid-edge") {
+TEST_CASE("Elements have the same orientation, fill the body, and have nodes at mid-edge") {
     const auto surface = extrudedMesh(sheetMesh(0.4, 0.05, SheetGrid{20, 2}), 0.02);
     const auto mesh = tetrahedralise(surface, {.targetEdgeMetres = 0.02});
     REQUIRE(mesh);
@@ -90,22 +90,22 @@ TEST_CASE("The mean edge of a chunky body is within 20 % of the target") {
     }
 }
 
-TEST_CASE("A box of twelve triangles is divided down to the target when its surface may be") {
+TEST_CASE("A box of twelve triangles is divided to the target if its surface may change") {
     const auto mesh = tetrahedralise(boxMesh({1, 1, 1}, {1, 1, 1}),
                                      {.targetEdgeMetres = 0.25, .keepSurface = false});
     REQUIRE(mesh);
     CHECK_THAT(meanEdgeLengthMetres(*mesh), WithinRel(0.25, 0.2));
 }
 
-TEST_CASE("A thin plate whose surface is kept gets one layer of flat elements") {
+TEST_CASE("A thin plate with a fixed surface gets one layer of flat elements") {
     const auto surface = extrudedMesh(sheetMesh(1, 1, 300), 0.01);
     const auto mesh = tetrahedralise(surface, {.targetEdgeMetres = 0.07});
     REQUIRE(mesh);
-    // Three tetrahedra a prism, and hardly any node inside.
+    // Three tetrahedra per prism and hardly any interior node.
     CHECK(mesh->tetrahedra.rows() < 3.3 * static_cast<double>(surface.faceCount()) / 2);
 }
 
-TEST_CASE("Cavities stay empty whichever way their faces look") {
+TEST_CASE("Cavities stay empty whichever way their faces are oriented") {
     auto surface = hollowSphereMesh(0.1, 0.02, 2);
     const double wall = signedVolumeM3(surface);
     const bool flipped = GENERATE(false, true);
@@ -143,7 +143,7 @@ TEST_CASE("The same surface gives the same mesh, also on several threads at once
     }
 }
 
-TEST_CASE("Who waits for TetGen while another is in it stops once cancelled, and the next may in") {
+TEST_CASE("A cancelled call stops waiting for TetGen, and later calls succeed") {
     const auto surface = icosphereMesh(0.1, 1);
     std::atomic<bool> cancelled = false;
     std::unique_lock another(tetGenTurn());
@@ -151,7 +151,8 @@ TEST_CASE("Who waits for TetGen while another is in it stops once cancelled, and
         return tetrahedralise(surface, {.targetEdgeMetres = 0.05, .cancelled = &cancelled});
     });
     cancelled = true;
-    // It ends while the other is still in there; the bound only ends a test that fails.
+    // The waiting call must end while the other thread still holds TetGen. The timeout only ends a
+    // failing test.
     const bool ended = waiting.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
     another.unlock();
     CHECK(ended);
@@ -161,7 +162,7 @@ TEST_CASE("Who waits for TetGen while another is in it stops once cancelled, and
     CHECK(tetrahedralise(surface, {.targetEdgeMetres = 0.05}));
 }
 
-TEST_CASE("Bodies that cannot be filled are refused in one sentence") {
+TEST_CASE("Bodies that cannot be filled give a one-sentence error") {
     const auto box = boxMesh({1, 1, 1}, {2, 2, 2});
     const auto messageOf = [](const Mesh& surface, const TetMeshSettings& settings) {
         const auto mesh = tetrahedralise(surface, settings);
@@ -184,7 +185,7 @@ TEST_CASE("Bodies that cannot be filled are refused in one sentence") {
     CHECK(messageOf(broken, {.targetEdgeMetres = 0.3}).find("does not exist") != std::string::npos);
 }
 
-TEST_CASE("Two boxes that cross each other are an error, not a crash") {
+TEST_CASE("Two crossing boxes give an error, not a crash") {
     const auto box = boxMesh({1, 1, 1}, {2, 2, 2});
     const auto crossing = joined(box, moved(box, {0.37, 0.21, 0.13}));
     for (const bool keep : {true, false}) {

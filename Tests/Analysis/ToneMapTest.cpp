@@ -21,7 +21,7 @@ std::vector<double> mapOf(const ModalObject& object) {
 
 } // namespace
 
-TEST_CASE("Two modes apart sound as bright as the mean of their frequencies by a^2/4 alpha") {
+TEST_CASE("Brightness is the mean frequency of separate modes, weighted by a^2/4 alpha") {
     const auto object = syntheticObject({400, 3000}, {1.0f, 0.7f});
     double energy = 0, moment = 0;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -35,7 +35,7 @@ TEST_CASE("Two modes apart sound as bright as the mean of their frequencies by a
         CHECK(hz == Approx(moment / energy).epsilon(1e-5));
 }
 
-TEST_CASE("Measured decays count instead of the material's") {
+TEST_CASE("Measured decay rates replace the material's") {
     auto object = syntheticObject({400, 3000});
     object.decaysPerSecond = {100, 1};
     CHECK(mapOf(object)[0] == Approx((400.0 / 100 + 3000) / (1.0 / 100 + 1)).epsilon(1e-3));
@@ -54,13 +54,13 @@ TEST_CASE("The map does not depend on the basis of two equal modes") {
         CHECK(after[row] == Approx(before[row]).epsilon(1e-5));
 }
 
-TEST_CASE("Only what can be heard counts, and what is silent has no brightness") {
+TEST_CASE("Only audible modes count, and a silent point has no brightness") {
     CHECK(mapOf(syntheticObject({5, 300, 30000}))[0] == Approx(300).epsilon(1e-4));
     CHECK(mapOf(syntheticObject({300}, {0.0f}))[0] == 0);
 }
 
-TEST_CASE("A bar is as bright on its left as on its right, and brighter at the nodes of its "
-          "fundamental than in the middle") {
+TEST_CASE(
+    "A bar's brightness is symmetric and higher at its fundamental's nodes than in the middle") {
     const double length = 0.3;
     AnalysisSettings settings;
     settings.material = *findMaterial("Steel");
@@ -75,7 +75,7 @@ TEST_CASE("A bar is as bright on its left as on its right, and brighter at the n
     const auto at = [&](double x) {
         return brightness[nearestShapeRow(*object, {x * length, 0, 0})];
     };
-    // A free bar's fundamental has its nodes at 0.2242 of the length from either end.
+    // The nodes of a free bar's fundamental lie at 0.2242 of its length from either end.
     const double node = 0.5 - 0.2242;
     CHECK(at(-node) > 1.5 * at(0));
     CHECK(at(0.5) > at(0));

@@ -21,9 +21,9 @@ constexpr double pi = std::numbers::pi;
 constexpr Tube tube{
     .frequencyHz = 200, .radiusMetres = 0.025, .offsetMetres = 0, .gapMetres = 0.01};
 constexpr float barWeight = 1e-4f;
-constexpr double mouth = 0.05; ///< kg/m² per √kg
+constexpr double mouth = 0.05; ///< coupling at the mouth in kg/m² per √kg
 
-/// Modes that move as one.
+/// A bar whose modes all have the same shape and weight.
 ModalObject bar(const std::vector<double>& frequenciesHz) {
     auto object = test::syntheticObject(frequenciesHz);
     object.bandHz = 1000;
@@ -40,12 +40,12 @@ ModalObject withTube(ModalObject object, double mouthKgPerM2 = mouth) {
     return object;
 }
 
-/// Velocity of the bar and flow into the tube, of what a mode of the answer sounds like.
+/// The response at one time: velocity of the bar and flow into the tube.
 struct Answer {
     double velocity = 0, flow = 0;
 };
 
-/// After a modal impulse of 1: the two equations of motion, by Runge-Kutta's fourth-order rule.
+/// Integrates the two equations of motion after a modal impulse of 1 (fourth-order Runge-Kutta).
 std::vector<Answer> simulated(double omega,
                               double decay,
                               const TubeResonance& resonance,
@@ -94,7 +94,7 @@ Answer summed(const std::array<SharedMode, 2>& modes, double seconds) {
 
 } // namespace
 
-TEST_CASE("A tube opposes least at its own frequency and the odd multiples") {
+TEST_CASE("A tube's impedance is lowest at its own frequency and its odd multiples") {
     for (const double odd : {1.0, 3.0, 5.0}) {
         const double there = std::abs(tube.relativeImpedance(odd * tube.frequencyHz));
         INFO("partial " << odd);
@@ -103,7 +103,7 @@ TEST_CASE("A tube opposes least at its own frequency and the odd multiples") {
     }
 }
 
-TEST_CASE("A tube's resonance has the Q of wall and radiation together") {
+TEST_CASE("A tube's Q combines wall and radiation losses") {
     const double waveNumber = 2 * pi * tube.frequencyHz / 343;
     const double wall = 2 * 3e-5 * std::sqrt(tube.frequencyHz) / tube.radiusMetres / waveNumber;
     const double radiated = std::pow(waveNumber * tube.radiusMetres, 2) / pi;
@@ -112,7 +112,7 @@ TEST_CASE("A tube's resonance has the Q of wall and radiation together") {
                WithinRel(1 / (wall + radiated), 1e-3));
 }
 
-TEST_CASE("Near a resonance the oscillator of the air opposes as the tube does") {
+TEST_CASE("Near a resonance the air oscillator has the tube's impedance") {
     for (const int n : {0, 1, 2}) {
         const auto resonance = tube.resonance(n);
         for (const double ratio : {0.99, 1.0, 1.01}) {
@@ -128,7 +128,7 @@ TEST_CASE("Near a resonance the oscillator of the air opposes as the tube does")
     }
 }
 
-TEST_CASE("The two shared modes are what bar and tube do, simulated, within 0.5 dB over 0.5 s") {
+TEST_CASE("The two shared modes match a simulation of bar and tube within 0.5 dB over 0.5 s") {
     const double detune = GENERATE(0.94, 0.995, 1.0, 1.01);
     const double coupling = GENERATE(0.01, 0.05, 0.2);
     const auto resonance = tube.resonance(0);
@@ -145,12 +145,12 @@ TEST_CASE("The two shared modes are what bar and tube do, simulated, within 0.5 
         peakFlow = std::max(peakFlow, std::abs(expected[n].flow));
     }
     CAPTURE(detune, coupling);
-    // 1e-4 of the peak is 0.5 dB of what is 55 dB down.
+    // 1e-4 of the peak is 0.5 dB of a part at -55 dB.
     CHECK(worst < 1e-4 * peak);
     CHECK(worstFlow < 1e-4 * peakFlow);
 }
 
-TEST_CASE("A tuned tube lets the flow rise and the bar's mode fall faster than alone") {
+TEST_CASE("With a tuned tube, flow builds up and the bar's mode decays faster than alone") {
     const auto resonance = tube.resonance(0);
     const auto modes = sharedModes(resonance.omega, 2, resonance, mouth);
     const auto flowAround = [&](double seconds) {
@@ -164,7 +164,7 @@ TEST_CASE("A tuned tube lets the flow rise and the bar's mode fall faster than a
         CHECK(mode.pole.real() < -2);
 }
 
-TEST_CASE("Without coupling the bar's mode stays whole and the tube is not heard") {
+TEST_CASE("Without coupling the bar's mode stays unchanged and the tube is silent") {
     const auto resonance = tube.resonance(0);
     const auto modes = sharedModes(resonance.omega * 0.99, 4, resonance, 1e-9);
     const std::size_t own = std::abs(modes[0].gain) > 0.5 ? 0 : 1;
@@ -173,7 +173,7 @@ TEST_CASE("Without coupling the bar's mode stays whole and the tube is not heard
     CHECK(std::abs(modes[1 - own].gain) < 1e-6);
 }
 
-TEST_CASE("A tube shares the modes at its odd multiples and leaves the others") {
+TEST_CASE("A tube shares modes at its odd multiples and leaves the others") {
     const auto object = withTube(bar({200, 400, 600, 800}));
     REQUIRE(object.modeCount() == 6);
     CHECK(validated(object));
@@ -194,7 +194,7 @@ TEST_CASE("A tube shares the modes at its odd multiples and leaves the others") 
         }
 }
 
-TEST_CASE("The two modes that a bar and its tube share are each other's partners") {
+TEST_CASE("The two modes shared by a bar and its tube are each other's partners") {
     const auto object = withTube(bar({200, 400}));
     REQUIRE(object.modeCount() == 3);
     CHECK(sharingPartner(object, 0) == 1);
@@ -202,26 +202,26 @@ TEST_CASE("The two modes that a bar and its tube share are each other's partners
     CHECK_FALSE(sharingPartner(object, 2));
 }
 
-TEST_CASE("A tube that hardly couples leaves the bar its own mode") {
+TEST_CASE("A tube with hardly any coupling leaves the bar its own mode") {
     const auto object = withTube(bar({200}), 1e-6);
     REQUIRE(object.modeCount() == 1);
     CHECK(object.gains[0] == 1.0f);
 }
 
-TEST_CASE("What a mode off resonance radiates is what it loses less what the wall keeps") {
+TEST_CASE("A mode off resonance radiates its losses minus the wall's share") {
     const auto object = withTube(bar({330}));
     const double omega = std::sqrt(object.eigenvalues[0]), hz = omega / (2 * pi);
     const auto tubes =
         Complex(object.radiation.weights[1]) - Complex(0, static_cast<double>(barWeight));
-    const double radiated = 4 * pi * std::norm(tubes) / (2 * 1.204 * 343); // watts at q̇ = 1
+    const double radiated = 4 * pi * std::norm(tubes) / (2 * 1.204 * 343); // in watts at q̇ = 1
     const double throughMouth = std::pow(omega / 343 * tube.radiusMetres, 2) / 4;
     const double share = throughMouth / tube.relativeImpedance(hz).real();
     CHECK(share < 1);
-    // The energy of q̇ = 1 is 1/2 J, and falls at 2α.
+    // The energy at q̇ = 1 is 1/2 J and decays at 2α.
     CHECK_THAT(object.extraDecaysPerSecond[0], WithinRel(radiated / share, 1e-3));
 }
 
-TEST_CASE("A bar's decay and its tube's part ways: only the bar's follows the material") {
+TEST_CASE("Only the bar's part of a decay rate follows the material, not the tube's") {
     auto soft = bar({200});
     soft.material.damping.fluidPerSecond = 80;
     const auto hard = withTube(bar({200}), 0.005), softer = withTube(soft, 0.005);
@@ -234,6 +234,6 @@ TEST_CASE("A bar's decay and its tube's part ways: only the bar's follows the ma
     CHECK_THAT(hard.decaysPerSecond[own], WithinRel(4, 0.1));
 }
 
-TEST_CASE("A tube is cut a quarter of a wave long, less the end correction") {
+TEST_CASE("A tube's length is a quarter wave less the end correction") {
     CHECK_THAT(tubeLengthMetres(tube), WithinRel(343.0 / 800 - 0.61 * 0.025, 1e-12));
 }

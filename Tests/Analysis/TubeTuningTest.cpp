@@ -23,7 +23,7 @@ TubeSpecification brassTube(double noteHz) {
 
 } // namespace
 
-TEST_CASE("A long thin tube bends in Euler's and Bernoulli's ratios within 2 %") {
+TEST_CASE("A long thin tube has Euler's and Bernoulli's bending ratios within 2 %") {
     auto tube = brassTube(noteFrequencyHz(48));
     tube.outerDiameterMetres = 0.020;
     tube.maxFrequencyHz = 1500;
@@ -36,7 +36,7 @@ TEST_CASE("A long thin tube bends in Euler's and Bernoulli's ratios within 2 %")
                WithinRel(slenderTubeLengthMetres(tube, 2 * tube.noteFrequencyHz), 0.03));
 }
 
-TEST_CASE("Tubular bells: mode 4 an octave above the note, with 5 and 6 near 2 : 3 : 4") {
+TEST_CASE("A tubular bell's mode 4 is an octave above its note, with 5 and 6 near 2 : 3 : 4") {
     for (const int note : {60, 77}) {
         const auto tuned = tuneTube(brassTube(noteFrequencyHz(note)));
         REQUIRE(tuned);
@@ -47,7 +47,7 @@ TEST_CASE("Tubular bells: mode 4 an octave above the note, with 5 and 6 near 2 :
         CHECK((tuned->lengthMetres > 0.9 && tuned->lengthMetres < 1.7));
         CHECK(tuned->object.provenance.zeroModes == 6);
         CHECK(tuned->object.shapeVertexCount() == 44);
-        // Stored are the modes that were tuned.
+        // The object must store the tuned modes.
         double closest = 1e9;
         for (const double eigenvalue : tuned->object.eigenvalues)
             closest = std::min(
@@ -57,7 +57,7 @@ TEST_CASE("Tubular bells: mode 4 an octave above the note, with 5 and 6 near 2 :
     }
 }
 
-TEST_CASE("A tube that cannot be is refused with a sentence") {
+TEST_CASE("A tube that cannot be built gives a one-sentence error") {
     auto thick = brassTube(262);
     thick.wallMetres = 0.03;
     CHECK_FALSE(tuneTube(thick));

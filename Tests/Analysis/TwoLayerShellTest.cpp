@@ -17,7 +17,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// The frequencies of the modes that bend along x only: normal displacement that does not change
+/// Returns the frequencies of modes that bend along x only: the normal displacement does not change
 /// sign across the width.
 std::vector<double> bendingFrequenciesHz(const Mesh& mesh, const Modes& modes) {
     const auto shapes = midSurfaceShapes(modes.shapes);
@@ -77,7 +77,7 @@ TEST_CASE("The first eight modes of a free square two-layer plate are within 3 %
 }
 
 TEST_CASE("A thin hoop's in-plane modes come in pairs within 3 % of Hoppe's ring") {
-    // A narrow hoop, so that its section bends as a beam's.
+    // The hoop is narrow, so that its section bends like a beam's.
     const double radius = 0.1, height = 0.006, thickness = 0.003;
     const auto material = referenceWood(1.0 / 3);
     const auto mesh = hoopMesh(radius, height, 360, 4);

@@ -11,7 +11,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// nu = 0.25, the material of the reference's Timoshenko bar.
+/// The reference's Timoshenko bar with nu = 0.25.
 const BeamMaterial wood{.youngsModulusPa = 2e10,
                         .shearModulusPa = 8e9,
                         .shearCoefficient = rectangularShearCoefficient(0.25),
@@ -55,7 +55,7 @@ TEST_CASE("A thick uniform beam has Timoshenko's partials within 1e-4") {
         CHECK_THAT(partials[i], WithinRel(found[i], 1e-4));
 }
 
-TEST_CASE("Parabolic arches bring slender beams to 1:3 and 1:4 as tabulated") {
+TEST_CASE("Parabolic arches tune slender beams to 1:3 and 1:4 as tabulated") {
     struct Row {
         double share, second, centre, third, fundamental;
     };
@@ -72,12 +72,12 @@ TEST_CASE("Parabolic arches bring slender beams to 1:3 and 1:4 as tabulated") {
         const auto partials = bendingFrequenciesHz(*tuned, wood, 3);
         CHECK_THAT(tuned->centreHeightMetres / tuned->heightMetres, WithinRel(row.centre, 0.004));
         CHECK_THAT(partials[2] / partials[0], WithinRel(row.third, 0.003));
-        // f1 of the same length, height for height: f ~ 1/length².
+        // f1 at equal length and height: f ~ 1/length².
         CHECK_THAT(std::pow(tuned->lengthMetres / 0.3, 2), WithinRel(row.fundamental, 0.004));
     }
 }
 
-TEST_CASE("Three partials are tuned within a hundredth of a cent, for orthotropic wood as well") {
+TEST_CASE("Three partials are tuned within 0.02 cents, also for orthotropic wood") {
     for (const double shearModulusPa : {5e9, 1.1e9}) {
         BeamMaterial rosewood = wood;
         rosewood.shearModulusPa = shearModulusPa;
@@ -102,7 +102,7 @@ TEST_CASE("Three partials are tuned within a hundredth of a cent, for orthotropi
     }
 }
 
-TEST_CASE("Thinner ends raise, a thinner middle lowers a bar") {
+TEST_CASE("Thinner ends raise a bar's pitch, and a thinner middle lowers it") {
     const UndercutBar whole = uniformBar(0.3, 0.02);
     UndercutBar ends = whole, middle = whole;
     ends.endHeightMetres = 0.015;
@@ -112,7 +112,7 @@ TEST_CASE("Thinner ends raise, a thinner middle lowers a bar") {
     CHECK(bendingFrequenciesHz(middle, wood, 1)[0] < 0.9 * fundamental);
 }
 
-TEST_CASE("A ratio that no arch reaches, or figures that make no bar, are refused in a sentence") {
+TEST_CASE("Unreachable ratios and impossible measures give a one-sentence error") {
     const UndercutBar bar = uniformBar(0.3, 0.02);
     CHECK_THAT(tunedArch(bar, wood, {.fundamentalHz = 440, .secondRatio = 30}).error().message,
                Catch::Matchers::ContainsSubstring("No arch") &&

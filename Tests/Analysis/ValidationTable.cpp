@@ -42,7 +42,7 @@ std::string sectionOf(const ValidationCase& validation) {
     return section + "\n";
 }
 
-/// Where a section stands in the page: from its heading to the next heading or the end.
+/// Returns the range of a section in the page: from its heading to the next one or the end.
 std::pair<std::size_t, std::size_t> placeOf(const std::string& title, const std::string& text) {
     const auto begin = text.find("## " + title + "\n");
     if (begin == std::string::npos)

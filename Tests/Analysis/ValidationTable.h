@@ -1,4 +1,4 @@
-// The tables of docs/validation.md: each case checks its own figures, and that the page shows them.
+// The tables of docs/validation.md: each case checks its own results and that the page shows them.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace idiophone::test {
 
-/// The sections of the page, in its order.
+/// The sections of the page, in no particular order.
 inline constexpr std::array<std::string_view, 19> validationTitles{
     "Free bar, finite elements",
     "Free bar, two-layer springs",
@@ -46,11 +46,12 @@ struct ValidationCase {
 };
 
 /// Checks every row against the tolerance, writes the section into the build tree, and checks that
-/// the page has it to the digits shown (a unit or two of the last: compilers round differently).
-/// With IDIOPHONE_WRITE_VALIDATION set in the environment it writes the page instead.
+/// the page shows the same digits. The last digit may differ by a unit or two, because compilers
+/// round differently. With IDIOPHONE_WRITE_VALIDATION set in the environment, writes the page
+/// instead.
 void report(const ValidationCase& validation);
 
-/// The headings of the page's sections.
+/// Returns the headings of the page's sections.
 std::vector<std::string> validationHeadings();
 
 } // namespace idiophone::test

@@ -1,5 +1,5 @@
-// Models against theory, case by case: the tables of docs/validation.md. The figures of theory are
-// those of the page's sources; each mode is told by its shape or by its place in the order.
+// Compares models with theory, case by case, for the tables of docs/validation.md. The theory comes
+// from the page's sources. Modes are identified by shape or by order.
 #include "Analysis/TimoshenkoBeam.h"
 #include "Geometry/ParametricMesh.h"
 #include "Geometry/Remesh.h"
@@ -19,14 +19,14 @@ using namespace idiophone::test;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double youngs = 20e9, density = 1000; // of referenceWood
+constexpr double youngs = 20e9, density = 1000; // as in referenceWood
 
 struct NamedValue {
     std::string mode;
     double value = 0;
 };
 
-/// √(D/ρh)/2πa²: the unit of plates.
+/// Returns √(D/ρh)/2πa², the frequency unit of plates.
 double plateUnitHz(double lengthMetres, double thicknessMetres, double poissonRatio) {
     const double rigidity =
         youngs * std::pow(thicknessMetres, 3) / (12 * (1 - poissonRatio * poissonRatio));
@@ -34,7 +34,7 @@ double plateUnitHz(double lengthMetres, double thicknessMetres, double poissonRa
            (2 * pi * lengthMetres * lengthMetres);
 }
 
-/// The lowest modes of a body in the order of theory.
+/// Returns the lowest modes of a body in theory's order.
 std::vector<ValidationRow>
 inOrder(const std::vector<double>& foundHz, const std::vector<NamedValue>& theory, double unitHz) {
     REQUIRE(foundHz.size() >= theory.size());
@@ -44,7 +44,7 @@ inOrder(const std::vector<double>& foundHz, const std::vector<NamedValue>& theor
     return rows;
 }
 
-/// −sin or cos of a thin free or clamped beam: displacement and slope of its mode with this β L.
+/// Returns displacement and slope of the mode with this β L of a thin free or clamped beam.
 Field beamBending(double betaL, double lengthMetres, bool clamped) {
     const double ch = std::cosh(betaL), sh = std::sinh(betaL), c = std::cos(betaL),
                  s = std::sin(betaL);
@@ -117,12 +117,12 @@ const std::string cantileverText =
     "0.4 × 0.01 × 0.004 m, E 20 GPa, ρ 1000 kg/m³, ν 0.3, clamped at one end. Theory: "
     "Euler and Bernoulli's beam. ";
 
-/// √(E/ρ(1 − ν²))/2πR: the unit of spherical membranes.
+/// Returns √(E/ρ(1 − ν²))/2πR, the frequency unit of spherical membranes.
 double sphereUnitHz(double radius, double poissonRatio) {
     return std::sqrt(youngs / (density * (1 - poissonRatio * poissonRatio))) / (2 * pi * radius);
 }
 
-/// The lowest and the highest of each family of 2l + 1 modes.
+/// Returns the lowest and highest of each family of 2l + 1 modes.
 std::vector<ValidationRow>
 sphereRows(const std::vector<double>& foundHz, const std::vector<double>& theory, double unitHz) {
     std::vector<ValidationRow> rows;
@@ -140,7 +140,7 @@ sphereRows(const std::vector<double>& foundHz, const std::vector<double>& theory
 
 } // namespace
 
-TEST_CASE("Free bar by finite elements: five bending modes within 1 % of Timoshenko",
+TEST_CASE("A free bar of finite elements has five bending modes within 1 % of Timoshenko",
           "[validation]") {
     const auto body = solvedSolid(extrudedMesh(sheetMesh(0.4, 0.05, SheetGrid{36, 4}), 0.02, 2),
                                   elasticLaw(referenceWood(0.25)), density, 0.0115,
@@ -152,7 +152,7 @@ TEST_CASE("Free bar by finite elements: five bending modes within 1 % of Timoshe
             .rows = bendingRows(body, timoshenkoHz, 0.4, false)});
 }
 
-TEST_CASE("Free bar by two-layer springs: five bending modes within 3 % of Timoshenko",
+TEST_CASE("A free bar of two-layer springs has five bending modes within 3 % of Timoshenko",
           "[validation]") {
     const auto body = solvedShell(sheetMesh(0.4, 0.05, 600), referenceWood(0.25), 0.02,
                                   {.lowestHz = 20, .highestHz = 7500});
@@ -163,7 +163,8 @@ TEST_CASE("Free bar by two-layer springs: five bending modes within 3 % of Timos
             .rows = bendingRows(body, timoshenkoHz, 0.4, false)});
 }
 
-TEST_CASE("Free square plate by finite elements: eight modes within 2 % of Ritz", "[validation]") {
+TEST_CASE("A free square plate of finite elements has eight modes within 2 % of Ritz",
+          "[validation]") {
     const double unit = plateUnitHz(1, 0.02, 0.3);
     const auto body =
         solvedSolid(extrudedMesh(sheetMesh(1, 1, 300), 0.02), elasticLaw(referenceWood(0.3)),
@@ -175,7 +176,7 @@ TEST_CASE("Free square plate by finite elements: eight modes within 2 % of Ritz"
             .rows = inOrder(frequenciesHz(body), squarePlate030, unit)});
 }
 
-TEST_CASE("Free square plate remeshed as a user's is: eight modes within 2 % of Ritz",
+TEST_CASE("A free square plate remeshed like a user's has eight modes within 2 % of Ritz",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.02, 0.3);
     const auto surface = remesh(boxMesh({1, 1, 0.02}, {1, 1, 1}), {.edgeLengthMetres = 0.07});
@@ -191,7 +192,7 @@ TEST_CASE("Free square plate remeshed as a user's is: eight modes within 2 % of 
             .rows = inOrder(frequenciesHz(body), squarePlate030, unit)});
 }
 
-TEST_CASE("Free square plate by two-layer springs: eight modes within 3 % of Ritz at ν = 1/3",
+TEST_CASE("A free square plate of two-layer springs has eight modes within 3 % of Ritz at ν = 1/3",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.02, 1.0 / 3);
     const auto body = solvedShell(sheetMesh(1, 1, 1074), referenceWood(1.0 / 3), 0.02,
@@ -212,7 +213,7 @@ TEST_CASE("Free square plate by two-layer springs: eight modes within 3 % of Rit
                             unit)});
 }
 
-TEST_CASE("Free plate of 1.5 to 1 by finite elements: six modes within 2 % of Ritz",
+TEST_CASE("A free plate of 1.5 to 1 of finite elements has six modes within 2 % of Ritz",
           "[validation]") {
     const double unit = plateUnitHz(1.5, 0.02, 0.3);
     const auto body =
@@ -233,7 +234,7 @@ TEST_CASE("Free plate of 1.5 to 1 by finite elements: six modes within 2 % of Ri
                             unit)});
 }
 
-TEST_CASE("Free circular plate by finite elements: fourteen modes within 2 % of theory",
+TEST_CASE("A free circular plate of finite elements has fourteen modes within 2 % of theory",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.04, 0.3);
     const auto body =
@@ -246,7 +247,7 @@ TEST_CASE("Free circular plate by finite elements: fourteen modes within 2 % of 
             .rows = inOrder(frequenciesHz(body), circularPlate030, unit)});
 }
 
-TEST_CASE("Circular plate of a fiftieth of its radius by finite elements: within 2 % of theory",
+TEST_CASE("A circular plate of finite elements, 1/50 of its radius thick, is within 2 % of theory",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.02, 0.3);
     const auto body =
@@ -259,7 +260,7 @@ TEST_CASE("Circular plate of a fiftieth of its radius by finite elements: within
             .rows = inOrder(frequenciesHz(body), circularPlate030, unit)});
 }
 
-TEST_CASE("Free circular plate by two-layer springs: within 3 % of theory at ν = 1/3",
+TEST_CASE("A free circular plate of two-layer springs is within 3 % of theory at ν = 1/3",
           "[validation]") {
     const double unit = plateUnitHz(1, 0.04, 1.0 / 3);
     const auto body = solvedShell(discMesh(1, 18), referenceWood(1.0 / 3), 0.04,
@@ -283,7 +284,7 @@ TEST_CASE("Free circular plate by two-layer springs: within 3 % of theory at ν 
                             unit)});
 }
 
-TEST_CASE("Ring by finite elements: modes in its plane come in pairs within 2 % of Hoppe",
+TEST_CASE("A ring of finite elements has pairs of in-plane modes within 2 % of Hoppe",
           "[validation]") {
     const double thickness = 0.05, unit = hoppeUnitHz(1, thickness);
     const auto surface =
@@ -299,7 +300,7 @@ TEST_CASE("Ring by finite elements: modes in its plane come in pairs within 2 % 
             .rows = inOrder(inPlaneFrequenciesHz(body), hoppe, unit)});
 }
 
-TEST_CASE("Ring by two-layer springs: modes in its plane come in pairs within 3 % of Hoppe",
+TEST_CASE("A ring of two-layer springs has pairs of in-plane modes within 3 % of Hoppe",
           "[validation]") {
     const double radius = 0.1, thickness = 0.003, unit = hoppeUnitHz(radius, thickness);
     const auto body = solvedShell(hoopMesh(radius, 0.006, 360, 4), referenceWood(1.0 / 3),
@@ -312,7 +313,7 @@ TEST_CASE("Ring by two-layer springs: modes in its plane come in pairs within 3 
             .rows = inOrder(inPlaneFrequenciesHz(body), hoppe, unit)});
 }
 
-TEST_CASE("Cantilever by finite elements: five bending modes within 1 % of the beam's",
+TEST_CASE("A cantilever of finite elements has five bending modes within 1 % of beam theory",
           "[validation]") {
     const auto theory = cantileverHz(0.4, 0.004);
     const auto body = solvedSolid(extrudedMesh(sheetMesh(0.4, 0.01, SheetGrid{60, 2}), 0.004),
@@ -326,7 +327,7 @@ TEST_CASE("Cantilever by finite elements: five bending modes within 1 % of the b
             .rows = bendingRows(body, theory, 0.4, true)});
 }
 
-TEST_CASE("Cantilever by two-layer springs: five bending modes within 3 % of the beam's",
+TEST_CASE("A cantilever of two-layer springs has five bending modes within 3 % of beam theory",
           "[validation]") {
     const auto theory = cantileverHz(0.4, 0.004);
     const auto body = solvedShell(sheetMesh(0.4, 0.01, SheetGrid{120, 4}), referenceWood(0.3),
@@ -339,8 +340,9 @@ TEST_CASE("Cantilever by two-layer springs: five bending modes within 3 % of the
             .rows = bendingRows(body, theory, 0.4, true)});
 }
 
-TEST_CASE("Square cantilever plate by finite elements: six modes within 2 % of published figures",
-          "[validation]") {
+TEST_CASE(
+    "A square cantilever plate of finite elements has six modes within 2 % of published figures",
+    "[validation]") {
     const double unit = plateUnitHz(1, 0.01, 0.3);
     const auto body =
         solvedSolid(extrudedMesh(sheetMesh(1, 1, 400), 0.01), elasticLaw(referenceWood(0.3)),
@@ -358,7 +360,8 @@ TEST_CASE("Square cantilever plate by finite elements: six modes within 2 % of p
              unit)});
 }
 
-TEST_CASE("Round bar by finite elements: stretch and twist within 1 % of theory", "[validation]") {
+TEST_CASE("A round bar of finite elements stretches and twists within 1 % of theory",
+          "[validation]") {
     const double length = 0.4, radius = 0.01;
     const auto material = referenceWood(0.3);
     const double shear = youngs / (2 * 1.3);
@@ -393,7 +396,8 @@ const std::string sphereText =
     "Radius 0.1 m, E 20 GPa, ρ 1000 kg/m³. Theory: the membrane's lower branch, Ω⁴ − (1 + 3ν + "
     "l(l + 1)) Ω² + (l − 1)(l + 2)(1 − ν²) = 0, 2l + 1 modes each. ";
 
-TEST_CASE("Hollow sphere by finite elements: l = 2 within 2 % of the membrane", "[validation]") {
+TEST_CASE("A hollow sphere of finite elements has l = 2 within 2 % of the membrane",
+          "[validation]") {
     const double unit = sphereUnitHz(0.1, 0.3);
     const auto body = solvedSolid(hollowSphereMesh(0.1, 0.002, 3), elasticLaw(referenceWood(0.3)),
                                   density, 0.015, {.lowestHz = 20, .highestHz = 0.75 * unit});
@@ -404,7 +408,7 @@ TEST_CASE("Hollow sphere by finite elements: l = 2 within 2 % of the membrane", 
             .rows = sphereRows(frequenciesHz(body), {0.70094}, unit)});
 }
 
-TEST_CASE("Hollow sphere by two-layer springs: l = 2 to 4 within 3 % of the membrane",
+TEST_CASE("A hollow sphere of two-layer springs has l = 2 to 4 within 3 % of the membrane",
           "[validation]") {
     const double unit = sphereUnitHz(0.1, 1.0 / 3);
     const auto body = solvedShell(icosphereMesh(0.1, 3), referenceWood(1.0 / 3), 0.001,
@@ -453,23 +457,25 @@ ValidationCase woodenBar(const std::string& title,
 
 } // namespace
 
-TEST_CASE("Wooden bar along the grain: four bending modes within 1 % of Timoshenko with E_L, G_LR",
-          "[validation]") {
+TEST_CASE(
+    "A wooden bar along the grain has four bending modes within 1 % of Timoshenko (E_L, G_LR)",
+    "[validation]") {
     auto validation = woodenBar("Wooden bar along the grain, finite elements",
                                 Eigen::Vector3d::UnitX(), 16e9, 1.2e9);
     validation.text += "Grain along the bar, bending in the plane of L and R.";
     report(validation);
 }
 
-TEST_CASE("Wooden bar across the grain: four bending modes within 1 % of Timoshenko with E_T, G_RT",
-          "[validation]") {
+TEST_CASE(
+    "A wooden bar across the grain has four bending modes within 1 % of Timoshenko (E_T, G_RT)",
+    "[validation]") {
     auto validation = woodenBar("Wooden bar across the grain, finite elements",
                                 Eigen::Vector3d::UnitY(), 1e9, 0.3e9);
     validation.text += "Grain across the bar, bending in the plane of R and T.";
     report(validation);
 }
 
-TEST_CASE("Every section of docs/validation.md belongs to a case, and every case has one",
+TEST_CASE("Every section of docs/validation.md has a case, and every case a section",
           "[validation]") {
     const auto headings = validationHeadings();
     for (const auto title : validationTitles)
