@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every *Test.cpp is a source of its folder's CMakeLists.txt: one that is not would never fail.
+"""Checks that every *Test.cpp is a source in its folder's CMakeLists.txt. Others would never run.
 
     built.py TESTS_FOLDER
 """
@@ -9,7 +9,7 @@ import sys
 
 
 def sources(folder):
-    """What the folder's CMakeLists.txt names outside comments."""
+    """Returns the words of the folder's CMakeLists.txt outside comments."""
     lists = folder / "CMakeLists.txt"
     return set(re.sub("#.*", "", lists.read_text()).split()) if lists.exists() else set()
 

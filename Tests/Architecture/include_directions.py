@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""The rooms of Source look only at rooms below them, and only at the libraries they may use.
+"""Checks that modules of Source include only modules below them and the libraries they may use.
 
-ROOMS is the whole rule (docs/ARCHITECTURE.md tells the reasons). Each room names every other room
-whose headers it may include and every third-party header it may include; the standard library is
-free to all. What stands here and is not used yet costs nothing; what is used and does not stand
-here fails.
+ROOMS is the whole rule (docs/ARCHITECTURE.md gives the reasons). For each module it lists the other
+modules and the third-party headers that the module may include. Every module may include the
+standard library. Unused entries are allowed; includes without an entry fail.
 
-The editor shows the processor through an interface of its own (Editor/ProcessorView.h), which the
-processor implements: so Plugin knows Editor, and Editor never knows Plugin.
+The editor shows the processor through its own interface (Editor/ProcessorView.h), which the
+processor implements. So Plugin includes Editor, and Editor never includes Plugin.
 
     include_directions.py SOURCE_FOLDER     checks the folder
     include_directions.py --self-test       checks that planted violations are found
@@ -18,7 +17,7 @@ import sys
 import tempfile
 
 ROOMS = {
-    # room: (rooms it may include, third-party headers it may include, by prefix)
+    # module: (modules it may include, third-party headers it may include, by prefix)
     "Object": ("", "nlohmann/ tl/"),
     "Parameters": ("", ""),
     "Geometry": ("Object", "Eigen/ igl/ CGAL/"),
@@ -35,14 +34,14 @@ ROOMS = {
                 "juce_ CLI/ benchmark/ hwy/ nlohmann/ ebur128.h mysofa.h"),
 }
 
-# Headers that the build generates, each for the one room that embeds them.
+# Headers that the build generates, and the one module that may include each.
 GENERATED = {"FactoryFiles.h": "Instrument", "SceneFiles.h": "Scene"}
 
 HEADER_ENDINGS = {".h", ".hpp"}
 SOURCE_ENDINGS = HEADER_ENDINGS | {".cpp", ".cc", ".mm"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))', re.MULTILINE)
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
-# Neither folder nor ending: <vector>, <cmath>; and the operating systems' own, free to all.
+# Headers without folder and extension (<vector>, <cmath>) and those of operating systems.
 STANDARD = re.compile(r"^[a-z_0-9]+$|^(immintrin|unistd|fcntl|malloc|signal|io|sys/\w+)\.h$")
 
 
@@ -51,7 +50,7 @@ def words(text):
 
 
 def without_comments(text):
-    """`text` with its comments blanked, line by line as long as before."""
+    """Returns `text` with its comments blanked and its lines unchanged in length."""
     return COMMENT_OR_TEXT.sub(
         lambda found: found.group() if found.group().startswith('"')
         else re.sub(r"[^\n]", " ", found.group()), text)
@@ -62,7 +61,7 @@ def may_include_library(room, header):
 
 
 def fault_of_include(room, header, is_angled, source):
-    """Why `room` may not include `header`, or None."""
+    """Returns why `room` may not include `header`, or None."""
     folder = header.split("/")[0]
     if folder in ROOMS and "/" in header:
         if folder != room and folder not in words(ROOMS[room][0]):
@@ -94,14 +93,14 @@ def faults_of_file(file, room, source):
     if file.suffix in HEADER_ENDINGS:
         if not text.startswith(("//", "/*")):
             yield f"{name}:1: a header opens with a comment that says what it is for"
-        # Highway's -inl.h are read once for each instruction set.
+        # Highway's -inl.h files are included once for each instruction set.
         guard = "HWY_TARGET_TOGGLE" if file.name.endswith("-inl.h") else r"^#pragma once$"
         if not re.search(guard, code, re.MULTILINE):
             yield f"{name}:1: a header needs #pragma once"
 
 
 def cycle_in(graph):
-    """A closed walk through `graph` (node -> nodes) as a list of nodes, or None."""
+    """Returns a cycle in `graph` (node -> nodes) as a list of nodes, or None."""
     finished, walk = set(), []
 
     def visit(node):
@@ -121,7 +120,7 @@ def cycle_in(graph):
 
 
 def headers_graph(source):
-    """Which header of ours includes which."""
+    """Returns for each header of ours the headers of ours that it includes."""
     graph = {}
     for file in source.rglob("*.h"):
         code = without_comments(file.read_text(encoding="utf-8"))
@@ -157,7 +156,7 @@ def faults_of(source):
     return files, faults
 
 
-# A sound house of two files, and what each change to it must bring to light.
+# A valid source folder of two files, and the fault that each change to it must cause.
 SOUND = {
     "Object/Thing.h": "// A thing.\n#pragma once\n#include <vector>\n",
     "Synth/Bank.cpp": '#include "Object/Thing.h"\n#include <hwy/highway.h>\n',

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The headers of the package include, and speak of, only what the package has.
+"""Checks that the package's headers include and mention only headers and names of the package.
 
-Whatever in their comments is spelt like a type or function (aWord, AWord, Room/Header.h) stands in
-the code of an installed header, or is the name of one. So does a type of another header whose name
-is an ordinary word (Player), where it stands in backticks or has its capital amid a sentence.
+A word in a comment that is spelt like a type, function or header (aWord, AWord, Room/Header.h) must
+occur in the code of an installed header or be the name of one. The same holds for a type of another
+header whose name is an ordinary word (Player), in backticks or capitalised within a sentence.
 
     installed_headers.py SOURCE_FOLDER ROOM/HEADER ...      without .h
 """
@@ -20,7 +20,7 @@ ORDINARY = {"dB", "kHz", "KiB", "MiB", "NaN", "macOS"}
 
 
 def faults_of(headers, others=()):
-    """`headers`: the text of each by its name; `others`: the texts of those that are not installed."""
+    """Yields faults. `headers`: text by name; `others`: the texts of headers not installed."""
     code = "\n".join(COMMENT.sub("", text) for text in headers.values())
     known = (ORDINARY | set(re.findall(r"\w+", re.sub(r"\b(class|struct) \w+;", "", code)))
              | {pathlib.Path(name).stem for name in headers} | set(headers))
@@ -36,7 +36,7 @@ def faults_of(headers, others=()):
 
 
 def self_test():
-    """What goes unnoticed of planted faults, and what is taken for one."""
+    """Returns planted faults that are missed, and valid text that is reported."""
     sound = "#include \"A/Thing.h\"\n// Of aThing, see A/Thing.h, at 48 kHz.\nclass Hidden;\nint aThing;\n"
     sound += "// Player, like Poisson's. Players see a player.\n"
     others = ["class Base;\nclass Player final : public Base {\n// struct Poisson {\n", "enum class Pan { left };"]

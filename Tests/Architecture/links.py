@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every link of the pages leads to a file, and to a heading where it names one.
+"""Checks that every link in the docs leads to a file and, if it names a heading, to that heading.
 
     links.py ROOT
 """
@@ -9,7 +9,7 @@ import sys
 
 
 def anchors(page):
-    """Of a page's headings, as they are made of them: small letters, hyphens for spaces."""
+    """Returns the anchors of a page's headings: lower case, hyphens for spaces."""
     headings = re.findall(r"^#+ +(.*)$", page.read_text(), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 

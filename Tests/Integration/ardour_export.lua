@@ -1,11 +1,11 @@
--- Opens a session and exports its start to export/song.wav, for ardour7-lua. Arguments: the
--- session's folder and name, and how many samples.
+-- Opens a session and exports its start to export/song.wav; run by ardour7-lua. Arguments: the
+-- session's folder and name, and the number of samples.
 local folder, name, frames = table.unpack(arg)
 
 AudioEngine:set_backend("None (Dummy)", "", "")
 local session = assert(load_session(folder, name), "no session")
--- An export that starts while the butler thread is still busy with the loaded session waits for it,
--- holding a lock that the butler waits for: ardour7-export stops there for ever, now and then.
+-- Wait until Ardour's butler thread is done with the loaded session. An export that starts earlier
+-- waits for the butler while it holds a lock that the butler needs: a deadlock, now and then.
 ARDOUR.LuaAPI.usleep(1000000)
 
 local export = session:simple_export()

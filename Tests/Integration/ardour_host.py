@@ -1,4 +1,4 @@
-"""Ardour without a window: its Lua makes sessions and exports them, in a home of their own."""
+"""Ardour without a window: its Lua makes and exports sessions in a separate home folder."""
 import os
 import pathlib
 import shutil
@@ -12,8 +12,8 @@ from performance import SAMPLE_RATE
 
 SESSION = "song"
 SCRIPTS = pathlib.Path(__file__).parent
-TICKS_PER_QUARTER = 1920  # Ardour's, whatever the file's are
-FIRST_ID = 90_001  # above those of a session of one track
+TICKS_PER_QUARTER = 1920  # of Ardour, independent of the file
+FIRST_ID = 90_001  # above all ids of a session with one track
 
 
 class Ardour:
@@ -43,7 +43,7 @@ class Ardour:
         put_song(folder, midi_file)
 
     def render(self, folder, frames):
-        """Opens the session anew and exports so many frames from its start; [channels, frames]."""
+        """Reopens the session and exports its first `frames`; returns [channels, frames]."""
         self.run(self.lua, SCRIPTS / "ardour_export.lua", folder, SESSION, frames)
         wave = folder / "export" / "song.wav"
         assert soundfile.info(wave).subtype == "FLOAT"
@@ -53,8 +53,8 @@ class Ardour:
 
 
 def put_song(folder, midi_file):
-    """Puts a MIDI file, all tracks as one, and its tempo into the session: Ardour's Lua can neither
-    import files nor make regions."""
+    """Adds a MIDI file (tracks merged) and its tempo to the session file, because Ardour's Lua can
+    neither import files nor make regions."""
     song = mido.MidiFile(midi_file)
     merged = mido.merge_tracks(song.tracks)
     single = mido.MidiFile(type=0, ticks_per_beat=song.ticks_per_beat)

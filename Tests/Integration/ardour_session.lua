@@ -1,6 +1,6 @@
--- Makes a session of one MIDI track that holds the instrument, for ardour7-lua. Arguments: the
+-- Makes a session with one MIDI track for the instrument; run by ardour7-lua. Arguments: the
 -- session's folder and name, its sample rate, the instrument's name, VST3 or LV2, one of its
--- programs, then names of parameters, each with a value from 0 to 1.
+-- programs, then pairs of a parameter name and a value from 0 to 1.
 local folder, name, rate, instrument, plugin_type, program = table.unpack(arg, 1, 6)
 
 AudioEngine:set_backend("None (Dummy)", "", "")
@@ -15,8 +15,8 @@ local tracks = session:new_midi_track(midi, stereo, true, info, nil, nil, 1, ins
 local processor = tracks:front():nth_plugin(0)
 local plugin = processor:to_insert():plugin(0)
 
--- Ardour's values reach the plugin with the next block, a new plugin's too, and the plugin's reach
--- Ardour from a timer of JUCE's: whoever is faster than that finds them crossing.
+-- Ardour's values reach the plugin with the next block, and the plugin's values reach Ardour from a
+-- JUCE timer. Without a pause they cross.
 local function settle()
     ARDOUR.LuaAPI.usleep(500000)
 end

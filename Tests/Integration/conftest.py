@@ -1,4 +1,4 @@
-"""What the integration tests share: the paths that CMake hands over, and the console's render."""
+"""Shared by the integration tests: the paths from CMake, and the console's render."""
 import pathlib
 import subprocess
 
@@ -39,7 +39,7 @@ def song(songs):
 
 @pytest.fixture(scope="session")
 def render_in_console(console, songs, tmp_path_factory):
-    """The console's render of the song, [channels, frames], 32-bit float at 48 kHz."""
+    """Returns a function that renders the song in the console: [channels, frames], 48 kHz float."""
     def render(preset, *assignments):
         wave = tmp_path_factory.mktemp("console") / "song.wav"
         changes = [argument for assignment in assignments for argument in ("--set", assignment)]

@@ -1,4 +1,4 @@
-"""LV2 atoms as bytes: what a host writes into an event port."""
+"""LV2 atoms as bytes, for a host's event ports."""
 import struct
 
 LV2 = "http://lv2plug.in/ns/"
@@ -17,7 +17,7 @@ def midi_event(urid, message):
 
 
 def patch_set(urid, parameter, value):
-    """Sets a parameter, which JUCE's plugins have in place of control ports, to a float."""
+    """Returns a message that sets a parameter, because JUCE's plugins have no control ports."""
     properties = (("property", "URID", struct.pack("=I", urid(parameter))),
                   ("value", "Float", struct.pack("=f", value)))
     body = struct.pack("=II", 0, urid(LV2 + "ext/patch#Set"))
@@ -28,7 +28,7 @@ def patch_set(urid, parameter, value):
 
 
 def position(urid, beats_per_minute):
-    """Where a host that plays is, as far as its tempo goes."""
+    """Returns the position of a playing host, with only speed and tempo."""
     properties = (("speed", 1.0), ("beatsPerMinute", beats_per_minute))
     body = struct.pack("=II", 0, urid(LV2 + "ext/time#Position"))
     for key, value in properties:
@@ -38,7 +38,7 @@ def position(urid, beats_per_minute):
 
 
 def sequence(urid, events):
-    """Of (frame, atom), in time order."""
+    """Returns a sequence of (frame, atom) events, which must be in time order."""
     body = struct.pack("=II", 0, 0)
     for frame, event in events:
         body += padded(struct.pack("=q", frame) + event)
@@ -46,12 +46,12 @@ def sequence(urid, events):
 
 
 def empty_chunk(urid, capacity):
-    """What an output port holds before the plugin writes a sequence over it."""
+    """Returns the initial content of an output port, which the plugin replaces by a sequence."""
     return struct.pack("=II", capacity, urid(LV2 + "ext/atom#Chunk"))
 
 
 def events_of(written):
-    """The types of the events in a sequence, as URIDs."""
+    """Returns the types of the events in a sequence, as URIDs."""
     size, = struct.unpack_from("=I", written)
     types, start = [], 16
     while start < 8 + size:

@@ -1,4 +1,4 @@
-"""A host of one LV2 instrument, over the C interface of LV2; lilv (lv2info) finds its ports."""
+"""A host for one LV2 instrument, through LV2's C interface; lilv (lv2info) lists its ports."""
 import ctypes
 import re
 import subprocess
@@ -50,7 +50,7 @@ class Option(ctypes.Structure):
 
 
 def ports_of(uri, environment):
-    """[(index, symbol, set of type names, default value)] as lilv reads them from the plugin's
+    """Returns [(index, symbol, set of type names, default value)], read by lilv from the plugin's
     files."""
     text = subprocess.run(["lv2info", uri], env=environment, check=True, capture_output=True,
                           text=True, timeout=60).stdout
@@ -64,7 +64,7 @@ def ports_of(uri, environment):
 
 
 class Lv2Host:
-    """One instance, which is told that blocks have at most `block` samples."""
+    """One instance. The host announces blocks of at most `block` samples."""
 
     def __init__(self, bundle, uri, environment, sample_rate, block):
         self.block, self.uris, self.keep, self.changes = block, {}, [], []
@@ -87,7 +87,7 @@ class Lv2Host:
         return self.uris.setdefault(uri, len(self.uris) + 1)
 
     def features(self):
-        """The features that JUCE's plugins ask for: a URID map, and the block size as an option."""
+        """Returns the features that JUCE's plugins need: a URID map and the block size option."""
         map_function = MapFunction(lambda _, uri: self.urid(uri.decode()))
         urid_map = UridMap(None, map_function)
         size = ctypes.c_int32(self.block)
@@ -128,15 +128,15 @@ class Lv2Host:
         self.controls[symbol].value = value
 
     def set_parameter(self, uri, value):
-        """From the first sample of the next block on."""
+        """Sets a parameter at the first sample of the next block."""
         self.changes.append((0, patch_set(self.urid, uri, value)))
 
     def set_tempo(self, beats_per_minute):
-        """Told with the next block."""
+        """Sends the tempo with the next block."""
         self.changes.append((0, position(self.urid, beats_per_minute)))
 
     def sent(self):
-        """The types of what the plugin sent in the last block."""
+        """Returns the types of the events that the plugin sent in the last block."""
         names = {number: uri for uri, number in self.uris.items()}
         return [names[number] for number in events_of(self.events_out.raw)]
 
@@ -147,7 +147,7 @@ class Lv2Host:
         lv2_state.restore(self.descriptor, self.handle, saved)
 
     def run(self, messages, frames):
-        """One block with (frame, MIDI bytes) in time order; [channels, frames]."""
+        """Renders one block with (frame, MIDI bytes) in time order; returns [channels, frames]."""
         events = self.changes + [(frame, midi_event(self.urid, message))
                                  for frame, message in messages]
         self.changes = []
@@ -160,8 +160,8 @@ class Lv2Host:
         return numpy.array([channel[:frames] for channel in self.audio])
 
     def render(self, messages, frames, lengths=None):
-        """Plays (sample, MIDI bytes) in time order, in blocks of these lengths and then of the one
-        that was told; [channels, frames]."""
+        """Plays (sample, MIDI bytes) in time order, in blocks of these lengths and then of the
+        announced one; returns [channels, frames]."""
         rendered, waiting, start = [], list(messages), 0
         lengths = iter(lengths or ())
         while start < frames:

@@ -1,4 +1,4 @@
-"""The state of an LV2 instance, saved and restored over the C interface of LV2."""
+"""Saves and restores the state of an LV2 instance through LV2's C interface."""
 import ctypes
 
 Store = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_void_p,
@@ -25,7 +25,7 @@ def interface_of(descriptor):
 
 
 def save(descriptor, handle):
-    """{key: (bytes, type, flags)}"""
+    """Returns {key: (bytes, type, flags)}."""
     saved = {}
 
     def store(_, key, value, size, type_urid, flags):

@@ -1,4 +1,4 @@
-"""Notes at whole samples, and how far two renders of them lie apart."""
+"""Notes at whole samples, and comparisons of two renders."""
 import dataclasses
 import math
 
@@ -7,8 +7,8 @@ import numpy
 
 PRESET = "Rosewood Xylophone"
 SAMPLE_RATE = 48000
-# A quarter of a sample late: whether a host rounds a time in seconds or cuts it off, it finds the
-# sample that was meant.
+# A quarter of a sample late, so that hosts find the intended sample whether they round or truncate
+# times in seconds.
 SAFELY_INSIDE = 0.25
 IDENTICAL = -math.inf  # for assert_equal_sound
 
@@ -26,15 +26,15 @@ def seconds(sample):
 
 
 class Performance:
-    """Notes in the order in which they are struck; those of one sample in the order of the file,
-    since each strike draws where on the bar it lands."""
+    """Notes in the order of their strikes. Simultaneous ones keep the file's order, because each
+    strike draws a random position on the bar."""
 
     def __init__(self, notes):
         self.notes = sorted(notes, key=lambda note: note.start)
 
     @classmethod
     def from_midi_file(cls, path):
-        """The notes of a MIDI file whose every event lies on a whole sample at 48 kHz."""
+        """Returns the notes of a MIDI file. Every event must lie on a whole sample at 48 kHz."""
         file, now, microseconds_per_quarter = mido.MidiFile(path), 0, 500_000
         sounding, notes = {}, []
         for message in mido.merge_tracks(file.tracks):
@@ -55,12 +55,12 @@ class Performance:
 
     @classmethod
     def scale(cls, start=0):
-        """Eight notes over the three octaves, within a second."""
+        """Returns eight notes over the three octaves, within a second."""
         return cls([Note(start + 5000 * i + 37, start + 5000 * i + 4037, key, 50 + 10 * i)
                     for i, key in enumerate((72, 79, 84, 88, 91, 96, 103, 108))])
 
     def midi_events(self):
-        """(sample, MIDI bytes) in time order."""
+        """Returns (sample, MIDI bytes) in time order."""
         events = [(note.start, bytes([0x90, note.key, note.velocity])) for note in self.notes]
         events += [(note.end, bytes([0x80, note.key, 0])) for note in self.notes]
         return sorted(events, key=lambda event: event[0])
@@ -72,18 +72,18 @@ def assert_sounds(audio):
 
 
 def within(events, start, end):
-    """Those of these samples, counted from the start."""
+    """Returns the events in [start, end), with samples counted from the start."""
     return [(sample - start, message) for sample, message in events if start <= sample < end]
 
 
 def onset(audio):
-    """The first sample at which there is sound, in any channel."""
+    """Returns the first sample with sound in any channel."""
     assert_sounds(audio)
     return int(numpy.flatnonzero(audio.any(axis=0))[0])
 
 
 def assert_equal_sound(audio, reference, decibels=-100):
-    """Every sample of `audio` within `decibels` of the reference's peak."""
+    """Asserts that no sample differs by more than `decibels` relative to the reference's peak."""
     assert audio.shape == reference.shape
     assert_sounds(reference)
     difference = numpy.abs(audio.astype(numpy.float64) - reference).max()

@@ -1,5 +1,5 @@
-# Makes the Python environment of Tests/Integration, unless it is there and requirements.txt has not
-# changed since. Run by CTest as a fixture, in script mode, with PYTHON, REQUIREMENTS, ENVIRONMENT.
+# Makes the Python environment of Tests/Integration, unless it exists and matches requirements.txt.
+# CTest runs it as a fixture, in script mode, with PYTHON, REQUIREMENTS and ENVIRONMENT.
 cmake_minimum_required(VERSION 3.25)
 
 file(SHA256 "${REQUIREMENTS}" wanted)

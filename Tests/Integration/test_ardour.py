@@ -1,7 +1,7 @@
-"""The plugin in Ardour 7: found, played by a MIDI track, saved with the session, exported.
+"""Tests the plugin in Ardour 7: found, played by a MIDI track, saved with the session, exported.
 
-Ardour leaves every sample as it is on the way to the file: faders at 0 dB do not act, and a track
-of two channels goes into a master of two without a panner's gains.
+Ardour changes no sample on the way to the file: faders at 0 dB do nothing, and a track of two
+channels goes into a master of two without a panner's gains.
 """
 import pytest
 

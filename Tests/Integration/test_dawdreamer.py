@@ -1,8 +1,8 @@
-"""The VST3 in DawDreamer, built on JUCE's own host.
+"""Tests the VST3 in DawDreamer, a host built on JUCE.
 
-To be run without a display: loading a state, DawDreamer opens a window of its own, and on a bare X
-server without a window manager it ends the process there (an X error, BadAtom). In stereo only: it
-asks any plugin for an input bus, if one without channels, when the number of channels changes.
+Run it without a display. DawDreamer opens a window when it loads a state, and an X server without a
+window manager then ends the process (X error BadAtom). Tests use stereo only: when the number of
+channels changes, DawDreamer asks for an input bus, even one without channels.
 """
 import dawdreamer
 import numpy
@@ -15,7 +15,7 @@ BLOCK = 512
 
 
 class Host:
-    """One engine with one instance of the plugin in it."""
+    """An engine with one instance of the plugin."""
 
     def __init__(self, vst3, block=BLOCK):
         self.engine = dawdreamer.RenderEngine(SAMPLE_RATE, block)
@@ -23,12 +23,12 @@ class Host:
         self.engine.load_graph([(self.plugin, [])])
 
     def parameters(self):
-        """Index and name of the plugin's own: JUCE adds one for each MIDI controller to a VST3."""
+        """Returns index and name of the parameters, without those JUCE adds for controllers."""
         return [(one["index"], one["name"]) for one in self.plugin.get_parameters_description()
                 if not one["name"].startswith("MIDI CC ")]
 
     def stepped(self):
-        """Names of choices, switches and whole numbers, which take the nearest value."""
+        """Returns the names of choices, switches and integers, which snap to the nearest value."""
         return {one["name"] for one in self.plugin.get_parameters_description()
                 if one["isDiscrete"]}
 
@@ -69,7 +69,7 @@ def test_blocks_of_any_size_render_the_same(host, block):
                        host().render(scale, SAMPLE_RATE), IDENTICAL)
 
 
-def test_the_hosts_tempo_changes_nothing(host):
+def test_the_hosts_tempo_does_not_change_the_sound(host):
     scale, restless = Performance.scale(), host()
     every_twentieth_of_a_beat = numpy.random.default_rng(1).uniform(30, 300, 200)
     assert restless.engine.set_bpm(every_twentieth_of_a_beat.astype(numpy.float32), 20)
@@ -77,7 +77,7 @@ def test_the_hosts_tempo_changes_nothing(host):
                        IDENTICAL)
 
 
-def test_automated_bypass_silences_and_what_rang_meanwhile_rings_on(host):
+def test_automated_bypass_mutes_and_lets_modes_ring_on(host):
     scale, bypassed = Performance.scale(), host()
     on, off, fade = 20 * BLOCK, 50 * BLOCK, 2000
     automation = numpy.zeros(SAMPLE_RATE, numpy.float32)
@@ -107,11 +107,11 @@ def test_every_parameter_moves_through_its_range_while_notes_sound(host):
     assert_sounds(host.render(Performance.scale(), SAMPLE_RATE))
 
 
-def test_a_state_comes_back_byte_for_byte_and_sounds_the_same(host, tmp_path):
+def test_a_restored_state_is_equal_byte_for_byte_and_sounds_the_same(host, tmp_path):
     first = host()
     untouched = first.state(tmp_path / "untouched")
     for position, (index, name) in enumerate(first.parameters()):
-        if name not in ("Bypass", "Program", "Contact"):  # a bar that is rolled on is faint
+        if name not in ("Bypass", "Program", "Contact"):  # a rolled bar is faint
             first.plugin.set_parameter(index, (0.3, 0.55, 0.7)[position % 3])
     saved = first.state(tmp_path / "saved")
     assert saved != untouched, "the state does not tell what was changed"
@@ -127,10 +127,10 @@ def test_a_state_comes_back_byte_for_byte_and_sounds_the_same(host, tmp_path):
     assert_equal_sound(second.render(scale, frames), expected)
 
 
-def test_a_state_holds_where_random_automation_ended_and_comes_back_byte_for_byte(host, tmp_path):
+def test_a_state_keeps_the_end_of_random_automation_byte_for_byte(host, tmp_path):
     first, random, last = host(), numpy.random.default_rng(2), {}
     for index, name in first.parameters():
-        if name == "Program":  # sets the others
+        if name == "Program":  # it sets the others
             continue
         steps = random.uniform(0, 1, SAMPLE_RATE // BLOCK + 1).astype(numpy.float32)
         first.plugin.set_automation(index, numpy.repeat(steps, BLOCK)[:SAMPLE_RATE])
@@ -145,7 +145,7 @@ def test_a_state_holds_where_random_automation_ended_and_comes_back_byte_for_byt
     assert {name for name in last if abs(reached[name] - last[name]) > 1e-4} <= second.stepped()
 
 
-def test_a_state_comes_back_where_every_value_moved_at_random_and_the_program_too(host, tmp_path):
+def test_a_state_is_restored_after_random_values_and_programs(host, tmp_path):
     same, random = host(), numpy.random.default_rng(3)
     before, saved = same.values(), same.state(tmp_path / "saved")
     for _ in range(3):

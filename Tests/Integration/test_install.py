@@ -1,4 +1,4 @@
-"""What `cmake --install` puts where: the plugins, the programs and what the desktop shows of them."""
+"""Tests `cmake --install`: the plugins, the programs and their desktop files."""
 import configparser
 import json
 import re
@@ -23,7 +23,7 @@ def prefix(build, tmp_path_factory):
 
 
 def run(program, *arguments, cwd):
-    # As a stranger's: nothing of the sources beside it, and no settings.
+    # Like a new user's: no sources nearby and no settings.
     return subprocess.run([program, *map(str, arguments)], cwd=cwd, env={"HOME": str(cwd)},
                           capture_output=True, text=True, timeout=120, check=True).stdout
 
@@ -36,7 +36,7 @@ def test_nothing_of_other_projects_is_installed(prefix):
     assert {path.name for path in (prefix / "lib/cmake").iterdir()} == {"Idiophone"}
 
 
-def test_the_console_has_its_presets_with_it(prefix, songs, tmp_path):
+def test_the_console_finds_its_presets(prefix, songs, tmp_path):
     console = prefix / "bin/idiophone"
     assert "Rosewood Xylophone" in run(console, "presets", cwd=tmp_path)
     run(console, "render", "--preset", "Rosewood Xylophone", "--midi", songs / "TheEntertainer.mid",
@@ -44,7 +44,7 @@ def test_the_console_has_its_presets_with_it(prefix, songs, tmp_path):
     assert (tmp_path / "song.wav").stat().st_size > 48000
 
 
-def test_the_pages_are_installed_with_what_they_show(prefix):
+def test_the_docs_are_installed_with_their_images(prefix):
     documents = prefix / "share/doc/idiophone"
     pages = list(documents.glob("**/*.md"))
     assert {documents / "README.md", documents / "docs/manual/README.md"} < set(pages)
@@ -56,13 +56,13 @@ def test_the_pages_are_installed_with_what_they_show(prefix):
 
 
 def table_cells(page, heading, column=0):
-    """The cells of a column of the table below a heading."""
+    """Returns the cells of a column of the table below a heading."""
     text = page.read_text().split(f"## {heading}\n")[1].split("\n## ")[0]
     rows = [line.strip("| ").split("|") for line in text.splitlines() if line.startswith("|")]
     return [row[column].strip() for row in rows[2:]]
 
 
-def test_every_package_has_the_licences_of_what_is_in_it(prefix):
+def test_every_package_has_the_licences_of_its_contents(prefix):
     for folder in ("idiophone", "idiophone-dev"):
         documents = prefix / "share/doc" / folder
         assert "AFFERO" in (documents / "copyright").read_text()
@@ -94,7 +94,7 @@ def test_the_page_of_dependencies_lists_every_shared_library(prefix):
     assert not unlisted
 
 
-def test_the_plugin_plays_from_where_it_is_installed(prefix):
+def test_the_installed_plugin_plays(prefix):
     plugin = pedalboard.load_plugin(str(prefix / "lib/vst3/Idiophone.vst3"))
     sound = plugin([Message("note_on", note=72, velocity=100, time=0)], 0.5, 48000)
     assert abs(sound).max() > 0.001
@@ -103,7 +103,7 @@ def test_the_plugin_plays_from_where_it_is_installed(prefix):
 
 @pytest.fixture(scope="module")
 def examples(prefix, sources, tmp_path_factory):
-    """The programs of docs/library, built on what is installed."""
+    """Builds the programs of docs/library with the installed package."""
     folder = tmp_path_factory.mktemp("examples")
 
     def cmake(*arguments):
@@ -134,7 +134,7 @@ def test_a_game_loop_on_the_library_hears_its_impacts(examples, sources, tmp_pat
     samples = numpy.fromfile(sound, "<f4")
     assert abs(len(samples) - 3 * 48000) < 480
     assert numpy.isfinite(samples).all()
-    # From 20 cm; then after 0.8 times as long as it flew twice, and so on.
+    # It falls from 20 cm. The next impact comes after twice 0.8 of that time, and so on.
     fall = (2 * 0.2 / 9.81) ** 0.5
     first = numpy.flatnonzero(samples)[0] / 48000
     assert abs(first - fall) < 0.001

@@ -1,4 +1,4 @@
-"""The LV2: its data files, whether lilv finds it, and how it sounds."""
+"""Tests the LV2: its data files, lilv's listing, and its sound."""
 import os
 import re
 import subprocess
@@ -12,8 +12,8 @@ from performance import (IDENTICAL, SAMPLE_RATE, Note, Performance, assert_equal
 
 BLOCK = 512
 
-# What lv2_validate finds in every bundle that JUCE 8.0.6 writes, whatever the plugin says. P stands
-# for the plugin's URI. Anything else is ours.
+# The errors that lv2_validate finds in every bundle of JUCE 8.0.6. P stands for the plugin's URI.
+# Any other error is ours.
 JUCES_OWN = (
     r"Subject not in domain <\S+doap#Project> P \S+doap#(maintainer|release) \S+",
     r"Object not in range <\S+lv2core#ExtensionData> P:UI \S+#extensionData \S+ui#noUserResize",
@@ -27,7 +27,7 @@ JUCES_OWN = (
 
 @pytest.fixture
 def environment(lv2):
-    """Where lilv looks: this bundle, and the specifications of the system."""
+    """Returns an environment in which lilv finds this bundle and the system's specifications."""
     folders = [str(lv2.parent), "/usr/lib/lv2", "/usr/local/lib/lv2", "/opt/homebrew/lib/lv2"]
     return os.environ | {"LV2_PATH": os.pathsep.join(folders)}
 
@@ -58,7 +58,7 @@ def test_lilv_lists_it(environment, uri):
 
 @pytest.fixture
 def host(lv2, environment, uri):
-    """Makes instances, which are closed after the test."""
+    """Returns a function that makes instances; they are closed after the test."""
     hosts = []
 
     def make(block=BLOCK):
@@ -96,7 +96,7 @@ def test_blocks_longer_than_announced_render_the_same(host):
                        host().render(scale, SAMPLE_RATE), IDENTICAL)
 
 
-def test_a_bounce_sounds_as_playing_did(host):
+def test_a_bounce_equals_realtime_playback(host):
     scale, bounced, played = Performance.scale().midi_events(), host(), host()
     bounced.set_control("freeWheeling", 1)
     assert_equal_sound(bounced.render(scale, SAMPLE_RATE), played.render(scale, SAMPLE_RATE),
@@ -110,8 +110,8 @@ def test_a_note_sounds_from_its_exact_sample_on(host, sample):
     assert onset(host(block=100).render(note, 8000)) == sample
 
 
-def test_instances_side_by_side_leave_each_other_alone(host):
-    """Twenty, of which every other one gets nothing to play, run in turn block by block."""
+def test_instances_do_not_affect_each_other(host):
+    """Runs twenty instances in turn, block by block. Every other one plays nothing."""
     scale = Performance.scale().midi_events()
     hosts, blocks = [host() for _ in range(20)], SAMPLE_RATE // BLOCK
     rendered = [[] for _ in hosts]
@@ -128,10 +128,10 @@ def test_instances_side_by_side_leave_each_other_alone(host):
             assert not audio.any()
 
 
-def test_a_tempo_told_once_holds_until_another_is_told(host, uri):
-    """Hosts tell theirs when it changes, and at no other block."""
+def test_a_tempo_holds_until_the_host_sends_another(host, uri):
+    """Hosts may send the tempo only when it changes."""
     notes, blocks = [(0, bytes((0x90, 84, 100)))], range(40)
-    sixteenths = 8 / 15  # the last of nine notes, with room for seven more
+    sixteenths = 8 / 15  # the last of nine choices, on a range for sixteen
 
     def played(told):
         one = host()
@@ -152,13 +152,13 @@ def test_a_tempo_told_once_holds_until_another_is_told(host, uri):
                        IDENTICAL)
 
 
-def test_what_is_played_is_not_sent_on(host):
+def test_incoming_midi_is_not_sent_out(host):
     one = host()
     one.run([(3, bytes((0x90, 84, 100))), (9, bytes((0xb0, 64, 127)))], BLOCK)
     assert not [kind for kind in one.sent() if kind.endswith("MidiEvent")]
 
 
-def test_what_is_disabled_is_silent_and_sounds_again_when_enabled(host):
+def test_a_disabled_plugin_is_silent_and_sounds_again_when_enabled(host):
     scale, one = Performance.scale().midi_events(), host()
     one.set_control("enabled", 0)
     assert not one.render(scale, SAMPLE_RATE).any()
@@ -166,7 +166,7 @@ def test_what_is_disabled_is_silent_and_sounds_again_when_enabled(host):
     assert_sounds(one.render(scale, SAMPLE_RATE))
 
 
-def test_a_state_comes_back_byte_for_byte_after_random_automation(host, parameters):
+def test_a_restored_state_is_equal_byte_for_byte_after_random_automation(host, parameters):
     first, second, values = host(), host(), numpy.random.default_rng(2)
     untouched = first.save()
     scale = Performance.scale().midi_events()

@@ -1,6 +1,6 @@
-"""The VST3 in pedalboard, a host of its own make.
+"""Tests the VST3 in pedalboard, whose host code is its own.
 
-In stereo only: it refuses to change the number of channels of any plugin without an input.
+Tests use stereo only: pedalboard cannot change the number of channels of a plugin without inputs.
 """
 import numpy
 import pedalboard
@@ -10,8 +10,8 @@ from performance import (IDENTICAL, PRESET, SAMPLE_RATE, Note, Performance, asse
                          assert_sounds, onset, seconds, within)
 
 BLOCK = 480
-# After loading, pedalboard strikes middle C until something sounds, or as long as this: a xylophone
-# has no middle C.
+# After loading, pedalboard plays middle C until something sounds, but at most this long. A
+# xylophone has no middle C.
 LOADING_SECONDS = 0.1
 POSITIONS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0)
 
@@ -32,7 +32,7 @@ def render_events(plugin, events, frames, reset, block=BLOCK):
 
 
 def change(plugin):
-    """Moves some parameters off their defaults, by ways every one of them takes."""
+    """Moves the sound's parameters off their defaults, to values that each of them accepts."""
     for position, parameter in enumerate(sound_parameters(plugin)):
         parameter.raw_value = (0.3, 0.55, 0.7)[position % 3]
 
@@ -56,7 +56,7 @@ def test_blocks_of_any_size_render_the_same(load, block):
     assert_equal_sound(render(plugin, scale, SAMPLE_RATE, block=block), expected, IDENTICAL)
 
 
-def test_playing_on_piece_by_piece_sounds_as_one_bounce(load):
+def test_playing_piece_by_piece_equals_one_bounce(load):
     plugin, events = load(), Performance.scale().midi_events()
     bounce = render_events(plugin, events, SAMPLE_RATE, reset=True)
     lengths, pieces, start = numpy.random.default_rng(1), [], 0
@@ -92,7 +92,7 @@ def test_every_parameter_moves_through_its_range_while_notes_sound(load):
     assert_sounds(render(plugin, performance, SAMPLE_RATE))
 
 
-def test_a_state_comes_back_byte_for_byte_and_sounds_the_same(load):
+def test_a_restored_state_is_equal_byte_for_byte_and_sounds_the_same(load):
     first = load()
     untouched = first.raw_state
     change(first)

@@ -1,4 +1,4 @@
-"""The song in Resources/Songs: what its script writes, and what the xylophone can play."""
+"""Tests the song in Resources/Songs: it matches its script, and a xylophone can play it."""
 import importlib.util
 import sys
 
@@ -15,7 +15,7 @@ def script(songs):
     return module
 
 
-def test_the_midi_file_is_what_the_script_writes(script, songs):
+def test_the_midi_file_matches_its_script(script, songs):
     assert script.song() == (songs / "TheEntertainer.mid").read_bytes()
 
 

@@ -1,4 +1,4 @@
-"""Steinberg's validator, and pluginval where it is installed."""
+"""Runs Steinberg's validator, and pluginval if it is installed."""
 import re
 import subprocess
 
