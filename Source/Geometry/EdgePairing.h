@@ -10,9 +10,8 @@
 namespace idiophone {
 
 struct EdgePartner {
-    int face = -1; ///< −1 if the surface ends here
-    bool sameDirection =
-        false; ///< both faces run along the edge in the same direction: one is turned over
+    int face = -1;              ///< −1 if the surface ends here
+    bool sameDirection = false; ///< both faces run along it the same way: one is turned over
 };
 
 struct EdgePairing {

@@ -11,7 +11,6 @@
 namespace idiophone {
 namespace {
 
-/// Faces connected through partners.
 struct Patch {
     std::vector<int> faces;
     bool isClosed = true;

@@ -10,10 +10,9 @@ namespace idiophone {
 
 struct OrientationReport {
     int flippedFaces = 0;
-    int hollows = 0; ///< closed surfaces inside another, turned towards the hollow
-    bool isTangled =
-        false; ///< the search for hollows took too long or was cancelled; none was turned
-    int oneSidedEdges = 0; ///< edges whose faces cannot agree, as on a Möbius strip
+    int hollows = 0;        ///< closed surfaces inside another, turned towards the hollow
+    bool isTangled = false; ///< the search for hollows was given up and turned none
+    int oneSidedEdges = 0;  ///< edges whose faces cannot agree, as on a Möbius strip
 };
 
 /// Turns faces so that they agree with their partners. A closed surface looks outward; inside an

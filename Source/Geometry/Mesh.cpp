@@ -111,7 +111,7 @@ Components connectedComponents(const Mesh& mesh) {
                               std::vector<int>(static_cast<std::size_t>(mesh.vertexCount())),
                           .count = 0};
     for (int vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
-        // The lowest vertex of a component comes before its others, so it already has a number.
+        // The lowest vertex of a component already has its number.
         const int lowest = sets.nameOf(vertex);
         components.componentOfVertex[vertex] =
             lowest == vertex ? components.count++ : components.componentOfVertex[lowest];

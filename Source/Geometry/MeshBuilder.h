@@ -7,7 +7,6 @@
 
 namespace idiophone {
 
-/// Collects vertices and faces before their numbers are known.
 struct MeshBuilder {
     std::vector<Eigen::RowVector3d> vertices; ///< in metres
     std::vector<Eigen::RowVector3i> faces;

@@ -99,8 +99,7 @@ verticesOn(const Mesh& mesh, const VertexTree& tree, const FaceSide& edge, doubl
     std::vector<int> result;
     double last = 0;
     for (const auto& [along, vertex] : inside)
-        if (along - last >
-            toleranceMetres) { // skip vertices too close to each other along the edge
+        if (along - last > toleranceMetres) { // skip vertices too close together
             result.push_back(vertex);
             last = along;
         }

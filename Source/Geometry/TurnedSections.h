@@ -11,9 +11,8 @@ struct BellMeasures {
     double lipRadiusMetres = 0;
     double heightMetres = 0;
     double shoulderRadiusMetres = 0; ///< radius of the side where the shoulder begins
-    double shoulderCurveMetres =
-        0; ///< radius of the shoulder's curve; less than `shoulderRadiusMetres`
-    double lipThicknessMetres = 0; ///< thins to the side's thickness over a quarter of the height
+    double shoulderCurveMetres = 0;  ///< less than `shoulderRadiusMetres`
+    double lipThicknessMetres = 0;   ///< thins to the side's thickness over a quarter of the height
     double sideThicknessMetres = 0;
     double crownThicknessMetres = 0;
 };

@@ -70,7 +70,7 @@ Eigen::MatrixXd faceNormals(const Mesh& mesh) {
     return normals;
 }
 
-/// Returns the radiation weights [D×M] of these motions.
+/// [D×M]
 Eigen::MatrixXcd weights(const BoundaryElements& elements,
                          double waveNumber,
                          const Eigen::MatrixXd& directions,

@@ -15,8 +15,7 @@ namespace {
 
 constexpr double lengthMetres = 0.4, halfWidthMetres = 0.02, massKg = 0.5;
 constexpr int lines = 161, fundamental = 0, second = 1, twist = 2, sideways = 3;
-constexpr double node =
-    0.2241575; // node of a uniform free bar's fundamental, as a fraction of its length
+constexpr double node = 0.2241575; // node of a free bar's fundamental / its length
 
 /// Returns the free-free shape of Euler and Bernoulli at x (fraction of the length); its mean
 /// square is 1.

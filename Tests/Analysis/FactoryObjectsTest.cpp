@@ -76,8 +76,7 @@ TEST_CASE("Every stored bar is in tune: fundamental within 1 cent, tuned partial
                 return cents(heardHz(bar, static_cast<std::size_t>(modes.at(partial))),
                              ratio * noteFrequencyHz(note));
             };
-            CHECK_THAT(missCents(0, 1),
-                       WithinAbs(0, 1)); // 0.5 cents from tuning; the tube adds to it
+            CHECK_THAT(missCents(0, 1), WithinAbs(0, 1)); // 0.5 by tuning, the tube adds
             if (asked.targets.secondRatio > 0)
                 CHECK_THAT(missCents(1, asked.targets.secondRatio), WithinAbs(0, 2));
             if (asked.targets.thirdRatio > 0)

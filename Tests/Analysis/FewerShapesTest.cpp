@@ -41,7 +41,7 @@ TEST_CASE("Fewer shapes are a subset in half precision, spread over the whole su
         for (std::size_t i = 0; i < after.size(); ++i)
             CHECK(after[i] == halfToFloat(floatToHalf(before[i])));
     }
-    // 30 positions on 0.02 m² are about 26 mm apart: every vertex has one nearby.
+    // 30 positions on 0.02 m² are about 26 mm apart.
     for (std::size_t v = 0; v < whole.vertexCount(); ++v) {
         const auto row = nearestShapeRow(
             fewer, {whole.vertices[3 * v], whole.vertices[3 * v + 1], whole.vertices[3 * v + 2]});

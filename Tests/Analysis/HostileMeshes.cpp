@@ -26,7 +26,6 @@ public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}
     double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }
     double between(double low, double high) { return low + (high - low) * uniform(); }
-    /// Returns ten to a random power between these.
     double decades(double low, double high) { return std::pow(10.0, between(low, high)); }
     int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
     int from(int low, int high) { return low + below(high - low + 1); }
@@ -289,7 +288,6 @@ Mesh pinched(Dice& dice) {
     return mesh;
 }
 
-/// Bodies around one common vertex.
 Mesh bunch(Dice& dice) {
     const Mesh body = plainBody(dice);
     const int members = dice.from(2, 5);

@@ -57,19 +57,19 @@ Mesh bowl() {
 
 } // namespace
 
-TEST_CASE("A plate of half to twice its thickness has its ten lowest modes within 20 cents") {
+TEST_CASE("A plate's ten lowest modes are within 20 cents at half to twice its thickness") {
     for (const double ratio : {0.5, 0.8, 1.25, 2.0})
         CHECK(errorCents(sheetMesh(0.3, 0.2, 400), 0.003, 3000, ratio, 10) < 20);
 }
 
 TEST_CASE(
-    "A hoop of half to twice its thickness has its ten lowest modes within 80 cents, 25 nearby") {
+    "A hoop's ten lowest modes are within 80 cents at half to twice its thickness, 25 in between") {
     for (const double ratio : {0.5, 0.8, 1.25, 2.0})
         CHECK(errorCents(hoopMesh(0.1, 0.03, 90, 4), 0.002, 2500, ratio, 10) <
               (ratio == 0.5 || ratio == 2 ? 80 : 25));
 }
 
-TEST_CASE("A bowl of 3/4 to 4/3 of its thickness has its ten lowest modes within 50 cents") {
+TEST_CASE("A bowl's ten lowest modes are within 50 cents at 3/4 to 4/3 of its thickness") {
     for (const double ratio : {0.75, 1.3333})
         CHECK(errorCents(bowl(), 0.002, 6000, ratio, 10) < 50);
 }

@@ -1,5 +1,4 @@
-// Tests of previews: accurate enough to play until the full analysis is done, with few elements for
-// any mesh.
+// Tests of previews: playable until the full analysis is done, with few elements for any mesh.
 #include "Analysis/PreviewAnalysis.h"
 
 #include "Geometry/ParametricMesh.h"

@@ -84,7 +84,7 @@ Body sphere(const std::function<Eigen::Vector3d(const Eigen::Vector3d& normal)>&
 const std::vector<double> sphereRatios{0.004, 0.02, 0.1, 0.5, 1, 1.5, 1.9, 2.5, 3.9};
 const std::vector<Eigen::Vector3d> alongZ{Eigen::Vector3d::UnitZ()};
 
-/// ρ0 c of air.
+/// ρ0 c
 constexpr double impedance = 1.204 * soundSpeed;
 
 /// Returns the exact weight on the axis of a sphere with velocity U P_l(cos θ), divided by U; h_l

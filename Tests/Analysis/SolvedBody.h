@@ -36,7 +36,7 @@ SolvedBody solvedShell(const Mesh& mesh,
                        const FrequencyBand& band,
                        const PointTest& clamped = {});
 
-/// Returns all frequencies in the band, ascending.
+/// Ascending.
 std::vector<double> frequenciesHz(const SolvedBody& body);
 
 /// Returns the frequency of the mode most similar to a displacement field. The similarity (modal

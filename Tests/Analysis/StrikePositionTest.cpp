@@ -80,7 +80,6 @@ struct Struck {
     }
 };
 
-/// Returns the level near a frequency under a Hann window.
 double levelDb(const std::vector<float>& sound, double hz) {
     std::complex<double> sum = 0;
     for (std::size_t k = 0; k < sound.size(); ++k) {

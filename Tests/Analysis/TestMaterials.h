@@ -8,7 +8,6 @@
 
 namespace idiophone::test {
 
-/// A soft wood with round numbers.
 inline Material referenceWood(double poissonRatio = 0.25) {
     Material material;
     material.name = "Reference wood";

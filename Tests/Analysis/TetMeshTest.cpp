@@ -28,7 +28,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Returns the number of element faces (three corners) that belong to one element only.
+/// Counts element faces (three corners) that belong to one element only.
 int outerFaces(const TetMesh& mesh) {
     std::map<std::array<int, 3>, int> uses;
     for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t)

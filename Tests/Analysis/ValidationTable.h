@@ -9,7 +9,6 @@
 
 namespace idiophone::test {
 
-/// The sections of the page, in no particular order.
 inline constexpr std::array<std::string_view, 19> validationTitles{
     "Free bar, finite elements",
     "Free bar, two-layer springs",
@@ -51,7 +50,6 @@ struct ValidationCase {
 /// instead.
 void report(const ValidationCase& validation);
 
-/// Returns the headings of the page's sections.
 std::vector<std::string> validationHeadings();
 
 } // namespace idiophone::test

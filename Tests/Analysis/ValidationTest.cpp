@@ -213,7 +213,7 @@ TEST_CASE("A free square plate of two-layer springs has eight modes within 3 % o
                             unit)});
 }
 
-TEST_CASE("A free plate of 1.5 to 1 of finite elements has six modes within 2 % of Ritz",
+TEST_CASE("A free 1.5 : 1 plate of finite elements has six modes within 2 % of Ritz",
           "[validation]") {
     const double unit = plateUnitHz(1.5, 0.02, 0.3);
     const auto body =

@@ -16,7 +16,6 @@ namespace {
 
 constexpr BoxSearch plenty{.pairs = 5'000'000, .boxes = 200'000'000};
 
-/// Puts the faces in random order.
 Mesh shuffled(const Mesh& mesh) {
     std::vector<int> order(static_cast<std::size_t>(mesh.faceCount()));
     std::iota(order.begin(), order.end(), 0);

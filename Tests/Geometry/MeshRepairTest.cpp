@@ -57,8 +57,7 @@ TEST_CASE("Vertices within the weld tolerance become one at any position") {
     auto soup = soupOf(sphere);
     const double toleranceMetres = 1e-7 * boundingDiagonalMetres(sphere);
     std::mt19937 random(6);
-    for (double& coordinate :
-         soup.vertices.reshaped()) // none farther apart than 0.87 of the tolerance
+    for (double& coordinate : soup.vertices.reshaped()) // at most 0.87 of it apart
         coordinate += 0.25 * toleranceMetres * (static_cast<double>(random() % 2001) / 1000 - 1);
     const auto repaired = repairMesh(soup);
     REQUIRE(repaired);
@@ -95,7 +94,7 @@ TEST_CASE("Vertices farther apart than the weld tolerance stay separate") {
 
 TEST_CASE("A second repair changes nothing, even if the first dropped the farthest vertices") {
     Mesh mesh;
-    SECTION("two vertices nearly in one, as corners of a face") {
+    SECTION("two corners of a face nearly coincide") {
         mesh.vertices.resize(6, 3);
         mesh.vertices.row(0) << 1, 1.0000002, 1;
         mesh.vertices.row(1) << 4, 1.0000001, 1.0000001;
@@ -106,7 +105,7 @@ TEST_CASE("A second repair changes nothing, even if the first dropped the farthe
         mesh.faces.resize(3, 3);
         mesh.faces << 2, 1, 0, 4, 2, 3, 1, 5, 2;
     }
-    SECTION("a vertex on an edge, nearly at its end, and a vertex of no face") {
+    SECTION("a vertex lies on an edge near its end, and another has no face") {
         mesh.vertices.resize(5, 3);
         mesh.vertices << 0, 0, 0, 0.25, 0, 0, 0, 0.25, 0, 6e-7, 0, 0, 0, 0, 1;
         mesh.faces.resize(2, 3);

@@ -9,17 +9,16 @@ TEST_CASE("Each subdivision makes four faces of one and a coarse sphere rounder"
     const Mesh coarse = icosphereMesh(1, 1);
     const Mesh fine = subdivided(coarse, 2);
     CHECK(fine.faceCount() == 16 * coarse.faceCount());
-    const auto roughness =
-        [](const Mesh& mesh) { // the spread of the faces' distances from the centre
-            const Eigen::MatrixXd& v = mesh.vertices;
-            Eigen::VectorXd distance(mesh.faceCount());
-            for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
-                distance[face] = (v.row(mesh.faces(face, 0)) + v.row(mesh.faces(face, 1)) +
-                                  v.row(mesh.faces(face, 2)))
-                                     .norm() /
-                                 3;
-            return (v.rowwise().norm().maxCoeff() - distance.minCoeff()) / distance.mean();
-        };
+    const auto roughness = [](const Mesh& mesh) { // spread of the faces' distances
+        const Eigen::MatrixXd& v = mesh.vertices;
+        Eigen::VectorXd distance(mesh.faceCount());
+        for (Eigen::Index face = 0; face < mesh.faceCount(); ++face)
+            distance[face] = (v.row(mesh.faces(face, 0)) + v.row(mesh.faces(face, 1)) +
+                              v.row(mesh.faces(face, 2)))
+                                 .norm() /
+                             3;
+        return (v.rowwise().norm().maxCoeff() - distance.minCoeff()) / distance.mean();
+    };
     CHECK(roughness(fine) < roughness(coarse) / 3);
 }
 

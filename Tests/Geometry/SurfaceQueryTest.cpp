@@ -17,7 +17,7 @@ Eigen::Vector3d corner(const Mesh& mesh, Eigen::Index face, int k) {
     return mesh.vertices.row(mesh.faces(face, k));
 }
 
-/// Returns the distance to a triangle by trying its inside, its edges and its corners.
+/// Tries the triangle's inside, edges and corners.
 double distanceTo(const Mesh& mesh, Eigen::Index face, const Eigen::Vector3d& p) {
     double best = 1e300;
     const Eigen::Vector3d a = corner(mesh, face, 0), u = corner(mesh, face, 1) - a,
@@ -36,8 +36,7 @@ double distanceTo(const Mesh& mesh, Eigen::Index face, const Eigen::Vector3d& p)
     return best;
 }
 
-/// Returns the distance along a ray to a triangle by solving for the crossing; negative if it
-/// misses.
+/// Solves for the crossing; negative if the ray misses.
 double hitDistance(const Mesh& mesh,
                    Eigen::Index face,
                    const Eigen::Vector3d& origin,

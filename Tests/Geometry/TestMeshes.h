@@ -116,7 +116,6 @@ inline Mesh kleinBottle(int around, int across) {
     });
 }
 
-/// Triangles ("pages") around one common edge.
 inline Mesh book(int pages) {
     Mesh mesh{Eigen::MatrixXd(pages + 2, 3), Eigen::MatrixXi(pages, 3)};
     mesh.vertices.row(0) << 0, 0, 0;
@@ -141,7 +140,7 @@ inline Mesh fanMesh(int faces) {
     return mesh;
 }
 
-/// A hemisphere, open at z = 0.
+/// Open at z = 0.
 inline Mesh openHemisphere(double radiusMetres, int rings) {
     Mesh mesh = discMesh(1, rings);
     for (Eigen::Index v = 0; v < mesh.vertexCount(); ++v) {
