@@ -1,4 +1,4 @@
-// What a worker tells an audio thread of an act: a few cells of a scene's performance for one note.
+// The messages between a simulation thread and the audio thread: cues there, blocks of motion back.
 #pragma once
 
 #include "Instrument/Stage.h"
@@ -12,7 +12,7 @@
 
 namespace idiophone {
 
-/// Which note begins in which act; the number is its own, from 1 on, and 0 ends the act.
+/// Starts a note in simulation `act`. `number` is unique, from 1 on; 0 ends the simulation.
 struct ActCue {
     std::uint32_t act = 0;
     std::uint32_t number = 0;
@@ -21,31 +21,33 @@ struct ActCue {
     std::uint32_t seed = 0;
 };
 
-/// Times are in seconds and cells since the note, slots are the synthesiser's.
+/// A few cells of one note's simulation. Times are in seconds and cells since the note began. Slots
+/// are the synthesiser's.
 struct ActChunk {
     static constexpr std::int64_t cells = 8;
 
     struct Touched {
-        std::int64_t cell = 0; ///< at whose end it is so
+        std::int64_t cell = 0; ///< the state holds at the end of this cell
         TouchState state;
     };
     struct Placed {
         std::size_t slot = 0;
-        Eigen::Vector3d metres = Eigen::Vector3d::Zero(); ///< the centre of mass, as it is heard
+        Eigen::Vector3d metres =
+            Eigen::Vector3d::Zero(); ///< centre of mass, as the listener hears it
         BodyPose pose;
     };
 
     std::uint32_t act = 0;
-    std::uint32_t number = 0; ///< of the cue
+    std::uint32_t number = 0; ///< number of the cue
     std::int64_t firstCell = 0;
     bool isLast = false;
-    std::vector<SceneBlow> blows; ///< before its end, in order of time
-    std::vector<Touched> touches; ///< what slides and rolls, cell by cell
-    std::vector<Placed> places;   ///< of what moves, at its end
+    std::vector<SceneBlow> blows; ///< impacts before the block's end, in order of time
+    std::vector<Touched> touches; ///< contacts, cell by cell
+    std::vector<Placed> places;   ///< moving bodies at the block's end
 
     std::int64_t endCell() const { return firstCell + cells; }
 
-    /// Nothing of this act's yet, from a cell on. Keeps its memory.
+    /// Makes this an empty block that starts at a cell. Keeps its memory.
     void clear(std::uint32_t ofAct, std::uint32_t ofCue, std::int64_t fromCell) noexcept {
         act = ofAct;
         number = ofCue;

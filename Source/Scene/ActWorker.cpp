@@ -13,12 +13,13 @@ namespace {
 constexpr std::chrono::milliseconds betweenLooks{4};
 constexpr double faintNewtons = 1e-9;
 
-/// Pairs of all acts apart.
+/// Makes the pairs of all simulations distinct.
 std::uint32_t pairOf(std::uint32_t number, std::uint32_t pair) {
     return std::max(number * 0x9e3779b1u + pair, 1u);
 }
 
-/// An audio thread flushes denormals, and threads that it starts do.
+/// Sets the default floating-point mode: a thread started by the audio thread inherits its flushing
+/// of denormals.
 class DefaultFloatingPoint {
 public:
     DefaultFloatingPoint() {
@@ -41,7 +42,7 @@ ActWorker::ActWorker(const SceneStage& playedStage, double sampleRateHz)
 
 ActWorker::~ActWorker() {
     isStopping = true;
-    stopped.notify_all(); // missed at worst for as long as it looks away
+    stopped.notify_all(); // if the thread is not waiting yet, it notices after one polling interval
     thread.join();
 }
 
@@ -64,7 +65,7 @@ void ActWorker::runThread() noexcept {
     }
 }
 
-/// Makes the chunk that will be needed first. False where there was nothing to do, or no room.
+/// Fills the most urgent block. Returns false if there is nothing to do or no free block.
 bool ActWorker::workOnce() noexcept {
     const DefaultFloatingPoint sameOnEveryThread;
     takeUsed();
@@ -90,16 +91,16 @@ bool ActWorker::workOnce() noexcept {
     ++next->chunksOut;
     if (chunk->isLast)
         next->run.reset();
-    ready.push(chunk); // there is room for all that may be out
+    ready.push(chunk); // always fits: the queue holds every block
     return true;
 }
 
-/// Without one, the act waits until some come back.
+/// Allocates a block if none is free. On failure the simulation waits for used ones.
 bool ActWorker::hasFreeChunk() noexcept {
     if (!freeChunks.empty())
         return true;
     try {
-        freeChunks.reserve(allChunks.size() + 1); // so that taking chunks back never allocates
+        freeChunks.reserve(allChunks.size() + 1); // so that taking blocks back never allocates
         allChunks.push_back(std::make_unique<ActChunk>());
     } catch (const std::bad_alloc&) {
         return false;

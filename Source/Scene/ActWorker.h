@@ -1,4 +1,4 @@
-// Moves the bodies of a stage's acts ahead of their sound, on a thread of its own.
+// Simulates the bodies of a scene instrument ahead of their sound, on a thread of its own.
 #pragma once
 
 #include "Scene/ActChunk.h"
@@ -14,37 +14,37 @@
 
 namespace idiophone {
 
-/// Cues go to the worker, chunks come back in the order of each act's time and return when they are
-/// used up: three queues without locks, between the audio thread and whoever holds `working`.
-/// An act for which memory runs out ends where it is: no exception leaves a thread or the host's.
-/// The worker looks for cues every few milliseconds, as the audio thread may not call it.
+/// Three lock-free queues connect the audio thread and the owner of `working`: cues, filled blocks
+/// in order of time within a simulation, and used blocks. If memory runs out, a simulation ends
+/// early: no exception leaves the thread. The worker polls for cues every few milliseconds, because
+/// the audio thread may not notify it.
 class ActWorker {
 public:
-    ActWorker(const SceneStage& stage, double sampleRateHz); ///< the stage outlives it
+    ActWorker(const SceneStage& stage, double sampleRateHz); ///< `stage` must outlive the worker
     ~ActWorker();
     ActWorker(const ActWorker&) = delete;
     ActWorker& operator=(const ActWorker&) = delete;
 
-    /// [audio thread] False, and forgotten, where too many wait.
+    /// [audio thread] Sends a cue. Returns false and drops it if the queue is full.
     bool cue(const ActCue& cue) noexcept { return cues.push(cue); }
-    /// [audio thread] The next chunk, or nullptr; it is to come back.
+    /// [audio thread] Returns the next block or nullptr. The caller gives it back.
     ActChunk* take() noexcept;
     void giveBack(ActChunk* chunk) noexcept { used.push(chunk); }
-    /// [audio thread, offline] Makes a chunk itself, once the worker lets it, with all that this
-    /// allocates. False where there was nothing to do.
+    /// [audio thread, offline] Fills one block on the calling thread, after the worker's current
+    /// one. Allocates. Returns false if there is nothing to do.
     bool help() noexcept;
 
 private:
-    /// Within so many chunks, a second, the worker runs ahead of the sound.
+    /// The worker runs at most this many blocks ahead of the sound, about a second.
     static constexpr std::size_t chunksAhead = 96;
     static constexpr std::size_t chunkCapacity = SceneStage::mostActs * chunksAhead;
 
     struct Act {
         ActCue cue;
-        bool begins = false;           ///< its run is still to be made
-        std::unique_ptr<SceneRun> run; ///< none while nothing is to be done
+        bool begins = false;           ///< its run has not been created yet
+        std::unique_ptr<SceneRun> run; ///< null while the simulation is idle
         std::int64_t cellsDone = 0;
-        std::size_t chunksOut = 0; ///< not yet given back
+        std::size_t chunksOut = 0; ///< blocks that have not been given back
     };
 
     void runThread() noexcept;
@@ -63,13 +63,13 @@ private:
     Queue<ActCue, 256> cues;
     Queue<ActChunk*, chunkCapacity> ready, used;
 
-    std::mutex working; ///< whoever holds it is the worker
+    std::mutex working; ///< its owner does the worker's job
     std::condition_variable stopped;
     std::atomic<bool> isStopping{false};
     std::vector<Act> acts;
     std::vector<std::unique_ptr<ActChunk>> allChunks;
     std::vector<ActChunk*> freeChunks;
-    std::thread thread; ///< the last member: it uses the others
+    std::thread thread; ///< last member, because it uses the others
 };
 
 } // namespace idiophone

@@ -1,4 +1,4 @@
-// Vectors and poses between Eigen and Bullet.
+// Converts vectors and poses between Eigen and Bullet.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -13,16 +13,17 @@
 namespace idiophone {
 namespace {
 
-constexpr double roundestSection = 1.25; // of a ring: width to height, or the other way round
+constexpr double roundestSection =
+    1.25; // maximum ratio of width to height of a ring's section, or its inverse
 constexpr int capsules = 16;
 constexpr int sectors = 20; // of a ring
 constexpr int mostHullVertices = 72;
-constexpr double marginShare = 0.01; // of a shape's smallest measure
+constexpr double marginShare = 0.01; // of a shape's smallest size
 constexpr double mostMarginMetres = 5e-4;
 constexpr double mostMarginOfDepth = 0.1; // from the middle to the nearest face
 
-/// All where there are few, or else those that lie farthest in each of some directions, which are
-/// spread over the sphere along a spiral.
+/// Returns all corners if they are few. Otherwise returns the extreme corners in directions along a
+/// spiral on the sphere.
 std::vector<btVector3> fewer(const btAlignedObjectArray<btVector3>& corners) {
     std::vector<btVector3> kept;
     if (corners.size() <= mostHullVertices) {
@@ -89,33 +90,33 @@ CollisionShape::CollisionShape(const RigidBodyModel& model) {
     }
 }
 
-/// As large as the points with Bullet's margin, by which it lies inside them.
+/// Makes a hull that is as large as the points once Bullet has added its margin.
 btCollisionShape* CollisionShape::hull(const std::vector<Eigen::Vector3d>& points) {
     btConvexHullComputer computer;
     const auto compute = [&](double margin) {
         return computer.compute(points.front().data(), sizeof(Eigen::Vector3d),
                                 static_cast<int>(points.size()), margin, mostMarginOfDepth);
     };
-    // Of what is thinner than its box, being askew in it, the margin is smaller.
+    // A body that lies askew in its box is thinner than it; compute() reduces the margin then.
     double margin =
         compute(std::min(mostMarginMetres, marginShare * boundingBox(points).sizes().minCoeff()));
-    if (computer.vertices.size() == 0) // too thin for any
+    if (computer.vertices.size() == 0) // too thin for any margin
         margin = compute(0);
     auto* shape = own<btConvexHullShape>();
     for (const auto& corner : fewer(computer.vertices))
         shape->addPoint(corner, false);
     shape->recalcLocalAabb();
     shape->setMargin(margin);
-    constexpr int fewestFaces = 4; // what has none is read beyond its list
+    constexpr int fewestFaces = 4; // with fewer faces Bullet reads beyond its list
     if (computer.vertices.size() <= mostHullVertices && computer.faces.size() >= fewestFaces)
-        shape->initializePolyhedralFeatures(); // what has faces meets others with the whole of one
+        shape->initializePolyhedralFeatures(); // lets whole faces collide
     return shape;
 }
 
-/// A round section is a chain of capsules, which cost a fraction of what hulls do.
+/// Makes a chain of capsules if the section is round: they cost a fraction of hulls.
 btCollisionShape* CollisionShape::ring(const RigidBodyModel& model) {
     const auto outer = outerVertices(model);
-    Eigen::AlignedBox2d section; // of distance from the axis and height
+    Eigen::AlignedBox2d section; // x: distance from the axis, y: height
     for (const auto& vertex : outer)
         section.extend(Eigen::Vector2d(vertex.head<2>().norm(), vertex.z()));
     const Eigen::Vector2d half = section.sizes() / 2, middle = section.center();
@@ -124,7 +125,7 @@ btCollisionShape* CollisionShape::ring(const RigidBodyModel& model) {
 
     auto* compound = own<btCompoundShape>();
     const double turn = 2 * std::numbers::pi / capsules;
-    // As long as the circle is, so that the polygon lies half inside it.
+    // The polygon is as long as the circle, so that it lies half inside it.
     const double chord = turn * middle.x();
     auto* capsule = own<btCapsuleShape>(half.mean(), chord);
     for (int k = 0; k < capsules; ++k) { // Bullet's capsules lie along y
@@ -196,8 +197,8 @@ btCollisionShape* CollisionShape::surface(const RigidBodyModel& model) {
     shape->setMargin(isShell ? model.sizeRatio * model.object->thicknessMetres / 2
                              : mostMarginMetres);
     auto& map = *edges.emplace_back(std::make_unique<btTriangleInfoMap>());
-    // Corners that are one have the same bits. By its own measure, a tenth of a millimetre, Bullet
-    // leaves out all faces smaller than half a square centimetre.
+    // Coinciding corners have the same bits. With its default threshold, 0.1 mm, Bullet ignores all
+    // faces smaller than half a square centimetre.
     map.m_equalVertexThreshold = 1e-24;
     btGenerateInternalEdgeInfo(shape, &map);
     return shape;

@@ -1,4 +1,4 @@
-// Bodies as Bullet sees them.
+// Bullet's collision shape of a body.
 #pragma once
 
 #include "Scene/RigidBodyModel.h"
@@ -9,9 +9,9 @@
 
 namespace idiophone {
 
-/// A shape in body coordinates together with what it is made of. Immutable; bodies of a kind share
-/// it, on one thread: Bullet's shapes cache. Not for the audio thread, nor does it check the model,
-/// which makeRigidBodyModel has.
+/// A shape in body coordinates, with the parts that it consists of. Immutable. Bodies of a kind
+/// share it on one thread, because Bullet's shapes cache. Not for the audio thread. Expects a model
+/// that makeRigidBodyModel has checked.
 class CollisionShape {
 public:
     explicit CollisionShape(const RigidBodyModel& model);
@@ -32,7 +32,8 @@ private:
     std::vector<std::unique_ptr<btTriangleMesh>> meshes;
     std::vector<std::unique_ptr<btOptimizedBvh>> trees;
     std::vector<std::unique_ptr<btTriangleInfoMap>> edges;
-    std::vector<std::unique_ptr<btCollisionShape>> shapes; ///< destroyed before what they refer to
+    std::vector<std::unique_ptr<btCollisionShape>>
+        shapes; ///< declared last, so that they are destroyed before the data they refer to
     btCollisionShape* root = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// What happens between bodies that meet, as physics tells sound.
+// The collisions and contacts that the rigid bodies report to the sound.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,25 +7,25 @@
 
 namespace idiophone {
 
-/// One side of a blow: what acts on one body. Of each blow both sides are told.
+/// The effect of a collision on one of its two bodies. Every collision yields two of them.
 struct Impact {
-    double seconds = 0;                   ///< when they touched, between two steps
-    std::size_t body = 0;                 ///< what is struck
-    std::size_t other = 0;                ///< what strikes it
-    Eigen::Vector3d pointMetres;          ///< in the body's mesh coordinates
-    Eigen::Vector3d impulseNewtonSeconds; ///< likewise, on the body
-    double contactSeconds = 0;            ///< of Hertz's contact
-    double speedMetresPerSecond = 0;      ///< at which they approached
+    double seconds = 0;                   ///< when the bodies met, between two steps
+    std::size_t body = 0;                 ///< the struck body
+    std::size_t other = 0;                ///< the body that strikes it
+    Eigen::Vector3d pointMetres;          ///< in the mesh coordinates of `body`
+    Eigen::Vector3d impulseNewtonSeconds; ///< on `body`, in its mesh coordinates
+    double contactSeconds = 0;            ///< duration of the Hertz contact
+    double speedMetresPerSecond = 0;      ///< approach speed
 };
 
-/// Two bodies that keep touching for a step: what slides or rolls.
+/// A contact that lasts for a whole step: two bodies slide or roll on each other.
 struct Touch {
-    std::array<std::size_t, 2> bodies{};        ///< the first is less than the second
-    std::array<Eigen::Vector3d, 2> pointMetres; ///< the middle of the contact in mesh coordinates
-    std::array<Eigen::Vector3d, 2> inward;      ///< unit, into each body, in mesh coordinates
-    double forceNewtons = 0;                    ///< normal
-    double slideMetresPerSecond = 0;            ///< of one surface over the other
-    double rollMetresPerSecond = 0;             ///< of the place of contact over both
+    std::array<std::size_t, 2> bodies{};        ///< the first number is less than the second
+    std::array<Eigen::Vector3d, 2> pointMetres; ///< middle of the contact, in mesh coordinates
+    std::array<Eigen::Vector3d, 2> inward;      ///< unit vector into each body, in mesh coordinates
+    double forceNewtons = 0;                    ///< normal force
+    double slideMetresPerSecond = 0;            ///< speed of one surface over the other
+    double rollMetresPerSecond = 0;             ///< speed of the contact point over both surfaces
 };
 
 } // namespace idiophone

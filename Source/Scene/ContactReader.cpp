@@ -9,12 +9,12 @@
 namespace idiophone {
 namespace {
 
-/// Slower approaches belong to a contact that lasts: 5 mm/s is a fall of 1.3 µm. So do those that
-/// two steps of gravity make.
+/// Slower approaches belong to a lasting contact: 5 mm/s is a fall of 1.3 µm. So does the speed
+/// that two steps of gravity add.
 constexpr double slowestBlowMetresPerSecond = 0.005;
 constexpr double stepsOfRest = 2;
-/// A blow that is passed on through bodies in contact changes their speed by this many steps of
-/// gravity at least; the weight of what rests on them does not.
+/// An impact passed on through bodies in contact changes their speed by at least this many steps of
+/// gravity. The weight of resting bodies changes it by less.
 constexpr double stepsOfGravity = 20;
 
 bool moves(const btRigidBody& body) {
@@ -23,22 +23,22 @@ bool moves(const btRigidBody& body) {
 
 } // namespace
 
-/// A point of contact that pressed in this step, from the second body's surface to the first's.
+/// A contact point with pressure in this step, from the second body's surface to the first's.
 struct ContactReader::Point {
     const BodyInStep *first, *second;
     std::size_t firstNumber, secondNumber;
     Eigen::Vector3d place;   ///< in the world, in metres
-    Eigen::Vector3d normal;  ///< unit, from the second to the first
+    Eigen::Vector3d normal;  ///< unit vector from the second to the first
     Eigen::Vector3d impulse; ///< [N s] on the first
     double normalImpulse;    ///< [N s]
     double approach;         ///< m/s, before the step
-    double depthMetres;      ///< by which they overlapped when it began
+    double depthMetres;      ///< overlap at the beginning of the step
     double effectiveMassKg;
 
     double speedChange() const { return normalImpulse / effectiveMassKg; }
 };
 
-/// The points of a contact that lasts, by how hard they press.
+/// The points of a lasting contact, weighted by their pressure.
 struct ContactReader::Pressing {
     double newtonSeconds = 0;
     Eigen::Vector3d weightedPlace = Eigen::Vector3d::Zero();
@@ -66,12 +66,12 @@ void ContactReader::read(const btPersistentManifold& manifold, std::span<const B
     const auto secondNumber = static_cast<std::size_t>(manifold.getBody1()->getUserIndex());
     const auto &first = bodies[firstNumber], &second = bodies[secondNumber];
     if (!moves(*first.rigid) && !moves(*second.rigid))
-        return; // what it says is of the step in which they fell asleep
+        return; // the contact is stale: it is from the step in which both fell asleep
 
     Pressing pressing;
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
         const auto& contact = manifold.getContactPoint(k);
-        // The solver takes on what overlaps; of other points the impulse is an old one.
+        // The solver handles overlapping points only. The impulse of other points is an old one.
         if (contact.getDistance() > 0 || !(contact.getAppliedImpulse() > 0))
             continue;
         const auto point = pointOf(contact, bodies, firstNumber, secondNumber);
@@ -141,7 +141,7 @@ void ContactReader::addTouch(const Pressing& pressing,
 void ContactReader::addImpact(const Point& point) {
     const auto &first = *point.first->model, &second = *point.second->model;
     const double speed = point.approach > slowestBlow ? point.approach : point.speedChange();
-    // Since they met they have come closer by the depth.
+    // At the approach speed, the bodies met `depthMetres` ago.
     const double sinceSeconds =
         point.approach > 0 ? std::min(point.depthMetres / point.approach, stepSeconds) : 0;
     Impact impact{.seconds = std::max(startSeconds - sinceSeconds, 0.0),

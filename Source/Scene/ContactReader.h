@@ -1,4 +1,4 @@
-// From what Bullet's solver did in a step to blows and lasting contacts.
+// Turns the contacts that Bullet solved in a step into impacts and lasting contacts.
 #pragma once
 
 #include "Scene/Contact.h"
@@ -11,13 +11,13 @@
 
 namespace idiophone {
 
-/// A body as it was when the step began.
+/// The state of a body at the beginning of the step.
 struct BodyInStep {
     const RigidBodyModel* model = nullptr;
     const btRigidBody* rigid = nullptr;
     Eigen::Isometry3d worldFromMesh = Eigen::Isometry3d::Identity();
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< of mass, in metres
-    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s, of it
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< of the centre, in m/s
     Eigen::Vector3d spin = Eigen::Vector3d::Zero();     ///< rad/s
 
     Eigen::Vector3d velocityAt(const Eigen::Vector3d& place) const {
@@ -25,16 +25,16 @@ struct BodyInStep {
     }
 };
 
-/// For each step `begin`, `read` for every pair of bodies, `finish`; from then on `impacts` and
-/// `touches` are the step's. One thread at a time; allocates.
+/// In each step call `begin`, `read` for every pair of bodies, then `finish`. After that, `impacts`
+/// and `touches` return those of the step. One thread at a time. Allocates.
 class ContactReader {
 public:
     ContactReader(double stepSeconds, double gravityMetresPerSecond2);
 
-    void begin(double seconds); ///< at which the step began
-    /// `bodies` are found by the user index of Bullet's.
+    void begin(double seconds); ///< at the beginning of the step
+    /// Bullet's user index of a body is its index in `bodies`.
     void read(const btPersistentManifold& manifold, std::span<const BodyInStep> bodies);
-    void finish(); ///< puts what was read in order
+    void finish(); ///< sorts the results
 
     std::span<const Impact> impacts() const { return blows; }
     std::span<const Touch> touches() const { return lasting; }
@@ -54,7 +54,7 @@ private:
                   std::size_t secondNumber);
 
     double stepSeconds;
-    double restingSpeed; ///< what a step of gravity gives
+    double restingSpeed; ///< speed that gravity adds in a step
     double slowestBlow;  ///< m/s
     double startSeconds = 0;
     std::vector<Impact> blows;

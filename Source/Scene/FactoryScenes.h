@@ -9,13 +9,14 @@
 
 namespace idiophone {
 
-/// In a fixed order. Parsed once; any thread but audio.
+/// Returns the scenes in a fixed order. Parses them once. Any thread but the audio thread.
 std::span<const Scene> factoryScenes();
 
-/// The factory scene of that name (case-insensitive), or nullptr.
+/// Returns the factory scene of that name (case-insensitive), or nullptr.
 const Scene* findFactoryScene(std::string_view name);
 
-/// "'Dice on a xylophone', 'A hundred rings' and 'Pebble in a wok'", for sentences.
+/// Returns the names as a list for a sentence: "'Dice on a xylophone', 'A hundred rings' and
+/// 'Pebble in a wok'".
 std::string factoryScenesInWords();
 
 } // namespace idiophone

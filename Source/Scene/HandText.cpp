@@ -17,7 +17,7 @@ struct Row {
     double figure = 0;
 };
 
-/// Of seconds, x, y, z and one figure more, ascending in time.
+/// Parses rows of seconds, x, y, z and one more figure, ascending in time.
 std::vector<Row>
 parseRows(const JsonPlace& place, const std::string& what, double lowest, double highest) {
     std::vector<Row> rows;

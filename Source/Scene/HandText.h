@@ -1,4 +1,4 @@
-// The part of a scene file that is a recorded hand.
+// Parses the part of a scene file that describes a recorded hand.
 #pragma once
 
 #include "Instrument/JsonPlace.h"
@@ -8,12 +8,12 @@
 
 namespace idiophone {
 
-/// Bounds of all of a scene's figures, within which single precision and the rigid bodies stay
-/// well.
+/// Bounds of every place and time in a scene. Single precision and the rigid bodies stay accurate
+/// within them.
 inline constexpr double farthestMetres = 1000;
 inline constexpr double longestSeconds = 3600;
 
-/// Which of the kinds is named there. As the next one, throws JsonPlace::Fault.
+/// Returns the index of the named kind. Both functions throw JsonPlace::Fault.
 std::size_t parseKindName(const JsonPlace& place, const std::vector<BodyTemplate>& kinds);
 
 Hand parseHand(const JsonPlace& place, const std::vector<BodyTemplate>& kinds);

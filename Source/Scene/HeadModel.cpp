@@ -16,7 +16,7 @@ constexpr double earDegrees = 100; // from straight ahead: a little behind the m
 constexpr double leastHighGain = 0.1, darkestDegrees = 150;
 constexpr double airDecibelsAMetre = 0.16;
 
-/// Around the sphere on its far side (Woodworth); 0 where the sound comes straight at the ear.
+/// Delay around the far side of the sphere (Woodworth). 0 if the sound comes straight at the ear.
 double delaySeconds(double incidenceRadians) {
     const double arrival =
         incidenceRadians < pi / 2 ? -std::cos(incidenceRadians) : incidenceRadians - pi / 2;
@@ -45,7 +45,7 @@ double HeadShadow::energy() const {
 HeadModel::HeadModel(const Listener& listener) : position(listener.positionMetres) {
     Eigen::Vector3d ahead = listener.towardsMetres - listener.positionMetres;
     ahead.z() = 0;
-    if (ahead.norm() < 1e-9) // it looks straight up or down
+    if (ahead.norm() < 1e-9) // the listener looks straight up or down
         ahead = Eigen::Vector3d::UnitY();
     ahead.normalize();
     axes << ahead, Eigen::Vector3d::UnitZ().cross(ahead), Eigen::Vector3d::UnitZ();

@@ -12,12 +12,12 @@ namespace {
 using std::numbers::pi;
 
 constexpr int azimuths = 360 / HeadResponses::stepDegrees;
-constexpr double leadSeconds = 0.0003; // of what comes before the earliest onset
+constexpr double leadSeconds = 0.0003; // kept before the earliest onset
 constexpr float onsetShare = 0.1f;     // of the highest sample
 constexpr double fadeSeconds = 0.001;
-constexpr double loudest = 1000; // of a sample, beyond any head
+constexpr double loudest = 1000; // maximum sample, beyond any real head
 
-/// The earliest sample that any direction's response begins with.
+/// Returns the earliest onset of all responses, in samples.
 std::size_t firstOnset(const HeadMeasurement& measured) {
     const auto length = measured.lengthSamples;
     std::size_t first = length;
@@ -40,7 +40,8 @@ double energy(std::span<const float> response) {
     return sum;
 }
 
-/// Of the spherical head to noise from straight ahead, below half a rate.
+/// Returns the loudness of the spherical head for noise from straight ahead, in the band of a
+/// sample rate.
 double sphereLoudness(double rateHz) {
     const Listener listener{.positionMetres = {0, 0, 0}, .towardsMetres = {0, 1, 0}};
     const auto path = HeadModel(listener).path({0, 1, 0});
@@ -94,7 +95,7 @@ Result<std::shared_ptr<const HeadResponses>> HeadResponses::make(const HeadMeasu
     const auto ahead = head->nearest(Eigen::Vector3d::UnitX());
     const double loudness =
         (energy(head->response(ahead, 0)) + energy(head->response(ahead, 1))) / 2;
-    // Another rate has the same band, and more or fewer samples of it.
+    // Another sample rate has the same band but a different number of samples.
     const double bandRate = std::min(measured.measuredRateHz, rate);
     const double gain = std::sqrt(sphereLoudness(bandRate) * bandRate / (loudness * rate));
     if (!std::isfinite(gain))

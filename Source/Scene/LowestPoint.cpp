@@ -7,7 +7,7 @@
 namespace idiophone {
 namespace {
 
-/// Every point as a face of its own.
+/// Returns a mesh in which every point is a face of its own.
 Mesh meshOf(std::span<const Eigen::Vector3d> points) {
     const auto count = static_cast<Eigen::Index>(points.size());
     Mesh mesh{Eigen::MatrixXd(count, 3), Eigen::MatrixXi(count, 3)};

@@ -1,4 +1,4 @@
-// How low a body reaches, however it is turned.
+// Finds how low a body reaches in any orientation.
 #pragma once
 
 #include "Geometry/BoxTree.h"
@@ -8,18 +8,18 @@
 
 namespace idiophone {
 
-/// Of fixed points, in the tree of boxes around them: a question looks at some of many.
+/// Keeps fixed points in a tree of boxes, so that a query looks at few of them.
 class LowestPoint {
 public:
-    /// There is a point at least, and all are finite.
+    /// Expects at least one point, and finite coordinates.
     explicit LowestPoint(std::span<const Eigen::Vector3d> points);
 
-    /// The least z of the points when they are placed so: that of one of them, to the bit.
+    /// Returns the minimum z of the placed points. Equals the z of one point to the bit.
     double metres(const Eigen::Isometry3d& placed) const;
 
 private:
     BoxTree tree;
-    double slackMetres; ///< more than rounding moves the corner of a box
+    double slackMetres; ///< larger than the rounding error of a box corner
 };
 
 } // namespace idiophone

@@ -12,7 +12,7 @@ void MeasuredSource::forget() noexcept {
     gain = 0;
 }
 
-/// The cell added last, as one ear hears it from a direction.
+/// Filters the last added cell with one ear's response of direction `from`.
 void MeasuredSource::respond(std::size_t from,
                              std::size_t ear,
                              std::span<float, cellSamples> to) const noexcept {

@@ -1,4 +1,4 @@
-// What the two ears of a measured head hear of a body.
+// Renders a body's sound at the two ears of a measured head.
 #pragma once
 
 #include "Scene/HeadResponses.h"
@@ -8,7 +8,7 @@
 
 namespace idiophone {
 
-/// Costs a convolution of a few milliseconds for each ear, and as much again while it moves.
+/// Costs a convolution of a few milliseconds for each ear, and twice that while the body moves.
 class MeasuredSource final : public PlacedSource {
 public:
     MeasuredSource(std::shared_ptr<const HeadResponses> head, double sampleRateHz);
@@ -20,7 +20,7 @@ private:
     respond(std::size_t from, std::size_t ear, std::span<float, cellSamples> to) const noexcept;
 
     std::shared_ptr<const HeadResponses> responses;
-    std::size_t direction = 0; ///< of the responses
+    std::size_t direction = 0; ///< index into the responses
     float gain = 0;
 };
 

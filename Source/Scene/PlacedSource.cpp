@@ -10,11 +10,12 @@ namespace {
 
 constexpr double airHz = 10000;
 
-/// Of a first-order low-pass y = (1 − p) x + p y₁ whose gain at a frequency is this.
+/// Returns the pole p of the first-order low-pass y = (1 − p) x + p y₁ that has `gain` at a
+/// frequency.
 double poleFor(double gain, double radians) {
     if (gain >= 1)
         return 0;
-    // |H|² = (1 − p)²/(1 − 2 p cos ω + p²), solved for the p < 1.
+    // |H|² = (1 − p)²/(1 − 2 p cos ω + p²), solved for p < 1.
     const double square = gain * gain;
     const double b = (1 - square * std::cos(radians)) / (1 - square);
     return b - std::sqrt(b * b - 1);

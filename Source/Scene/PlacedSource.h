@@ -1,4 +1,4 @@
-// One body's sound on its way through the air to two ears, while the body moves.
+// The sound of one moving body on its way through the air to two ears.
 #pragma once
 
 #include "Scene/HeadModel.h"
@@ -9,40 +9,42 @@
 
 namespace idiophone {
 
-/// Constructed off the audio thread; the rest neither allocates, locks nor throws.
+/// Constructed off the audio thread. The other members do not allocate, lock or throw.
 class PlacedSource {
 public:
     virtual ~PlacedSource() = default;
 
-    /// Adds a cell of its sound to the ears, as the path goes evenly from where it was to this one
-    /// at its end; the first cell after silence begins with it.
+    /// Adds a cell of sound to the ears. The path moves evenly from the previous one to `path` at
+    /// the cell's end. The first cell after silence uses `path` throughout.
     void add(std::span<const float, cellSamples> sound,
              const HeardPath& path,
              const CellOutput& ears) noexcept;
 
-    void reset() noexcept; ///< as constructed
+    void reset() noexcept; ///< to the state after construction
 
-    /// Nothing of what was added is still on its way.
+    /// Returns true if no added sound is still on its way.
     bool silent() const noexcept { return quietSamples >= lineSize; }
 
 protected:
-    /// `samplesOnTheWay`: after which what was added has been heard.
+    /// `samplesOnTheWay`: the samples after which an added sound has been heard completely.
     PlacedSource(double sampleRateHz, std::size_t samplesOnTheWay);
 
-    /// The sound as many samples, at most `samplesOnTheWay`, before the cell added last; from there
-    /// on it is in one piece up to that cell's end, two cells of it at most.
+    /// Returns the sound `samples` samples before the last added cell, at most `samplesOnTheWay`.
+    /// It is contiguous up to that cell's end, for at most two cells.
     const float* cellBefore(std::size_t samples) const noexcept;
 
 private:
     void takeIn(std::span<const float, cellSamples> sound, float pole) noexcept;
-    /// From the path it had to this one; `isFirst`: it had none.
+    /// Renders the last cell while the path moves from the previous one to `path`. `isFirst`: there
+    /// is no previous path.
     virtual void hear(const HeardPath& path, bool isFirst, const CellOutput& ears) noexcept = 0;
-    /// Nothing is on its way.
+    /// Clears all sound that is on its way.
     virtual void forget() noexcept = 0;
 
     double rateHz;
     std::size_t lineSize;
-    std::vector<float> line;  ///< a ring of a power of two, and its first samples again behind it
+    std::vector<float>
+        line; ///< ring buffer of a power of two, followed by a copy of its first samples
     std::size_t position = 0; ///< of the next sample in the ring
     std::size_t quietSamples;
     bool isPlaced = false;

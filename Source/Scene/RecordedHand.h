@@ -13,15 +13,16 @@ namespace idiophone {
 /// One thread at a time; not for the audio thread.
 class RecordedHand {
 public:
-    /// The roles are those of the hand's kinds, and outlive it as the hand does; what is played is
-    /// heard.
+    /// The roles belong to the hand's kinds. All three arguments must outlive it. `played` must be
+    /// a body that sounds.
     RecordedHand(const Hand& hand, const SceneCast::Role& played, const SceneCast::Role& tool)
         : recorded(hand), object(played), head(tool) {}
 
-    /// What it rubs at a moment, if it touches. `bodies` are the played one and the hand.
+    /// Returns the contact of the tool at a time, or nothing. `body` and `handBody` number the
+    /// played body and the hand.
     std::optional<Touch> touchAt(double seconds, std::size_t body, std::size_t handBody) const;
 
-    /// Its taps from one moment on and before another one.
+    /// Returns the taps at times in [from, until).
     std::vector<Impact>
     tapsBetween(double from, double until, std::size_t body, std::size_t handBody) const;
 

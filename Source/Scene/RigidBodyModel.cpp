@@ -13,10 +13,10 @@
 namespace idiophone {
 namespace {
 
-// Of what is smaller the solver would divide by numbers too small for it.
+// With smaller bodies, the solver would divide by numbers that are too small.
 constexpr double leastMetres = 1e-9, leastMassKg = 1e-24;
 
-/// Right-handed, its columns the axes of ascending inertia.
+/// Returns right-handed axes in columns, in ascending order of inertia.
 Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& inertia, Eigen::Vector3d& moments) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
     moments = solver.eigenvalues();
@@ -26,11 +26,11 @@ Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& inertia, Eigen::Vector3d& m
     return axes;
 }
 
-/// Of something flat: rounder than anything that falls on it.
+/// The radius of flat bodies: rounder than anything that falls on them.
 constexpr double flatRadiusMetres = 1000;
 
-/// As round as it is where it is most likely to be touched. What stands is flat; edges and corners
-/// of what falls are rounded by a tenth of its smallest measure.
+/// Returns the radius where a body is most likely to be touched. Fixed bodies are flat. Edges and
+/// corners of moving ones are rounded by a tenth of their smallest size.
 double ownContactRadius(const RigidBodyModel& model, const Eigen::Vector3d& sizes) {
     if (model.form == BodyForm::sphere)
         return sizes.mean() / 2;
@@ -39,8 +39,8 @@ double ownContactRadius(const RigidBodyModel& model, const Eigen::Vector3d& size
     return model.isFixed ? flatRadiusMetres : sizes.minCoeff() / 10;
 }
 
-/// Of a surface's faces, as far as boxes around them tell: Bullet looks for each one's neighbours
-/// in this tree (SurfaceTree), and at each pair for the edge between them.
+/// Counts the touching faces of a surface by their boxes. Bullet looks for the neighbours of each
+/// face in this tree (SurfaceTree), and for the common edge of each pair.
 Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& object) {
     const auto fault = [&](const std::string& why) {
         return failure(inQuotes(kind.name) + " is no surface: its object " + inQuotes(object.name) +
@@ -48,7 +48,7 @@ Result<BoxSearch> touchingFaces(const BodyTemplate& kind, const ModalObject& obj
     };
     if (object.faceCount() == 0)
         return fault("no faces");
-    // Bullet numbers them with 21 bits, and trusts that this suffices.
+    // Bullet numbers faces with 21 bits and does not check.
     if (object.faceCount() > mostSurfaceFaces)
         return fault("more than " + std::to_string(mostSurfaceFaces) + " faces");
     const auto mesh = collisionSurface(object);
@@ -109,7 +109,7 @@ makeRigidBodyModel(const BodyTemplate& kind,
 }
 
 Mesh collisionSurface(const ModalObject& object) {
-    constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision makes four of one
+    constexpr Eigen::Index mostSmoothFaces = 24000; // each subdivision turns one face into four
     Mesh mesh = objectMesh(object);
     dropDegenerateFaces(mesh);
     dropDuplicateFaces(mesh);

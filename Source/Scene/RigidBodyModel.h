@@ -1,5 +1,5 @@
-// What rigid motion needs of a kind of body: its mass about its own axes, and how hard and how
-// round it is where others touch it.
+// The data of a kind of body for rigid motion: mass, axes of inertia, and the stiffness and
+// roundness of its surface.
 #pragma once
 
 #include "Geometry/BoxTree.h"
@@ -13,9 +13,9 @@
 
 namespace idiophone {
 
-/// Immutable; shared by all bodies of a kind. Mesh coordinates are the object's own, in metres, as
-/// large as the body is; body coordinates have its centre of mass as their origin and its principal
-/// axes of inertia. Of fixed bodies both are the same.
+/// Immutable; all bodies of a kind share it. Mesh coordinates are the object's, in metres, scaled
+/// to the body's size. Body coordinates start at the centre of mass and follow the principal axes
+/// of inertia. For fixed bodies both are the same.
 struct RigidBodyModel {
     std::shared_ptr<const ModalObject> object; ///< not null
     BodyForm form = BodyForm::hull;
@@ -29,40 +29,39 @@ struct RigidBodyModel {
     double rollingFrictionMetres = 0;
     double contactRadiusMetres = 0;
     double compliancePerPa = 0;   ///< (1 − ν²)/E
-    BoxSearch touchingFaces = {}; ///< of a surface: what it takes to make its shape
+    BoxSearch touchingFaces = {}; ///< for a surface: the work to build its shape
 };
 
-/// Of an object whose surface others meet.
+/// The maximum faces of an object whose form is `surface`.
 inline constexpr std::size_t mostSurfaceFaces = 100'000;
-/// Of a scene's surfaces together, which takes a second or two: a sound mesh has some ten pairs a
-/// face, and under a hundred boxes.
+/// The maximum work for all surfaces of a scene, which takes a second or two. Sound meshes have
+/// about ten pairs and under a hundred boxes per face.
 inline constexpr BoxSearch mostTouchingFaces{.pairs = 5'000'000, .boxes = 50'000'000};
 
-/// The error names the kind and why it cannot move: an object without mass, one so flat that the
-/// form has no inside, or where the form is its surface one without faces, or with too many of
-/// them. `likeSurface` is a surface of the same object, which then is not looked at again, or null.
+/// The error names the kind and the reason: an object without mass; an object too flat for the
+/// form; or, for a surface, no faces or too many. `likeSurface` may be null or a surface of the
+/// same object, whose check it reuses.
 Result<std::shared_ptr<const RigidBodyModel>>
 makeRigidBodyModel(const BodyTemplate& kind,
                    std::shared_ptr<const ModalObject> object,
                    const RigidBodyModel* likeSurface = nullptr);
 
-/// The object's faces as others meet them, smoothed where they are few, not scaled; none without an
-/// area, and of those on the same vertices one.
+/// Returns the object's faces for collisions, not scaled. Coarse meshes are smoothed. Faces without
+/// area and duplicates are removed.
 Mesh collisionSurface(const ModalObject& object);
 
-/// The vertices of the surface in mesh coordinates; of a shell those of both sides.
+/// Returns the surface vertices in mesh coordinates. A shell has vertices on both sides.
 std::vector<Eigen::Vector3d> outerVertices(const RigidBodyModel& model);
 
-/// Of the curvatures of two bodies that touch, together.
+/// Returns the combined radius of curvature of two bodies in contact.
 double relativeRadiusMetres(const RigidBodyModel& first, const RigidBodyModel& second);
 
-/// How long two bodies touch that meet at a speed > 0, after Hertz (Mallet.h).
+/// Returns the Hertz contact time of two bodies that meet at a speed > 0 (Mallet.h).
 double contactSeconds(const RigidBodyModel& first,
                       const RigidBodyModel& second,
                       double effectiveMassKg,
                       double metresPerSecond);
 
-/// Around all of them.
 Eigen::AlignedBox3d boundingBox(const std::vector<Eigen::Vector3d>& points);
 
 } // namespace idiophone

@@ -12,18 +12,19 @@
 namespace idiophone {
 namespace {
 
-constexpr double slowestReboundMetresPerSecond = 0.02; // slower falls stay where they are
+constexpr double slowestReboundMetresPerSecond = 0.02; // slower falls do not rebound
 constexpr double sleepMetresPerSecond = 0.003, sleepRadiansPerSecond = 0.03;
 constexpr int solverIterations = 30;
-/// What rests keeps an overlap of so many steps' fall, or it would touch in every other step only.
+/// A resting body keeps an overlap of this many steps' fall. Otherwise it would touch only in every
+/// other step.
 constexpr double restingStepsOfFall = 2;
-// Measured, of pairs that press: a pair, one with a mesh of which some faces are near, and each
-// face beyond those.
+// Measured costs of pairs in contact: a pair, a pair with a mesh and up to `someFaces` nearby
+// faces, and each further face.
 constexpr double microsecondsOfPair = 5, microsecondsOfMesh = 500, microsecondsOfFace = 3.5;
 constexpr int someFaces = 2000;
 
-/// Bullet asks for this of every new contact: what rolls is braked by both bodies' rolling
-/// friction, and does not feel the edges inside a mesh.
+/// Bullet calls this for every new contact. It adds the rolling frictions of both bodies and lets
+/// them pass over the inner edges of a mesh.
 bool adjustContact(btManifoldPoint& point,
                    const btCollisionObjectWrapper* first,
                    int firstPart,
@@ -45,8 +46,8 @@ bool adjustContact(btManifoldPoint& point,
     return true;
 }
 
-/// Lets Bullet have the pairs that it would have by itself, up to a number: of bodies that are near
-/// each other, and of parts of them that are.
+/// Gives Bullet its usual pairs up to a maximum number: pairs of nearby bodies and of their nearby
+/// parts.
 class PairLimit final : public btOverlapFilterCallback, public btCollisionDispatcher {
 public:
     explicit PairLimit(btCollisionConfiguration* configuration)
@@ -64,7 +65,7 @@ public:
     }
 
     btHashedOverlappingPairCache bodies;
-    mutable bool isReached = false; // for Bullet asks a constant one
+    mutable bool isReached = false; // mutable: Bullet calls a const function
 
 private:
     static void collide(btBroadphasePair& pair,
@@ -77,7 +78,7 @@ private:
     }
 };
 
-/// Those of the mesh that a body is tried against.
+/// Counts the faces of the mesh that Bullet tests against a body.
 int facesNear(const btCollisionObject& mesh, const btCollisionObject& body) {
     struct Count final : btNodeOverlapCallback {
         void processNode(int, int) override { ++faces; }
@@ -86,14 +87,14 @@ int facesNear(const btCollisionObject& mesh, const btCollisionObject& body) {
     btVector3 lowest, highest;
     body.getCollisionShape()->getAabb(mesh.getWorldTransform().inverse() * body.getWorldTransform(),
                                       lowest, highest);
-    // Bullet asks for one that is not constant, and does not change it.
+    // Bullet's accessor is not const, but it changes nothing.
     auto* shape = const_cast<btCollisionShape*>(mesh.getCollisionShape());
     static_cast<btBvhTriangleMeshShape*>(shape)->getOptimizedBvh()->reportAabbOverlappingNodex(
         &count, lowest, highest);
     return count.faces;
 }
 
-/// In microseconds: of a mesh every triangle nearby is asked.
+/// Returns the cost of a pair in microseconds. A mesh tests every nearby triangle.
 double workOf(const btPersistentManifold& pair) {
     const auto isMesh = [](const btCollisionObject& body) {
         return body.getCollisionShape()->getShapeType() == TRIANGLE_MESH_SHAPE_PROXYTYPE;
@@ -120,10 +121,10 @@ struct RigidWorld::Implementation {
         solving.m_numIterations = solverIterations;
         solving.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
         solving.m_splitImpulse = 1;
-        solving.m_splitImpulsePenetrationThreshold = 0; // overlap is mended without any speed
+        solving.m_splitImpulsePenetrationThreshold = 0; // correct overlap without adding speed
         solving.m_linearSlop = restingStepsOfFall * gravity * stepSeconds * stepSeconds;
         solving.m_restitutionVelocityThreshold = slowestReboundMetresPerSecond;
-        // Bullet has one for the process; several worlds may begin at once.
+        // Bullet has one callback for the process, and several worlds may start at once.
         [[maybe_unused]] static const auto isSet = gContactAddedCallback = adjustContact;
     }
 
@@ -135,7 +136,7 @@ struct RigidWorld::Implementation {
 
     struct Body {
         std::size_t kind = 0;
-        std::unique_ptr<btRigidBody> rigid; ///< none when it was removed
+        std::unique_ptr<btRigidBody> rigid; ///< null after removal
     };
 
     Body& at(std::size_t body) { return bodies[body]; }
@@ -144,14 +145,14 @@ struct RigidWorld::Implementation {
     double stepSeconds;
     std::int64_t stepsDone = 0;
     double workDone = 0;
-    std::deque<CollisionShape> shapes; ///< of the kinds
+    std::deque<CollisionShape> shapes; ///< by kind
     btDefaultCollisionConfiguration configuration;
     PairLimit dispatcher;
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
     btDiscreteDynamicsWorld world;
     std::vector<Body> bodies;
-    std::vector<BodyInStep> inStep; ///< as many
+    std::vector<BodyInStep> inStep; ///< by body
     ContactReader reader;
 };
 
@@ -169,19 +170,19 @@ std::size_t RigidWorld::add(std::size_t kind, const BodyMotion& motion) {
     const btVector3 inertia = model.isFixed ? btVector3(0, 0, 0) : toBullet(model.inertiaKgM2);
     btRigidBody::btRigidBodyConstructionInfo info(model.isFixed ? 0 : model.massKg, nullptr,
                                                   all.shapes[kind].shape(), inertia);
-    // Bullet multiplies those of both bodies.
+    // Bullet multiplies the values of both bodies.
     info.m_friction = std::sqrt(model.friction);
     info.m_restitution = std::sqrt(model.restitution);
     info.m_startWorldTransform = toBullet(Eigen::Isometry3d(motion.pose * model.meshFromBody));
     info.m_linearSleepingThreshold = sleepMetresPerSecond;
     info.m_angularSleepingThreshold = sleepRadiansPerSecond;
     auto rigid = std::make_unique<btRigidBody>(info);
-    // Only what overlaps is solved: a contact ahead would brake the fall and spoil the rebound.
+    // Solve overlapping contacts only: a contact ahead would brake the fall and spoil the rebound.
     rigid->setContactProcessingThreshold(0);
     rigid->setLinearVelocity(toBullet(motion.velocity));
     rigid->setAngularVelocity(toBullet(motion.spin));
     rigid->setUserIndex(static_cast<int>(all.bodies.size()));
-    rigid->setUserPointer(const_cast<RigidBodyModel*>(&model)); // read only, by adjustContact
+    rigid->setUserPointer(const_cast<RigidBodyModel*>(&model)); // adjustContact only reads it
     rigid->setCollisionFlags(rigid->getCollisionFlags() |
                              btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
     all.world.addRigidBody(rigid.get(), all.kinds[kind].group, all.kinds[kind].collidesWith);

@@ -1,4 +1,4 @@
-// Rigid bodies that fall, collide, slide and roll, and what is to be heard of it. On Bullet.
+// Moves rigid bodies with Bullet and reports the impacts and contacts that sound.
 #pragma once
 
 #include "Scene/Contact.h"
@@ -13,50 +13,52 @@ namespace idiophone {
 
 struct BodyMotion {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< from mesh coordinates to the world
-    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();     ///< m/s, of the centre of mass
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();     ///< of the centre of mass, in m/s
     Eigen::Vector3d spin = Eigen::Vector3d::Zero();         ///< rad/s
 };
 
-/// The same calls give the same bits on one machine. One thread at a time; not for the audio
+/// The same calls give the same bits on one machine. One thread at a time. Not for the audio
 /// thread.
 class RigidWorld {
 public:
     struct Kind {
         std::shared_ptr<const RigidBodyModel> model;
-        int group = 1;         ///< one bit of 30
-        int collidesWith = ~0; ///< bits of groups, of which those must collide with this one too
+        int group = 1; ///< one of 30 bits
+        int collidesWith =
+            ~0; ///< bits of groups; two kinds collide if each names the other's group
     };
 
-    /// Pairs of bodies that are close enough to be looked at, and likewise of their parts (of which
-    /// a ring has some), each of which takes memory: about a gigabyte in all. A heap of thousands
-    /// has as many, or 300 bodies in one place; a hundred rings have 1300, and 4400 of parts.
+    /// The maximum pairs of nearby bodies, and of nearby body parts (a ring has several). Each pair
+    /// takes memory, about a gigabyte at the maximum. A heap of thousands of bodies has as many
+    /// pairs, as do 300 bodies in one place. A hundred rings have 1300 pairs of bodies and 4400 of
+    /// parts.
     static constexpr int mostPairs = 50'000;
 
     RigidWorld(std::vector<Kind> kinds, double stepsPerSecond, double gravityMetresPerSecond2);
     ~RigidWorld();
 
-    /// A body that is there from the next step on; bodies are numbered from 0, and a number is not
-    /// given again.
+    /// Adds a body from the next step on and returns its number. Numbers count from 0 and are not
+    /// reused.
     std::size_t add(std::size_t kind, const BodyMotion& motion);
-    /// A number for what is no rigid body and has none ever, such as a hand.
+    /// Reserves a number that never has a rigid body, for example for a hand.
     std::size_t addAbsent();
     void remove(std::size_t body);
     bool has(std::size_t body) const;
-    BodyMotion motion(std::size_t body) const;      ///< of one that is there
-    Eigen::Vector3d centre(std::size_t body) const; ///< of mass, likewise
-    /// m/s and rad/s, of one that is there.
+    BodyMotion motion(std::size_t body) const;      ///< expects that `has(body)`
+    Eigen::Vector3d centre(std::size_t body) const; ///< of mass; expects that `has(body)`
+    /// In m/s and rad/s. Expects that `has(body)`.
     void
     setVelocity(std::size_t body, const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin);
 
-    /// One step on. What it reports is over by then: no later step reports an impact before
-    /// `seconds()` less a step.
+    /// Advances by one step. Later steps report no impact before `seconds() - stepSeconds()`.
     void step();
     double seconds() const;
     double stepSeconds() const;
-    /// Whether there were more pairs of bodies, or of their parts, than `mostPairs`. Those beyond
-    /// pass through each other, so that a world is not worth another step then.
+    /// Returns whether the pairs of bodies, or of their parts, exceeded `mostPairs`. The pairs
+    /// beyond pass through each other, so that further steps are useless.
     bool isCrowded() const;
-    /// What all steps together took, of about a microsecond each: bodies, and pairs of them.
+    /// Returns the work of all steps so far, in units of about a microsecond: bodies and their
+    /// pairs.
     double work() const;
     std::span<const Impact> impacts() const; ///< of the last step, in order of time
     std::span<const Touch> touches() const;  ///< of the last step, in order of bodies

@@ -1,5 +1,6 @@
-// A scene as people write it: what things there are, where they begin, what is done to them, and
-// who listens. Plain data; SceneText reads it and SceneRun moves it. Metres, z points up.
+// A scene as its file describes it: kinds of bodies, where they start, how they move, and who
+// listens. Plain data. SceneText reads it and SceneRun moves it. Lengths are in metres; z points
+// up.
 #pragma once
 
 #include "Parameters/ParameterTable.h"
@@ -14,62 +15,61 @@
 
 namespace idiophone {
 
-/// What a body is to the others that meet it.
+/// The shape of a body in collisions.
 enum class BodyForm {
-    hull,     ///< the convex hull of its mesh; of a shell with half the thickness all around
-    ring,     ///< round about the mesh's z axis, open in the middle: capsules or hulls of sectors
-    sphere,   ///< as wide as the bounding box is on average, about its centre
-    cylinder, ///< round about the mesh's z axis, closed at its ends
-    surface,  ///< the mesh, smoothed; for fixed bodies that are hollow
-    ground    ///< everything below the top of the mesh's bounding box; for fixed bodies
+    hull,   ///< convex hull of the mesh; a shell extends by half its thickness all around
+    ring,   ///< round about the mesh's z axis and open in the middle: capsules or hulls of sectors
+    sphere, ///< centred in the bounding box, as wide as its mean size
+    cylinder, ///< round about the mesh's z axis, with closed ends
+    surface,  ///< the smoothed mesh, for hollow fixed bodies
+    ground    ///< everything below the top of the mesh's bounding box, for fixed bodies
 };
 
-/// A solid ball too small to be heard itself: its lowest mode is beyond hearing.
+/// A solid ball too small to be heard: its lowest mode is beyond hearing.
 struct SilentBall {
     double radiusMetres = 0.01;
-    std::string material; ///< one of the library's
+    std::string material; ///< name of a material in the library
 };
 
-/// What several bodies have in common.
+/// The common properties of bodies of one kind.
 struct BodyTemplate {
     std::string name;
-    std::string object; ///< the modal object: a factory object's name or a file's path
-    std::optional<SilentBall> ball = {}; ///< instead of an object
+    std::string object;                  ///< modal object: a factory object's name or a file's path
+    std::optional<SilentBall> ball = {}; ///< replaces the object
     BodyForm form = BodyForm::hull;
     bool isFixed = false;
-    double sizeRatio = 1; ///< the object scaled, 0.001 to 1000
-    // Where nothing is said, those of the object's material.
+    double sizeRatio = 1; ///< scale of the object, 0.001 to 1000
+    // If not set, the values of the object's material apply.
     std::optional<double> friction = {};    ///< 0 to 10
     std::optional<double> restitution = {}; ///< 0 to 1
-    /// The arm in metres with which the normal force brakes what rolls, 0 to 1.
+    /// Lever arm in metres with which the normal force brakes rolling, 0 to 1.
     double rollingFrictionMetres = 0.0002;
-    /// Of the curvature where it is touched, which Hertz's contact time asks for: 0 finds it from
-    /// the form.
+    /// Radius of curvature at the contact, for the Hertz contact time. 0 derives it from the form.
     double contactRadiusMetres = 0;
-    std::optional<Surface> surface = {};  ///< what sliding and rolling on it sound like
+    std::optional<Surface> surface = {};  ///< the sound of sliding and rolling on it
     std::vector<std::size_t> passes = {}; ///< kinds that it does not collide with
 };
 
-/// Of a quantity that is drawn for each body: the mean, and how far it may stray on either side.
+/// A quantity drawn at random for each body: the mean, and the maximum deviation on either side.
 struct Scattered {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Vector3d reach = Eigen::Vector3d::Zero();
 };
 
-/// Bodies that come into the scene, evenly over a time.
+/// Bodies that enter the scene at even intervals.
 struct Release {
     std::size_t kind = 0;
     int count = 1;
-    double seconds = 0;     ///< of the first one
-    double overSeconds = 0; ///< from the first to the last
+    double seconds = 0;     ///< time of the first body
+    double overSeconds = 0; ///< from the first body to the last
     Scattered positionMetres;
-    Scattered turnedDegrees; ///< about the direction of the vector, from the mesh's own position
-    bool isTurnedAtRandom = false; ///< every direction is as likely
+    Scattered turnedDegrees;       ///< rotation vector, relative to the mesh's own orientation
+    bool isTurnedAtRandom = false; ///< uniform over all orientations
     Scattered velocityMetresPerSecond;
     Scattered spinTurnsPerSecond;
 };
 
-/// A throw of bodies that are there: all of a kind get new velocities where they are.
+/// Throws bodies that are in the scene: all bodies of a kind get new velocities where they are.
 struct Kick {
     std::size_t kind = 0;
     double seconds = 0;
@@ -77,38 +77,38 @@ struct Kick {
     Scattered spinTurnsPerSecond;
 };
 
-/// A bar for each key of a preset of bars, side by side along x from low to high, their lengths
-/// along y; fixed, and as its objects sound.
+/// A fixed bar for each key of a preset of bars. They lie side by side along x from low to high,
+/// lengthwise along y, and sound as the preset's objects.
 struct KeyboardStage {
     std::string preset;           ///< a factory preset's name or a file's path
     double spacingMetres = 0.045; ///< from bar to bar
-    Eigen::Vector3d positionMetres = Eigen::Vector3d::Zero(); ///< the middle of the bars' tops
+    Eigen::Vector3d positionMetres = Eigen::Vector3d::Zero(); ///< middle of the bars' tops
 };
 
 /// A note drops a body so that it hits at the time of the note.
 struct NoteDrop {
     std::size_t kind = 0;
-    double softestMetres = 0.02;             ///< the height of a fall at velocity 1
-    double hardestMetres = 0.8;              ///< at velocity 127
-    Eigen::Vector2d reachMetres{0, 0};       ///< how far it may stray along x and y
-    double lifeSeconds = 1.5;                ///< from its first contact until it is taken away
-    Eigen::Vector3d positionMetres{0, 0, 0}; ///< where it hits, where there is no keyboard
+    double softestMetres = 0.02;             ///< height of the fall at velocity 1
+    double hardestMetres = 0.8;              ///< height of the fall at velocity 127
+    Eigen::Vector2d reachMetres{0, 0};       ///< maximum deviation along x and y
+    double lifeSeconds = 1.5;                ///< from the first contact until the body is removed
+    Eigen::Vector3d positionMetres{0, 0, 0}; ///< where the body hits if there is no keyboard
 };
 
-/// What a key of the plugin does with bodies that do not come from `NoteDrop`: all of them begin
-/// anew, from softest to hardest.
+/// A key of the plugin restarts all bodies that do not come from `NoteDrop`. Each pair holds the
+/// values of the softest and the hardest note.
 struct KeyThrow {
-    std::array<double, 2> raisedMetres{0, 0.3}; ///< how much higher than they are placed
-    std::array<double, 2> speedRatios{1, 1};    ///< times the speeds they are given
+    std::array<double, 2> raisedMetres{0, 0.3}; ///< height above the initial place
+    std::array<double, 2> speedRatios{1, 1};    ///< factor of the initial speeds
 };
 
-/// What a hand does to one body, as it was recorded: it taps and scrapes with a tool. Places are in
-/// the coordinates of the body's mesh, in its size; the nearest ones on the surface count.
+/// A recorded hand that taps and scrapes one body with a tool. Places are in the mesh coordinates
+/// of the scaled body and are moved to the nearest point of its surface.
 struct Hand {
     struct Moment {
         double seconds = 0;
         Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero();
-        double newtons = 0; ///< with which the tool is pressed on; 0: it does not touch
+        double newtons = 0; ///< force on the tool; 0: no contact
     };
     struct Tap {
         double seconds = 0;
@@ -116,10 +116,10 @@ struct Hand {
         double metresPerSecond = 0; ///< > 0
     };
 
-    std::size_t kind = 0;     ///< of which the first body is played
-    std::size_t tool = 0;     ///< whose mass, radius, material and surface the tool has
-    std::vector<Moment> path; ///< ascending in time; straight and even in between
-    std::vector<Tap> taps;    ///< likewise
+    std::size_t kind = 0;     ///< kind whose first body is played
+    std::size_t tool = 0;     ///< kind that gives the tool its mass, radius, material and surface
+    std::vector<Moment> path; ///< ascending in time; linear in between
+    std::vector<Tap> taps;    ///< ascending in time
 };
 
 struct Listener {
@@ -130,7 +130,7 @@ struct Listener {
 struct Scene {
     std::string name;
     std::string description;
-    double seconds = 10; ///< it lasts at least; then until it is silent
+    double seconds = 10; ///< minimum duration; then it lasts until it is silent
     std::uint32_t seed = 1;
     double stepsPerSecond = 2000; ///< of the rigid bodies, 1000 to 20000
     double gravityMetresPerSecond2 = 9.81;

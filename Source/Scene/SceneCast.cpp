@@ -15,12 +15,12 @@
 namespace idiophone {
 namespace {
 
-/// Of a surface of which nothing is said, as rough as its material.
+/// Returns the surface of a kind that sets none: as rough as its material.
 Surface plainSurface(const Material& material) {
     return {.name = material.name, .roughness = material.roughness};
 }
 
-/// Bit k stands for kind k, the last one for the bars.
+/// Bit k is the collision group of kind k. The bars have this bit.
 constexpr int keyboardGroup = 1 << 29;
 
 int collidingGroups(const std::vector<BodyTemplate>& kinds, std::size_t kind) {
@@ -48,7 +48,7 @@ Result<Preset> presetNamed(const std::string& nameOrFile) {
     });
 }
 
-/// As an object without modes.
+/// Makes a ball as an object without modes.
 Result<std::shared_ptr<const ModalObject>> ballOf(const SilentBall& ball) {
     auto object = std::make_shared<ModalObject>();
     object->name = "ball";
@@ -111,7 +111,7 @@ Result<void> SceneCast::castKinds(ObjectLibrary& library) {
             return tl::unexpected(object.error());
         if (auto done = addRole(kind, *object, 1 << k, collidingGroups(played.kinds, k)); !done)
             return done;
-        // Every performance makes the shapes of its own, also those of kinds of one object.
+        // Count a surface once for each kind: every performance builds a shape for each.
         const auto& own = allRoles.back().kind.model->touchingFaces;
         touching.pairs += own.pairs;
         touching.boxes += own.boxes;

@@ -1,4 +1,4 @@
-// A scene made ready to move and to sound: everything is loaded that it names.
+// The scene assets: a scene with every object and preset that it names loaded.
 #pragma once
 
 #include "Instrument/ObjectLibrary.h"
@@ -16,33 +16,34 @@
 
 namespace idiophone {
 
-/// Immutable, so any number of performances share it.
+/// Immutable, so that any number of performances share it.
 class SceneCast {
 public:
     struct Role {
         RigidWorld::Kind kind;
-        std::string object; ///< the factory's name or a file's path; empty for a ball
-        /// Of the object, not scaled; none of a ball, which is not heard.
+        std::string object; ///< factory name or file path; empty for a ball
+        /// The surface of the object, not scaled. Null for a ball, which is not heard.
         std::shared_ptr<const ObjectSurface> surface;
-        Surface sound; ///< of what slides and rolls on it
+        Surface sound; ///< surface for sliding and rolling
 
         bool isHeard() const { return surface != nullptr; }
     };
 
-    /// What stands in the scene from the start on.
+    /// A body that is in the scene from the start.
     struct Standing {
         std::size_t role = 0;
         BodyMotion motion;
     };
 
-    /// Loads what the scene names. The error names the kind, the object or the preset at fault.
+    /// Loads the objects and presets of a scene. The error names the kind, object or preset at
+    /// fault.
     static Result<std::shared_ptr<const SceneCast>> make(Scene scene, ObjectLibrary& library);
 
     const Scene& scene() const { return played; }
-    /// The scene's kinds in their order, then the keyboard's bars.
+    /// Returns the scene's kinds in their order, then the keyboard's bars.
     const std::vector<Role>& roles() const { return allRoles; }
     const std::vector<Standing>& keyboard() const { return bars; }
-    /// Where a note hits, if it does.
+    /// Returns the place that a note hits, if it has one.
     const std::optional<Eigen::Vector3d>& target(int midiNote) const {
         return targets[static_cast<std::size_t>(midiNote & 127)];
     }
@@ -51,7 +52,7 @@ public:
 private:
     explicit SceneCast(Scene scene) : played(std::move(scene)) {}
 
-    /// Its object is `object`, by the name that it has there.
+    /// Adds a role whose object is `object`; `kind.object` is its name in the library.
     Result<void> addRole(const BodyTemplate& kind,
                          const std::shared_ptr<const ModalObject>& object,
                          int group,

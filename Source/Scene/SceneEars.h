@@ -1,4 +1,4 @@
-// Slots' sounds from where their bodies are, as a scene's listener hears them.
+// Mixes the sounds of all bodies at the listener's two ears.
 #pragma once
 
 #include "Scene/HeadModel.h"
@@ -12,30 +12,30 @@
 
 namespace idiophone {
 
-/// Constructed and destroyed off the audio thread; every other member neither allocates, locks nor
-/// throws.
+/// Constructed and destroyed off the audio thread. The other members do not allocate, lock or
+/// throw.
 class SceneEars {
 public:
-    /// `measured`: the listener's head at that rate; none: a sphere.
+    /// `measured`: the listener's head at that sample rate; null selects a sphere.
     SceneEars(const Listener& listener,
               const std::shared_ptr<const HeadResponses>& measured,
               std::size_t slots,
               double sampleRateHz);
 
-    /// A cell of every slot (of its first channel) to both ears, with each slot at its place in
-    /// metres by its end.
+    /// Renders a cell to both ears from the first channel of every slot. `places` are in metres, at
+    /// the cell's end.
     void hear(std::span<const CellOutput> cellsOfSlots,
               std::span<const Eigen::Vector3d> places,
               const CellOutput& ears) noexcept;
 
-    void reset() noexcept; ///< as constructed
+    void reset() noexcept; ///< to the state after construction
 
-    /// Nothing is on its way.
+    /// Returns true if no sound is on its way.
     bool silent() const noexcept;
 
 private:
     HeadModel head;
-    std::vector<std::unique_ptr<PlacedSource>> sources; ///< of the slots
+    std::vector<std::unique_ptr<PlacedSource>> sources; ///< one a slot
 };
 
 } // namespace idiophone

@@ -1,4 +1,5 @@
-// Chance that repeats: the standard fixes the engine's numbers, but not those of its distributions.
+// Repeatable random numbers: the standard fixes the numbers of its engines, but not those of its
+// distributions.
 #pragma once
 
 #include "Scene/Scene.h"
@@ -12,13 +13,13 @@ namespace idiophone {
 
 class SceneRandom {
 public:
-    /// Of the `number`th of the things that a scene's seed decides.
+    /// The random numbers of item `number` among those that a scene's seed decides.
     SceneRandom(std::uint32_t seed, std::uint32_t number) {
         std::seed_seq both{seed, number};
         engine.seed(both);
     }
 
-    /// Evenly from −1 to 1.
+    /// Returns a uniform number from −1 to 1.
     double spread() { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; }
 
     Eigen::Vector3d draw(const Scattered& quantity) {
@@ -28,7 +29,7 @@ public:
         return drawn;
     }
 
-    /// Every direction as likely as any other (Shoemake 1992).
+    /// Returns a uniform random rotation (Shoemake 1992).
     Eigen::Quaterniond turn() {
         const double share = (spread() + 1) / 2;
         const double first = std::numbers::pi * spread(), second = std::numbers::pi * spread();

@@ -14,9 +14,9 @@
 namespace idiophone {
 namespace {
 
-constexpr double ringingSeconds = 2;  // after which the slot of what was taken away is free
-constexpr double lowestMetres = -100; // what falls deeper is gone
-constexpr std::uint32_t firstNote = 1u << 24, firstKick = 1u << 25; // numbers of chances
+constexpr double ringingSeconds = 2;  // a removed body's slot is free after this time
+constexpr double lowestMetres = -100; // bodies below are removed
+constexpr std::uint32_t firstNote = 1u << 24, firstKick = 1u << 25; // numbers of random sequences
 
 std::vector<RigidWorld::Kind> kindsOf(const SceneCast& cast) {
     std::vector<RigidWorld::Kind> kinds;
@@ -36,7 +36,8 @@ Eigen::Quaterniond turned(const Eigen::Vector3d& degrees) {
                      : Eigen::Quaterniond::Identity();
 }
 
-/// With the centre of mass at a place, or what stands with the origin of its mesh.
+/// Returns the pose with the centre of mass at `place`; for fixed bodies, with the mesh's origin
+/// there.
 Eigen::Isometry3d
 posed(const RigidBodyModel& model, const Eigen::Vector3d& place, const Eigen::Quaterniond& turn) {
     return Eigen::Translation3d(place) * turn *
@@ -144,9 +145,9 @@ void SceneRun::planNotes() {
     shareSlots(fallen);
 }
 
-/// Each has the first slot that is free when it comes.
+/// Gives each body the first slot that is free when it enters.
 void SceneRun::shareSlots(std::span<Coming> ofOneRole) {
-    using Leaving = std::pair<double, std::size_t>; // when, and from which slot
+    using Leaving = std::pair<double, std::size_t>; // time, slot
     std::priority_queue<Leaving, std::vector<Leaving>, std::greater<>> taken;
     std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> free;
     for (auto& one : ofOneRole) {
@@ -160,8 +161,8 @@ void SceneRun::shareSlots(std::span<Coming> ofOneRole) {
     }
 }
 
-/// From rest, turned somehow, so high that its lowest point meets the target at a speed that grows
-/// evenly with the velocity.
+/// Starts the body at rest in a random orientation, so high that its lowest point meets the target
+/// at a speed that grows linearly with the note's velocity.
 BodyMotion SceneRun::falling(const SceneNote& note,
                              std::uint32_t number,
                              const LowestPoint& outer,
@@ -180,12 +181,12 @@ BodyMotion SceneRun::falling(const SceneNote& note,
         place(axis) += drop.reachMetres(axis) * chance.spread();
     const auto& model = *cast->roles()[drop.kind].kind.model;
     const auto about = posed(model, Eigen::Vector3d::Zero(), turn);
-    const double lowest = std::min(0.0, outer.metres(about)); // below its centre of mass
+    const double lowest = std::min(0.0, outer.metres(about)); // relative to its centre of mass
     place.z() += speed * fallSeconds / 2 - lowest;
     return {.pose = posed(model, place, turn)};
 }
 
-// A step that begins at t reports blows since t less a step.
+// A step that begins at t reports impacts since t minus one step.
 void SceneRun::advanceTo(double seconds) {
     while (!isCrowded() && !isCutShort() &&
            rigid.seconds() - leadSeconds < seconds + rigid.stepSeconds())
@@ -207,13 +208,13 @@ void SceneRun::follow() {
             const auto slot = now.slots[side];
             if (slot != noSlot && slotPoses[slot])
                 from = heardFrom(slot, *slotPoses[slot], slotPlaces[slot]);
-            else if (before.pair == now.pair) // taken away: it fades where it was
+            else if (before.pair == now.pair) // the body was removed: it fades where it was
                 from = before.points[side].point.heardFrom;
         }
     }
 }
 
-/// The side of a slot's object that it turns to the listener: see StrikePoint::heardFrom.
+/// Returns the side of a slot's object that faces the listener: see StrikePoint::heardFrom.
 std::int32_t SceneRun::heardFrom(std::size_t slot,
                                  const Eigen::Isometry3d& pose,
                                  const Eigen::Vector3d& centre) const {
@@ -244,7 +245,7 @@ void SceneRun::takeHand() {
     roleOfBody.push_back(scene.hand->tool);
 }
 
-/// What touched in a step, the hand among it; its taps are told.
+/// Returns the contacts of a step, including the hand's, and reports the hand's taps.
 std::span<const Touch> SceneRun::withHand(double from, double until) {
     const auto played = std::ranges::find_if(present, [&](const Present& one) {
         return hand && roleOfBody[one.body] == scene.hand->kind;
@@ -252,7 +253,7 @@ std::span<const Touch> SceneRun::withHand(double from, double until) {
     if (played == present.end())
         return rigid.touches();
     for (auto impact : hand->tapsBetween(from, until, played->body, handBody)) {
-        impact.seconds += leadSeconds; // of the world's time
+        impact.seconds += leadSeconds; // to the world's time
         tell(impact);
     }
     touchesWithHand.assign(rigid.touches().begin(), rigid.touches().end());
@@ -261,8 +262,8 @@ std::span<const Touch> SceneRun::withHand(double from, double until) {
     return touchesWithHand;
 }
 
-/// What was to come between two steps is as far on its way by now. Half a step of gravity ahead
-/// makes the fall exact at every step.
+/// Adds the bodies that are due. One due between two steps is moved to where it is now. Half a step
+/// of gravity ahead makes the fall exact at every step.
 void SceneRun::letIn(double now) {
     for (; nextComing < coming.size() && coming[nextComing].seconds <= now && !isCrowded();
          ++nextComing) {
@@ -340,7 +341,7 @@ std::optional<SceneBlow> SceneRun::takeBlow(double beforeSeconds) {
 }
 
 bool SceneRun::finished() const {
-    // A step later what is taken away is gone.
+    // One more step, so that bodies due for removal are gone.
     return isCrowded() || isCutShort() ||
            rigid.seconds() - leadSeconds > overSeconds + rigid.stepSeconds();
 }

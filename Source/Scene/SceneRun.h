@@ -1,5 +1,5 @@
-// A performance of a scene: bodies come, are thrown and go as its file and the notes say, and what
-// they strike is told for the synthesiser.
+// Runs the simulation of a scene: adds, throws and removes bodies as the file and the notes say,
+// and reports their impacts and contacts to the synthesiser.
 #pragma once
 
 #include "Scene/LowestPoint.h"
@@ -24,34 +24,34 @@ struct SceneNote {
     int velocity = 0;   ///< 1 to 127
 };
 
-/// Of what has no modes.
+/// The slot of bodies without modes.
 inline constexpr std::size_t noSlot = ~std::size_t{0};
 
-/// A blow on one slot, ready to be struck.
+/// An impact on one slot, ready for the synthesiser.
 struct SceneBlow {
     double seconds = 0;
     std::size_t slot = 0;
-    std::size_t role = 0; ///< of what is struck
+    std::size_t role = 0; ///< of the struck body
     Strike strike;
     Eigen::Vector3d pointMetres = Eigen::Vector3d::Zero(); ///< on the object, not scaled
 };
 
-/// How a scene is performed, beside what its file says.
+/// How to perform a scene, beyond its file.
 struct SceneCall {
-    /// In any order; those without a target are left out. What falls for the first ones begins
-    /// before 0.
+    /// In any order. Notes without a target are ignored. The bodies of the first notes may start to
+    /// fall before time 0.
     std::vector<SceneNote> notes = {};
-    std::optional<std::uint32_t> seed = {}; ///< instead of the scene's
-    std::optional<double> seconds = {};     ///< instead of the scene's
-    double raisedMetres = 0;                ///< how much higher what moves begins
-    double speedRatio = 1;                  ///< times the speeds at which it begins
-    /// As `RigidWorld::work` counts; beyond it nothing moves on.
+    std::optional<std::uint32_t> seed = {}; ///< replaces the scene's seed
+    std::optional<double> seconds = {};     ///< replaces the scene's duration
+    double raisedMetres = 0;                ///< added to the initial height of moving bodies
+    double speedRatio = 1;                  ///< factor of initial speeds
+    /// In the units of `RigidWorld::work`. The simulation stops when it has done this much.
     double mostWork = std::numeric_limits<double>::infinity();
-    /// Set by another thread that waits for its end: nothing moves on.
+    /// Set by another thread to stop the simulation. May be null.
     const std::atomic<bool>* isStopped = nullptr;
 };
 
-/// What is wrong with a scene of which a run is crowded, by its name.
+/// Returns the error for a scene whose run is crowded.
 Error crowdedFault(const Scene& scene);
 
 /// One thread at a time; not for the audio thread. The same cast and call give the same bits.
@@ -59,41 +59,40 @@ class SceneRun {
 public:
     explicit SceneRun(std::shared_ptr<const SceneCast> cast, SceneCall call = {});
 
-    /// What sounds, for the synthesiser to be made of. Bodies that were taken away leave their
-    /// slots to others.
+    /// Returns the slots from which the synthesiser is made. Slots of removed bodies are reused.
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
-    /// Which of the cast's roles sounds there.
+    /// Returns the index of the slot's role in the cast.
     std::size_t roleOf(std::size_t slot) const { return roleOfSlot[slot]; }
-    /// Whether what sounds there never moves.
+    /// Returns whether the body of the slot never moves.
     bool isFixed(std::size_t slot) const {
         return cast->roles()[roleOfSlot[slot]].kind.model->isFixed;
     }
 
-    /// Steps until everything before a time is known.
+    /// Steps until everything before `seconds` is known.
     void advanceTo(double seconds);
-    /// The next blow before a time, in order of time, or none.
+    /// Removes and returns the next impact before a time, in order of time.
     std::optional<SceneBlow> takeBlow(double beforeSeconds);
-    /// What slides and rolls, as of the last step.
+    /// Returns the contacts at the last step.
     std::span<const TouchState, TouchTracker::voiceCount> touches() const { return heardTouches; }
 
-    /// Where each slot's body is, or was last.
+    /// Returns the current or last place of each slot's body.
     std::span<const Eigen::Vector3d> places() const { return slotPlaces; }
 
-    /// Where its mesh, scaled, is; nothing while there is no body.
+    /// Returns the pose of the slot's scaled mesh, or nothing while the slot has no body.
     const std::optional<Eigen::Isometry3d>& pose(std::size_t slot) const { return slotPoses[slot]; }
 
-    /// Nothing more will happen: the scene's time is over and every note has fallen, or it ended
-    /// before that.
+    /// Returns true if nothing more will happen: the scene and all notes are over, or it ended
+    /// early.
     bool finished() const;
-    /// Whether it ended early, as `RigidWorld::isCrowded`.
+    /// Returns whether it ended early because the world is crowded (`RigidWorld::isCrowded`).
     bool isCrowded() const { return rigid.isCrowded(); }
-    /// Whether it ended early, as the call has it.
+    /// Returns whether it ended early because of the call's `mostWork` or `isStopped`.
     bool isCutShort() const;
 
     struct Figures {
-        std::int64_t bodies = 0; ///< there now, with those that stand
+        std::int64_t bodies = 0; ///< present now, with fixed ones
         std::int64_t impacts = 0;
-        std::int64_t notesLeftOut = 0; ///< without a target
+        std::int64_t notesLeftOut = 0; ///< notes without a target
     };
     const Figures& figures() const { return counted; }
 
@@ -131,7 +130,7 @@ private:
     SceneCall call;
     std::uint32_t seed;
     RigidWorld rigid;
-    double leadSeconds = 0; ///< of the world's time before 0
+    double leadSeconds = 0; ///< how long the world starts before time 0
     std::vector<SynthesiserSlot> allSlots;
     std::vector<std::size_t> roleOfSlot;
     std::vector<Coming> coming; ///< in order of time
@@ -143,12 +142,13 @@ private:
         double lastsUntil;
     };
     std::vector<Present> present;
-    std::vector<std::size_t> slotOfBody, roleOfBody; ///< by body
+    std::vector<std::size_t> slotOfBody, roleOfBody; ///< index: body
     std::deque<SceneBlow> blows;                     ///< in order of time
     std::vector<Eigen::Vector3d> slotPlaces;
     std::vector<std::optional<Eigen::Isometry3d>> slotPoses;
     TouchTracker tracker;
-    std::array<TouchState, TouchTracker::voiceCount> heardTouches; ///< with where they are heard
+    std::array<TouchState, TouchTracker::voiceCount>
+        heardTouches; ///< with their directions to the listener
     std::optional<RecordedHand> hand;
     std::size_t handBody = 0;
     std::vector<Touch> touchesWithHand;

@@ -77,7 +77,7 @@ void SceneShow::release(Synthesiser& synthesiser,
     releaseOthers(synthesiser, cellsOfSlots);
 }
 
-/// The voices that are not pressed any more.
+/// Releases the voices that are no longer pressed.
 void SceneShow::releaseOthers(Synthesiser& synthesiser,
                               std::span<const CellOutput> cellsOfSlots) noexcept {
     for (std::size_t voice = 0; voice < isPressed.size(); ++voice)
@@ -89,7 +89,7 @@ void SceneShow::hear(std::span<const CellOutput> cellsOfSlots, const CellOutput&
     ears.hear(cellsOfSlots, places, heard);
 }
 
-/// What of an act was there goes back.
+/// Gives back the simulation's blocks and resets it.
 void SceneShow::clear(Act& act) noexcept {
     while (act.count > 0)
         drop(act);
@@ -118,7 +118,7 @@ void SceneShow::takeChunks() noexcept {
     }
 }
 
-/// Until everything is known that happens before the cell's end.
+/// Waits until everything before the cell's end is known.
 void SceneShow::waitFor(std::int64_t cell) noexcept {
     const auto isKnown = [&](const Act& act) {
         return act.number == 0 || act.isAllKnown || act.knownCells > cell - act.startCell;
@@ -127,12 +127,12 @@ void SceneShow::waitFor(std::int64_t cell) noexcept {
         const bool more = worker.help();
         takeChunks();
         if (!more)
-            return; // all that there will be is there
+            return; // no more blocks will come
     }
 }
 
 void SceneShow::play(Act& act, const BegunCell& cell) noexcept {
-    // The act's cells lie between those of the sound: this one's end falls into its cell `now`.
+    // The simulation's cells lie between those of the sound. This cell ends within its cell `now`.
     const auto now = cell.index - act.startCell;
     const double startSeconds = (static_cast<double>(now * cellSamples) - act.startSample) / rate;
     const double endSeconds = startSeconds + cellSamples / rate;
@@ -183,7 +183,7 @@ void SceneShow::strike(const SceneBlow& blow, double sample, const BegunCell& ce
              .pointMetres = {blow.pointMetres.x(), blow.pointMetres.y(), blow.pointMetres.z()}});
 }
 
-/// By the voice that the pair has, or else a free one.
+/// Presses the pair's voice, or a free one.
 void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
     auto voice = std::ranges::find(pairOfVoice, state.pair);
     if (voice == pairOfVoice.end())
@@ -196,7 +196,7 @@ void SceneShow::press(const TouchState& state, const BegunCell& cell) noexcept {
     voices.press(index, state, cell.synthesiser, cell.cellsOfSlots);
 }
 
-/// Evenly to where the first chunk says, or at once at the beginning.
+/// Moves places evenly to those of the first block, or at once for a new simulation.
 void SceneShow::place(Act& act, std::int64_t cellsLeft) noexcept {
     const double share =
         act.isPlaced ? 1.0 / static_cast<double>(std::max<std::int64_t>(cellsLeft, 1)) : 1;

@@ -1,4 +1,5 @@
-// The audio thread's side of a stage: acts' blows and touches at their samples, and the listener.
+// Plays a scene instrument on the audio thread: impacts and contacts at their samples, and the
+// listener.
 #pragma once
 
 #include "Instrument/CellStrikes.h"
@@ -16,7 +17,7 @@ namespace idiophone {
 
 class SceneShow final : public StagePerformance {
 public:
-    /// The stage outlives it.
+    /// `stage` must outlive it.
     SceneShow(const SceneStage& stage, double sampleRateHz, std::uint64_t seed);
 
     void cue(int midiNote, int velocity, std::int64_t cell, double sampleInCell) noexcept override;
@@ -38,18 +39,18 @@ public:
     std::span<const BodyPose> poses() const noexcept override { return bodyPoses; }
 
 private:
-    static constexpr std::size_t chunkCapacity = 128; // more than the worker is ahead
-    static constexpr std::size_t blowCapacity = 1024; // between two times that somebody asks
+    static constexpr std::size_t chunkCapacity = 128; // more than the worker runs ahead
+    static constexpr std::size_t blowCapacity = 1024; // between two calls of takeBlows
     static constexpr std::size_t crowdedCapacity = 1024;
 
-    /// An act as it sounds: a ring of chunks that are known.
+    /// A note's simulation while it sounds: a ring of the blocks received so far.
     struct Act {
-        std::uint32_t number = 0; ///< of its cue; 0: nothing is on
+        std::uint32_t number = 0; ///< of its cue; 0: idle
         std::int64_t startCell = 0;
-        double startSample = 0; ///< in that cell
+        double startSample = 0; ///< within that cell
         std::array<ActChunk*, chunkCapacity> chunks{};
         std::size_t first = 0, count = 0;
-        std::size_t blowsDone = 0; ///< of the first chunk
+        std::size_t blowsDone = 0; ///< of the first block
         std::int64_t knownCells = 0;
         bool isAllKnown = false;
         bool isPlaced = false;
@@ -75,14 +76,14 @@ private:
     std::vector<Act> acts;
     std::size_t nextAct = 0;
     std::uint32_t cueCount = 0;
-    std::uint32_t cuesEver = 0; ///< so that chunks from before a reset are known
+    std::uint32_t cuesEver = 0; ///< identifies blocks from before a reset
     TouchVoices voices;
-    std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{}; ///< 0: none is pressed
+    std::array<std::uint32_t, TouchTracker::voiceCount> pairOfVoice{}; ///< 0: not in use
     std::array<bool, TouchTracker::voiceCount> isPressed{};            ///< in this cell
     SceneEars ears;
-    std::vector<Eigen::Vector3d> places;  ///< of the slots
-    std::vector<BodyPose> bodyPoses;      ///< likewise
-    CellStrikes crowded{crowdedCapacity}; ///< blows that found no room
+    std::vector<Eigen::Vector3d> places;  ///< by slot
+    std::vector<BodyPose> bodyPoses;      ///< by slot
+    CellStrikes crowded{crowdedCapacity}; ///< impacts that found no free strike
     std::vector<PlacedBlow> recentBlows;
     bool areBlowsTaken = false;
     std::uint32_t ownNumber;

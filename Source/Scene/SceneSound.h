@@ -1,5 +1,5 @@
-// What a scene's bodies do to each other, as sound: blows at their samples, slides and rolls as
-// continuous forces, on the synthesiser's grid.
+// Renders a scene on the synthesiser's grid: impacts at their samples, sliding and rolling as
+// continuous forces.
 #pragma once
 
 #include "Instrument/CellStrikes.h"
@@ -14,11 +14,11 @@
 
 namespace idiophone {
 
-/// Constructed and destroyed off the audio thread; every other member neither allocates, locks nor
-/// throws.
+/// Constructed and destroyed off the audio thread. The other members do not allocate, lock or
+/// throw.
 class SceneSound {
 public:
-    /// `head`: the listener's, measured, at that rate; none: a sphere.
+    /// `head`: the listener's measured head at that sample rate; null selects a sphere.
     SceneSound(const SceneCast& cast,
                std::vector<SynthesiserSlot> slots,
                double sampleRateHz,
@@ -27,13 +27,15 @@ public:
 
     void setSettings(const SynthesisSettings& settings) { synth.setSettings(settings); }
 
-    /// Begins the next cell, with what rings.
+    /// Begins the next cell with the sound that is still ringing.
     void beginCell() noexcept;
-    /// A blow within it, or before it: then at once. False where it is not valid for its slot.
+    /// Adds an impact in the cell, or at once if it is earlier. Returns false if it is not valid
+    /// for its slot.
     bool strike(const SceneBlow& blow) noexcept;
-    /// What slides and rolls until its end.
+    /// Sets the contacts until the cell's end.
     void touch(std::span<const TouchState, TouchTracker::voiceCount> states) noexcept;
-    /// What the listener hears of it, with each slot at its place in metres by then.
+    /// Renders the cell at the listener's ears. `places` are the slots' places in metres at its
+    /// end.
     void finishCell(std::span<const Eigen::Vector3d> places, const CellOutput& heard) noexcept;
 
     double cellStartSeconds() const { return startSeconds; }
@@ -51,8 +53,8 @@ private:
     SceneEars ears;
     TouchVoices voices;
     AlignedVector<float> samples;  ///< [slots, 64]
-    std::vector<CellOutput> cells; ///< in them
-    CellStrikes crowded;           ///< blows that found no room
+    std::vector<CellOutput> cells; ///< views into `samples`
+    CellStrikes crowded;           ///< impacts that found no free strike
     double cellSeconds;
     double startSeconds;
     std::int64_t cellsBegun = 0;

@@ -12,12 +12,12 @@
 namespace idiophone {
 namespace {
 
-constexpr std::size_t mostMovingSlots = 64; // of all acts, unless one has more
+constexpr std::size_t mostMovingSlots = 64; // of all simulations, unless a single one has more
 constexpr int middleVelocity = 64;
 constexpr double longestRehearsalSeconds = 3;
-constexpr double mostWorkBefore = 2e6; // a few seconds, as RigidWorld counts
+constexpr double mostWorkBefore = 2e6; // a few seconds, in the units of RigidWorld::work
 
-/// From the softest to the hardest.
+/// Interpolates from the softest to the hardest note.
 double between(const std::array<double, 2>& ends, int velocity) {
     return std::lerp(ends[0], ends[1], (velocity - 1) / 126.0);
 }
@@ -160,7 +160,7 @@ SceneCall SceneStage::callFor(int midiNote, int velocity, std::uint32_t seed) co
 std::array<int, 128> SceneStage::slotOfKey(int lowestNote, int highestNote) const {
     std::array<int, 128> slots;
     slots.fill(-1);
-    // The bars' slots are the first ones, in the order of the notes.
+    // The bars have the first slots, in the order of the notes.
     int bar = 0;
     const bool hasBars = !played->keyboard().empty();
     for (int note = 0; note < 128; ++note) {

@@ -1,4 +1,4 @@
-// A scene as an instrument: every note performs it anew, with chances of its own.
+// A scene as an instrument: every note starts a new simulation with random numbers of its own.
 #pragma once
 
 #include "Instrument/Instrument.h"
@@ -13,30 +13,30 @@
 
 namespace idiophone {
 
-/// As `Instrument::build`, and key maps of kind `scene` too: of a factory scene's name or a scene
-/// file. Not for the audio thread. The error names what is at fault.
+/// Builds as `Instrument::build` does, and also key maps of kind `scene` (a factory scene's name or
+/// a scene file). Not for the audio thread. The error names the part at fault.
 Result<std::shared_ptr<const Instrument>> buildInstrument(const KeyMap& keyMap,
                                                           ObjectLibrary& library);
 
-/// What is seen of a slot's body.
+/// Returns the pose of a slot's body for the window.
 BodyPose bodyPose(const SceneRun& run, std::size_t slot);
 
-/// Several notes sound at a time, each in a world of its own (an act): what stands is the same in
-/// all of them and has one slot, what moves has one in each. With `notes` the body of a key is
-/// dropped so that it hits when the longest fall has gone by, whatever its own: so a chord stays
-/// together. Without them everything that moves begins anew.
+/// Several notes sound at a time, each in a simulation of its own (an act). A fixed body has one
+/// slot in all of them; a moving body has one slot in each. If the scene has `notes`, every body
+/// hits after the same delay, the longest fall, so that a chord stays together. Otherwise a note
+/// restarts all moving bodies.
 class SceneStage final : public Stage {
 public:
     static constexpr std::size_t mostActs = 8;
 
-    /// Where the slots of one act's run are among the synthesiser's.
+    /// Maps the slots of one simulation to those of the synthesiser.
     using SlotMap = std::vector<std::size_t>;
 
-    /// More than these no machine moves while they sound.
+    /// The maximum bodies. No machine simulates more of them in real time.
     static constexpr std::size_t mostBodies = 500;
 
-    /// Refuses more bodies than `mostBodies`, those that are crowded (RigidWorld::isCrowded), and
-    /// what takes too long to begin; the error names the scene.
+    /// Refuses more than `mostBodies` bodies, a crowded scene (RigidWorld::isCrowded) and one that
+    /// takes too long to begin. The error names the scene.
     static Result<std::shared_ptr<const SceneStage>> make(std::shared_ptr<const SceneCast> cast);
 
     std::unique_ptr<StagePerformance> perform(double sampleRateHz,
@@ -50,30 +50,30 @@ public:
 
     const std::shared_ptr<const SceneCast>& cast() const { return played; }
     const std::vector<SynthesiserSlot>& slots() const { return allSlots; }
-    /// Where the bodies of the slots are before anything moves.
+    /// Returns the initial place of each slot's body.
     const std::vector<Eigen::Vector3d>& places() const { return firstPlaces; }
     std::size_t actCount() const { return slotsOfActs.size(); }
     const SlotMap& slotsOfAct(std::size_t act) const { return slotsOfActs[act]; }
-    /// What a note is shown by, −1 where it does nothing.
+    /// Returns the slot that shows each note in the window, −1 for notes without effect.
     std::array<int, 128> slotOfKey(int lowestNote, int highestNote) const;
 
-    /// What a note does.
+    /// Returns the call that performs a note.
     SceneCall callFor(int midiNote, int velocity, std::uint32_t seed) const;
 
 private:
     explicit SceneStage(std::shared_ptr<const SceneCast> cast) : played(std::move(cast)) {}
 
     Result<void> setUp();
-    /// The note at middle velocity, for a few seconds' work.
+    /// Returns the call of the note at middle velocity, limited to a few seconds of work.
     SceneCall rehearsalCall(int midiNote) const;
-    /// Of a rehearsal at middle velocity; 0 where nothing is struck soon, or where it takes more
-    /// work than is worth it.
+    /// Rehearses a note at middle velocity. Returns 0 if nothing is struck soon or within the work
+    /// limit.
     Result<double> firstBlowSeconds() const;
 
     std::shared_ptr<const SceneCast> played;
     double delay = 0;
     std::vector<SynthesiserSlot> allSlots;
-    std::vector<std::size_t> allRoles; ///< of the slots
+    std::vector<std::size_t> allRoles; ///< by slot
     std::vector<Eigen::Vector3d> firstPlaces;
     std::vector<BodyPose> posesAtFirst;
     std::vector<SlotMap> slotsOfActs;

@@ -12,11 +12,11 @@
 namespace idiophone {
 namespace {
 
-// Generous bounds, as those in HandText.h.
+// Generous bounds, as in HandText.h.
 constexpr double fastestMetresPerSecond = 100;
 constexpr double fastestTurnsPerSecond = 100;
 constexpr int mostBodies = 10000;
-constexpr std::size_t mostKinds = 24; // a bit each in SceneCast
+constexpr std::size_t mostKinds = 24; // SceneCast uses one bit for each
 constexpr std::size_t mostEntries = 10000;
 
 constexpr std::array<std::pair<std::string_view, BodyForm>, 6> formNames{{
@@ -80,7 +80,7 @@ BodyTemplate parseKind(const JsonPlace& place) {
     return kind;
 }
 
-/// In a second pass, for kinds may be named before they are described.
+/// Runs in a second pass, because a kind may be named before it is described.
 void parsePasses(const JsonPlace& place,
                  BodyTemplate& kind,
                  const std::vector<BodyTemplate>& kinds) {
@@ -143,7 +143,7 @@ KeyboardStage parseKeyboard(const JsonPlace& place) {
     return stage;
 }
 
-/// What holds for the softest and for the hardest note.
+/// Parses a pair of values: for the softest and the hardest note.
 std::array<double, 2> parseSpan(const JsonPlace& place, double lowest, double highest) {
     const auto ends = place.list(2);
     if (ends.size() != 2)

@@ -1,4 +1,4 @@
-// Scenes as JSON text; docs/scenes.md specifies it.
+// Parses scenes from JSON text, as docs/scenes.md specifies.
 #pragma once
 
 #include "Object/Result.h"
@@ -12,8 +12,8 @@ namespace idiophone {
 inline constexpr int sceneFormatVersion = 1;
 inline constexpr std::size_t largestSceneBytes = 1 << 22;
 
-/// Parses a scene; `file` stands for it in errors, which name the place in the file. Objects and
-/// presets are named, not looked for. Not for the audio thread.
+/// Parses a scene. `file` names it in errors, which also give the place in the file. Does not look
+/// for the objects and presets that the scene names. Not for the audio thread.
 Result<Scene> parseScene(std::string_view text, std::string_view file);
 
 } // namespace idiophone

@@ -5,7 +5,7 @@
 namespace idiophone {
 namespace {
 
-// The cubic goes from one sample before to two behind.
+// The cubic uses one sample before and two after.
 constexpr double leastDelaySamples = 1;
 constexpr std::size_t points = 4;
 
@@ -36,7 +36,7 @@ SphereSource::Ear SphereSource::earOf(const EarPath& path, double gain) const no
 }
 
 void SphereSource::delayed(const Delay& delay, std::span<float, cellSamples> to) const noexcept {
-    const float* from = cellBefore(delay.samples + points - 1); // the oldest of the four
+    const float* from = cellBefore(delay.samples + points - 1); // oldest of the four samples
     const auto& w = delay.weights;
     for (std::size_t i = 0; i < cellSamples; ++i)
         to[i] = w[3] * from[i] + w[2] * from[i + 1] + w[1] * from[i + 2] + w[0] * from[i + 3];

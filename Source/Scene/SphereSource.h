@@ -1,4 +1,4 @@
-// What the two ears of a spherical head hear of a body.
+// Renders a body's sound at the two ears of a spherical head.
 #pragma once
 
 #include "Scene/PlacedSource.h"
@@ -12,12 +12,12 @@ public:
     explicit SphereSource(double sampleRateHz);
 
 private:
-    /// A delay as the cubic of Lagrange through four samples.
+    /// A delay by cubic Lagrange interpolation of four samples.
     struct Delay {
-        std::size_t samples = 0; ///< to the first of the four
+        std::size_t samples = 0; ///< to the first of the four samples
         std::array<float, 4> weights{};
     };
-    /// y = b₀ x + b₁ x₁ − a₁ y₁ of what is delayed.
+    /// y = b₀ x + b₁ x₁ − a₁ y₁, where x is the delayed sound.
     struct Ear {
         Delay delay;
         float direct = 0, previous = 0;

@@ -1,4 +1,4 @@
-// The faces of a surface as Bullet looks for them.
+// The tree of a surface's faces in which Bullet looks for collisions.
 #pragma once
 
 #include "Geometry/BoxTree.h"
@@ -6,13 +6,13 @@
 
 namespace idiophone {
 
-/// A BoxTree in Bullet's form, so that a search takes what was counted in one. Trees that Bullet
-/// makes of its own accord widen every box to 2 mm or round it to a share of the whole surface, so
-/// that of small faces, or beside one far away, all are neighbours; and they halve uneven surfaces
-/// by chance.
+/// A BoxTree in Bullet's format, so that Bullet's searches cost as much as BoxTree counted.
+/// Bullet's own trees widen boxes to 2 mm or round them to a fraction of the whole surface. Small
+/// faces, or all faces beside a distant one, then count as neighbours. They also split uneven
+/// surfaces badly.
 class SurfaceTree final : public btOptimizedBvh {
 public:
-    /// A mesh whose indices are valid and whose coordinates are finite.
+    /// Expects valid indices and finite coordinates.
     explicit SurfaceTree(const Mesh& mesh) {
         const BoxTree tree(mesh);
         m_useQuantization = false;

@@ -7,11 +7,11 @@ namespace idiophone {
 namespace {
 
 constexpr double smoothingSeconds = 0.004;   // of force and speeds, which jitter from step to step
-constexpr double longestPauseSeconds = 0.03; // in which a pair keeps its voice: a hop
-constexpr double spacingMetres = 0.002;      // at which a place is taken for a new one
+constexpr double longestPauseSeconds = 0.03; // a pair keeps its voice during a hop this long
+constexpr double spacingMetres = 0.002;      // a contact point that moved further is computed again
 constexpr double slowestMetresPerSecond = 1e-3;
 
-/// Of the force of something that slides or rolls, for comparison.
+/// Compares the loudness of contacts by the force of sliding or rolling.
 double loudness(const Touch& touch) {
     return touch.forceNewtons * std::max(touch.slideMetresPerSecond, touch.rollMetresPerSecond);
 }
@@ -22,7 +22,7 @@ TouchTracker::TouchTracker(std::shared_ptr<const SceneCast> playedCast, double s
     : cast(std::move(playedCast)), share(-std::expm1(-stepSeconds / smoothingSeconds)),
       longestPauseSteps(longestPauseSeconds / stepSeconds) {}
 
-/// The one that has the pair, or one that is free, or none.
+/// Returns the voice of the pair, or a free one, or `voiceCount`.
 std::size_t TouchTracker::voiceFor(const Touch& touch) {
     for (std::size_t k = 0; k < voiceCount; ++k)
         if (voices[k].fadeSteps > 0 && voices[k].bodies == touch.bodies)
@@ -79,7 +79,7 @@ void TouchTracker::move(std::size_t voice, const Touch& touch, std::span<const s
     auto& state = now[voice];
     const auto role = [&](std::size_t side) { return roles[touch.bodies[side]]; };
     const auto& all = cast->roles();
-    // Of two surfaces the rougher one.
+    // The rougher surface sounds.
     state.soundRole =
         all[role(0)].sound.roughness > all[role(1)].sound.roughness ? role(0) : role(1);
     for (std::size_t side = 0; side < 2; ++side) {

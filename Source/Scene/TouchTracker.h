@@ -1,5 +1,5 @@
-// Contacts that last, step by step as physics tells them, as a few voices that each stay with one
-// pair of bodies for as long as it touches.
+// Assigns lasting contacts to a few voices. A voice stays with one pair of bodies as long as they
+// touch.
 #pragma once
 
 #include "Scene/Contact.h"
@@ -14,18 +14,18 @@
 
 namespace idiophone {
 
-/// What a voice does at a moment.
+/// The state of a contact voice at a time.
 struct TouchState {
-    std::uint32_t pair = 0;    ///< counts the pairs that a voice has had; 0 before the first
-    std::size_t soundRole = 0; ///< of the two, whose surface is heard
+    std::uint32_t pair = 0;    ///< counts the pairs that the voice has had; 0 before the first
+    std::size_t soundRole = 0; ///< role of the body whose surface is heard
     std::array<std::size_t, 2> slots{};
-    std::array<ForcePoint, 2> points{}; ///< where each is pressed, for a newton
+    std::array<ForcePoint, 2> points{}; ///< contact points of both bodies, for 1 N
     double forceNewtons = 0;
     double slideMetresPerSecond = 0;
     double rollMetresPerSecond = 0;
 };
 
-/// One thread at a time; not for the audio thread.
+/// One thread at a time. Not for the audio thread.
 class TouchTracker {
 public:
     static constexpr std::size_t voiceCount = 24;
@@ -33,7 +33,7 @@ public:
 
     TouchTracker(std::shared_ptr<const SceneCast> cast, double stepSeconds);
 
-    /// A step's touches. `roles` and `slots` are those of each body.
+    /// Takes the contacts of a step. `roles` and `slots` are indexed by body.
     void follow(std::span<const Touch> touches,
                 std::span<const std::size_t> roles,
                 std::span<const std::size_t> slots);
@@ -43,16 +43,16 @@ public:
 private:
     struct Voice {
         std::array<std::size_t, 2> bodies{};
-        std::array<Eigen::Vector3d, 2> pointMetres; ///< where `points` are
-        double fadeSteps = 0;                       ///< until it is free: it touched lately
-        bool isPlaced = false;                      ///< whether its points are known
+        std::array<Eigen::Vector3d, 2> pointMetres; ///< where `points` were computed
+        double fadeSteps = 0;  ///< steps until the voice is free; > 0 since its last contact
+        bool isPlaced = false; ///< whether its points are known
     };
 
     std::size_t voiceFor(const Touch& touch);
     void move(std::size_t voice, const Touch& touch, std::span<const std::size_t> roles);
 
     std::shared_ptr<const SceneCast> cast;
-    double share; ///< by which the figures follow in a step
+    double share; ///< smoothing factor of a step
     double longestPauseSteps;
     std::array<Voice, voiceCount> voices;
     std::array<TouchState, voiceCount> now;

@@ -57,7 +57,7 @@ void TouchVoices::reset() noexcept {
         voice.last = {};
 }
 
-/// The force of a voice in this cell, if it has any.
+/// Renders the force of a voice in this cell. Returns false if it has none.
 bool TouchVoices::render(Voice& voice,
                          const TouchState& state,
                          std::span<float, cellSamples> newtons) noexcept {

@@ -1,4 +1,5 @@
-// What slides and rolls as continuous forces on the synthesiser's grid, a few contacts at a time.
+// Renders sliding and rolling as continuous forces on the synthesiser's grid, a few contacts at a
+// time.
 #pragma once
 
 #include "Scene/SceneCast.h"
@@ -12,29 +13,29 @@
 
 namespace idiophone {
 
-/// Constructed and destroyed off the audio thread; every other member neither allocates, locks nor
-/// throws.
+/// Constructed and destroyed off the audio thread. The other members do not allocate, lock or
+/// throw.
 class TouchVoices {
 public:
     TouchVoices(const SceneCast& cast, double sampleRateHz, std::uint64_t seed);
 
-    /// What a voice does until the end of the cell begun last. The state's slots are those of the
-    /// synthesiser; a slot that it has not is not pressed.
+    /// Sets a voice until the end of the current cell. The state's slots are the synthesiser's;
+    /// `noSlot` and unknown slots are skipped.
     void press(std::size_t voice,
                const TouchState& state,
                Synthesiser& synthesiser,
                std::span<const CellOutput> cellsOfSlots) noexcept;
 
-    /// The end of what a voice did: its force goes to 0 until the end of the cell begun last.
+    /// Fades the voice's force to 0 until the end of the current cell.
     void release(std::size_t voice,
                  Synthesiser& synthesiser,
                  std::span<const CellOutput> cellsOfSlots) noexcept;
 
-    void reset() noexcept; ///< as constructed
+    void reset() noexcept; ///< to the state after construction
 
 private:
     struct Voice {
-        std::vector<ContactForce> slides, rolls; ///< one for each surface
+        std::vector<ContactForce> slides, rolls; ///< one a surface
         TouchState last;
         std::size_t surface = 0;
     };
